@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 
 from calibration.load_cell.force_uncertainty import force_uncertainty
 from rigapp.commands.progress import bar
+from rigapp.report.steps import sequence_of, step_numbers
 from rigapp.storage import export_test, open_test
 
 
@@ -31,8 +33,13 @@ def print_info(path: Path, *, as_json: bool) -> int:
 
 def export_file(path: Path, target: Path, *, cycles: bool, points: int | None = None) -> int:
     """Write a table of a test file and say how much was written; return the exit status."""
+    with open_test(path) as test:
+        sequence = sequence_of(test)
+    steps = partial(step_numbers, sequence) if sequence is not None else None
     with bar("Export") as progress:
-        rows = export_test(path, target, cycles=cycles, progress=progress, points=points)
+        rows = export_test(
+            path, target, cycles=cycles, progress=progress, points=points, steps=steps
+        )
     what = "samples" if cycles else "revolutions"
     if points is not None:
         what = f"{points} crank angles a cycle"

@@ -16,7 +16,11 @@ from rigapp.config.ranges import refusals
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import Matrix, RigFile
 from rigapp.config.rules import check_rules
+from rigapp.config.sequence import Sequence
 from rigapp.schema.criteria import CRITERIA
+
+MOST_STEPS = 1000
+"""More are written by no hand; they would only make each look at the sequence slow."""
 
 SECTIONS = ("spindle", "encoder", "load_cell", "probes")
 CELL_CONDITION = 1e6
@@ -141,10 +145,14 @@ def _listed(matrix: Matrix) -> str:
 
 
 def _of_test(test: TestFile) -> Iterator[str]:
-    if test.limits.overspeed_rpm <= test.run.speed_rpm:
+    wrong = list(_of_sequence(test))
+    yield from wrong
+    fastest = test.run.speed_rpm if wrong else Sequence(test.run).fastest_rpm
+    if test.limits.overspeed_rpm <= fastest:
+        where = "the fastest of run.step" if test.run.step else "run.speed_rpm"
         yield (
-            f"limits.overspeed_rpm = {test.limits.overspeed_rpm:g} is not above"
-            f" run.speed_rpm = {test.run.speed_rpm:g}; the test would trip at once"
+            f"limits.overspeed_rpm = {test.limits.overspeed_rpm:g} is not above {where} ="
+            f" {fastest:g}; the test would trip at once"
         )
     stop, limits = test.stop, test.limits
     if stop.force_N is not None and stop.force_N >= limits.overload_N:
@@ -166,6 +174,24 @@ def _of_test(test: TestFile) -> Iterator[str]:
     except UnusableInput as error:
         yield str(error)
     yield from _of_parameters(test.model, "model")
+
+
+def _of_sequence(test: TestFile) -> Iterator[str]:
+    run, count = test.run, len(test.run.step)
+    if count > MOST_STEPS:
+        yield f"run.step stands {count} times; {MOST_STEPS} are possible, and they can be repeated"
+    for number, step in enumerate(run.step, start=1):
+        if (step.revolutions is None) == (step.duration_s is None):
+            yield f"run.step {number}: give revolutions or duration_s, one of the two"
+    if run.repeat_from_step > max(1, count):
+        yield f"run.repeat_from_step = {run.repeat_from_step}, but run.step stands {count} times"
+    for rule in test.limits.rule:
+        for number in rule.steps:
+            if not 1 <= number <= count:
+                yield (
+                    f"limits.rule ({rule.quantity}): steps names step {number}, but run.step"
+                    f" stands {count} times"
+                )
 
 
 def _of_parameters(parameters: ParameterFile, section: str) -> Iterator[str]:

@@ -22,13 +22,33 @@ JOINT_WORDS = msgspec.Meta(
 Action = Literal["none", "warn", "pause", "stop", "drive_off"]
 
 
+class RunStep(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[[run.step]]: so many revolutions, or so long, at a speed of their own, then a rest.
+
+    Speed and ramp are those of [run] where they are not given. rest_s: the crank then stands so
+    long at the safe angle; after the last revolution of the test there is none.
+    """
+
+    name: str = ""
+    revolutions: Annotated[int | None, within(1, MOST, unit="revolutions")] = None
+    duration_s: Annotated[float | None, within(0.1, 1e8)] = None
+    speed_rpm: Annotated[float | None, within(0.1, 3000.0)] = None
+    acceleration_rpm_per_s: Annotated[float | None, within(0.1, 10_000.0)] = None
+    rest_s: Annotated[float, within(0.0, 1e7)] = 0.0
+
+
 class RunSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[run]: revolutions, speed and ramp; pause_angle_deg is the safe angle."""
+    """[run]: revolutions, speed and ramp; pause_angle_deg is the safe angle.
+
+    step: what the test is made of; after the last step it goes on with repeat_from_step.
+    """
 
     revolutions: Annotated[int, within(1, MOST, unit="revolutions")]
     speed_rpm: Annotated[float, within(0.1, 3000.0)]
     acceleration_rpm_per_s: Annotated[float, within(0.1, 10_000.0)] = 60.0
     pause_angle_deg: Annotated[float, within(0.0, 359.999)] = 90.0
+    repeat_from_step: Annotated[int, within(1, 1000)] = 1
+    step: tuple[RunStep, ...] = ()
 
 
 class MetadataSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -55,7 +75,10 @@ class CyclesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class LimitRule(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[[limits.rule]]: two levels on one quantity of the revolution, e.g. ``force_max``."""
+    """[[limits.rule]]: two levels on one quantity of the revolution, e.g. ``force_max``.
+
+    steps: judged in these steps of the test only, by their numbers; in all of them without any.
+    """
 
     quantity: str
     warning_above: Annotated[float | None, LEVEL] = None
@@ -64,6 +87,7 @@ class LimitRule(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     critical_below: Annotated[float | None, LEVEL] = None
     hysteresis: Annotated[float, within(0.0, 1e9)] = 0.0
     delay_revolutions: Annotated[int, IN_A_ROW] = 1
+    steps: tuple[Annotated[int, within(1, 1000)], ...] = ()
     action_warning: Action = "warn"
     action_critical: Action = "stop"
 

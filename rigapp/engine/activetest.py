@@ -9,20 +9,40 @@ from pathlib import Path
 
 from rigapp.config.loading import Document
 from rigapp.config.recipe import LimitsSection, TestFile
+from rigapp.config.sequence import Sequence, StepPlace
 from rigapp.engine.judging.testrun import TestRun
 from rigapp.engine.recording.recorder import Recorder
+from rigapp.schema.loglines import RestSignals
 from rigapp.schema.messages import Prediction
 from rigapp.schema.notices import Finished
 from rigapp.schema.states import Ending
 
 
 @dataclass(slots=True, eq=False)
+class Rest:
+    """A rest between two steps: it lasts so long from when the crank stands.
+
+    since_s: host time since which it stands, None before. signals: of the load cell at that time.
+    """
+
+    duration_s: float
+    since_s: float | None = None
+    signals: RestSignals | None = None
+
+    def left_s(self, pace: float) -> float:
+        """Return the rig's time until its end. pace: the rig's seconds in one of this computer."""
+        rested = 0.0 if self.since_s is None else time.monotonic() - self.since_s
+        return max(0.0, self.duration_s - rested * pace)
+
+
+@dataclass(slots=True, eq=False)
 class ActiveTest:
     """One test.
 
-    fresh: its file was made by its own start. steady_from: ordinal of the first whole revolution at
-    the set speed, None while it changes. off: power is off, or was asked to be. stood: the spindle
-    was seen to stand at the end, or could not be shown to.
+    stage: the step that the crank is in. resting: the rest between two steps, None while there is
+    none. fresh: its file was made by its own start. steady_from: ordinal of the first whole
+    revolution at the set speed, None while it changes. off: power is off, or was asked to be.
+    stood: the spindle was seen to stand at the end, or could not be shown to.
     """
 
     document: Document[TestFile]
@@ -34,6 +54,9 @@ class ActiveTest:
     started_at: float
     deadline_s: float
     fresh: bool
+    sequence: Sequence
+    stage: StepPlace
+    resting: Rest | None = None
     steady_from: int | None = None
     ending: Ending | None = None
     fault_sentence: str = ""
@@ -51,13 +74,13 @@ class ActiveTest:
 
     @property
     def target_rpm(self) -> float:
-        """Return the set speed."""
-        return self.document.record.run.speed_rpm
+        """Return the set speed of the step."""
+        return self.stage.speed_rpm
 
     @property
     def ramp_rpm_per_s(self) -> float:
-        """Return how fast the speed is changed."""
-        return self.document.record.run.acceleration_rpm_per_s
+        """Return how fast the speed of the step is reached."""
+        return self.stage.acceleration_rpm_per_s
 
     @property
     def rows(self) -> int:

@@ -14,7 +14,8 @@ thread         does
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 
 from drivers.api import (
     Block,
@@ -25,9 +26,11 @@ from drivers.api import (
     SlowSource,
     StreamSetup,
 )
+from rigapp.config.sequence import StepPlace
+from rigapp.engine.activetest import ActiveTest, Rest
 from rigapp.engine.core import Core
 from rigapp.engine.devices import Devices
-from rigapp.engine.drive.driving import SpindleControl
+from rigapp.engine.drive.driving import Ramp, SpindleControl
 from rigapp.engine.drive.sequences import DriveStep, Seen
 from rigapp.engine.judging.drivewatch import DriveWatch
 from rigapp.engine.judging.guard import Guard
@@ -41,8 +44,8 @@ from rigapp.engine.values.calibrate import Calibration
 from rigapp.process.threads import Worker
 from rigapp.schema.alarms import Cause, because
 from rigapp.schema.channels import LOAD_CELL
-from rigapp.schema.messages import RunState
-from rigapp.schema.states import ACTIVE, TURNING, Trigger
+from rigapp.schema.messages import FinishReason, RunState
+from rigapp.schema.states import ACTIVE, TURNING, Ending, Trigger, transition
 
 SMALLEST_QUEUE = 16384  # samples; a burst of so many may come after a pause of the host
 PROMPT_S = 0.02
@@ -334,11 +337,70 @@ class Connection:
         """Let the revolutions from the next index on belong to the test."""
         self.processor.begin_test()
 
-    def pause(self, reason: str) -> None:
-        """Begin to pause at the safe angle, when the state allows it."""
-        test = self.core.test
-        if test is not None and self.core.fire_if(Trigger.PAUSE, reason):
-            self.control.pause_at(test.document.record.run.pause_angle_deg)
+    def pause(self, reason: str) -> bool:
+        """Begin to pause at the safe angle, when the state allows it; tell whether it does.
+
+        A rest between two steps becomes a pause: the test goes on when somebody says so.
+        """
+        core, test = self.core, self.core.test
+        if test is None:
+            return False
+        if test.resting is not None:
+            test.resting = None
+            core.told_again(f"the rest has become a pause: {reason}")
+            return True
+        if not core.fire_if(Trigger.PAUSE, reason):
+            return False
+        self.control.pause_at(test.document.record.run.pause_angle_deg)
+        return True
+
+    def go_on_to(self, stage: StepPlace) -> None:
+        """Begin the next step of the test: rest before it, or go to its speed.
+
+        In a pause of the operator the speed is taken up when he goes on, and the pause is the rest.
+        """
+        core, test = self.core, self.core.test
+        if test is None:
+            return
+        ended, test.stage = test.stage, stage
+        words = f"{stage.words}: {stage.speed_rpm:g} rpm to revolution {stage.last}"
+        if core.state is RunState.STARTING:
+            text = f"{ended.words} was over before its {ended.speed_rpm:g} rpm were reached"
+            core.event("step", "engine", text, level="warning")
+        core.event("step", "engine", words, before=ended.words, after=stage.words)
+        if ended.rest_s and self.pause(f"{ended.words} is done: a rest of {ended.rest_s:g} s"):
+            test.resting = Rest(ended.rest_s)
+        elif stage.speed_rpm != ended.speed_rpm:
+            highest = max(stage.speed_rpm, ended.speed_rpm)
+            test.deadline_s = self.ramp_deadline_s(highest, test.ramp_rpm_per_s)
+            if core.fire_if(Trigger.STEP, words):
+                self.control.change(Ramp(test.target_rpm, test.ramp_rpm_per_s))
+
+    def ramp_deadline_s(self, rpm: float, rpm_per_s: float) -> float:
+        """Return the host time at which a speed must be reached or left that is commanded now."""
+        ramp_s = 2.0 * self.slow() * rpm / rpm_per_s
+        return time.monotonic() + self.core.timing.start_margin + ramp_s
+
+    def resume(self, test: ActiveTest) -> None:
+        """Go on after a pause with the speed of the step; raise Refused, DeviceError.
+
+        The drive's refusal ends the test.
+        """
+        transition(self.core.state, Trigger.RESUME)
+        test.resting = None
+        test.deadline_s = self.ramp_deadline_s(test.target_rpm, test.ramp_rpm_per_s)
+        self.core.fire(Trigger.RESUME)
+        with self.turning():
+            self.control.resume(Ramp(test.target_rpm, test.ramp_rpm_per_s))
+
+    @contextmanager
+    def turning(self) -> Iterator[None]:
+        """End the test when the drive refuses to turn, and raise its DeviceError."""
+        try:
+            yield
+        except DeviceError as error:
+            self.core.trip(Ending(FinishReason.DEVICE, str(error)))
+            raise
 
     # --- what the crank encoder shows -------------------------------------------------------------
 
@@ -415,9 +477,13 @@ class Connection:
 
     def slow(self) -> float:
         """Return how many times slower than real time the rig runs, 1 for a real one."""
+        return 1.0 / min(1.0, self.pace())
+
+    def pace(self) -> float:
+        """Return the seconds of the rig in a second of this computer, 1 for a real one."""
         if self.core.rig.record.simulation is None:
             return 1.0
-        return 1.0 / min(1.0, max(SLOWEST_PACE, self.processor.motion.pace()))
+        return max(SLOWEST_PACE, self.processor.motion.pace())
 
     # --- death -----------------------------------------------------------------------------------
 

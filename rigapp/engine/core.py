@@ -133,8 +133,13 @@ class Core:
         self._changed.notify_all()
         return state
 
+    def told_again(self, reason: str) -> None:
+        """Tell everyone the state once more, with another reason."""
+        self._announce(self._state, reason)
+
     def _announce(self, state: RunState, reason: str) -> None:
-        self.publisher.notice(StateChanged(state, reason))
+        resting = self.test is not None and self.test.resting is not None
+        self.publisher.notice(StateChanged(state, reason, resting))
         self.event("state", "engine", reason or f"the run is {state.value}", after=state.value)
 
     # --- events and alarms -----------------------------------------------------------------------

@@ -8,8 +8,7 @@ one with unusable words raises ``UnusableInput``; one that a device fails raises
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,7 +29,7 @@ from rigapp.engine.listening import SignalView, hear
 from rigapp.engine.publish import Subscription
 from rigapp.engine.recording.store import OpenRequest, OpenStore, open_file
 from rigapp.engine.resting import note_rest, signals_at_rest, take_zero
-from rigapp.engine.starting import check_overload, check_start, open_test, start_deadline_s
+from rigapp.engine.starting import check_overload, check_start, open_test
 from rigapp.engine.supervisor import Supervisor
 from rigapp.engine.values.calibrate import Calibration, calibration_of
 from rigapp.engine.views import build_status, next_step
@@ -263,8 +262,7 @@ class Engine:
         active = open_test(core, connection, request, monitor, self._open_store)
         core.publisher.restart(active.recorder.rows)
         core.test = active
-        run = test.record.run
-        connection.control.arm(Ramp(run.speed_rpm, run.acceleration_rpm_per_s))
+        connection.control.arm(Ramp(active.target_rpm, active.ramp_rpm_per_s))
         try:
             core.fire(Trigger.START, f"started by {operator}" if operator else "")
         except Refused as error:
@@ -280,22 +278,18 @@ class Engine:
             core.event(remark.kind, remark.who, remark.text, remark.before, remark.after)
         note_rest(core, rest)
         connection.begin_test()
-        with self._turning():
+        with connection.turning():
             connection.control.run()
 
-    @contextmanager
-    def _turning(self) -> Iterator[None]:
-        """End the test when the drive refuses to turn, and raise its DeviceError."""
-        try:
-            yield
-        except DeviceError as error:
-            self._core.trip(Ending(FinishReason.DEVICE, str(error)))
-            raise
-
     def pause(self, operator: str = "", reason: str = "") -> None:
-        """Slow down and come to rest at the safe angle; the drive holds the crank there."""
+        """Slow down and come to rest at the safe angle; the drive holds the crank there.
+
+        A rest between two steps becomes a pause.
+        """
         with self._command:
-            transition(self._core.state, Trigger.PAUSE)
+            test = self._core.test
+            if test is None or test.resting is None:
+                transition(self._core.state, Trigger.PAUSE)
             assert self._connection is not None
             self._note_command("pause", operator, reason)
             self._connection.pause(reason or f"pausing for {operator or 'the operator'}")
@@ -308,11 +302,8 @@ class Engine:
             active = core.test
             assert connection is not None
             assert active is not None
-            active.deadline_s = start_deadline_s(core, connection, active.document.record)
             self._note_command("resume", operator, "")
-            core.fire(Trigger.RESUME)
-            with self._turning():
-                connection.control.resume()
+            connection.resume(active)
 
     def stop(self, operator: str = "", reason: str = "") -> None:
         """End the test with a controlled stop; raise Refused when none is under way."""
@@ -442,10 +433,11 @@ class Engine:
             if active is None or self._core.state not in ACTIVE:
                 raise Refused("limits are changed in the test file while no test is under way")
             before, limits = changed_limits(active.limits, name, value, self._core.table)
-            if limits.overspeed_rpm <= active.target_rpm:
+            fastest = active.sequence.fastest_rpm
+            if limits.overspeed_rpm <= fastest:
                 raise UnusableInput(
                     f"overspeed_rpm = {limits.overspeed_rpm:g} must be above the set speed "
-                    f"{active.target_rpm:g} rpm"
+                    f"{fastest:g} rpm"
                 )
             check_overload(self._core.rig.record, limits.overload_N)
             active.run.monitor.replace(limits.rule)

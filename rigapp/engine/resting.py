@@ -1,18 +1,25 @@
-"""The load cell's signals while the crank stands: taken as zero, and noted before every start."""
+"""The load cell's signals while the crank stands: taken as zero, noted before a start, in a rest.
+
+A rest between two steps of a test begins and ends here.
+"""
 
 from __future__ import annotations
 
 import time
+from contextlib import suppress
 
 import numpy as np
 from numpy.typing import NDArray
 
+from drivers.api import DeviceError
+from rigapp.engine.activetest import ActiveTest, Rest
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
 from rigapp.engine.processing import Averaging
 from rigapp.schema.channels import LOAD_CELL
 from rigapp.schema.loglines import REST, RestSignals
 from rigapp.schema.messages import RunState
+from rigapp.schema.states import Refused
 
 Array = NDArray[np.float64]
 
@@ -70,10 +77,33 @@ def signals_at_rest(core: Core, connection: Connection) -> RestSignals | None:
     return RestSignals(first, second, noise, other, angle)
 
 
-def note_rest(core: Core, rest: RestSignals | None) -> None:
+def note_rest(core: Core, rest: RestSignals | None, when: str = "before the start") -> None:
     """Write the signals at rest into the log of the test."""
     if rest is None:
         return
     shown = f"{rest.force_1_mV_per_V:.6f}, {rest.force_2_mV_per_V:.6f}"
-    text = f"the load cell shows {shown} mV/V at rest before the start"
+    text = f"the load cell shows {shown} mV/V at rest {when}"
     core.event(REST, "engine", text, after=shown, data=rest)
+
+
+def begin_rest(core: Core, connection: Connection, rest: Rest) -> None:
+    """Note what the load cell shows at the beginning of a rest between two steps."""
+    rest.signals = signals_at_rest(core, connection)
+    note_rest(core, rest.signals, f"at the beginning of a rest of {rest.duration_s:g} s")
+
+
+def end_rest(core: Core, connection: Connection, test: ActiveTest, rest: Rest) -> None:
+    """Note by how much the load cell has crept in a rest, and go on with the test."""
+    now, before = signals_at_rest(core, connection), rest.signals
+    if now is not None and before is not None:
+        crept = [b - a for a, b in zip(before.pair, now.pair, strict=True)]
+        note_rest(
+            core,
+            now,
+            f"at the end of a rest of {rest.duration_s:g} s, in which it crept by"
+            f" {crept[0]:+.6f}, {crept[1]:+.6f} mV/V",
+        )
+    if test.resting is not rest:
+        return
+    with suppress(Refused, DeviceError):  # stopped meanwhile; a drive's refusal has ended the test
+        connection.resume(test)

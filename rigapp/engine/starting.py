@@ -12,6 +12,7 @@ from rigapp.config.loading import Document
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.config.rules import check_rules
+from rigapp.config.sequence import Sequence
 from rigapp.engine.activetest import ActiveTest
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
@@ -43,13 +44,14 @@ def check_start(core: Core, connection: Connection, document: Document[TestFile]
         f"the load cell shows {force_N:.0f} N, limits.overload_N is {limit_N:g} N; unload the pin "
         "or take the zero",
     )
-    samples = connection.setup.sample_rate_Hz * 60.0 / run.speed_rpm
+    fastest = Sequence(run).fastest_rpm
+    samples = connection.setup.sample_rate_Hz * 60.0 / fastest
     calibration = connection.processor.calibration
     if calibration.counter.clock is SampleClock.ENCODER:
         samples = calibration.encoder.counts_per_revolution
     if samples < FEWEST_SAMPLES:
         raise UnusableInput(
-            f"run.speed_rpm = {run.speed_rpm:g}: {connection.setup.sample_rate_Hz:g} samples/s "
+            f"run.speed_rpm = {fastest:g}: {connection.setup.sample_rate_Hz:g} samples/s "
             f"give {samples:.0f} samples a revolution, {FEWEST_SAMPLES} are needed; "
             "raise the sample rate"
         )
@@ -59,16 +61,16 @@ def check_start(core: Core, connection: Connection, document: Document[TestFile]
 def check_fit(rig: RigFile, document: Document[TestFile]) -> None:
     """Refuse what a rig cannot do or see, before any device is opened; raise UnusableInput."""
     test, where = document.record, document.path
-    run, fastest = test.run, rig.spindle.maximum_speed_rpm
-    if run.speed_rpm > fastest:
+    fastest, allowed = Sequence(test.run).fastest_rpm, rig.spindle.maximum_speed_rpm
+    if fastest > allowed:
         raise UnusableInput(
-            f"{where}: run.speed_rpm = {run.speed_rpm:g} is above the rig's "
-            f"spindle.maximum_speed_rpm = {fastest:g}"
+            f"{where}: run.speed_rpm = {fastest:g} is above the rig's "
+            f"spindle.maximum_speed_rpm = {allowed:g}"
         )
-    if test.limits.overspeed_rpm <= run.speed_rpm:
+    if test.limits.overspeed_rpm <= fastest:
         raise UnusableInput(
             f"{where}: limits.overspeed_rpm = {test.limits.overspeed_rpm:g} must be above "
-            f"run.speed_rpm = {run.speed_rpm:g}"
+            f"run.speed_rpm = {fastest:g}"
         )
     check_rules(test.limits.rule, channel_table(rig), f"{where}: ")
     check_overload(rig, test.limits.overload_N, f"{where}: ")
@@ -105,6 +107,8 @@ def open_test(
     gap_s = max(0.0, time.time() - opened.last_host_time) if opened.rows else 0.0
     offset_s = opened.last_time_s + gap_s
     stops = _stop_monitor(test.record, opened, offset_s, path)
+    sequence = Sequence(run)
+    stage = sequence.at(opened.last_revolution + 1)
     return ActiveTest(
         document=test,
         path=path,
@@ -119,6 +123,7 @@ def open_test(
             stops=stops,
             slow=connection.slow_channels.columns,
             joint=JointWatch(test.record.model.pairing),
+            step=lambda number: sequence.at(number).step,
         ),
         recorder=Recorder(
             opened.store,
@@ -132,8 +137,10 @@ def open_test(
         limits=test.record.limits,
         operator=request.operator,
         started_at=time.time(),
-        deadline_s=start_deadline_s(core, connection, test.record),
+        deadline_s=connection.ramp_deadline_s(stage.speed_rpm, stage.acceleration_rpm_per_s),
         fresh=not request.resume,
+        sequence=sequence,
+        stage=stage,
     )
 
 
@@ -150,9 +157,3 @@ def _stop_monitor(test: TestFile, opened: Opened, offset_s: float, path: Path) -
         opened.store.close()
         raise
     return stops
-
-
-def start_deadline_s(core: Core, connection: Connection, test: TestFile) -> float:
-    """Return the host time at which the set speed must be reached after a start now."""
-    ramp_s = test.run.speed_rpm / test.run.acceleration_rpm_per_s
-    return time.monotonic() + core.timing.start_margin + 2.0 * connection.slow() * ramp_s

@@ -9,6 +9,7 @@ from functools import partial
 
 from rigapp.engine.connection import Connection, silent_thread
 from rigapp.engine.core import SLOW_DISK_S, Core
+from rigapp.engine.resting import begin_rest, end_rest
 from rigapp.schema.alarms import because
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import ACTIVE
@@ -45,6 +46,7 @@ class Supervisor:
         self._look_at_data()
         self._connection.watches.look()
         self._look_at_start()
+        self._look_at_rest()
         self._look_at_stop()
         self._look_at_clock()
         self._look_at_disk()
@@ -114,6 +116,18 @@ class Supervisor:
         elif now - self._slow_since > SPEED_LOST_S * connection.slow():
             core.act_on(because("speed_lost", speed_rpm=rpm, target_rpm=test.target_rpm))
 
+    def _look_at_rest(self) -> None:
+        """Begin the rest between two steps when the crank stands, and go on at its end."""
+        core, test = self._core, self._core.test
+        rest = test.resting if test is not None else None
+        if test is None or rest is None or core.state is not RunState.PAUSED:
+            return
+        if rest.since_s is None:
+            rest.since_s = time.monotonic()
+            self._help("rest", partial(begin_rest, core, self._connection, rest))
+        elif rest.left_s(self._connection.pace()) == 0.0:
+            self._help("rest", partial(end_rest, core, self._connection, test, rest))
+
     def _look_at_stop(self) -> None:
         core, connection, timing = self._core, self._connection, self._core.timing
         test = core.test
@@ -125,8 +139,8 @@ class Supervisor:
             return
         if not connection.drive.well and not test.stood:
             self._help("stop", self._stop_in_place_of_the_drive_thread)
-        run = test.document.record.run
-        ramp = 1.5 * run.speed_rpm / run.acceleration_rpm_per_s * connection.slow()
+        steps = test.sequence
+        ramp = 1.5 * steps.fastest_rpm / steps.gentlest_rpm_per_s * connection.slow()
         longest = ramp + timing.stop_margin + timing.coast + 4 * timing.make_safe
         if not test.stood and time.monotonic() - test.stopping_since > longest:
             core.will_not_stop("The stop was commanded, but the drive could not be asked.")

@@ -32,9 +32,6 @@ from rigapp.schema.states import ACTIVE
 NO_MARGIN = 1e9
 """Shown when nothing is limited."""
 
-SLOWEST_PACE = 1e-3
-"""A simulated rig that stands leaves a finite time to the end of its test."""
-
 RIG_FILE = "rig file"
 """What is told in place of a calibration record where there is none."""
 
@@ -64,6 +61,9 @@ def build_status(
         file=str(active.path) if active is not None else "",
         revolution=core.revolution,
         planned=active.run.planned if active is not None else 0,
+        step=active.stage.step if active is not None else 0,
+        steps=active.sequence.count if active is not None else 0,
+        resting=active is not None and active.resting is not None,
         committed=max(0, active.committed) if active is not None else 0,
         first_revolution=active.run.first if active is not None else 0,
         target_rpm=active.target_rpm if active is not None else 0.0,
@@ -134,24 +134,24 @@ def _margin(
     margin = margin_to(limits.stale_data_s, connection.data_age_s(), "stale data")
     if core.state is RunState.RUNNING and judged is not None:
         values = judged.named
-        margin = min(margin, least_margin(active.run.monitor, limits, values))
+        step = active.run.step(judged.number)
+        margin = min(margin, least_margin(active.run.monitor, limits, values, step))
     return margin if math.isfinite(margin[0]) else (NO_MARGIN, "")
 
 
 def _expected_end(core: Core, connection: Connection | None, active: ActiveTest | None) -> float:
     if active is None or connection is None or core.state not in ACTIVE:
         return 0.0
-    pace = 1.0
-    if core.rig.record.simulation is not None:
-        pace = max(connection.processor.motion.pace(), SLOWEST_PACE)
-    return time.time() + _seconds_left(active) / pace
+    pace = connection.pace()
+    rest_s = active.resting.left_s(pace) if active.resting is not None else 0.0
+    return time.time() + (_seconds_left(active) + rest_s) / pace
 
 
 def _seconds_left(active: ActiveTest) -> float:
-    """Return the test's own time to its last revolution or to its planned hours."""
+    """Return the test's own time to its last revolution or planned hours, without a rest now."""
     run, stop = active.run, active.document.record.stop
     now_s = run.newest.named["time"] if run.newest is not None else run.time_offset_s
-    left = [(run.planned - run.number) * 60.0 / active.target_rpm]
+    left = [active.sequence.seconds(run.number + 1, run.planned)]
     if stop.elapsed_time_h is not None:
         left.append(3600.0 * stop.elapsed_time_h - now_s)
     if stop.running_time_h is not None:

@@ -121,7 +121,7 @@ def _changes(way: NotifySection, book: Book, fact: Fact) -> Iterator[_Change]:
         case AlarmChanged():
             yield from _of_alarm(way, seen.alarm)
         case StateChanged():
-            yield from _of_state(way, seen.state, seen.reason)
+            yield from _of_state(way, seen)
         case Finished():
             yield _Went("criterion", untold=True)
             if "end" in way.when:
@@ -155,13 +155,14 @@ def _of_alarm(way: NotifySection, alarm: Alarm) -> Iterator[_Change]:
         yield _Came(key, level, title, text)
 
 
-def _of_state(way: NotifySection, state: RunState, reason: str) -> Iterator[_Change]:
-    if state is RunState.PAUSED and "pause" in way.when:
-        why = f"Why: {reason.strip()}." if reason.strip() else "No reason was given."
+def _of_state(way: NotifySection, seen: StateChanged) -> Iterator[_Change]:
+    if seen.state is RunState.PAUSED and not seen.resting and "pause" in way.when:
+        reason = seen.reason.strip()
+        why = f"Why: {reason}." if reason else "No reason was given."
         yield _Came("pause", "warning", "Test paused", f"The spindle stands. {why}")
-    elif state is RunState.RUNNING:
+    elif seen.state is RunState.RUNNING:
         yield _Went("pause", "The test runs again")
-    elif state not in ACTIVE:
+    elif seen.state not in ACTIVE:
         yield _Went("pause", untold=True)
 
 

@@ -17,7 +17,7 @@ from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import UM_PER_MM
 from rigapp.gui.data.texts import MOMENT, dated, duration, grouped
 from rigapp.page.rig import DiskSpace, WatchedRig
-from rigapp.schema.messages import Alarm, DeviceView, RunState
+from rigapp.schema.messages import Alarm, DeviceView, RunState, Status
 
 NOTES = 5
 """The last ones; all of them are in the log of the test."""
@@ -185,6 +185,7 @@ def _tiles(news: News) -> list[FreeValue]:
     planned = f"of {grouped(status.planned)}, {share}" if status.planned else ""
     found = [
         FreeValue("revolution", "Revolution", grouped(status.revolution), planned),
+        *_step(status),
         FreeValue("speed", "Speed", f"{status.speed_rpm:.1f} rpm", _wanted(status.target_rpm)),
     ]
     if status.state is RunState.RUNNING and status.expected_end_at > status.host_time:
@@ -205,6 +206,13 @@ def _tiles(news: News) -> list[FreeValue]:
     found.append(FreeValue("age", "Age of the data", age, ""))
     found += free_values(news.data.channels, status.channels, lambda name: newest(news, name))
     return found
+
+
+def _step(status: Status) -> list[FreeValue]:
+    """Return the tile of the step, nothing for a test without steps."""
+    if not status.step:
+        return []
+    return [FreeValue("step", "Step", f"{status.step}", f"of {status.steps}")]
 
 
 def _wanted(target_rpm: float) -> str:

@@ -199,7 +199,8 @@ class Status(msgspec.Struct, frozen=True):
 
     criterion_percent: how far before its nearest planned end or stop criterion a test is, in
     percent of it; NaN while nothing is known of any. queue: the tests of the rig's queue, those
-    that are done among them; queue_works: the next one begins by itself.
+    that are done among them; queue_works: the next one begins by itself. step: of the test, of so
+    many steps, both 0 where it has none; resting: between two of them, and it goes on by itself.
     """
 
     state: RunState
@@ -237,6 +238,9 @@ class Status(msgspec.Struct, frozen=True):
     recovery: Recovery = Recovery()
     criterion_percent: float = math.nan
     criterion: str = ""
+    step: int = 0
+    steps: int = 0
+    resting: bool = False
 
 
 class Cycle(msgspec.Struct, frozen=True):

@@ -15,11 +15,12 @@ class Committed(msgspec.Struct, frozen=True, tag_field="event", tag="committed")
     revolutions: int
 
 
-class StateChanged(msgspec.Struct, frozen=True, tag_field="event", tag="state"):
-    """The run is in another state."""
+class StateChanged(msgspec.Struct, frozen=True, tag_field="event", tag="state", omit_defaults=True):
+    """The run is in another state. resting: between two steps, and it goes on by itself."""
 
     state: RunState
     reason: str
+    resting: bool = False
 
 
 class AlarmChanged(msgspec.Struct, frozen=True, tag_field="event", tag="alarm"):

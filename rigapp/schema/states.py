@@ -9,8 +9,9 @@
                             +--reset-- stopped <------------------------------+
                             +--reset-- fault   <------------------------------+
 
-Every way out of starting, running, pausing and paused leads through stopping, where the spindle is
-brought to a stand and the file is finished; only then is the state stopped or fault.
+Between two steps of different speed a test goes from running back to starting, in which the speed
+is changed. Every way out of starting, running, pausing and paused leads through stopping, where the
+spindle is brought to a stand and the file is finished; only then is the state stopped or fault.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ class Trigger(enum.StrEnum):
     CONNECTED = "connected"
     START = "start"
     AT_SPEED = "at speed"
+    STEP = "step"
     PAUSE = "pause"
     STANDING = "standing"
     RESUME = "resume"
@@ -51,8 +53,10 @@ TABLE: dict[tuple[RunState, Trigger], RunState] = {
     (_R.READY, _T.RESET): _R.READY,
     (_R.READY, _T.DISCONNECT): _R.IDLE,
     (_R.STARTING, _T.AT_SPEED): _R.RUNNING,
+    (_R.STARTING, _T.STEP): _R.STARTING,
     (_R.STARTING, _T.PAUSE): _R.PAUSING,
     (_R.STARTING, _T.STOP): _R.STOPPING,
+    (_R.RUNNING, _T.STEP): _R.STARTING,
     (_R.RUNNING, _T.PAUSE): _R.PAUSING,
     (_R.RUNNING, _T.STOP): _R.STOPPING,
     (_R.PAUSING, _T.STANDING): _R.PAUSED,

@@ -16,6 +16,7 @@ from rigapp.calibrating.records_in_use import RigRecords
 from rigapp.config.channels import channel_table
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
+from rigapp.config.sequence import Sequence
 from rigapp.engine.judging.criteria import described
 from rigapp.engine.judging.reach import FEWEST_SAMPLES, load_cell_reach_N
 from rigapp.schema.channels import BASE, ChannelTable
@@ -113,10 +114,15 @@ def _of_test(test: TestFile | None, rig: RigFile | None) -> Iterator[Check]:
     if test is None:
         yield Check("Test", BLOCKS, "not usable yet", "See the sentence above the form")
         return
-    run = test.run
-    hours = run.revolutions / run.speed_rpm / 60.0
-    text = f"{run.revolutions:,} revolutions at {run.speed_rpm:g} rpm".replace(",", "\u2009")
-    yield Check("Test", GOOD, f"{text}, {hours:.3g} h")
+    run, sequence = test.run, Sequence(test.run)
+    hours = sequence.seconds(1, run.revolutions) / 3600.0
+    count = f"{run.revolutions:,}".replace(",", "\u2009")
+    low, high = sequence.slowest_rpm, sequence.fastest_rpm
+    text = f"{count} revolutions at {high:g} rpm, {hours:.3g} h"
+    if low < high:
+        text = f"{count} revolutions at {low:g} to {high:g} rpm, {hours:.3g} h"
+    yield Check("Test", GOOD, text)
+    yield from _of_steps(sequence, run.revolutions)
     yield from _of_ends(test)
     if rig is not None:
         yield from _of_rig_limits(test, rig)
@@ -131,6 +137,20 @@ def _of_test(test: TestFile | None, rig: RigFile | None) -> Iterator[Check]:
             )
 
 
+def _of_steps(sequence: Sequence, planned: int) -> Iterator[Check]:
+    if not sequence.count:
+        return
+    once = sequence.length
+    text = f"{sequence.count} steps, {once} revolutions"
+    if planned < once:
+        action = f"The test ends in step {sequence.at(planned).step}; raise run.revolutions"
+        yield Check("Sequence", ATTENTION, f"{text}, {planned} are planned", action)
+    elif planned > once:
+        yield Check("Sequence", GOOD, f"{text}, then again from step {sequence.again}")
+    else:
+        yield Check("Sequence", GOOD, text)
+
+
 def _of_ends(test: TestFile) -> Iterator[Check]:
     criteria = described(test.stop)
     if criteria:
@@ -138,7 +158,7 @@ def _of_ends(test: TestFile) -> Iterator[Check]:
 
 
 def _of_rig_limits(test: TestFile, rig: RigFile) -> Iterator[Check]:
-    speed, fastest = test.run.speed_rpm, rig.spindle.maximum_speed_rpm
+    speed, fastest = Sequence(test.run).fastest_rpm, rig.spindle.maximum_speed_rpm
     if speed > fastest:
         text = f"{speed:g} rpm, the rig allows {fastest:g} rpm"
         yield Check("Speed", BLOCKS, text, "Lower run.speed_rpm")
@@ -295,7 +315,7 @@ def _of_rate(test: TestFile, status: Status) -> Iterator[Check]:
     rate = max((device.sample_rate_Hz for device in status.devices), default=0.0)
     if rate <= 0.0:
         return
-    samples = rate * 60.0 / test.run.speed_rpm
+    samples = rate * 60.0 / Sequence(test.run).fastest_rpm
     text = f"{samples:.0f} samples a revolution at {rate:g} Hz"
     if samples < FEWEST_SAMPLES:
         yield Check("Sample rate", BLOCKS, text, "Raise the sample rate")

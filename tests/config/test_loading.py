@@ -28,7 +28,7 @@ def example(name: str) -> str:
     return (EXAMPLES / name).read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("name", ["quick.toml", "paper.toml"])
+@pytest.mark.parametrize("name", ["quick.toml", "paper.toml", "steps.toml"])
 def test_shipped_tests_are_readable(name: str) -> None:
     assert read_test(EXAMPLES / name).record.schema == 1
 

@@ -124,6 +124,8 @@ def test_a_pause_is_told_with_its_reason_and_its_end_only_where_the_test_goes_on
     assert turns(found) == [("pause", "raised"), ("pause", "recovered")]
     assert "pausing for Ada" in found[0].text
     assert len(told(ALL, pause, (60.0, StateChanged(RunState.STOPPED, "")))) == 1
+    rest = (1.0, StateChanged(RunState.PAUSED, "step 1 is done", resting=True))
+    assert told(ALL, rest, (60.0, StateChanged(RunState.RUNNING, ""))) == []
 
 
 def near(percent: float) -> SignOfLife:

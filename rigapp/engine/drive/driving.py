@@ -25,10 +25,16 @@ PROMPT_S = 0.5
 
 @dataclass(frozen=True, slots=True)
 class Ramp:
-    """A speed and how fast it is reached."""
+    """A speed and how fast it is reached. from_rpm: the highest of those before it."""
 
     rpm: float
     rpm_per_s: float
+    from_rpm: float = 0.0
+
+    @property
+    def down_s(self) -> float:
+        """Return how long it takes at most to ramp down from wherever it is."""
+        return max(self.rpm, self.from_rpm) / self.rpm_per_s
 
 
 class SpindleControl:
@@ -55,6 +61,7 @@ class SpindleControl:
         self._stop: StopSequence | None = None
         self._pause: PauseSequence | None = None
         self._ramp = Ramp(0.0, 60.0)
+        self._unsent = False
         self.status: DriveStatus | None = None
         self.answered_s = 0.0
         self.last_error: DeviceError | None = None
@@ -67,7 +74,7 @@ class SpindleControl:
         with self._command:
             self._stop = None
             self._pause = None
-            self._ramp = ramp
+            self._ramp, self._unsent = ramp, False
 
     def run(self) -> None:
         """Turn at the armed speed, unless a stop came since. Raises DeviceError."""
@@ -75,23 +82,33 @@ class SpindleControl:
             if self._stop is None:
                 self._send(self._ramp.rpm)
 
-    def resume(self) -> None:
+    def resume(self, ramp: Ramp) -> None:
         """Turn at the test's speed again after a pause, unless a stop came first."""
         with self._command:
             if self._stop is None:
                 self._pause = None
+                self._ramp, self._unsent = ramp, False
                 self._send(self._ramp.rpm)
+
+    def change(self, ramp: Ramp) -> None:
+        """Go to another speed, unless a pause or a stop came first; the drive thread sends it."""
+        with self._command:
+            if self._stop is None and self._pause is None:
+                before = max(self._ramp.rpm, self._ramp.from_rpm)
+                self._ramp = Ramp(ramp.rpm, ramp.rpm_per_s, before)
+                self._unsent = True
 
     def pause_at(self, angle_deg: float) -> None:
         """Begin to pause at a crank angle."""
         slow = self._slow()
         limit = (
             self._timing.start_margin
-            + slow * (2.0 * self._ramp.rpm / self._ramp.rpm_per_s)
+            + slow * 2.0 * self._ramp.down_s
             + slow * TURNS_TO_AIM * 60.0 / min(self._ramp.rpm, CREEP_RPM)
         )
         with self._command:
             if self._stop is None:
+                self._unsent = False
                 self._pause = PauseSequence(
                     angle_deg, self._ramp.rpm, self._ramp.rpm_per_s, time.monotonic(), limit
                 )
@@ -106,9 +123,7 @@ class SpindleControl:
             self._pause = None
             if self._stop is None or self._stop.done:
                 slow = self._slow()
-                ramp_s = (
-                    1.5 * slow * self._ramp.rpm / self._ramp.rpm_per_s + self._timing.stop_margin
-                )
+                ramp_s = 1.5 * slow * self._ramp.down_s + self._timing.stop_margin
                 self._stop = StopSequence(off, now, ramp_s, self._timing.coast, self._watchdog_s)
             elif off:
                 self._stop.cut_power(now)
@@ -188,6 +203,7 @@ class SpindleControl:
                     self._carry_out(do)
                 return do
             if pause is None:
+                self._send_changed()
                 return DriveStep.WAIT
             do = pause.step(self.seen())
             try:
@@ -215,6 +231,17 @@ class SpindleControl:
             self.errors += 1
         else:
             self._stop.commanded(do, time.monotonic())
+
+    def _send_changed(self) -> None:
+        """Send a speed that was changed; one that the drive does not take is sent again."""
+        if self._unsent:
+            try:
+                self._send(self._ramp.rpm)
+            except DeviceError as error:
+                self.last_error = error
+                self.errors += 1
+            else:
+                self._unsent = False
 
     def _send(self, rpm: float) -> None:
         self._spindle.set_speed(rpm / 60.0, self._ramp.rpm_per_s / 60.0)

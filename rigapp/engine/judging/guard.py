@@ -242,6 +242,10 @@ class Guard:
             run.record(row)
         if test.run.complete:
             self._complete(test)
+        elif row is not None and row.number >= test.stage.last:
+            self._changes(test)
+            self._changed_in = revolution.ordinal + 1
+            self._rig.go_on_to(test.sequence.at(row.number + 1))
 
     def _is_steady(self, test: OpenTest, revolution: Revolution) -> bool:
         """Tell whether the speed was not being changed in any part of a revolution.
@@ -308,7 +312,7 @@ class Guard:
         named = by_name(prediction_columns(), values)
         measured = self._run.table.place
         alone = {name: value for name, value in named.items() if name not in measured}
-        for verdict in test.run.monitor.judge(alone):
+        for verdict in test.run.monitor.judge(alone, test.run.step(int(named["revolution"]))):
             self.verdict(verdict)
         for found in test.run.joint.look(named):
             if isinstance(found, str):

@@ -27,7 +27,7 @@ class LevelPassed:
 
 @dataclass(slots=True)
 class _Watch:
-    """One level of one rule."""
+    """One level of one rule. steps: of the test, in which it is judged; all without any."""
 
     quantity: str
     severity: Severity
@@ -36,12 +36,22 @@ class _Watch:
     hysteresis: float
     delay: int
     action: Action
+    steps: frozenset[int] = frozenset()
     beyond: int = 0
     active: bool = False
 
     def cause(self, value: float) -> Cause:
         """Return the alarm that a value raises or ends."""
         return exceeded(self.quantity, self.severity, value, self.limit, self.above, self.action)
+
+    def judges(self, step: int) -> bool:
+        """Tell whether it is judged in a step of the test."""
+        return not self.steps or step in self.steps
+
+    def leave(self) -> bool | None:
+        """Forget what was seen before another step; False when the level was passed then."""
+        passed, self.active, self.beyond = self.active, False, 0
+        return False if passed else None
 
     def look(self, value: float) -> bool | None:
         """Return True when the level is passed for good, False when the value came back."""
@@ -80,6 +90,7 @@ def _watches(rules: Iterable[LimitRule]) -> list[_Watch]:
                     hysteresis=rule.hysteresis,
                     delay=rule.delay_revolutions,
                     action=rule.action_critical if critical else rule.action_warning,
+                    steps=frozenset(rule.steps),
                 )
             )
     return found
@@ -100,32 +111,36 @@ class RuleMonitor:
         """
         rules = tuple(rules)
         check_rules(rules, self._table)
-        former = {(w.quantity, w.severity, w.above): w for w in self._watches}
+        former = {(w.quantity, w.severity, w.above, w.steps): w for w in self._watches}
         watches = _watches(rules)
         for watch in watches:
-            before = former.get((watch.quantity, watch.severity, watch.above))
+            before = former.get((watch.quantity, watch.severity, watch.above, watch.steps))
             if before is not None:
                 watch.beyond, watch.active = before.beyond, before.active
         self.rules, self._watches = rules, watches
 
-    def judge(self, values: Mapping[str, float]) -> list[LevelPassed]:
-        """Return what changed with these values; quantities that are missing or NaN are skipped."""
+    def judge(self, values: Mapping[str, float], step: int = 0) -> list[LevelPassed]:
+        """Return what changed with these values; quantities that are missing or NaN are skipped.
+
+        step: of the test, in which they were measured. What a level of another step has found is
+        over.
+        """
         found: list[LevelPassed] = []
         for watch in self._watches:
             value = values.get(watch.quantity)
             if value is None or math.isnan(value):
                 continue
-            change = watch.look(value)
+            change = watch.look(value) if watch.judges(step) else watch.leave()
             if change is not None:
                 found.append(LevelPassed(watch.cause(value), change, watch.action))
         return found
 
-    def worst_margin(self, values: Mapping[str, float]) -> tuple[float, str]:
+    def worst_margin(self, values: Mapping[str, float], step: int = 0) -> tuple[float, str]:
         """Return the smallest distance to a level in percent of the level, and its name."""
         worst, name = math.inf, ""
         for watch in self._watches:
             value = values.get(watch.quantity)
-            if value is None or math.isnan(value):
+            if value is None or math.isnan(value) or not watch.judges(step):
                 continue
             sign = 1 if watch.above else -1
             margin = 100.0 * sign * (watch.limit - value) / max(abs(watch.limit), 1e-9)
@@ -136,14 +151,14 @@ class RuleMonitor:
 
 
 def least_margin(
-    monitor: RuleMonitor, limits: LimitsSection, values: Mapping[str, float]
+    monitor: RuleMonitor, limits: LimitsSection, values: Mapping[str, float], step: int = 0
 ) -> tuple[float, str]:
     """Return the least distance of a judged revolution to any limit, in percent, and which one.
 
     values: the columns of its row. Infinite and unnamed when nothing of it is limited.
     """
     return min(
-        monitor.worst_margin(values),
+        monitor.worst_margin(values, step),
         margin_to(limits.overload_N, values["force_max"], "overload"),
         margin_to(limits.overspeed_rpm, abs(values["speed_max"]), "overspeed"),
         key=lambda one: math.inf if math.isnan(one[0]) else one[0],

@@ -13,6 +13,7 @@ from drivers.api import DataSource, Spindle
 from rigapp.config.loading import Document
 from rigapp.config.recipe import LimitsSection
 from rigapp.config.rig import RigFile
+from rigapp.config.sequence import Sequence, StepPlace
 from rigapp.engine.drive.driving import SpindleControl
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.alarms import AlarmBook
@@ -30,18 +31,20 @@ from rigapp.schema.states import Ending, Trigger
 class OpenTest(Protocol):
     """The test under way, or the last one.
 
-    run: numbers and judges its revolutions. steady_from: ordinal of the first whole revolution at
-    the set speed, None while it changes; the guard sets it. stood: the spindle was seen to stand at
-    its end.
+    run: numbers and judges its revolutions. sequence: its steps; stage: the one that the crank is
+    in. steady_from: ordinal of the first whole revolution at the set speed, None while it changes;
+    the guard sets it. stood: the spindle was seen to stand at its end.
     """
 
     run: TestRun
+    sequence: Sequence
+    stage: StepPlace
     steady_from: int | None
     stood: bool
 
     @property
     def target_rpm(self) -> float:
-        """Return the set speed."""
+        """Return the set speed of the step."""
 
     @property
     def ramp_rpm_per_s(self) -> float:
@@ -127,8 +130,11 @@ class JudgedRig(Protocol):
     def swinging(self) -> bool:
         """Tell whether the crank may turn as it likes: its power is off, or was asked to be."""
 
-    def pause(self, reason: str) -> None:
-        """Begin to pause at the safe angle, when the state allows it."""
+    def pause(self, reason: str) -> bool:
+        """Begin to pause at the safe angle, when the state allows it; tell whether it does."""
+
+    def go_on_to(self, stage: StepPlace) -> None:
+        """Begin the next step of the test: rest before it, or go to its speed."""
 
     def queue_age_s(self) -> float:
         """Return the age of the oldest samples that are not processed yet."""

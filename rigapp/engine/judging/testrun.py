@@ -49,7 +49,7 @@ class TestRun:
     first: number of the first revolution to record. planned: number of the last. time_offset_s:
     the test's time at its start (not 0 when it was resumed). utc: UTC seconds of a host time.
     stops: the criteria that end the test before. slow: the columns of the slow channels at a host
-    time. joint: what the twin's answers are watched for.
+    time. joint: what the twin's answers are watched for. step: number of the step of a revolution.
     """
 
     __test__ = False
@@ -66,6 +66,7 @@ class TestRun:
         stops: StopMonitor | None = None,
         slow: Callable[[int], Mapping[str, float]] = lambda host_time_ns: {},
         joint: JointWatch | None = None,
+        step: Callable[[int], int] = lambda number: 0,
     ) -> None:
         self.calibration = calibration
         self.monitor = monitor
@@ -82,6 +83,7 @@ class TestRun:
         self._reducer = Reducer(calibration)
         self._utc = utc
         self._slow = slow
+        self.step = step
         self._resumed = resumed
         self._first_ordinal: int | None = None
 
@@ -122,7 +124,7 @@ class TestRun:
             row[place[name]] = value
         named = dict(zip(place, row.tolist(), strict=True))
         steady = not flags & NOT_STEADY
-        verdicts = tuple(self.monitor.judge(named)) if steady else ()
+        verdicts = tuple(self.monitor.judge(named, self.step(number))) if steady else ()
         self.number = number
         self.complete = number >= self.planned
         met = self.stops.row(row)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from rigapp.config.recipe import TestFile
+from rigapp.config.sequence import Sequence
 from rigapp.engine.recording.history import triggered_cycles
 from rigapp.engine.recording.schedule import Schedule
 from rigapp.schema.channels import BASE, ChannelTable
@@ -28,12 +29,12 @@ def file_plan(
 ) -> FilePlan:
     """Return the plan of a test's file. table: the channels of the rig.
 
-    samples_per_revolution: of a device that the encoder clocks; None: the rate and the set speed
-    tell.
+    samples_per_revolution: of a device that the encoder clocks; None: the rate and the lowest
+    set speed tell.
     """
     revolutions = test.run.revolutions
     if samples_per_revolution is None:
-        samples_per_revolution = 60.0 / test.run.speed_rpm * sample_rate_Hz
+        samples_per_revolution = 60.0 / Sequence(test.run).slowest_rpm * sample_rate_Hz
     samples = max(1, math.ceil(SLOWER * samples_per_revolution))
     # A revolution that is cut off holds the ramp, of half the set speed, and some of the stand.
     cut_off = 2 * samples + math.ceil(STAND_S * sample_rate_Hz)

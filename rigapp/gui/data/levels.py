@@ -67,7 +67,8 @@ class LimitLevel:
     """One level of a rule.
 
     origin: number of the rule that it belongs to. severity: "warning" or "critical". side: "above"
-    or "below". value: None where none is given yet. hysteresis: how far back it ends.
+    or "below". value: None where none is given yet. hysteresis: how far back it ends. steps: of
+    the test, in which it is judged; all of them without any.
     """
 
     origin: int
@@ -78,6 +79,7 @@ class LimitLevel:
     action: str = "warn"
     revolutions: Any = 1
     hysteresis: Any = 0.0
+    steps: tuple[int, ...] = ()
 
     @property
     def bound(self) -> str:
@@ -98,7 +100,12 @@ class LimitLevel:
         times = tr("{} revolutions", self.revolutions) if many else tr("1 revolution")
         value = f"{_shown(self.value)} {unit_of_quantity(self.quantity, table)}".rstrip()
         back = tr(", ends {} inside", _shown(self.hysteresis)) if self.hysteresis else ""
-        return tr("{} {} in {}", self.condition(table), value, times) + back
+        within = tr(", in step {}", _listed(self.steps)) if self.steps else ""
+        return tr("{} {} in {}", self.condition(table), value, times) + back + within
+
+
+def _listed(steps: Sequence[int]) -> str:
+    return ", ".join(map(str, steps))
 
 
 def _shown(value: Any) -> str:
@@ -158,6 +165,7 @@ def _of_rule(origin: int, rule: Mapping[str, Any]) -> Iterator[LimitLevel]:
             str(action) if (severity, action) in {**ACTIONS, **OTHER_ACTIONS} else "warn",
             rule.get("delay_revolutions", 1),
             rule.get("hysteresis", 0.0),
+            tuple(rule.get("steps", ())),
         )
 
 
@@ -193,8 +201,9 @@ def _fits(levels: Sequence[LimitLevel], mine: Sequence[int], one: LimitLevel) ->
     """Tell whether a level can be one of a rule that has some already."""
     others = [levels[at] for at in mine]
     first = others[0]
-    same = (first.origin, first.quantity, first.revolutions, first.hysteresis)
-    return same == (one.origin, one.quantity, one.revolutions, one.hysteresis) and not any(
+    same = (first.origin, first.quantity, first.revolutions, first.hysteresis, first.steps)
+    mine_too = (one.origin, one.quantity, one.revolutions, one.hysteresis, one.steps)
+    return same == mine_too and not any(
         other.bound == one.bound or (other.severity == one.severity and other.action != one.action)
         for other in others
     )
@@ -211,6 +220,8 @@ def _begun(one: LimitLevel, given: Mapping[str, Any]) -> dict[str, Any]:
         rule["hysteresis"] = one.hysteresis
     if one.revolutions != given.get("delay_revolutions", 1):
         rule["delay_revolutions"] = one.revolutions
+    if one.steps != tuple(given.get("steps", ())):
+        rule["steps"] = list(one.steps)
     for severity, default in DEFAULT_ACTIONS.items():
         key = f"action_{severity}"
         if key in gone and given.get(key) == default:

@@ -1,4 +1,4 @@
-"""Moments of a test that stand at its trends: notes, and alarms when they were raised."""
+"""Moments of a test that stand at its trends: notes, steps, and alarms when they were raised."""
 
 from __future__ import annotations
 
@@ -30,6 +30,8 @@ def moments(events: Iterable[Event]) -> tuple[MarkedMoment, ...]:
             one = MarkedMoment(event.revolution, change.title, severity_of(event))
         elif event.kind == "note":
             one = MarkedMoment(event.revolution, event.text)
+        elif event.kind == "step" and event.after:
+            one = MarkedMoment(event.revolution, event.after)
         else:
             continue
         found.setdefault((one.revolution, one.words), one)

@@ -2774,6 +2774,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>&amp;Ja, eintragen</translation>
     </message>
     <message>
+        <source>, in step {}</source>
+        <translation>, in Schritt {}</translation>
+    </message>
+    <message>
         <source>; and {} more</source>
         <translation>; und {} weitere</translation>
     </message>
@@ -2828,6 +2832,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Action warning</source>
         <translation>Aktion bei Warnung</translation>
+    </message>
+    <message>
+        <source>Add a step</source>
+        <translation>Schritt hinzufügen</translation>
     </message>
     <message>
         <source>All</source>
@@ -3074,6 +3082,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Den Versuch duplizieren</translation>
     </message>
     <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
         <source>Duration in the other seconds</source>
         <translation>Dauer in den anderen Sekunden</translation>
     </message>
@@ -3084,6 +3096,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Each roll is a test with all guards, and a file of its own. You can close the wizard: the roll under way goes on to its end, and the map can be taken up again.</source>
         <translation>Jeder Umlauf ist ein Versuch mit allen Wächtern und einer eigenen Datei. Der Assistent kann geschlossen werden: Der laufende Umlauf geht zu Ende, und die Karte kann später fortgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Früher</translation>
     </message>
     <message>
         <source>Ended</source>
@@ -3240,6 +3256,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>How it stands</source>
         <translation>Wie es steht</translation>
+    </message>
+    <message>
+        <source>How long step {} is</source>
+        <translation>Wie lang Schritt {} ist</translation>
     </message>
     <message>
         <source>How many checks are good</source>
@@ -3562,6 +3582,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>NICHT RUHIG</translation>
     </message>
     <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name of step {}</source>
+        <translation>Name von Schritt {}</translation>
+    </message>
+    <message>
         <source>Name of the &amp;pin</source>
         <translation>Name des &amp;Bolzens</translation>
     </message>
@@ -3642,6 +3670,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Noch keine Ergebnisse</translation>
     </message>
     <message>
+        <source>No steps</source>
+        <translation>Keine Schritte</translation>
+    </message>
+    <message>
         <source>No test is armed. Choose a test file, or save the new one in Prepare.</source>
         <translation>Kein Versuch ist scharf. Eine Versuchsdatei wählen oder den neuen unter Vorbereiten speichern.</translation>
     </message>
@@ -3664,6 +3696,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>None yet: a limit tells when the joint changes.</source>
         <translation>Noch keine: Eine Grenze sagt, wann sich das Gelenk ändert.</translation>
+    </message>
+    <message>
+        <source>None: the test runs at one speed from its first revolution to its last.</source>
+        <translation>Keine: der Versuch läuft von der ersten bis zur letzten Umdrehung mit einer Drehzahl.</translation>
     </message>
     <message>
         <source>Not closed</source>
@@ -3918,6 +3954,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>In Ordnung bringen; rigapp queue start setzt diesen Versuch fort, rigapp queue remove lässt ihn aus.</translation>
     </message>
     <message>
+        <source>Put step {} earlier</source>
+        <translation>Schritt {} früher setzen</translation>
+    </message>
+    <message>
         <source>Put the notice away</source>
         <translation>Die Meldung wegräumen</translation>
     </message>
@@ -4086,6 +4126,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Entfernen</translation>
     </message>
     <message>
+        <source>Remove step {}</source>
+        <translation>Schritt {} entfernen</translation>
+    </message>
+    <message>
         <source>Remove the cause</source>
         <translation>Ursache beheben</translation>
     </message>
@@ -4096,6 +4140,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Remove the cause, then connect the devices.</source>
         <translation>Die Ursache beheben, dann die Geräte verbinden.</translation>
+    </message>
+    <message>
+        <source>Repeat from step</source>
+        <translation>Wiederholen ab Schritt</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -4136,6 +4184,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Residuals so far, micrometres</source>
         <translation>Bisherige Abweichungen, Mikrometer</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>Rest after step {}</source>
+        <translation>Ruhe nach Schritt {}</translation>
     </message>
     <message>
         <source>Result</source>
@@ -4302,6 +4358,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Sep</translation>
     </message>
     <message>
+        <source>Sequence</source>
+        <translation>Abfolge</translation>
+    </message>
+    <message>
         <source>Series</source>
         <translation>Reihe</translation>
     </message>
@@ -4420,6 +4480,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Speed</source>
         <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Speed of step {}</source>
+        <translation>Drehzahl von Schritt {}</translation>
     </message>
     <message>
         <source>Speed of the replay</source>
@@ -4542,8 +4606,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Schritt: {}</translation>
     </message>
     <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
         <source>Steps of preparing a test</source>
         <translation>Schritte zur Vorbereitung eines Versuchs</translation>
+    </message>
+    <message>
+        <source>Steps of this test</source>
+        <translation>Schritte dieses Versuchs</translation>
     </message>
     <message>
         <source>Steps of {:g} µm; {}</source>
@@ -5026,12 +5098,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Di</translation>
     </message>
     <message>
+        <source>Type how many revolutions the step has, or how many seconds.</source>
+        <translation>Geben Sie ein, wie viele Umdrehungen der Schritt hat oder wie viele Sekunden.</translation>
+    </message>
+    <message>
         <source>Uncertainty</source>
         <translation>Unsicherheit</translation>
     </message>
     <message>
         <source>Understood</source>
         <translation>Verstanden</translation>
+    </message>
+    <message>
+        <source>Unit of how long step {} is</source>
+        <translation>Einheit der Länge von Schritt {}</translation>
     </message>
     <message>
         <source>Usable. Save it to arm it for a start.</source>
@@ -5188,6 +5268,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>What is wrong on this page</source>
         <translation>Was auf dieser Seite falsch ist</translation>
+    </message>
+    <message>
+        <source>What is wrong with step {}, or where it is</source>
+        <translation>Was an Schritt {} falsch ist oder wo er liegt</translation>
     </message>
     <message>
         <source>What it rests on</source>
@@ -5458,6 +5542,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Pfeile</translation>
     </message>
     <message>
+        <source>as above</source>
+        <translation>wie oben</translation>
+    </message>
+    <message>
         <source>as asked</source>
         <translation>wie verlangt</translation>
     </message>
@@ -5472,6 +5560,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>bars</source>
         <translation>Balken</translation>
+    </message>
+    <message>
+        <source>before the start</source>
+        <translation>vor dem Start</translation>
     </message>
     <message>
         <source>broken</source>
@@ -5606,6 +5698,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Ruhe</translation>
     </message>
     <message>
+        <source>in step {} only</source>
+        <translation>nur in Schritt {}</translation>
+    </message>
+    <message>
         <source>inject fault</source>
         <translation>Fehler auslösen</translation>
     </message>
@@ -5680,6 +5776,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>mind</source>
         <translation>beachten</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
     </message>
     <message>
         <source>next</source>
@@ -5874,6 +5974,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Umdrehungen</translation>
     </message>
     <message>
+        <source>revolutions {} to {}, ramp {}</source>
+        <translation>Umdrehungen {} bis {}, Rampe {}</translation>
+    </message>
+    <message>
         <source>revolutions/h</source>
         <translation>Umdrehungen/h</translation>
     </message>
@@ -5946,6 +6050,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Stand</translation>
     </message>
     <message>
+        <source>step {} of {}</source>
+        <translation>Schritt {} von {}</translation>
+    </message>
+    <message>
         <source>stop</source>
         <translation>stoppen</translation>
     </message>
@@ -5996,6 +6104,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the end waits</source>
         <translation>das Ende wartet</translation>
+    </message>
+    <message>
+        <source>the fastest of run.step</source>
+        <translation>dem schnellsten von run.step</translation>
     </message>
     <message>
         <source>the load cell</source>
@@ -6150,6 +6262,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{name} verliert das Kommando; das Protokoll hält es fest</translation>
     </message>
     <message>
+        <source>{name} {length} {kind} at {speed_rpm} rpm, then rest {rest_s} s</source>
+        <translation>{name} {length} {kind} mit {speed_rpm} rpm, dann {rest_s} s Ruhe</translation>
+    </message>
+    <message>
         <source>{} above limit</source>
         <translation>{} über der Grenze</translation>
     </message>
@@ -6180,6 +6296,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} in short</source>
         <translation>{} in Kürze</translation>
+    </message>
+    <message>
+        <source>{} in {} steps</source>
+        <translation>{} in {} Schritten</translation>
     </message>
     <message>
         <source>{} is a real rig. The simulated one opens beside it.</source>
@@ -6232,6 +6352,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} names the record now; the former file is {}.</source>
         <translation>{} nennt jetzt den Datensatz; die frühere Datei ist {}.</translation>
+    </message>
+    <message>
+        <source>{} of the steps cannot be used.</source>
+        <translation>{} der Schritte sind nicht verwendbar.</translation>
     </message>
     <message>
         <source>{} of {}</source>
@@ -6641,6 +6765,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Versuch begann nicht: {}</translation>
     </message>
     <message>
+        <source>The test ends in step {}; raise run.revolutions</source>
+        <translation>Der Versuch endet in Schritt {}; erhöhen Sie run.revolutions</translation>
+    </message>
+    <message>
         <source>The test has lasted {:.4g} h; it was planned for {:g} h</source>
         <translation>Der Versuch hat {} h gedauert; geplant waren {} h</translation>
     </message>
@@ -6697,6 +6825,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>erlaubt ist {}</translation>
     </message>
     <message>
+        <source>at the beginning of a rest of {:g} s</source>
+        <translation>am Anfang einer Ruhe von {} s</translation>
+    </message>
+    <message>
+        <source>at the end of a rest of {:g} s, in which it crept by {:+.6f}, {:+.6f} mV/V</source>
+        <translation>am Ende einer Ruhe von {} s, in der er um {}, {} mV/V kroch</translation>
+    </message>
+    <message>
         <source>cannot be judged: {}</source>
         <translation>nicht zu beurteilen: {}</translation>
     </message>
@@ -6737,6 +6873,26 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} anhängen</translation>
     </message>
     <message>
+        <source>limits.overspeed_rpm = {:g} is not above {} = {:g}; the test would trip at once</source>
+        <translation>limits.overspeed_rpm = {} liegt nicht über {} = {}; der Versuch würde sofort auslösen</translation>
+    </message>
+    <message>
+        <source>limits.rule ({}): steps names step {}, but run.step stands {} times</source>
+        <translation>limits.rule ({}): steps nennt Schritt {}, aber run.step steht {}-mal da</translation>
+    </message>
+    <message>
+        <source>the load cell shows {} mV/V at rest {}</source>
+        <translation>der Kraftsensor zeigt in Ruhe {} mV/V {}</translation>
+    </message>
+    <message>
+        <source>{} revolutions at {:g} rpm, {:.3g} h</source>
+        <translation>{} Umdrehungen mit {} rpm, {} h</translation>
+    </message>
+    <message>
+        <source>{} revolutions at {:g} to {:g} rpm, {:.3g} h</source>
+        <translation>{} Umdrehungen mit {} bis {} rpm, {} h</translation>
+    </message>
+    <message>
         <source>Check cable and power of {}, or go on without its channels</source>
         <translation>Kabel und Versorgung von {} prüfen oder ohne seine Kanäle fortfahren</translation>
     </message>
@@ -6755,10 +6911,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>limit {} changed{}</source>
         <translation>Grenze {} geändert{}</translation>
-    </message>
-    <message>
-        <source>limits.overspeed_rpm = {:g} is not above run.speed_rpm = {:g}; the test would trip at once</source>
-        <translation>limits.overspeed_rpm = {} liegt nicht über run.speed_rpm = {}; der Versuch würde sofort auslösen</translation>
     </message>
     <message>
         <source>line {} of the journal is not usable: {}</source>
@@ -6853,8 +7005,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Rundlauf: {}</translation>
     </message>
     <message>
+        <source>run.repeat_from_step = {}, but run.step stands {} times</source>
+        <translation>run.repeat_from_step = {}, aber run.step steht {}-mal da</translation>
+    </message>
+    <message>
         <source>run.speed_rpm = {:g}: {:g} samples/s give {:.0f} samples a revolution, {} are needed; raise the sample rate</source>
         <translation>run.speed_rpm = {}: {} Messwerte/s geben {} Messwerte je Umdrehung, {} sind nötig; die Abtastrate erhöhen</translation>
+    </message>
+    <message>
+        <source>run.step stands {} times; {} are possible, and they can be repeated</source>
+        <translation>run.step steht {}-mal da; {} sind möglich, und sie lassen sich wiederholen</translation>
+    </message>
+    <message>
+        <source>run.step {}: give revolutions or duration_s, one of the two</source>
+        <translation>run.step {}: geben Sie revolutions oder duration_s an, eines von beiden</translation>
     </message>
     <message>
         <source>series repeated: {}</source>
@@ -6945,10 +7109,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Kraftsensor zeigt {} N, limits.overload_N ist {} N; den Bolzen entlasten oder nullen</translation>
     </message>
     <message>
-        <source>the load cell shows {} mV/V at rest before the start</source>
-        <translation>der Kraftsensor zeigt vor dem Start in Ruhe {} mV/V</translation>
-    </message>
-    <message>
         <source>the load hangs for {:.0f} s, {:g} s were wanted: take it off, the creep begins again</source>
         <translation>die Last hängt seit {} s, gefordert waren {} s: abnehmen, das Kriechen beginnt neu</translation>
     </message>
@@ -7031,10 +7191,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{:+.5f} V (the calibration in use makes {:+.1f} um of it)</source>
         <translation>{} V (die verwendete Kalibrierung macht daraus {} um)</translation>
-    </message>
-    <message>
-        <source>{:,} revolutions at {:g} rpm</source>
-        <translation>{} Umdrehungen bei {} rpm</translation>
     </message>
     <message>
         <source>{:.0f} MB needed, {:.1f} GB free</source>
@@ -7237,6 +7393,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} Stücke sind mehr als {}; weniger nennen</translation>
     </message>
     <message>
+        <source>{} steps, {} revolutions</source>
+        <translation>{} Schritte, {} Umdrehungen</translation>
+    </message>
+    <message>
         <source>{} was at or {} {:g} {} in one revolution, {:.4g} {} in the last one</source>
         <translation>{} lag bei oder {} {} {} in einer Umdrehung, zuletzt bei {} {}</translation>
     </message>
@@ -7257,8 +7417,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}, Gesetz {}: {}</translation>
     </message>
     <message>
+        <source>{}, then again from step {}</source>
+        <translation>{}, dann wieder ab Schritt {}</translation>
+    </message>
+    <message>
         <source>{}, {:.0f} s after loading</source>
         <translation>{}, {} s nach dem Belasten</translation>
+    </message>
+    <message>
+        <source>{}, {} are planned</source>
+        <translation>{}, {} sind geplant</translation>
     </message>
     <message>
         <source>{}.device = {} is not among the devices ({})</source>

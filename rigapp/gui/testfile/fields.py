@@ -22,7 +22,7 @@ from rigapp.gui.language.words import Text, tr
 from rigapp.gui.widgets.numbers import number, whole
 from rigapp.schema.channels import BASE
 
-HIDDEN = ("schema", "model.schema", "limits.rule")
+HIDDEN = ("schema", "model.schema", "limits.rule", "run.step")
 """Keys that the form keeps as they are or shows in a table of their own."""
 
 
@@ -184,7 +184,7 @@ def differences(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str
     rule = "limits.rule"
     lines = [one for one in changes(before, after) if not one.startswith(rule)]
     old, new = (
-        [one.sentence(BASE) for one in levels_of(rules_in(get_path(tree, rule)))]
+        [one.sentence(BASE) for one in levels_of(tables_in(get_path(tree, rule)))]
         for tree in (before, after)
     )
     lines += [tr("new limit: {}", one) for one in new if one not in old]
@@ -196,8 +196,8 @@ def _other_rules(before: Mapping[str, Any], after: Mapping[str, Any]) -> bool:
     return any(one.startswith("limits.rule") for one in changes(before, after))
 
 
-def rules_in(value: Any) -> list[dict[str, Any]]:
-    """Return what a file has as rules; nothing where it has something else."""
+def tables_in(value: Any) -> list[dict[str, Any]]:
+    """Return what a file has as a list of tables; nothing where it has something else."""
     return [one for one in value if isinstance(one, dict)] if isinstance(value, list) else []
 
 

@@ -35,11 +35,12 @@ from rigapp.gui.testfile.fields import (
     form_fields,
     get_path,
     in_form_words,
-    rules_in,
     set_path,
+    tables_in,
 )
 from rigapp.gui.testfile.form import FieldForm, page_of
 from rigapp.gui.testfile.rules import LimitSentences
+from rigapp.gui.testfile.sequence import SequenceCard
 from rigapp.gui.testfile.steps import MODEL, STEPS, StepBar
 from rigapp.gui.testfile.tomltext import edited
 from rigapp.gui.testfile.unsaved import UnsavedBar
@@ -72,6 +73,8 @@ class RecipePanel(QWidget):
         self.form = FieldForm(self._judge)
         self.rules = LimitSentences()
         self.rules.changed.connect(self._judge)
+        self.sequence = SequenceCard()
+        self.sequence.changed.connect(self._judge)
         self.steps = StepBar([*(one.title for one in STEPS), CHECKS])
         self.steps.chosen.connect(self.show_step)
         self.pages = named(QStackedWidget(), "step_pages", "The open step")
@@ -136,7 +139,8 @@ class RecipePanel(QWidget):
 
     def _fill(self, tree: Any) -> None:
         self.form.fill(tree)
-        self.rules.fill(rules_in(get_path(tree, "limits.rule")))
+        self.rules.fill(tables_in(get_path(tree, "limits.rule")))
+        self.sequence.fill(tables_in(get_path(tree, "run.step")))
 
     @property
     def _tree(self) -> dict[str, Any]:
@@ -148,6 +152,11 @@ class RecipePanel(QWidget):
         tree, errors = self.form.read()
         tree = {"schema": self._tree.get("schema", 1), **tree}
         set_path(tree, "model.schema", get_path(self._tree, "model.schema") or 1)
+        steps, wrong = self.sequence.read()
+        if steps:
+            set_path(tree, "run.step", steps)
+        if wrong:
+            errors["run.step"] = tr("{} of the steps cannot be used.", wrong)
         rules, wrong = self.rules.judge(None)
         if rules:
             set_path(tree, "limits.rule", rules)
@@ -199,6 +208,8 @@ class RecipePanel(QWidget):
             cards: list[QWidget] = [self.form.section(name) for name in step.sections]
             if step.title == "Limits":
                 cards.append(self.rules)
+            elif step.title == "Run":
+                cards.append(self.sequence)
             self.pages.addWidget(_scrolling(page_of(cards), step.title))
         self.pages.addWidget(_scrolling(page_of(self._model()), STEPS[MODEL].title))
         self.name = ElidedLabel("recipe_file", "Test file that is edited")
@@ -277,6 +288,7 @@ class RecipePanel(QWidget):
         if errors:
             self.test = None
         self.rules.judge(self.test.limits if self.test is not None else None)
+        self.sequence.show_places(self.test)
         self.form.show_errors(errors)
         self._show_steps(errors)
         self._show_verdict(errors, others, differences(self._tree, _explicit(tree, self._tree)))

@@ -110,6 +110,9 @@ class LevelRow(QFrame):
     def _lay_out(self) -> None:
         first = self._line(SENTENCE, self.quantity, self.units[0])
         second = self._line(ENDS, self.note, self.units[1])
+        if self.level.steps:
+            numbers = ", ".join(map(str, self.level.steps))
+            second.addWidget(QLabel(tr("in step {} only", numbers)))
         second.addWidget(self.remove)
         for line in (first, second):
             line.setSpacing(STEP)

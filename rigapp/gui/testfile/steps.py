@@ -33,6 +33,13 @@ class PrepareStep:
     words: Callable[[TestFile], str]
 
 
+def _run_words(test: TestFile) -> str:
+    count = grouped(test.run.revolutions)
+    if test.run.step:
+        return tr("{} in {} steps", count, len(test.run.step))
+    return tr("{} at {:g} rpm", count, test.run.speed_rpm)
+
+
 def _record_words(test: TestFile) -> str:
     cycles = test.cycles
     if cycles.schedule == "every":
@@ -58,7 +65,7 @@ STEPS = (
     PrepareStep(
         "Run",
         ("run",),
-        lambda test: tr("{} at {:g} rpm", grouped(test.run.revolutions), test.run.speed_rpm),
+        _run_words,
     ),
     PrepareStep(
         "Stop",

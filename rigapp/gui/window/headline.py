@@ -145,6 +145,8 @@ def _state(
             "Silent", tr("was {}; {}", word, retold(connection_reason)), Level.WARNING
         )
     word, shape, level = _STATES[status.state]
+    if status.resting and status.state is RunState.PAUSED:
+        word = tr("Rest")
     return shape, TileText(word, retold(status.reason), level)
 
 
@@ -159,7 +161,7 @@ def _cycle(status: Status, now: float) -> TileText:
 
 def _end(status: Status, now: float) -> tuple[Text, Text]:
     """Return when the test ends, in words and in few; while it is paused, nobody knows."""
-    if status.state in (RunState.PAUSED, RunState.PAUSING):
+    if status.state in (RunState.PAUSED, RunState.PAUSING) and not status.resting:
         return tr("the end waits"), "the end waits"
     if status.state not in ACTIVE or status.expected_end_at <= 0.0:
         return "", ""
@@ -274,6 +276,8 @@ def identity(status: Status) -> tuple[str, str]:
         speed = status.simulated_speed
         known = math.isfinite(speed) and speed > 0
         parts.append(tr("simulated") + (f" × {speed:.3g}" if known else ""))
+    if status.state in ACTIVE and status.step:
+        parts.append(tr("step {} of {}", status.step, status.steps))
     if status.state in ACTIVE:
         parts.append(tr("{:.1f} of {:.1f} rpm", status.speed_rpm, status.target_rpm))
     if status.operator:

@@ -21,6 +21,7 @@ from rigapp.report.testreport.facts import Rows, rows_of
 from rigapp.report.testreport.identified import identified
 from rigapp.report.testreport.identifiedsections import known_section
 from rigapp.report.testreport.model_facts import agreement_of, bursts_of, cycles_of
+from rigapp.report.testreport.stepsection import step_section
 from rigapp.report.testreport.uncertainty import stated_uncertainties
 from rigapp.report.testreport.wording import (
     REASONS,
@@ -87,6 +88,7 @@ def _document(reader: TestReader, path: Path, vector: bool) -> Manuscript:
         *datasections.extremes(
             rows, agreement, vector, uncertainty, stated_uncertainties(reader.calibration())
         ),
+        *step_section(reader),
         *datasections.agreement(agreement, rows, vector, events),
         datasections.cycles(
             cycles_of(reader),

@@ -20,10 +20,12 @@ from rigapp.storage.structure.metadata import unit_suffix
 ROWS_AT_A_TIME = 65536  # 18 MB of the columns of every rig
 SAMPLES_AT_A_TIME = 1 << 18  # 16 MB of the columns of every rig
 FORMATS = (".csv", ".parquet")
+STEP = "step"
 FEWEST_POINTS = 8  # fewer say nothing of a revolution
 
 Table = dict[str, NDArray[Any]]
 Progress = Callable[[int, int], None]
+Steps = Callable[[NDArray[np.int64]], NDArray[np.int64]]
 
 
 class _Sink(Protocol):
@@ -38,11 +40,13 @@ def export_test(
     cycles: bool = False,
     progress: Progress | None = None,
     points: int | None = None,
+    steps: Steps | None = None,
 ) -> int:
     """Write a test's statistics, or its saved cycles, to a .csv or .parquet file; return its rows.
 
-    points: puts the cycles on so many crank angles each, by linear interpolation, without time and
-    raw signals.
+    steps: returns the number of the step of each revolution (n,); statistics and cycles have a
+    column of it then. points: puts the cycles on so many crank angles each, by linear
+    interpolation, without time and raw signals.
 
     Columns are named as in the file with the unit at the end (``force_max_N``, ``time_s``); a cycle
     row begins with its revolution. Parquet fields carry ``units`` and ``long_name`` as well.
@@ -58,9 +62,23 @@ def export_test(
     with open_test(path) as reader:
         pieces, total = _cycle_pieces(reader, points) if cycles else _row_pieces(reader)
         schema = _schema(reader, cycles, on_grid=points is not None)
+        if steps is not None:
+            pieces, schema = _with_steps(pieces, steps), _schema_with_steps(schema)
         hidden = goal.parent / f".{goal.name}.part-{os.getpid()}"
         with _finished_file(hidden, goal):
             return _write(hidden, goal.suffix.lower(), schema, pieces, total, progress)
+
+
+def _with_steps(pieces: Iterator[Table], steps: Steps) -> Iterator[Table]:
+    for piece in pieces:
+        yield {**piece, STEP: steps(piece["revolution"].astype(np.int64))}
+
+
+def _schema_with_steps(schema: Any) -> Any:
+    import pyarrow
+
+    about = {"units": "1", "long_name": "number of the step of the test"}
+    return schema.append(pyarrow.field(STEP, pyarrow.int64(), metadata=about))
 
 
 def export_columns(

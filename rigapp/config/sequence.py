@@ -1,0 +1,147 @@
+"""The steps of a test: which one a revolution belongs to, how fast it is, how long it takes.
+
+A test without ``[[run.step]]`` is a sequence of one step. After the last step the sequence goes on
+with ``repeat_from_step`` until the planned revolutions are made, so that the step of a revolution
+follows from its number alone: a resumed test and an extended one go on as they would have.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import accumulate
+
+from rigapp.config.recipe import RunSection, RunStep
+
+
+@dataclass(frozen=True, slots=True)
+class StepPlace:
+    """One step where it stands in a test.
+
+    step: its number in the file, from 1; 0 in a test without steps. first, last: its revolutions.
+    rest_s: how long the crank stands after the last one.
+    """
+
+    step: int
+    name: str
+    first: int
+    last: int
+    speed_rpm: float
+    acceleration_rpm_per_s: float
+    rest_s: float
+
+    @property
+    def words(self) -> str:
+        """Return its number and name."""
+        named = f" ({self.name})" if self.name else ""
+        return f"step {self.step}{named}" if self.step else "the test"
+
+
+class Sequence:
+    """All steps of a test.
+
+    ends: last revolution of each step when it comes first. loop_from, loop: behind so many
+    revolutions come those that are repeated, and how many they are.
+    """
+
+    def __init__(self, run: RunSection) -> None:
+        self._steps = run.step or (RunStep(revolutions=run.revolutions),)
+        self._numbered = bool(run.step)
+        self._run = run
+        self.ends = list(accumulate(revolutions_of(one, run) for one in self._steps))
+        before = min(run.repeat_from_step, len(self._steps)) - 1
+        self.loop_from = self.ends[before - 1] if before else 0
+        self.loop = self.ends[-1] - self.loop_from
+
+    @property
+    def count(self) -> int:
+        """Return how many steps the file names, 0 for none."""
+        return len(self._steps) if self._numbered else 0
+
+    @property
+    def length(self) -> int:
+        """Return the revolutions of all steps, each once."""
+        return self.ends[-1]
+
+    @property
+    def again(self) -> int:
+        """Return the step with which it goes on after the last one."""
+        return self._run.repeat_from_step
+
+    @property
+    def fastest_rpm(self) -> float:
+        """Return the highest speed of all steps."""
+        return max(self._speed(one) for one in self._steps)
+
+    @property
+    def slowest_rpm(self) -> float:
+        """Return the lowest speed of all steps."""
+        return min(self._speed(one) for one in self._steps)
+
+    @property
+    def gentlest_rpm_per_s(self) -> float:
+        """Return the acceleration of the longest ramp."""
+        return min(self._ramp(one) for one in self._steps)
+
+    def at(self, revolution: int) -> StepPlace:
+        """Return the step of a revolution, which is counted from 1."""
+        rounds = max(0, -(-(revolution - self.ends[-1]) // self.loop))
+        shift = rounds * self.loop
+        place = bisect_left(self.ends, revolution - shift)
+        step = self._steps[place]
+        return StepPlace(
+            step=place + 1 if self._numbered else 0,
+            name=step.name,
+            first=(self.ends[place - 1] if place else 0) + 1 + shift,
+            last=self.ends[place] + shift,
+            speed_rpm=self._speed(step),
+            acceleration_rpm_per_s=self._ramp(step),
+            rest_s=step.rest_s,
+        )
+
+    def stages(self, first: int, last: int) -> Iterator[StepPlace]:
+        """Yield the steps that some revolutions run through."""
+        while first <= last:
+            stage = self.at(first)
+            yield stage
+            first = stage.last + 1
+
+    def seconds(self, first: int, last: int) -> float:
+        """Return how long some revolutions take with the rests between them, without ramps."""
+        if first > last:
+            return 0.0
+        start = min(last, max(first, self.loop_from + 1))
+        whole = (last - start) // self.loop
+        rounds_s = sum(
+            revolutions_of(one, self._run) * 60.0 / self._speed(one) + one.rest_s
+            for one in self._steps[bisect_left(self.ends, self.loop_from + 1) :]
+        )
+        return (
+            self._seconds(first, start - 1, last)
+            + whole * rounds_s
+            + self._seconds(start + whole * self.loop, last, last)
+        )
+
+    def _seconds(self, first: int, to: int, last: int) -> float:
+        """Return the time of some revolutions, with each rest but that after the last one."""
+        return sum(
+            (min(to, stage.last) - max(first, stage.first) + 1) * 60.0 / stage.speed_rpm
+            + (stage.rest_s if stage.last <= to and stage.last < last else 0.0)
+            for stage in self.stages(first, to)
+        )
+
+    def _speed(self, step: RunStep) -> float:
+        return self._run.speed_rpm if step.speed_rpm is None else step.speed_rpm
+
+    def _ramp(self, step: RunStep) -> float:
+        own = step.acceleration_rpm_per_s
+        return self._run.acceleration_rpm_per_s if own is None else own
+
+
+def revolutions_of(step: RunStep, run: RunSection) -> int:
+    """Return the revolutions of a step; a time counts at its set speed, without the ramp."""
+    if step.revolutions is not None:
+        return step.revolutions
+    speed = run.speed_rpm if step.speed_rpm is None else step.speed_rpm
+    return max(1, round((step.duration_s or 0.0) * speed / 60.0))

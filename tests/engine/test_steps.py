@@ -1,0 +1,228 @@
+"""A test of several steps: each at its speed, with its limits and rests, also when resumed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from engine_doubles import FakeStore, MemoryRig, a_test, eventually
+
+from rigapp.config.recipe import LimitRule, RunStep, TestFile
+from rigapp.engine.recording.store import Opened
+from rigapp.schema.loglines import REST
+from rigapp.schema.messages import Event, Flag, RunState
+from rigapp.schema.notices import Finished, Notice, StateChanged
+from rigapp.schema.states import ENDED, Refused
+
+PACE = 40.0
+"""The rig in memory runs at least so many times as fast as the computer's clock."""
+
+
+@pytest.fixture
+def rig() -> Iterator[MemoryRig]:
+    memory = MemoryRig()
+    memory.engine.connect()
+    yield memory
+    memory.engine.shutdown(20.0)
+    assert memory.stands
+
+
+def sequence(
+    revolutions: int, *steps: RunStep, again: int = 1, rules: tuple[LimitRule, ...] = ()
+) -> TestFile:
+    test = a_test(revolutions, rules=rules)
+    run = msgspec.structs.replace(test.run, step=steps, repeat_from_step=again)
+    return msgspec.structs.replace(test, run=run)
+
+
+def run(rig: MemoryRig, test: TestFile) -> Finished:
+    rig.start(test)
+    rig.engine.wait(ENDED, 60.0)
+    assert rig.engine.outcome is not None
+    return rig.engine.outcome
+
+
+def speeds(rig: MemoryRig) -> list[float]:
+    """Return the speeds that the drive was told while the test ran, without repetitions."""
+    told = [60.0 * value for kind, value in rig.spindle.commands if kind == "speed"]
+    return [one for place, one in enumerate(told) if place == 0 or one != told[place - 1]]
+
+
+def notices_of(watched: Any) -> list[Notice]:
+    """Return what was told so far."""
+    return list(iter(lambda: watched.get(0.0), None))
+
+
+def steps_told(rig: MemoryRig) -> list[Event]:
+    return [one for one in rig.store.events if one.kind == "step"]
+
+
+def test_each_step_has_its_speed_and_no_revolution_is_lost(rig: MemoryRig) -> None:
+    outcome = run(
+        rig,
+        sequence(
+            60,
+            RunStep(revolutions=20, speed_rpm=60.0),
+            RunStep(revolutions=20),
+            RunStep("slow", revolutions=20, speed_rpm=30.0),
+        ),
+    )
+    assert (outcome.status, outcome.revolutions) == ("complete", 60)
+    np.testing.assert_array_equal(rig.store.column("revolution"), np.arange(1, 61))
+    speed, ramp = rig.store.column("speed"), rig.store.column("quality").astype(int) & Flag.RAMP
+    for first, rpm in ((1, 60.0), (21, 120.0), (41, 30.0)):
+        assert ramp[first - 1], f"the speed changes in revolution {first}"
+        steady = [n for n in range(first, first + 20) if not ramp[n - 1]]
+        assert len(steady) > 5
+        np.testing.assert_allclose(speed[np.array(steady) - 1], rpm, rtol=0.05)
+    assert speeds(rig)[:3] == pytest.approx([60.0, 120.0, 30.0])
+    assert [one.revolution for one in steps_told(rig)] == [20, 40]
+    assert steps_told(rig)[1].text == "step 3 (slow): 30 rpm to revolution 60"
+    assert not [one for one in rig.engine.status().alarms if one.active]
+
+
+def test_the_steps_come_again_from_the_one_that_is_named(rig: MemoryRig) -> None:
+    run(
+        rig,
+        sequence(
+            50,
+            RunStep(revolutions=10, speed_rpm=60.0),
+            RunStep(revolutions=10, speed_rpm=120.0),
+            RunStep(revolutions=10, speed_rpm=90.0),
+            again=2,
+        ),
+    )
+    assert [one.after for one in steps_told(rig)] == ["step 2", "step 3", "step 2", "step 3"]
+    assert [one.revolution for one in steps_told(rig)] == [10, 20, 30, 40]
+
+
+def test_a_rest_stands_at_the_safe_angle_notes_the_creep_and_goes_on_by_itself(
+    rig: MemoryRig,
+) -> None:
+    watched = rig.engine.watch()
+    outcome = run(
+        rig,
+        sequence(
+            20,
+            RunStep(revolutions=10, rest_s=2.0 * PACE),
+            RunStep(revolutions=10, speed_rpm=60.0),
+        ),
+    )
+    assert outcome.status == "complete"
+    np.testing.assert_array_equal(rig.store.column("revolution"), np.arange(1, 21))
+    paused = rig.store.column("quality").astype(int) & Flag.PAUSED
+    assert np.count_nonzero(paused) == 1
+    states = [one for one in notices_of(watched) if isinstance(one, StateChanged)]
+    assert [one.resting for one in states if one.state is RunState.PAUSED] == [True]
+    assert not any(one.resting for one in states if one.state is RunState.RUNNING)
+    rests = [one.text for one in rig.store.events if one.kind == REST]
+    assert "at the beginning of a rest of 80 s" in rests[-2]
+    assert "at the end of a rest of 80 s, in which it crept by" in rests[-1]
+    stood = [one.time for one in rig.store.events if one.kind == REST][-2:]
+    assert stood[1] > stood[0]
+
+
+def test_a_pause_of_the_operator_in_a_rest_lasts_until_somebody_goes_on(rig: MemoryRig) -> None:
+    rig.start(sequence(20, RunStep(revolutions=5, rest_s=1e6), RunStep(revolutions=15)))
+    rig.engine.wait((RunState.PAUSED,), 60.0)
+    end = rig.engine.status().expected_end_at
+    assert end > 0.0
+    notices = rig.engine.watch()
+    rig.engine.pause("Ada")
+    (told,) = [one for one in notices_of(notices) if isinstance(one, StateChanged)]
+    assert (told.state, told.resting) == (RunState.PAUSED, False)
+    assert "the rest has become a pause" in told.reason
+    active = rig.engine._core.test
+    assert active is not None
+    assert active.resting is None
+    assert rig.engine.status().expected_end_at < end
+    with pytest.raises(Refused):
+        rig.engine.pause("Ada")
+    rig.engine.resume("Ada")
+    rig.engine.wait(ENDED, 60.0)
+    np.testing.assert_array_equal(rig.store.column("revolution"), np.arange(1, 21))
+
+
+def test_an_operator_can_end_a_rest_and_end_the_test_in_one(rig: MemoryRig) -> None:
+    test = sequence(100_000, RunStep(revolutions=5, rest_s=1e6))
+    rig.start(test)
+    rig.engine.wait((RunState.PAUSED,), 60.0)
+    rig.engine.resume("Ada")
+    eventually(lambda: len(rig.store.rows) >= 10)
+    rig.engine.wait((RunState.PAUSED,), 60.0)
+    rig.engine.stop("Ada")
+    rig.engine.wait(ENDED, 60.0)
+    assert rig.engine.outcome is not None
+    assert rig.engine.outcome.status == "stopped"
+
+
+def test_a_pause_across_the_end_of_a_step_goes_on_at_the_next_speed(rig: MemoryRig) -> None:
+    rig.start(sequence(40, RunStep(revolutions=10, speed_rpm=60.0), RunStep(revolutions=30)))
+    eventually(lambda: len(rig.store.rows) >= 9)
+    rig.engine.pause("Ada")
+    rig.engine.wait((RunState.PAUSED,), 60.0)
+    rig.engine.resume("Ada")
+    rig.engine.wait(ENDED, 60.0)
+    assert rig.engine.outcome is not None
+    assert rig.engine.outcome.status == "complete"
+    quality = rig.store.column("quality").astype(int)
+    assert rig.store.column("speed")[-1] == pytest.approx(120.0, rel=0.05)
+    assert not quality[-1] & Flag.RAMP
+
+
+def test_a_resumed_test_goes_on_in_its_step(rig: MemoryRig) -> None:
+    rig.stores.append(FakeStore())
+    rig.opened = Opened(rig.store, 15, 15, 10.0, 0.0)
+    rig.start(
+        sequence(30, RunStep(revolutions=10, speed_rpm=60.0), RunStep(revolutions=20)), resume=True
+    )
+    rig.engine.wait(ENDED, 60.0)
+    assert speeds(rig)[0] == pytest.approx(120.0)
+    np.testing.assert_array_equal(rig.store.column("revolution"), np.arange(16, 31))
+
+
+def test_a_rule_of_a_step_is_judged_in_it_alone(rig: MemoryRig) -> None:
+    rule = LimitRule("force_max", warning_above=40.0, steps=(2,))
+    rig.start(
+        sequence(
+            100_000,
+            RunStep(revolutions=10, speed_rpm=60.0),
+            RunStep(revolutions=10),
+            RunStep(revolutions=100_000),
+            rules=(rule,),
+        )
+    )
+
+    def raised() -> bool:
+        return any("force_max" in one.key and one.active for one in rig.engine.status().alarms)
+
+    eventually(raised)
+    assert len(rig.store.rows) > 10
+    limits = [one for one in rig.store.events if "force_max" in one.key]
+    assert limits[0].revolution > 10
+    eventually(lambda: not raised())
+    assert len(rig.store.rows) > 20
+
+
+def test_a_drive_that_does_not_reach_the_speed_of_a_step_ends_the_test() -> None:
+    rig = MemoryRig(timing=replace(MemoryRig().timing, start_margin=1.0))
+    rig.engine.connect()
+    try:
+        rig.start(
+            sequence(100_000, RunStep(revolutions=20, speed_rpm=60.0), RunStep(revolutions=99_980))
+        )
+        eventually(lambda: len(rig.store.rows) >= 3)
+        rig.crank.deaf = True  # the drive takes commands, and turns as before
+        eventually(lambda: any(one.key == "start_failed" for one in rig.engine.status().alarms))
+        rig.crank.deaf = False
+        rig.engine.wait(ENDED, 60.0)
+        assert rig.engine.outcome is not None
+        assert "120" in rig.engine.outcome.sentence
+    finally:
+        rig.crank.deaf = False
+        rig.engine.shutdown(20.0)
+    assert rig.stands
