@@ -17,6 +17,11 @@ from rigapp.schema.messages import Prediction
 from rigapp.schema.notices import Finished
 from rigapp.schema.states import Ending
 
+STEPS_LOGGED = 500
+"""Changes of step that the log of a test has room for, each with its states and its rest; of the
+8192 lines they take at most 3500. Which step a later revolution belongs to follows from its number.
+"""
+
 
 @dataclass(slots=True, eq=False)
 class Rest:
@@ -39,10 +44,10 @@ class Rest:
 class ActiveTest:
     """One test.
 
-    stage: the step that the crank is in. resting: the rest between two steps, None while there is
-    none. fresh: its file was made by its own start. steady_from: ordinal of the first whole
-    revolution at the set speed, None while it changes. off: power is off, or was asked to be.
-    stood: the spindle was seen to stand at the end, or could not be shown to.
+    stage: the step that the crank is in; changes: of step, so far. resting: the rest between two
+    steps, None while there is none. fresh: its file was made by its own start. steady_from: ordinal
+    of the first whole revolution at the set speed, None while it changes. off: power is off, or was
+    asked to be. stood: the spindle was seen to stand at the end, or could not be shown to.
     """
 
     document: Document[TestFile]
@@ -57,6 +62,7 @@ class ActiveTest:
     sequence: Sequence
     stage: StepPlace
     resting: Rest | None = None
+    changes: int = 0
     steady_from: int | None = None
     ending: Ending | None = None
     fault_sentence: str = ""
@@ -71,6 +77,11 @@ class ActiveTest:
     cycles_refused: int = 0
     triggers_refused: int = 0
     finishing: threading.Lock = field(default_factory=threading.Lock)
+
+    @property
+    def logs_steps(self) -> bool:
+        """Tell whether the log has room for the present change of step."""
+        return self.changes <= STEPS_LOGGED
 
     @property
     def target_rpm(self) -> float:

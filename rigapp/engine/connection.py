@@ -363,12 +363,16 @@ class Connection:
         if test is None:
             return
         ended, test.stage = test.stage, stage
+        test.changes += 1
         words = f"{stage.words}: {stage.speed_rpm:g} rpm to revolution {stage.last}"
-        if core.state is RunState.STARTING:
-            text = f"{ended.words} was over before its {ended.speed_rpm:g} rpm were reached"
-            core.event("step", "engine", text, level="warning")
-        core.event("step", "engine", words, before=ended.words, after=stage.words)
-        if ended.rest_s and self.pause(f"{ended.words} is done: a rest of {ended.rest_s:g} s"):
+        if test.logs_steps:
+            if core.state is RunState.STARTING:
+                text = f"{ended.words} was over before its {ended.speed_rpm:g} rpm were reached"
+                core.event("step", "engine", text, level="warning")
+            core.event("step", "engine", words, before=ended.words, after=stage.words)
+        if ended.rest_s and test.resting is not None:
+            test.resting.duration_s += ended.rest_s  # it was over while the crank slowed down
+        elif ended.rest_s and self.pause(f"{ended.words} is done: a rest of {ended.rest_s:g} s"):
             test.resting = Rest(ended.rest_s)
         elif stage.speed_rpm != ended.speed_rpm:
             highest = max(stage.speed_rpm, ended.speed_rpm)

@@ -48,6 +48,9 @@ SLOW_DISK_S = 2.0
 CALM_COMMITS = 20
 """Quick commits in a row after which a disk counts as sound again."""
 
+BETWEEN_STEPS = ACTIVE - {RunState.STOPPING}
+"""States through which a change of step leads."""
+
 TRIGGERS = frozenset({"limit", "note"})
 """Kinds of events around which whole cycles are kept, beside every alarm that rises."""
 
@@ -140,7 +143,8 @@ class Core:
     def _announce(self, state: RunState, reason: str) -> None:
         resting = self.test is not None and self.test.resting is not None
         self.publisher.notice(StateChanged(state, reason, resting))
-        self.event("state", "engine", reason or f"the run is {state.value}", after=state.value)
+        if self.test is None or self.test.logs_steps or state not in BETWEEN_STEPS:
+            self.event("state", "engine", reason or f"the run is {state.value}", after=state.value)
 
     # --- events and alarms -----------------------------------------------------------------------
 

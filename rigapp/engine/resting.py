@@ -86,16 +86,17 @@ def note_rest(core: Core, rest: RestSignals | None, when: str = "before the star
     core.event(REST, "engine", text, after=shown, data=rest)
 
 
-def begin_rest(core: Core, connection: Connection, rest: Rest) -> None:
+def begin_rest(core: Core, connection: Connection, test: ActiveTest, rest: Rest) -> None:
     """Note what the load cell shows at the beginning of a rest between two steps."""
     rest.signals = signals_at_rest(core, connection)
-    note_rest(core, rest.signals, f"at the beginning of a rest of {rest.duration_s:g} s")
+    if test.logs_steps:
+        note_rest(core, rest.signals, f"at the beginning of a rest of {rest.duration_s:g} s")
 
 
 def end_rest(core: Core, connection: Connection, test: ActiveTest, rest: Rest) -> None:
     """Note by how much the load cell has crept in a rest, and go on with the test."""
     now, before = signals_at_rest(core, connection), rest.signals
-    if now is not None and before is not None:
+    if now is not None and before is not None and test.logs_steps:
         crept = [b - a for a, b in zip(before.pair, now.pair, strict=True)]
         note_rest(
             core,

@@ -124,7 +124,7 @@ class Supervisor:
             return
         if rest.since_s is None:
             rest.since_s = time.monotonic()
-            self._help("rest", partial(begin_rest, core, self._connection, rest))
+            self._help("rest", partial(begin_rest, core, self._connection, test, rest))
         elif rest.left_s(self._connection.pace()) == 0.0:
             self._help("rest", partial(end_rest, core, self._connection, test, rest))
 

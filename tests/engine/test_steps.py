@@ -12,6 +12,7 @@ import pytest
 from engine_doubles import FakeStore, MemoryRig, a_test, eventually
 
 from rigapp.config.recipe import LimitRule, RunStep, TestFile
+from rigapp.engine import activetest
 from rigapp.engine.recording.store import Opened
 from rigapp.schema.loglines import REST
 from rigapp.schema.messages import Event, Flag, RunState
@@ -226,3 +227,51 @@ def test_a_drive_that_does_not_reach_the_speed_of_a_step_ends_the_test() -> None
         rig.crank.deaf = False
         rig.engine.shutdown(20.0)
     assert rig.stands
+
+
+def test_rests_of_steps_that_are_over_while_the_crank_slows_down_are_one(rig: MemoryRig) -> None:
+    watched = rig.engine.watch()
+    outcome = run(rig, sequence(9, RunStep(revolutions=1, rest_s=PACE)))
+    assert (outcome.status, outcome.revolutions) == ("complete", 9)
+    states = [one for one in notices_of(watched) if isinstance(one, StateChanged)]
+    paused = [one.resting for one in states if one.state is RunState.PAUSED]
+    assert paused
+    assert all(paused)
+
+
+def test_a_sequence_of_many_changes_leaves_the_log_its_room(
+    rig: MemoryRig, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(activetest, "STEPS_LOGGED", 4)
+    slow, rests = RunStep(revolutions=2, speed_rpm=60.0), RunStep(revolutions=2, rest_s=1.0)
+    outcome = run(rig, sequence(40, slow, rests))
+    assert outcome.status == "complete"
+    assert len([one for one in steps_told(rig) if one.after]) == 4
+    assert max(one.revolution for one in rig.store.events if one.kind == REST) <= 12
+    states = [one for one in rig.store.events if one.kind == "state"]
+    assert states[-1].after == "stopping"
+    assert len(states) < 30
+
+
+def test_a_cable_that_is_pulled_in_a_rest_is_recovered_from_and_the_test_completed(
+    rig: MemoryRig,
+) -> None:
+    test = sequence(20, RunStep(revolutions=5, rest_s=1e6), RunStep(revolutions=15, speed_rpm=60.0))
+    rig.start(test)
+    rig.engine.wait((RunState.PAUSED,), 60.0)
+    rig.source.lost = True
+    rig.engine.wait((RunState.FAULT,), 60.0)
+    rig.source.lost = False
+    rig.engine.connect()
+    rig.engine.acknowledge(operator="Ada")
+    rig.engine.reset("Ada")
+    store = rig.store
+    last = int(store.column("revolution")[-1])
+    assert 5 <= last <= 10, "it slows down, and aims at the angle"
+    rig.opened, store.closed = Opened(store, len(store.rows), last, 10.0, 0.0), False
+    rig.start(test, resume=True)
+    rig.engine.wait(ENDED, 60.0)
+    assert rig.engine.outcome is not None
+    assert rig.engine.outcome.status == "complete"
+    np.testing.assert_array_equal(store.column("revolution"), np.arange(1, 21))
+    assert store.column("speed")[-1] == pytest.approx(60.0, rel=0.05)

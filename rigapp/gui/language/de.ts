@@ -5542,10 +5542,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Pfeile</translation>
     </message>
     <message>
-        <source>as above</source>
-        <translation>wie oben</translation>
-    </message>
-    <message>
         <source>as asked</source>
         <translation>wie verlangt</translation>
     </message>

@@ -51,7 +51,6 @@ class StepLine(QFrame):
         self.name.setPlaceholderText(tr("name"))
         self.length = edit(f"{name}_length", tr("How long step {} is", made))
         self.speed_rpm = edit(f"{name}_speed", tr("Speed of step {}", made))
-        self.speed_rpm.setPlaceholderText(tr("as above"))
         self.rest_s = edit(f"{name}_rest", tr("Rest after step {}", made))
         self.rest_s.setPlaceholderText("0")
         self.note = prose(f"{name}_note", tr("What is wrong with step {}, or where it is", made))
@@ -187,6 +186,8 @@ class SequenceCard(QGroupBox):
         known = test is not None and len(test.run.step) == len(self.rows)
         steps, first = Steps(test.run) if test is not None and known else None, 1
         for place, line in enumerate(self.rows, start=1):
+            if test is not None:
+                line.speed_rpm.setPlaceholderText(show_value(test.run.speed_rpm))
             stage = steps.at(first) if steps is not None else None
             if stage is None:
                 line.show_place(place, "")
