@@ -73,7 +73,13 @@ class Browser:
             self.events.append(told)
 
     def open(self, address: str, width: int, height: int, scheme: str) -> None:
-        """Open an address at a size in CSS pixels, in a light or dark scheme."""
+        """Open an address at a size in CSS pixels, in a light or dark scheme.
+
+        The page before is gone by then, and with it what it asked for: events are of this one.
+        """
+        self.ask("Page.navigate", url="about:blank")
+        self.eventually("document.URL", lambda address: address == "about:blank")
+        self.events.clear()
         self.ask(
             "Emulation.setDeviceMetricsOverride",
             width=width, height=height, deviceScaleFactor=1, mobile=width < 600,

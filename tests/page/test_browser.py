@@ -59,7 +59,6 @@ def test_the_page_fits_its_screen_and_is_live(
     chromium: Browser, page: OpenPage, size: str, scheme: str
 ) -> None:
     width, height = SIZES[size]
-    chromium.events.clear()
     chromium.open(f"http://127.0.0.1:{page.port}/", width, height, scheme)
     chromium.eventually("document.getElementById('server')?.textContent", lambda t: t == "live")
     assert chromium.value("document.documentElement.scrollWidth") <= width
