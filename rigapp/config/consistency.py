@@ -13,14 +13,11 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.notify import NotifyFile, notify_faults
 from rigapp.config.parameters import ParameterFile, to_parameters
 from rigapp.config.ranges import refusals
-from rigapp.config.recipe import TestFile
+from rigapp.config.recipe import MOST_STEPS, TestFile
 from rigapp.config.rig import Matrix, RigFile
 from rigapp.config.rules import check_rules
 from rigapp.config.sequence import Sequence
 from rigapp.schema.criteria import CRITERIA
-
-MOST_STEPS = 1000
-"""More are written by no hand; they would only make each look at the sequence slow."""
 
 SECTIONS = ("spindle", "encoder", "load_cell", "probes")
 CELL_CONDITION = 1e6

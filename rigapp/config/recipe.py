@@ -22,6 +22,10 @@ JOINT_WORDS = msgspec.Meta(
 Action = Literal["none", "warn", "pause", "stop", "drive_off"]
 
 
+MOST_STEPS = 1000
+"""More are written by no hand; they would only make each look at the sequence slow."""
+
+
 class RunStep(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[[run.step]]: so many revolutions, or so long, at a speed of their own, then a rest.
 
@@ -47,7 +51,7 @@ class RunSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     speed_rpm: Annotated[float, within(0.1, 3000.0)]
     acceleration_rpm_per_s: Annotated[float, within(0.1, 10_000.0)] = 60.0
     pause_angle_deg: Annotated[float, within(0.0, 359.999)] = 90.0
-    repeat_from_step: Annotated[int, within(1, 1000)] = 1
+    repeat_from_step: Annotated[int, within(1, MOST_STEPS)] = 1
     step: tuple[RunStep, ...] = ()
 
 
@@ -87,7 +91,7 @@ class LimitRule(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     critical_below: Annotated[float | None, LEVEL] = None
     hysteresis: Annotated[float, within(0.0, 1e9)] = 0.0
     delay_revolutions: Annotated[int, IN_A_ROW] = 1
-    steps: tuple[Annotated[int, within(1, 1000)], ...] = ()
+    steps: tuple[Annotated[int, within(1, MOST_STEPS)], ...] = ()
     action_warning: Action = "warn"
     action_critical: Action = "stop"
 

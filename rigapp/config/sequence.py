@@ -53,6 +53,10 @@ class Sequence:
         before = min(run.repeat_from_step, len(self._steps)) - 1
         self.loop_from = self.ends[before - 1] if before else 0
         self.loop = self.ends[-1] - self.loop_from
+        self._loop_s = sum(
+            revolutions_of(one, run) * 60.0 / self._speed(one) + one.rest_s
+            for one in self._steps[before:]
+        )
 
     @property
     def count(self) -> int:
@@ -113,13 +117,9 @@ class Sequence:
             return 0.0
         start = min(last, max(first, self.loop_from + 1))
         whole = (last - start) // self.loop
-        rounds_s = sum(
-            revolutions_of(one, self._run) * 60.0 / self._speed(one) + one.rest_s
-            for one in self._steps[bisect_left(self.ends, self.loop_from + 1) :]
-        )
         return (
             self._seconds(first, start - 1, last)
-            + whole * rounds_s
+            + whole * self._loop_s
             + self._seconds(start + whole * self.loop, last, last)
         )
 

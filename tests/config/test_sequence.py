@@ -9,10 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rigapp.config.consistency import MOST_STEPS
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
-from rigapp.config.recipe import RunSection, RunStep
+from rigapp.config.recipe import MOST_STEPS, RunSection, RunStep
 from rigapp.config.sequence import Sequence, revolutions_of
 
 QUICK = (Path(__file__).parents[2] / "examples" / "quick.toml").read_text("utf-8")

@@ -100,11 +100,12 @@ class LimitLevel:
         times = tr("{} revolutions", self.revolutions) if many else tr("1 revolution")
         value = f"{_shown(self.value)} {unit_of_quantity(self.quantity, table)}".rstrip()
         back = tr(", ends {} inside", _shown(self.hysteresis)) if self.hysteresis else ""
-        within = tr(", in step {}", _listed(self.steps)) if self.steps else ""
+        within = tr(", in step {}", listed(self.steps)) if self.steps else ""
         return tr("{} {} in {}", self.condition(table), value, times) + back + within
 
 
-def _listed(steps: Sequence[int]) -> str:
+def listed(steps: Sequence[int]) -> str:
+    """Return the numbers of steps as one reads them."""
     return ", ".join(map(str, steps))
 
 

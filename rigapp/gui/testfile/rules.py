@@ -28,6 +28,7 @@ from rigapp.gui.data.levels import (
     LimitLevel,
     faults_of,
     levels_of,
+    listed,
     never_comes,
     quantity_choices,
     rules_of,
@@ -111,8 +112,7 @@ class LevelRow(QFrame):
         first = self._line(SENTENCE, self.quantity, self.units[0])
         second = self._line(ENDS, self.note, self.units[1])
         if self.level.steps:
-            numbers = ", ".join(map(str, self.level.steps))
-            second.addWidget(QLabel(tr("in step {} only", numbers)))
+            second.addWidget(QLabel(tr("in step {} only", listed(self.level.steps))))
         second.addWidget(self.remove)
         for line in (first, second):
             line.setSpacing(STEP)

@@ -18,13 +18,12 @@ from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP
 from rigapp.gui.testfile.fields import show_value
+from rigapp.gui.testfile.rules import NUMBER, WHOLE_NUMBER
 from rigapp.gui.widgets.build import button, choice, column, edit, filled, named, prose, row, tell
 from rigapp.gui.widgets.numbers import number, whole
 
 SENTENCE: Final[Text] = "{name} {length} {kind} at {speed_rpm} rpm, then rest {rest_s} s"
 """The line of a step, with its fields in the place of the braces."""
-NUMBER: Final[Text] = "Type a number in place of {}."
-WHOLE_NUMBER: Final[Text] = "Type a whole number in place of {}."
 LENGTH_MISSING: Final[Text] = "Type how many revolutions the step has, or how many seconds."
 KINDS: Final[tuple[tuple[Text, str], ...]] = (
     ("revolutions", "revolutions"),
