@@ -166,6 +166,7 @@ class RoboClaw:
             if link.hurry.is_set():
                 raise DeviceFault.at(self, "a stop came before the speed was set.")
             self._target = speed
+            link.standing = False
             link.write(
                 command,
                 acceleration,
@@ -215,6 +216,7 @@ class RoboClaw:
 
         self._target = None
         link.write(Command.DUTY_M1 + self._motor - 1, 0, in_effect=in_effect)
+        link.standing = True
 
     def reset_fault(self) -> None:
         """Switch the motor off, forget the watchdog's stop and release a latched emergency stop.

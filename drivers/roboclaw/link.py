@@ -23,7 +23,7 @@ from drivers.roboclaw.protocol import (
 )
 
 TRIES: Final = 3  # one disturbed packet must not stop a test; three in a row are a fault
-FIRST_TRIES: Final = 10  # nothing turns yet, and a busy computer may be late
+STANDING_TRIES: Final = 10  # nothing is to turn, and a busy computer may be late
 QUIET_S: Final = 0.012  # longer than the 10 ms after which the drive forgets a packet
 LONGEST_REPLY: Final = 58  # bytes, of command 73
 BITS_PER_BYTE: Final = 10
@@ -44,6 +44,8 @@ class Link:
     Not thread-safe: the driver holds its lock around every call. ``hurry`` may be set by any
     thread; it ends the retries of a call under way, so that a stop need not wait for them.
 
+    ``standing``: nothing is commanded to turn, so that a question may wait for its answer longer.
+
     What the line spoils is counted (``crc_errors``, ``retries``, ``late_bytes``), and a packet that
     came through only when repeated goes to the log: neither says anything of the drive.
     """
@@ -59,13 +61,14 @@ class Link:
         self._timeout_s = timeout_s
         self.generation: Generation = NEWER
         self.hurry = threading.Event()
+        self.standing = True
         self.crc_errors = 0
         self.retries = 0
         self.late_bytes = 0
         self.last_sent_ns = time.monotonic_ns()
 
-    def read(self, command: int, tries: int = TRIES) -> tuple[int, ...]:
-        """Return the numbers of a reply.
+    def read(self, command: int, tries: int | None = None) -> tuple[int, ...]:
+        """Return the numbers of a reply; tries: None for as many as the motion allows.
 
         Raises ReplyTimeout when nothing came, ProtocolError when what came was wrong every time,
         DeviceLost when the port broke.
@@ -75,7 +78,8 @@ class Link:
             raw = self._ask(command)
             return parse_values(self.address, command, raw, self.generation)
 
-        return self._repeat(command, exchange, tries)
+        allowed = STANDING_TRIES if self.standing else TRIES
+        return self._repeat(command, exchange, allowed if tries is None else tries)
 
     def version(self) -> str:
         """Return the firmware text, the first that a drive is asked for; errors as ``read``."""
@@ -83,7 +87,7 @@ class Link:
         def exchange() -> str | Rejected:
             return parse_version(self.address, self._ask(Command.VERSION))
 
-        return self._repeat(Command.VERSION, exchange, FIRST_TRIES)
+        return self._repeat(Command.VERSION, exchange, STANDING_TRIES)
 
     def write(
         self,
@@ -148,7 +152,7 @@ class Link:
 
     def _failure(self, command: int, failures: list[str]) -> ProtocolError | ReplyTimeout:
         name = Command(command).name
-        told = [sentence for sentence in failures if sentence]
+        told = list(dict.fromkeys(sentence for sentence in failures if sentence))
         if not told:
             return ReplyTimeout.at(
                 self,

@@ -550,8 +550,29 @@ def test_a_restart_with_a_long_silence_is_a_missing_reply(drive_rig: Any, connec
     rig = drive_rig()
     drive = connect(rig, reply_timeout_ms=50.0)
     rig.simulator.inject("reset", value=30.0)
-    with pytest.raises(ReplyTimeout, match=r"no reply to COMBINED_STATUS.*3 tries"):
+    with pytest.raises(ReplyTimeout, match=r"no reply to COMBINED_STATUS.*10 tries"):
         drive.status()
+
+
+def test_a_drive_that_may_turn_is_missed_sooner_than_one_at_rest(
+    drive_rig: Any, connect: Any, wait_until: Any
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, watchdog_s=20.0, reply_timeout_ms=50.0)
+
+    def missed_after(tries: int) -> None:
+        rig.simulator.inject("no_reply", target=int(Command.COMBINED_STATUS))
+        with pytest.raises(ReplyTimeout, match=rf" {tries} tries"):
+            drive.status()
+        rig.simulator.clear("no_reply")
+
+    missed_after(10)
+    drive.set_speed(1.0, 1000.0)
+    missed_after(3)
+    drive.set_speed(0.0, 1000.0)
+    missed_after(3)  # it may still run down
+    drive.drive_off()
+    missed_after(10)
 
 
 # --- the link -------------------------------------------------------------------------------------
@@ -574,7 +595,7 @@ def test_only_wrong_crcs_are_an_error_with_what_was_seen(drive_rig: Any, connect
     rig = drive_rig()
     drive = connect(rig, **PATIENT)
     rig.simulator.inject("wrong_crc")
-    with pytest.raises(ProtocolError, match=r"COMBINED_STATUS.*3 tries: CRC .* instead of"):
+    with pytest.raises(ProtocolError, match=r"COMBINED_STATUS.*10 tries: CRC .* instead of"):
         drive.status()
 
 
