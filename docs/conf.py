@@ -15,7 +15,8 @@ PACKAGES = {
     # Of the application, what flows and is stored, and the analyst's door.
     "rigapp": [f"rigapp/{one.name}" for one in (ROOT / "rigapp").iterdir()],
 }
-PACKAGES["rigapp"] = sorted(set(PACKAGES["rigapp"]) - {"rigapp/schema", "rigapp/__init__.py"})
+SHOWN = ("schema", "analysis", "model.py", "calibration.py", "__init__.py")
+PACKAGES["rigapp"] = sorted(set(PACKAGES["rigapp"]) - {f"rigapp/{one}" for one in SHOWN})
 
 project = "rigapp"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.apidoc"]

@@ -12,7 +12,13 @@ from rigapp.storage.filesystem.errors import NoRoom, StorageFailed
 from rigapp.storage.filesystem.folder import SPACE_MARGIN
 from rigapp.storage.filesystem.locks import hold_writer_lock
 from rigapp.storage.reading.export import export_test
-from rigapp.storage.reading.reader import Columns, StoredCycle, TestReader, open_test
+from rigapp.storage.reading.reader import (
+    Columns,
+    StoredCycle,
+    StoredVariable,
+    TestReader,
+    open_test,
+)
 from rigapp.storage.reading.resample import on_grid
 from rigapp.storage.structure.layout import (
     CALIBRATION,
@@ -34,6 +40,7 @@ __all__ = [
     "NoRoom",
     "StorageFailed",
     "StoredCycle",
+    "StoredVariable",
     "TestMetadata",
     "TestReader",
     "TestWriter",

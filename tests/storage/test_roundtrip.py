@@ -182,19 +182,6 @@ def test_a_full_file_says_so_and_keeps_its_data(quick_folder: Path) -> None:
             assert reader.state("events_refused") == 84
 
 
-def test_finished_test_in_xarray(quick_folder: Path) -> None:
-    with new_test(quick_folder) as writer:
-        write(writer, 1, 30)
-        writer.commit()
-        with open_test(quick_folder / "test.h5") as reader:
-            data = reader.to_xarray()
-            twin = reader.to_xarray("prediction")
-    assert data.sizes == {"revolution": 30}
-    assert data.force_max.attrs["units"] == "N"
-    assert float(data.force_max.sel(revolution=7)) == row(7)[list(data).index("force_max") + 1]
-    assert twin.sizes == {"revolution": 30}
-
-
 texts = st.text(max_size=700)
 
 

@@ -9,6 +9,7 @@ import h5py
 import numpy as np
 from storage_samples import PLAN, check, new_test, write
 
+import rigapp
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
 from rigapp.storage import FilePlan, TestWriter, compact_test, open_test, profile_rows, reopen_test
 from rigapp.storage.structure.layout import CHECKPOINT_BYTES
@@ -38,7 +39,7 @@ def test_profiles_come_back_as_arrays_and_as_a_dataset(tmp_path: Path) -> None:
         assert append(writer, 7)
         writer.commit()
         with open_test(writer.path) as reader:
-            found, data = reader.profiles(), reader.to_xarray("profiles")
+            found, data = reader.profiles(), rigapp.open(writer.path).profiles
             check(reader)
     assert found["revolution"].tolist() == [3, 7]
     for place, revolution in enumerate((3, 7)):

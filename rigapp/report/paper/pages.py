@@ -42,6 +42,11 @@ def write_chapter(folder: Path, chapter: Chapter) -> tuple[list[Path], Section]:
     return [table, drawn], Section(chapter.title, tuple(blocks))
 
 
+def size_in(panels: int) -> tuple[float, float]:
+    """Return width and height of a picture of so many panels, inches."""
+    return 7.2, 1.0 + 1.9 * panels
+
+
 def picture(chapter: Chapter) -> bytes:
     """Draw a chapter as PNG."""
     import matplotlib
@@ -50,8 +55,7 @@ def picture(chapter: Chapter) -> bytes:
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(STYLE)
-        height = 1.0 + 1.9 * chapter.panels
-        canvas = Canvas(figsize=(7.2, height), layout="constrained")
+        canvas = Canvas(figsize=size_in(chapter.panels), layout="constrained")
         axes = canvas.subplots(chapter.panels, 1, squeeze=False)[:, 0]
         chapter.draw(list(axes))
         stream = io.BytesIO()

@@ -25,17 +25,18 @@ MOST_ROWS = 2000
 def recorded_chapters(path: Path) -> Iterator[Chapter]:
     """Yield what of Figs 20 and 21 a test file holds; raise UnusableInput when that is nothing."""
     with open_test(path) as reader:
-        chapters = [*_force_of_a_cycle(reader), *_extrema(reader), *_profile(reader)]
+        found = [draw(reader) for draw in (force_of_a_cycle, extrema, profile)]
+    chapters = [one for one in found if one is not None]
     if not chapters:
         raise UnusableInput(f"{path}: it holds no whole revolution; give a test with data.")
     yield from chapters
 
 
-def _force_of_a_cycle(reader: TestReader) -> Iterator[Chapter]:
-    """Yield Fig. 20 as its text says: components and magnitude over the crank angle."""
+def force_of_a_cycle(reader: TestReader) -> Chapter | None:
+    """Return Fig. 20 as its text says, components and |F| over the crank angle; None without."""
     pictures = [one for one in cycles_of(reader) if one.model and set(COMPONENTS) <= set(one.model)]
     if not pictures:
-        return
+        return None
     last = pictures[-1]
     degrees = np.arange(360.0)
     columns = {"crank_angle_deg": degrees}
@@ -52,7 +53,7 @@ def _force_of_a_cycle(reader: TestReader) -> Iterator[Chapter]:
         axes[0].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
         axes[-1].set_xlabel(DEGREES)
 
-    yield Chapter(
+    return Chapter(
         name="fig20_force",
         title=f"Fig. 20: force in revolution {last.revolution:,}, measured and by the model",
         columns=columns,
@@ -92,13 +93,13 @@ def _agreement(picture: CyclePicture) -> str:
     )
 
 
-def _extrema(reader: TestReader) -> Iterator[Chapter]:
-    """Yield Fig. 20 as its caption says: extrema of the force over the cycles."""
+def extrema(reader: TestReader) -> Chapter | None:
+    """Return Fig. 20 as its caption says, extrema of the force over the cycles; None without."""
     known = reader.column_units()
     count = reader.committed()
     names = [f"force_{one}" for one in EXTREMA if f"force_{one}" in known]
     if not names or not count:
-        return
+        return None
     starts = np.unique(np.linspace(0, count, min(count, MOST_ROWS), endpoint=False).astype(int))
     columns = {"revolution": reader.column("revolution", 0, count)[starts].astype(float)}
     unsteady = reader.column("quality", 0, count).astype(np.int64) & UNSTEADY != 0
@@ -114,7 +115,7 @@ def _extrema(reader: TestReader) -> Iterator[Chapter]:
         axes[0].set_ylabel("|F|, N")
         axes[0].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
 
-    yield Chapter(
+    return Chapter(
         name="fig20_extrema",
         title="Fig. 20: extrema of the force over the cycles",
         columns=columns,
@@ -149,11 +150,11 @@ def _scatter(largest: np.ndarray) -> str:
     )
 
 
-def _profile(reader: TestReader) -> Iterator[Chapter]:
-    """Yield Fig. 21: the worn profile by the probes beside the model's."""
+def profile(reader: TestReader) -> Chapter | None:
+    """Return Fig. 21, the worn profile by the probes beside the model's; None without."""
     found = worn_of(reader)
     if found is None:
-        return
+        return None
     columns = {"angle_deg": found.angle}
     columns |= {f"depth_{name}_mm": curve for name, curve in found.curves.items()}
     columns["uncertainty_mm"] = found.uncertainty
@@ -183,7 +184,7 @@ def _profile(reader: TestReader) -> Iterator[Chapter]:
         for name, words in CURVES.items()
         if np.isfinite(found.extents[name].depth)
     )
-    yield Chapter(
+    return Chapter(
         name="fig21_recorded",
         title=f"Fig. 21: worn profile after revolution {found.revolution:,} of a recorded test",
         columns=columns,

@@ -21,27 +21,33 @@ COEFFICIENT = "K in mm³/(N m)"
 LEGEND: dict[str, Any] = {"loc": "center left", "bbox_to_anchor": (1.0, 0.5)}
 
 
+def draw_depth(axes: Any, test: IdentifiedTest, known: Identification) -> None:
+    """Draw depth in bins and its predicted bands on matplotlib axes, in um."""
+    readings = known.readings
+    shades = (COLOURS["probe_2"], MODEL) if len(test.bands) > 1 else (MODEL,)
+    for one, colour in zip(test.bands, shades, strict=True):
+        band, label = one.band, f"95 % band\nfrom {count(one.after)} on"
+        axes.fill_between(
+            band.revolution, 1e6 * band.low, 1e6 * band.high, color=colour, alpha=0.25, lw=0
+        )
+        axes.plot(band.revolution, 1e6 * band.median, color=colour, ls=(0, (4, 2)), label=label)
+    doubt = 2e6 * readings.noise
+    axes.errorbar(
+        readings.revolution, 1e6 * readings.depth, yerr=doubt, fmt="o", ms=2.5, lw=0.8,
+        color=COLOURS["force"], label="measured",
+    )  # fmt: skip
+    if test.left is not None:
+        axes.axhline(1e6 * test.left.depth, color="#444444", lw=0.8, label="end of the\ntest")
+    axes.set_ylabel("wear depth (µm)")
+
+
 def depth_figure(test: IdentifiedTest, known: Identification, vector: bool) -> Figure:
     """Draw the measured depth in bins with the bands predicted early and last."""
-    readings = known.readings
     with canvas_of(2.8) as canvas:
         axes = canvas.subplots()
-        shades = (COLOURS["probe_2"], MODEL) if len(test.bands) > 1 else (MODEL,)
-        for one, colour in zip(test.bands, shades, strict=True):
-            band, label = one.band, f"95 % band\nfrom {count(one.after)} on"
-            axes.fill_between(
-                band.revolution, 1e6 * band.low, 1e6 * band.high, color=colour, alpha=0.25, lw=0
-            )
-            axes.plot(band.revolution, 1e6 * band.median, color=colour, ls=(0, (4, 2)), label=label)
-        doubt = 2e6 * readings.noise
-        axes.errorbar(
-            readings.revolution, 1e6 * readings.depth, yerr=doubt, fmt="o", ms=2.5, lw=0.8,
-            color=COLOURS["force"], label="measured",
-        )  # fmt: skip
-        if test.left is not None:
-            axes.axhline(1e6 * test.left.depth, color="#444444", lw=0.8, label="end of the\ntest")
-        axes.set_ylabel("wear depth (µm)")
+        draw_depth(axes, test, known)
         axes.legend(**LEGEND)
+        readings = known.readings
         revolution_axis(axes)
         words = (
             f"Depth measured up to revolution {count(int(readings.revolution[-1]))}, and the bands"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -214,12 +214,15 @@ def _wear(
 def cycles_of(reader: TestReader) -> tuple[CyclePicture, ...]:
     """Return the first, the middle and the last saved cycle, fewer when fewer are saved."""
     total = reader.committed("cycles")
-    curves = reader.curve_revolutions()
-    places = sorted({0, total // 2, total - 1}) if total else []
-    saved = reader.cycle_revolutions()
+    return cycles_at(reader, sorted({0, total // 2, total - 1}) if total else [])
+
+
+def cycles_at(reader: TestReader, places: Sequence[int]) -> tuple[CyclePicture, ...]:
+    """Return the saved cycles at some places, each with the model's curves that belong to it."""
+    curves, saved = reader.curve_revolutions(), reader.cycle_revolutions()
     found = []
     for place in places:
-        following = int(saved[place + 1]) if place + 1 < total else None
+        following = int(saved[place + 1]) if place + 1 < len(saved) else None
         found.append(_picture(reader, place, following, curves))
     return tuple(found)
 

@@ -33,7 +33,6 @@ from rigapp.storage.structure.layout import (
     END_TIME,
     FORM_ATTRIBUTE,
     PLAN,
-    PROFILE_ANGLE,
     SCHEMA,
     SCHEMA_ATTRIBUTE,
     START_TIME,
@@ -69,6 +68,20 @@ class StoredCycle:
         """
         even = resample_channels(self.columns, self.table, points, method)
         return replace(self, columns={**even})
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StoredVariable:
+    """Describe a column in a file: its stream, the shape of its safe rows, what it says of itself.
+
+    attributes: units, long_name and whatever else CF and NeXus want, without those of HDF5 itself.
+    """
+
+    name: str
+    stream: str
+    shape: tuple[int, ...]
+    dtype: np.dtype[Any]
+    attributes: dict[str, Any]
 
 
 def open_test(path: str | os.PathLike[str]) -> TestReader:
@@ -345,32 +358,40 @@ class TestReader:
         """Return the calibration records that the test was measured with, nested by name."""
         return _tree(self._file[CALIBRATION])
 
-    def to_xarray(self, stream: str = "revolutions") -> Any:
-        """Return committed rows of a stream as an xarray.Dataset.
+    def variables(self, stream: str) -> tuple[StoredVariable, ...]:
+        """Return what a stream holds as it stands in the file, shapes cut to the safe rows.
 
-        stream: ``revolutions``, ``prediction`` or ``profiles`` (worn profiles, over their angles).
+        stream: as in ``streams_of``; of ``prediction`` without its curves and profiles.
         """
-        import xarray
-
-        coordinates: dict[str, Any] = {}
-        if stream == "profiles":
-            table, fields, rows = self.profiles(), self._profile_fields(), "revolution"
-            about = {"units": "deg", "long_name": PROFILE_ANGLE}
-            coordinates["angle"] = ("angle", table.pop("angle"), about)
-        else:
-            found = self._streams[stream]
-            table, rows = self._table(stream, 0), found.dimension
-            fields = {one.name: one for one in found.fields}
-        coordinates[rows] = table.pop(rows)
-        variables = {
-            name: (
-                (rows, "angle")[: values.ndim],
-                values,
-                {"units": fields[name].unit, "long_name": fields[name].description},
+        found, rows = self._streams[stream], self.committed(stream)
+        return tuple(
+            StoredVariable(
+                one.name,
+                stream,
+                (rows, *one.shape),
+                np.dtype(one.dtype),
+                _attributes(self._file[found.path(one.name)]),
             )
-            for name, values in table.items()
+            for one in found.fields
+        )
+
+    def attributes(self, stream: str) -> dict[str, dict[str, Any]]:
+        """Return what each column says of itself, also those that the file is too old to have."""
+        whole = streams_of(replace(self.plan, event_details=True, profiles=1))[stream]
+        found = {
+            one.name: {"units": one.unit, "long_name": one.description} for one in whole.fields
         }
-        return xarray.Dataset(variables, coords=coordinates)
+        if stream in self._streams:
+            found |= {one.name: one.attributes for one in self.variables(stream)}
+        return found
+
+    def has(self, stream: str) -> bool:
+        """Tell whether the file keeps a stream; those of before keep fewer."""
+        return stream in self._streams
+
+    def angles(self) -> NDArray[np.float64]:
+        """Return the crank angles of the predicted curves, deg."""
+        return np.asarray(self._file["/entry/prediction/angle"], dtype=np.float64)
 
     def _table(self, stream: str, first: int) -> Columns:
         found: FileStream = self._streams[stream]
@@ -404,6 +425,18 @@ class TestReader:
     def _text(self, path: str) -> str:
         value = self._file[path][()]
         return value.decode() if isinstance(value, bytes) else str(value)
+
+
+_OF_HDF5 = ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "DIMENSION_LABELS")
+"""Attributes that make a dataset a dimension, or join it to one."""
+
+
+def _attributes(dataset: h5py.Dataset) -> dict[str, Any]:
+    return {
+        name: value.decode() if isinstance(value, bytes) else value
+        for name, value in dataset.attrs.items()
+        if name not in _OF_HDF5 and not name.startswith("_Netcdf4")
+    }
 
 
 def _tree(group: h5py.Group) -> dict[str, Any]:

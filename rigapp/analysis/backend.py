@@ -1,0 +1,183 @@
+"""A test file as xarray sees it: its groups as datasets, cut to what is safe, read when needed.
+
+``xarray.open_dataset(file, engine="rigapp", group="revolutions")`` does it for xarray's own users.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import xarray
+from numpy.typing import NDArray
+from xarray.backends import BackendArray, BackendEntrypoint
+from xarray.core import indexing
+
+from rigapp.config.errors import UnusableInput
+from rigapp.storage import StoredVariable, TestReader, open_test
+
+ROWS = {
+    "revolutions": "revolution",
+    "cycles": "sample",
+    "prediction": "revolution",
+    "events": "event",
+    "profiles": "revolution",
+}
+"""Groups of a test, each with the dimension along which it grows."""
+
+_PROFILE = "profile_"
+"""In the file the columns of worn profiles begin so; they share a group with the prediction."""
+
+
+class StoredArray(BackendArray):  # type: ignore[misc]
+    """Read a column of a file piece by piece; each piece opens the file for itself."""
+
+    def __init__(self, path: Path, variable: StoredVariable) -> None:
+        self._path, self._variable = path, variable
+        self.shape, self.dtype = variable.shape, variable.dtype
+
+    def __getitem__(self, key: indexing.ExplicitIndexer) -> Any:
+        return indexing.explicit_indexing_adapter(
+            key, self.shape, indexing.IndexingSupport.BASIC, self._read
+        )
+
+    def _read(self, key: tuple[Any, ...]) -> Any:
+        rows, rest = key[0], key[1:]
+        known = self._variable
+        with open_test(self._path) as reader:
+            if isinstance(rows, slice):
+                first, stop, step = rows.indices(self.shape[0])
+                values = reader.column(known.name, first, stop, known.stream)[::step]
+                return values[(slice(None), *rest)]
+            row = int(rows) % self.shape[0]
+            return reader.column(known.name, row, row + 1, known.stream)[(0, *rest)]
+
+
+class RigappBackend(BackendEntrypoint):  # type: ignore[misc]
+    """Let xarray open a group of a test file."""
+
+    description = "tests of rigapp, cut to what is safe"
+    url = "https://docs.xarray.dev/en/stable/internals/how-to-add-new-backend.html"
+    open_dataset_parameters = ("filename_or_obj", "drop_variables", "group")
+
+    def open_dataset(
+        self,
+        filename_or_obj: str | os.PathLike[str],
+        *,
+        drop_variables: str | Iterable[str] | None = None,
+        group: str = "revolutions",
+    ) -> xarray.Dataset:
+        """Return a group of a test: revolutions, cycles, prediction, events or profiles.
+
+        Raises UnusableInput for another group, and for a file that is no test.
+        """
+        if group not in _GROUPS:
+            raise UnusableInput(f"group {group!r}: there is no such group; {', '.join(_GROUPS)}")
+        path = Path(filename_or_obj)
+        with open_test(path) as reader:
+            found = _GROUPS[group](reader, path)
+        dropped = [drop_variables] if isinstance(drop_variables, str) else drop_variables or ()
+        found = found.drop_vars(dropped, errors="ignore")
+        return xarray.decode_cf(
+            found, mask_and_scale=False, decode_coords=False, decode_timedelta=False
+        )
+
+    def guess_can_open(self, filename_or_obj: object) -> bool:
+        """Leave files to the engines of their format where this one is not asked for."""
+        return False
+
+
+def _variable(path: Path, stored: StoredVariable, dims: tuple[str, ...]) -> xarray.Variable:
+    """Return a column that is read when it is needed; words, which are short, at once."""
+    values: Any = indexing.LazilyIndexedArray(StoredArray(path, stored))
+    if stored.dtype.kind == "S":
+        with open_test(path) as reader:
+            values = np.char.decode(reader.column(stored.name, stream=stored.stream), "utf-8")
+    return xarray.Variable(dims, values, stored.attributes)
+
+
+def _columns(
+    reader: TestReader, path: Path, stream: str, *dims: str, prefix: str = ""
+) -> dict[str, xarray.Variable]:
+    """Return the columns of a stream by name, of a dimension each axis."""
+    if not reader.has(stream):
+        return {}
+    return {
+        one.name.removeprefix(prefix): _variable(path, one, dims[: len(one.shape)])
+        for one in reader.variables(stream)
+    }
+
+
+def _angle(values: NDArray[np.float64], words: str) -> xarray.Variable:
+    return xarray.Variable("angle", values, {"units": "deg", "long_name": words})
+
+
+def _revolutions(reader: TestReader, path: Path) -> xarray.Dataset:
+    found = _columns(reader, path, "revolutions", "revolution")
+    return xarray.Dataset(found).set_coords([one for one in ("host_time",) if one in found])
+
+
+def _cycles(reader: TestReader, path: Path) -> xarray.Dataset:
+    """Return whole cycles as a contiguous ragged array: ``first`` and ``count`` cut it."""
+    samples = _columns(reader, path, "samples", "sample")
+    revolution = np.repeat(
+        reader.cycle_revolutions(), reader.column("count", stream="cycles").astype(np.int64)
+    )
+    about = {"units": "1", "long_name": "number of the revolution of the sample"}
+    samples["sample_revolution"] = xarray.Variable("sample", revolution, about)
+    index = _columns(reader, path, "cycles", "revolution")
+    index["count"].attrs["sample_dimension"] = "sample"  # CF, chapter 9.3.3
+    return xarray.Dataset(samples | index).set_coords(["sample_revolution", "angle"])
+
+
+def _prediction(reader: TestReader, path: Path) -> xarray.Dataset:
+    found = _columns(reader, path, "prediction", "revolution")
+    found |= _columns(reader, path, "curves", "curve_revolution", "angle")
+    if any("angle" in one.dims for one in found.values()):
+        found["angle"] = _angle(reader.angles(), "crank angle")
+    return xarray.Dataset(found)
+
+
+def _events(reader: TestReader, path: Path) -> xarray.Dataset:
+    """Return the log, a line an event, whole however many rows of the file it takes."""
+    events = reader.events()
+    attributes = reader.attributes("events")
+    columns: Mapping[str, Callable[[Any], Any]] = {
+        "data": lambda one: msgspec.json.encode(one.data).decode() if one.data else "",
+    }
+    names = ("time", "revolution", "kind", "source", "text", "before", "after", "key", "level")
+    found = {}
+    for name in (*names, "data"):
+        value = columns.get(name, lambda one, name=name: getattr(one, name))
+        kind = {"time": "f8", "revolution": "i8"}.get(name, "U")
+        values = np.array([value(one) for one in events], dtype=kind)
+        found[name] = xarray.Variable("event", values, attributes[name])
+    return xarray.Dataset(found).set_coords("time")
+
+
+def _profiles(reader: TestReader, path: Path) -> xarray.Dataset:
+    found = _columns(reader, path, "profiles", "revolution", "angle", prefix=_PROFILE)
+    if not found:  # a file of before, or of a test without a twin
+        empty = reader.profiles()
+        del empty["angle"]
+        dims, about = ("revolution", "angle"), reader.attributes("profiles")
+        found = {
+            name: xarray.Variable(dims[: one.ndim], one, about[f"{_PROFILE}{name}"])
+            for name, one in empty.items()
+        }
+    words = "angle from the initial contact point, follower frame"
+    found["angle"] = _angle(np.asarray(reader.profiles()["angle"]), words)
+    return xarray.Dataset(found)
+
+
+_GROUPS: Mapping[str, Callable[[TestReader, Path], xarray.Dataset]] = {
+    "revolutions": _revolutions,
+    "cycles": _cycles,
+    "prediction": _prediction,
+    "events": _events,
+    "profiles": _profiles,
+}

@@ -1,0 +1,61 @@
+"""Calibration as a library: readings and settings in, fits with their uncertainty out.
+
+These names stay; what stands in ``calibration`` itself may change from version to version.
+``docs/calibration.md`` says what is fitted and what is judged.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from calibration.load_cell.calibrate import LoadCellCalibration, calibrate_load_cell
+from calibration.load_cell.force_uncertainty import ForceUncertainty, force_uncertainty
+from calibration.load_cell.readings import LoadCellReadings, parse_load_cell
+from calibration.load_cell.settings import LoadCellSettings
+from calibration.probes.calibrate import ProbeCalibration, calibrate_probe
+from calibration.probes.readings import ProbeReadings, parse_probe
+from calibration.probes.settings import ProbeSettings
+from calibration.records import Record, RecordError, unseal
+from calibration.taking.readings import ReadingsError
+from rigapp.calibrating.verification import Verification, verify
+from rigapp.config.calibration_settings import (
+    LoadCellFile,
+    ProbeFile,
+    load_cell_meaning,
+    probe_meaning,
+)
+from rigapp.config.loading import read_document
+
+__all__ = [
+    "ForceUncertainty",
+    "LoadCellCalibration",
+    "LoadCellReadings",
+    "LoadCellSettings",
+    "ProbeCalibration",
+    "ProbeReadings",
+    "ProbeSettings",
+    "ReadingsError",
+    "Record",
+    "RecordError",
+    "Verification",
+    "calibrate_load_cell",
+    "calibrate_probe",
+    "force_uncertainty",
+    "load_cell_settings",
+    "parse_load_cell",
+    "parse_probe",
+    "probe_settings",
+    "unseal",
+    "verify",
+]
+
+
+def load_cell_settings(path: str | os.PathLike[str]) -> LoadCellSettings:
+    """Read the settings of a load cell's calibration; raise UnusableInput."""
+    return load_cell_meaning(read_document(Path(path), LoadCellFile).record, str(path))
+
+
+def probe_settings(path: str | os.PathLike[str]) -> ProbeSettings:
+    """Read the settings of a probe's calibration; raise UnusableInput."""
+    return probe_meaning(read_document(Path(path), ProbeFile).record)

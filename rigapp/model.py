@@ -1,0 +1,68 @@
+"""The model as a library: mechanism, forces, contact, wear, identification, in SI units.
+
+These names stay; what stands in ``model`` itself may change from version to version.
+``docs/model.md`` says what is computed, ``docs/model-wear.md`` what is known of the wear.
+"""
+
+from __future__ import annotations
+
+from model.bushing.ring import Ring, pressure_distribution, ring_of
+from model.constraints import solve_perfect
+from model.dynamics import MechanismMotion, inverse_dynamics
+from model.errors import ModelError
+from model.history import motion_from_history
+from model.identification import CannotBeTold, Credible, Identification, identify
+from model.impact import contact_cycle
+from model.impact_system import clearance_system
+from model.joints import ContinuousContact, continuous_contact, perfect_joint
+from model.parameters import (
+    Bushing,
+    Joint,
+    Material,
+    Mechanism,
+    Parameters,
+    Spring,
+    WearLaw,
+)
+from model.wear.life import Life, life
+from rigapp.config.loading import read_parameters
+from rigapp.report.testreport.identified import (
+    IdentifiedTest,
+    IdentifiedTests,
+    identified_test,
+    identified_tests,
+)
+
+__all__ = [
+    "Bushing",
+    "CannotBeTold",
+    "ContinuousContact",
+    "Credible",
+    "Identification",
+    "IdentifiedTest",
+    "IdentifiedTests",
+    "Joint",
+    "Life",
+    "Material",
+    "Mechanism",
+    "MechanismMotion",
+    "ModelError",
+    "Parameters",
+    "Ring",
+    "Spring",
+    "WearLaw",
+    "clearance_system",
+    "contact_cycle",
+    "continuous_contact",
+    "identified_test",
+    "identified_tests",
+    "identify",
+    "inverse_dynamics",
+    "life",
+    "motion_from_history",
+    "perfect_joint",
+    "pressure_distribution",
+    "read_parameters",
+    "ring_of",
+    "solve_perfect",
+]

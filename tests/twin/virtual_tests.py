@@ -1,0 +1,44 @@
+"""Tests of the simulated plant recorded with their twin, without an engine: quick to make."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from twin.plant_revolutions import EXAMPLES, PARAMETERS, measured_revolutions
+
+from rigapp.schema.channels import BASE
+from rigapp.schema.messages import as_array
+from rigapp.storage import FilePlan, TestMetadata, create_test
+from rigapp.twin.checkpoint import packed
+from rigapp.twin.identifying import Identifier
+from rigapp.twin.messages import Sought
+from rigapp.twin.twin import Twin
+
+REVOLUTIONS, PLANNED = 130, 800
+RECORDED = Sought(0.01, 0.3, 20.0, 400.0, "P-3")
+
+
+def record(path: Path, factor: float, sought: Sought, number: int = REVOLUTIONS) -> Path:
+    """Record a test of the simulated plant with its twin, without an engine."""
+    plan = FilePlan(revolutions=PLANNED, cycles=1, samples_per_cycle=400, profiles=40)
+    metadata = TestMetadata(
+        title="Virtual test",
+        rig_text='name = "rig"\n',
+        test_text=(EXAMPLES / "quick.toml").read_text("utf-8"),
+        specimen=path.stem,
+        started=1.8e9,
+        identifier=path.stem,
+    )
+    identifier = Identifier(PARAMETERS, sought)
+    asked = identifier if identifier.possible() else None
+    twin = Twin(PARAMETERS, "continuous", identifier=asked)
+    writer = create_test(path, plan, metadata)
+    row = dict.fromkeys(BASE.names, 0.0) | {"speed": 60.0}
+    for measured, _ in measured_revolutions(factor, number):
+        row["revolution"] = float(measured.revolution)
+        writer.append_row(list(row.values()))
+        writer.append_prediction(as_array(twin.predict(measured).values, "<f8"))
+        writer.keep_checkpoint(measured.revolution, packed(twin))
+    writer.commit()
+    writer.finish("complete", "complete", "All revolutions are done.")
+    return path
