@@ -382,6 +382,23 @@ def model_paper(
     return write_paper(to, file, time_limit_s)
 
 
+@app.command()
+def study(
+    file: Annotated[Path, typer.Argument(help="Study file (TOML).")],
+    to: Annotated[Path, _option("--to", "Folder of the results; a study there is gone on with.")],
+    scheduler: Annotated[
+        str, _option("--scheduler", "Dask scheduler, tcp://ADDRESS:PORT; else this computer.")
+    ] = "",
+    workers: Annotated[
+        int | None, _option("--workers", "Processes here; by default one a core.", min=1)
+    ] = None,
+) -> int:
+    """Vary parameters of the model, or of virtual tests, and gather the results in a table."""
+    from rigapp.commands.study import make_study
+
+    return make_study(file, to, scheduler, workers)
+
+
 TableOption = Annotated[Path | None, _option("--readings", "CSV of readings as taken; or --rig.")]
 LiveOption = Annotated[Path | None, _option("--rig", "Rig file: take the readings live.")]
 SettingsOption = Annotated[Path, _option("--settings", "Settings file (TOML).")]

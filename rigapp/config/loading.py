@@ -66,6 +66,11 @@ def read_parameters(path: Path) -> Parameters:
     return to_parameters(read_parameter_file(path).record, source=str(path))
 
 
+def parse_parameters(tree: Mapping[str, Any], name: str) -> Parameters:
+    """Return the model's records of a parameter file's tables; raise UnusableInput."""
+    return to_parameters(_record(Path(name), tree, ParameterFile), source=name)
+
+
 def parse_test(text: str, name: str, *, recorded: bool = False) -> TestFile:
     """Read a test from text; raise UnusableInput.
 

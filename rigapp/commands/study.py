@@ -1,0 +1,41 @@
+"""`rigapp study`: a parameter study on Dask, its table, pictures and sensitivities."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from rigapp.commands.progress import bar
+from rigapp.study.running import StudyEnd, read_study, run_study
+
+
+def make_study(path: Path, folder: Path, scheduler: str, workers: int | None) -> int:
+    """Run or go on with a study; return the exit status.
+
+    0: all points have a result; 1: some have none, or it was interrupted. Raises UnusableInput.
+    """
+    study = read_study(path)
+    try:
+        with bar("Study") as progress:
+            end = run_study(study, folder, scheduler, workers, progress, _told)
+    except KeyboardInterrupt:
+        print(
+            f"Interrupted: what is done is safe in {folder}; the same command goes on with it.",
+            file=sys.stderr,
+        )
+        return 1
+    _say(end)
+    return 1 if end.failed else 0
+
+
+def _told(words: str) -> None:
+    print(f"{words}.", file=sys.stderr)
+
+
+def _say(end: StudyEnd) -> None:
+    good = end.done - end.failed
+    print(f"{end.done:,} of {end.points:,} points are done, {good:,} with a result.")
+    if end.failed:
+        print(f"{end.failed:,} have none; the column `problem` says why.")
+    for path in end.files:
+        print(path)

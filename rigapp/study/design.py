@@ -1,0 +1,137 @@
+"""The points of a study: which values the varied keys have in each row. Pure, by a seed."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.config.errors import UnusableInput
+from rigapp.study.file import MOST_POINTS, DesignSection, Spread, Varied
+
+Value = float | str
+Unit = NDArray[np.float64]
+
+FEWEST_BLOCKS = 4
+"""Fewer base points than this tell nothing of sensitivities: all rows are plain points then."""
+
+
+@dataclass(frozen=True, slots=True)
+class StudyPoint:
+    """One row: its values by key, and the seed of what is drawn in it."""
+
+    number: int
+    values: Mapping[str, Value]
+    seed: int
+
+
+@dataclass(frozen=True, slots=True)
+class Design:
+    """All rows. blocks: base points of the sensitivities, 0 without.
+
+    With blocks the rows begin with so many base points A, then so many B, then for each key those
+    of A with that key from B (Saltelli 2010).
+    """
+
+    points: tuple[StudyPoint, ...]
+    blocks: int = 0
+
+
+def design_of(vary: Mapping[str, Varied], section: DesignSection) -> Design:
+    """Return the points of a study; raise UnusableInput for what cannot be varied so."""
+    for key, varied in vary.items():
+        _require_usable(key, varied)
+    if section.kind == "grid":
+        rows: list[dict[str, Value]] = _grid(vary)
+        blocks = 0
+    else:
+        if not vary:
+            raise UnusableInput(f"design.kind = {section.kind!r}: vary names nothing to be varied.")
+        unit, blocks = _drawn(len(vary), section)
+        rows = [
+            {key: _at(varied, u) for (key, varied), u in zip(vary.items(), one, strict=True)}
+            for one in unit.tolist()
+        ]
+    if len(rows) * section.repeats > MOST_POINTS:
+        raise UnusableInput(
+            f"the design has {len(rows) * section.repeats:,} points; at most {MOST_POINTS:,}."
+        )
+    if section.repeats > 1:
+        blocks = 0
+    repeated = [row for row in rows for _ in range(section.repeats)]
+    seeds = np.random.SeedSequence(section.seed).generate_state(len(repeated), np.uint32)
+    return Design(
+        tuple(
+            StudyPoint(number, values, int(seed))
+            for number, (values, seed) in enumerate(zip(repeated, seeds.tolist(), strict=True))
+        ),
+        blocks,
+    )
+
+
+def _require_usable(key: str, varied: Varied) -> None:
+    if isinstance(varied, Spread):
+        finite = math.isfinite(varied.low) and math.isfinite(varied.high)
+        if not (finite and varied.low < varied.high):
+            raise UnusableInput(f"vary.{key}: low = {varied.low:g} must be below {varied.high:g}.")
+        if varied.scale == "log" and varied.low <= 0.0:
+            raise UnusableInput(f"vary.{key}: low = {varied.low:g} must be above 0 on a log scale.")
+    elif not varied:
+        raise UnusableInput(f"vary.{key}: the list is empty; name a value at least.")
+
+
+def _grid(vary: Mapping[str, Varied]) -> list[dict[str, Value]]:
+    """Return every combination, the last key changing quickest."""
+    sizes = [one.levels if isinstance(one, Spread) else len(one) for one in vary.values()]
+    if math.prod(sizes) > MOST_POINTS:
+        raise UnusableInput(
+            f"the grid has {math.prod(sizes):,} points; at most {MOST_POINTS:,}: take fewer levels,"
+            ' or design.kind = "sobol".'
+        )
+    levels: list[Sequence[Value]] = [
+        [_at(one, u) for u in np.linspace(0.0, 1.0, one.levels)] if isinstance(one, Spread) else one
+        for one in vary.values()
+    ]
+    return [dict(zip(vary, one, strict=True)) for one in itertools.product(*levels)]
+
+
+def _drawn(dimensions: int, section: DesignSection) -> tuple[Unit, int]:
+    """Return points in the unit cube (n, d), and how many base points of sensitivities lead."""
+    from scipy.stats import qmc
+
+    count = section.points
+    if section.kind == "latin-hypercube":
+        return qmc.LatinHypercube(dimensions, rng=section.seed).random(count), 0
+    base = 2 ** int(math.log2(max(count // (dimensions + 2), 1)))
+    if base < FEWEST_BLOCKS:
+        return _sobol(dimensions, count, section.seed), 0
+    pair = _sobol(2 * dimensions, base, section.seed)
+    a, b = pair[:, :dimensions], pair[:, dimensions:]
+    mixed = [a.copy() for _ in range(dimensions)]
+    for place, one in enumerate(mixed):
+        one[:, place] = b[:, place]
+    rest = _sobol(dimensions, count - base * (dimensions + 2), section.seed + 1)
+    return np.concatenate([a, b, *mixed, rest]), base
+
+
+def _sobol(dimensions: int, count: int, seed: int) -> Unit:
+    """Return the first points of a scrambled sequence, (count, d)."""
+    from scipy.stats import qmc
+
+    if count == 0:
+        return np.empty((0, dimensions))
+    power = math.ceil(math.log2(max(count, 1)))
+    return np.asarray(qmc.Sobol(dimensions, rng=seed).random_base2(power)[:count])
+
+
+def _at(varied: Varied, unit: float) -> Value:
+    """Return the value at a place 0 .. 1 of what is varied."""
+    if not isinstance(varied, Spread):
+        return varied[min(int(unit * len(varied)), len(varied) - 1)]
+    if varied.scale == "log":
+        return float(varied.low * (varied.high / varied.low) ** unit)
+    return float(varied.low + (varied.high - varied.low) * unit)

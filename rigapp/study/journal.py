@@ -1,0 +1,101 @@
+"""What is safe of a study: its rows in a file that only grows, so that a killed study goes on."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from types import TracebackType
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.writing import whole_file
+from rigapp.storage import hold_writer_lock
+from rigapp.study.points import StudyRow
+
+ROWS, IDENTITY = "rows.jsonl", "study.json"
+
+
+class StudyIdentity(msgspec.Struct, frozen=True):
+    """What a folder's rows belong to: texts of study and parameters, and the program's version."""
+
+    study: str
+    parameters: str
+    version: str
+
+
+class StudyJournal:
+    """Append rows, each safe when it is written; one process at a time."""
+
+    def __init__(self, folder: Path, identity: StudyIdentity) -> None:
+        """Take up a folder, or begin it; raise UnusableInput for another study's."""
+        self.folder = folder
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            self._file = (folder / ROWS).open("ab+")
+        except OSError as error:
+            raise UnusableInput(f"--to {folder}: cannot be written ({error.strerror}).") from error
+        try:
+            if not hold_writer_lock(self._file.fileno()):
+                raise UnusableInput(f"--to {folder}: another process works on this study.")
+            self._require_same(identity)
+            self.rows = self._read()
+        except BaseException:
+            self._file.close()
+            raise
+
+    def __enter__(self) -> StudyJournal:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._file.close()
+
+    def append(self, rows: Iterable[StudyRow]) -> None:
+        """Write rows; they are on the disk when this returns."""
+        lines = b"".join(msgspec.json.encode(one) + b"\n" for one in rows)
+        self._file.write(lines)
+        self._file.flush()
+        os.fsync(self._file.fileno())
+
+    def _require_same(self, identity: StudyIdentity) -> None:
+        path = self.folder / IDENTITY
+        if not path.exists():
+            with whole_file(path) as part:
+                part.write_bytes(msgspec.json.format(msgspec.json.encode(identity), indent=1))
+            return
+        try:
+            known = msgspec.json.decode(path.read_bytes(), type=StudyIdentity)
+        except (msgspec.DecodeError, OSError) as error:
+            raise UnusableInput(f"{path}: cannot be read ({error}).") from error
+        if (known.study, known.parameters) != (identity.study, identity.parameters):
+            raise UnusableInput(
+                f"--to {self.folder}: holds another study, or another parameter file; give a new"
+                " folder."
+            )
+        if known.version != identity.version:
+            raise UnusableInput(
+                f"--to {self.folder}: was begun by rigapp {known.version}; go on with that, or give"
+                " a new folder."
+            )
+
+    def _read(self) -> dict[int, StudyRow]:
+        """Return the rows that are whole; what a kill left of the last one is cut off."""
+        self._file.seek(0)
+        data = self._file.read()
+        end = data.rfind(b"\n") + 1
+        found = {}
+        for line in data[:end].splitlines():
+            try:
+                row = msgspec.json.decode(line, type=StudyRow)
+            except msgspec.DecodeError as error:
+                raise UnusableInput(f"{self.folder / ROWS}: is damaged ({error}).") from error
+            found[row.number] = row
+        self._file.truncate(end)
+        self._file.seek(end)
+        return found

@@ -1,0 +1,265 @@
+"""What a study can compute of a point: one table of kinds, each with its settings and results."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import msgspec
+import numpy as np
+
+from model.wear.techniques import SOLVABLE, TECHNIQUES
+from rigapp.config.errors import UnusableInput
+from rigapp.config.numbers import within
+from rigapp.config.parameters import MM, MPA
+from rigapp.study.file import StudyFile
+from rigapp.study.virtual import VirtualTest, virtual_test
+
+if TYPE_CHECKING:
+    from model.parameters import Parameters
+
+    SolvableName = str
+    TechniqueName = str
+else:
+    SolvableName = Literal[SOLVABLE]
+    TechniqueName = Literal[tuple(TECHNIQUES)]
+
+MM2, GRAM = 1e-6, 1e-3
+MM3_PER_NM = 1e9
+Rpm = Annotated[float, within(-10_000.0, 10_000.0)]
+Numbers = Mapping[str, float]
+
+
+class ForcesRun(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[run] of ``forces``: one cycle of the mechanism."""
+
+    rpm: Rpm
+    joint: SolvableName = "perfect"
+    points: Annotated[int, within(4, 100_000)] = 360
+
+
+class PressureRun(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[run] of ``pressure``: one contact under a force."""
+
+    force_N: Annotated[float, within(1e-6, 1e7)]
+
+
+class LifeRun(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[run] of ``life``: as the options of ``rigapp model wear``."""
+
+    rpm: Rpm
+    cycles: Annotated[float, within(1.0, 1e9)]
+    tolerance: Annotated[float, within(1e-5, 0.1)] = 0.01
+    joint: TechniqueName = "continuous"
+    force_N: Annotated[float | None, within(-1e7, 1e7)] = None
+
+
+class IdentifyRun(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[run] of ``identify``: recorded tests; after_revolution: as known then, 0 for at the end."""
+
+    files: list[str]
+    file: str = ""
+    after_revolution: Annotated[int, within(0, 10**9)] = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """Name a result with its unit and what it is."""
+
+    name: str
+    unit: str
+    words: str
+
+
+@dataclass(frozen=True, slots=True)
+class StudyKind:
+    """One thing to compute of a point.
+
+    settings: of [run]. compute (parameters, settings, seed): its results by name, NaN where one is
+    not known; raises ValueError or UnusableInput with the sentence of the point. modelled: whether
+    it needs a parameter file.
+    """
+
+    name: str
+    settings: type[msgspec.Struct]
+    results: tuple[Result, ...]
+    compute: Callable[[Parameters | None, Any, int], Numbers]
+    modelled: bool = True
+
+
+def _speed(rpm: float) -> float:
+    if rpm == 0.0:
+        raise UnusableInput("run.rpm = 0: give a speed other than 0.")
+    return rpm * math.pi / 30.0
+
+
+def _forces(parameters: Parameters | None, run: ForcesRun, seed: int) -> Numbers:
+    from model.wear.techniques import solve_of
+
+    assert parameters is not None
+    angle = 2.0 * np.pi / run.points * np.arange(run.points)
+    motion, _ = solve_of(run.joint)(parameters, angle, _speed(run.rpm), 0.0, 0.0)
+    size, torque = motion.force_magnitude, motion.drive_torque
+    slip = motion.slip_increments(parameters.joint.pin_radius)
+    return {
+        "force_max_N": float(size.max()),
+        "force_min_N": float(size.min()),
+        "force_rms_N": float(np.sqrt(np.mean(size**2))),
+        "force_max_angle_deg": float(np.degrees(angle[int(size.argmax())])),
+        "torque_max_Nm": float(np.abs(torque).max()),
+        "slip_mm": float(np.abs(slip).sum() / MM),
+    }
+
+
+def _pressure(parameters: Parameters | None, run: PressureRun, seed: int) -> Numbers:
+    from model.bushing.ring import pressure_distribution, ring_of
+
+    assert parameters is not None
+    ring = ring_of(parameters.joint, parameters.bushing.material)
+    found = pressure_distribution(ring, (run.force_N / parameters.joint.bushing_width, 0.0))
+    return {
+        "peak_pressure_MPa": float(found.pressure.max() / MPA),
+        "contact_half_angle_deg": math.degrees(found.half_angle),
+        "indentation_mm": float((found.pin[0] - ring.clearance) / MM),
+    }
+
+
+def _life(parameters: Parameters | None, run: LifeRun, seed: int) -> Numbers:
+    from model.wear.life import life
+
+    assert parameters is not None
+    found = life(
+        parameters, _speed(run.rpm), run.cycles, run.joint, run.tolerance, force=run.force_N
+    )
+    return {
+        "max_depth_mm": float(found.max_depth[-1] / MM),
+        "worn_area_mm2": float(found.worn_area[-1] / MM2),
+        "worn_mass_g": float(found.worn_mass[-1] / GRAM),
+        "peak_pressure_MPa": float(found.peak_pressure[-1] / MPA),
+        "mean_force_N": float(found.mean_force[-1]),
+        "estimated_error_mm": float(found.estimated_error[-1] / MM),
+        "tolerance_met": float(found.tolerance_met),
+    }
+
+
+def _identify(parameters: Parameters | None, run: IdentifyRun, seed: int) -> Numbers:
+    from pathlib import Path
+
+    from rigapp.report.testreport.identified import identified_test
+
+    found = identified_test(Path(run.file), run.after_revolution or None)
+    if found.known is None:
+        raise UnusableInput(found.said)
+    known = found.known.coefficient
+    left = found.left.revolutions if found.left is not None else None
+    return {
+        "wear_coefficient_mm3_per_Nm": MM3_PER_NM * known.median,
+        "wear_coefficient_low_mm3_per_Nm": MM3_PER_NM * known.low,
+        "wear_coefficient_high_mm3_per_Nm": MM3_PER_NM * known.high,
+        "remaining_revolutions": left.median if left is not None else math.nan,
+        "remaining_revolutions_low": left.low if left is not None else math.nan,
+        "remaining_revolutions_high": left.high if left is not None else math.nan,
+    }
+
+
+def _simulate(parameters: Parameters | None, run: VirtualTest, seed: int) -> Numbers:
+    assert parameters is not None
+    return virtual_test(parameters, run, seed)
+
+
+_COEFFICIENT = (
+    Result("wear_coefficient_mm3_per_Nm", "mm^3/(N m)", "wear coefficient, median"),
+    Result("wear_coefficient_low_mm3_per_Nm", "mm^3/(N m)", "lower 95 % limit of it"),
+    Result("wear_coefficient_high_mm3_per_Nm", "mm^3/(N m)", "upper 95 % limit of it"),
+)
+_PEAK = Result("peak_pressure_MPa", "MPa", "largest contact pressure")
+
+KINDS: Mapping[str, StudyKind] = {
+    one.name: one
+    for one in (
+        StudyKind(
+            "forces",
+            ForcesRun,
+            (
+                Result("force_max_N", "N", "largest |F| of the joint"),
+                Result("force_min_N", "N", "smallest |F| of the joint"),
+                Result("force_rms_N", "N", "RMS of |F| of the joint"),
+                Result("force_max_angle_deg", "deg", "crank angle of the largest |F|"),
+                Result("torque_max_Nm", "N m", "largest magnitude of the drive's torque"),
+                Result("slip_mm", "mm", "slip of a cycle"),
+            ),
+            _forces,
+        ),
+        StudyKind(
+            "pressure",
+            PressureRun,
+            (
+                _PEAK,
+                Result("contact_half_angle_deg", "deg", "half angle of the contact"),
+                Result("indentation_mm", "mm", "elastic approach of pin and bushing"),
+            ),
+            _pressure,
+        ),
+        StudyKind(
+            "life",
+            LifeRun,
+            (
+                Result("max_depth_mm", "mm", "wear depth at the end"),
+                Result("worn_area_mm2", "mm^2", "worn area at the end"),
+                Result("worn_mass_g", "g", "worn mass at the end"),
+                _PEAK,
+                Result("mean_force_N", "N", "mean force over the slip at the end"),
+                Result("estimated_error_mm", "mm", "bound of the computed depth's error"),
+                Result("tolerance_met", "1", "1: the error is within the tolerance"),
+            ),
+            _life,
+        ),
+        StudyKind(
+            "identify",
+            IdentifyRun,
+            (
+                *_COEFFICIENT,
+                Result("remaining_revolutions", "1", "revolutions to the depth of the end"),
+                Result("remaining_revolutions_low", "1", "lower 95 % limit of them"),
+                Result("remaining_revolutions_high", "1", "upper 95 % limit of them"),
+            ),
+            _identify,
+            modelled=False,
+        ),
+        StudyKind(
+            "simulate",
+            VirtualTest,
+            (
+                *_COEFFICIENT,
+                Result("half_width", "1", "half the limits' distance over the median"),
+                Result("covered", "1", "1: the true coefficient lies within its limits"),
+                Result(
+                    "seen_revolution",
+                    "1",
+                    "revolution from which the limits leave out the model's coefficient, to the"
+                    " end; none where they do not",
+                ),
+            ),
+            _simulate,
+        ),
+    )
+}
+"""Kind of a study -> what it computes."""
+
+
+def record_of(name: str) -> type[StudyFile]:
+    """Return how a study file of a kind is read; raise UnusableInput for an unknown kind."""
+    kind = KINDS.get(name)
+    if kind is None:
+        raise UnusableInput(f"kind = {name!r}: choose one of {', '.join(KINDS)}")
+    record: type[StudyFile] = msgspec.defstruct(  # type: ignore[assignment]
+        f"{name.capitalize()}Study",
+        [("run", kind.settings)],
+        bases=(StudyFile,),
+        frozen=True,
+        forbid_unknown_fields=True,
+        kw_only=True,
+    )
+    return record

@@ -1,0 +1,76 @@
+"""What a worker does: compute some points of a study, each a row, whatever becomes of it."""
+
+from __future__ import annotations
+
+import copy
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import parse_parameters
+from rigapp.study.design import StudyPoint, Value
+from rigapp.study.kinds import KINDS
+
+if TYPE_CHECKING:
+    from model.parameters import Parameters
+
+RUN = "run."
+"""Before the keys of [run] among those that are varied."""
+
+
+class StudyRow(msgspec.Struct, frozen=True):
+    """What came of a point: its results by name, those that are known, or why there are none."""
+
+    number: int
+    numbers: dict[str, float] = {}
+    problem: str = ""
+
+
+class Batch(msgspec.Struct, frozen=True):
+    """Some points with all that a worker needs, on this computer or another.
+
+    parameters: the parameter file's tables; run: those of [run].
+    """
+
+    kind: str
+    parameters: dict[str, Any]
+    run: dict[str, Any]
+    points: tuple[StudyPoint, ...]
+
+
+def computed(batch: Batch) -> list[StudyRow]:
+    """Return the rows of some points, in their order."""
+    return [_row(batch, point) for point in batch.points]
+
+
+def _row(batch: Batch, point: StudyPoint) -> StudyRow:
+    kind = KINDS[batch.kind]
+    try:
+        parameters, run = meant(batch, point.values)
+        numbers = kind.compute(parameters, run, point.seed)
+    except (ValueError, ArithmeticError, UnusableInput, OSError) as error:
+        return StudyRow(point.number, problem=" ".join(str(error).split()) or type(error).__name__)
+    return StudyRow(point.number, {key: one for key, one in numbers.items() if math.isfinite(one)})
+
+
+def meant(batch: Batch, values: Mapping[str, Value]) -> tuple[Parameters | None, Any]:
+    """Return the parameters and the settings of a point; raise UnusableInput."""
+    kind, run = KINDS[batch.kind], dict(batch.run)
+    tree = copy.deepcopy(batch.parameters)
+    for key, value in values.items():
+        if key.startswith(RUN):
+            run[key.removeprefix(RUN)] = value
+        else:
+            *path, last = key.split(".")
+            table = tree
+            for part in path:
+                table = table.setdefault(part, {})
+            table[last] = value
+    try:
+        settings = msgspec.convert(run, kind.settings, strict=False)
+    except msgspec.ValidationError as error:
+        raise UnusableInput(f"[run]: {error}") from error
+    return parse_parameters(tree, "the point") if kind.modelled else None, settings

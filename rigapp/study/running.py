@@ -1,0 +1,263 @@
+"""Run a study on Dask: this computer's cores, or the workers of a scheduler; what is safe stays."""
+
+from __future__ import annotations
+
+import importlib.util
+import itertools
+import os
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import CancelledError
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_document, read_parameter_file
+from rigapp.config.parameters import ParameterFile
+from rigapp.config.ranges import keys_of
+from rigapp.config.reading import read_text
+from rigapp.config.toml import toml_tree
+from rigapp.study.design import Design, StudyPoint, design_of
+from rigapp.study.file import Spread, StudyFile, Varied
+from rigapp.study.journal import StudyIdentity, StudyJournal
+from rigapp.study.kinds import KINDS, IdentifyRun, record_of
+from rigapp.study.pictures import draw_study
+from rigapp.study.points import RUN, Batch, StudyRow, computed
+from rigapp.study.power import write_power
+from rigapp.study.table import write_tables
+
+BATCH = 8
+"""Points that a worker takes at once: tenths of a second, and so much is lost with a worker."""
+AHEAD = 3
+"""Batches that wait at each worker, so that none is ever without work."""
+LOST_WORKERS = 20
+"""Workers that may die under a batch before it counts as the cause."""
+CONNECT_S = 30
+"""A scheduler that lives answers at once; one on a busy cluster takes seconds."""
+
+Progress = Callable[[float, float], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Study:
+    """A study as read: its file, all its points, and what identifies it."""
+
+    path: Path
+    record: StudyFile
+    design: Design
+    identity: StudyIdentity
+    template: Batch
+
+
+@dataclass(frozen=True, slots=True)
+class StudyEnd:
+    """What a study came to: points in all, done, without a result; files that were written."""
+
+    points: int
+    done: int
+    failed: int
+    files: tuple[Path, ...]
+    dashboard: str = ""
+
+
+def read_study(path: Path) -> Study:
+    """Read a study file and its parameter file; raise UnusableInput naming file and key."""
+    text = read_text(path)
+    tree = toml_tree(text, path)
+    try:
+        record = read_document(path, record_of(str(tree.get("kind", "")))).record
+        kind = KINDS[record.kind]
+        parameters, tables = "", {}
+        if kind.modelled:
+            source = path.parent / record.parameters
+            if not record.parameters:
+                raise UnusableInput("parameters is missing; name the parameter file.")
+            parameters = read_parameter_file(source).text
+            tables = toml_tree(parameters, source)
+        vary = {**record.vary, **_files(path, record)}
+        _require_known(record, vary)
+        design = design_of(vary, record.design)
+        template = Batch(record.kind, tables, tree["run"], ())
+    except UnusableInput as error:
+        words = str(error)
+        raise UnusableInput(words if str(path) in words else f"{path}: {words}") from error
+    return Study(path, record, design, StudyIdentity(text, parameters, version("rigapp")), template)
+
+
+def _files(path: Path, record: StudyFile) -> dict[str, Varied]:
+    """Return the recorded tests of ``identify`` as one more key that varies."""
+    if not isinstance(record.run, IdentifyRun):
+        return {}
+    found = sorted(
+        {str(one) for pattern in record.run.files for one in _matching(path.parent, pattern)}
+    )
+    if not found:
+        raise UnusableInput(f"run.files = {record.run.files}: there are no such files.")
+    return {"run.file": [*found]}
+
+
+def _matching(folder: Path, pattern: str) -> Iterator[Path]:
+    from glob import glob
+
+    return (Path(one).resolve() for one in glob(str(folder / pattern), recursive=True))
+
+
+def _require_known(record: StudyFile, vary: dict[str, Varied]) -> None:
+    """Refuse a key that is none, and values that it cannot have, before anything is computed."""
+    kind = KINDS[record.kind]
+    known = {f"{RUN}{key.path}": key for key in keys_of(kind.settings)}
+    known |= {key.path: key for key in keys_of(ParameterFile)} if kind.modelled else {}
+    for name, varied in vary.items():
+        if name not in known:
+            raise UnusableInput(
+                f"vary.{name}: is not a known key; known here: {', '.join(sorted(known))}."
+            )
+        number = known[name].value_type in (float, int)
+        values = [varied.low] if isinstance(varied, Spread) else varied
+        wrong = [one for one in values if isinstance(one, str) is number]
+        if wrong:
+            wanted = "numbers" if number else "texts"
+            raise UnusableInput(f"vary.{name}: {wrong[0]!r}: give {wanted}.")
+
+
+def run_study(
+    study: Study,
+    folder: Path,
+    scheduler: str = "",
+    workers: int | None = None,
+    progress: Progress | None = None,
+    told: Callable[[str], None] = lambda words: None,
+) -> StudyEnd:
+    """Compute the points that are not safe yet and write the tables; return what it came to.
+
+    scheduler: address of a Dask scheduler, else workers processes here, as many as there are cores
+    when None. told: called with a sentence, as that of the dashboard. Raises UnusableInput. An
+    interrupt (KeyboardInterrupt) leaves what is safe, with its tables.
+    """
+    if importlib.util.find_spec("distributed") is None:
+        raise UnusableInput("a study needs Dask: pip install 'rigapp[studies]'.")
+    with StudyJournal(folder, study.identity) as journal:
+        rows = dict(journal.rows)
+        todo = [one for one in study.design.points if one.number not in rows]
+        try:
+            if todo:
+                _compute(study, todo, journal, rows, scheduler, workers, progress, told)
+        except KeyboardInterrupt:
+            _written(study, folder, rows)
+            raise
+        files = _written(study, folder, rows)
+    failed = sum(bool(one.problem) for one in rows.values())
+    return StudyEnd(len(study.design.points), len(rows), failed, files)
+
+
+def _written(study: Study, folder: Path, rows: dict[int, StudyRow]) -> tuple[Path, ...]:
+    """Write tables and pictures of what there is; return their paths."""
+    record, design = study.record, study.design
+    return (
+        *write_tables(folder, record, design, study.identity, rows),
+        *write_power(folder, record, design, rows),
+        *draw_study(folder, record, design, rows),
+    )
+
+
+def _compute(
+    study: Study,
+    todo: Sequence[StudyPoint],
+    journal: StudyJournal,
+    rows: dict[int, StudyRow],
+    scheduler: str,
+    workers: int | None,
+    progress: Progress | None,
+    told: Callable[[str], None],
+) -> None:
+    """Send batches out, a few ahead of each worker, and keep each as soon as it is back."""
+    from distributed import as_completed
+
+    total = len(study.design.points)
+    with _client(scheduler, workers) as client:
+        if client.dashboard_link and importlib.util.find_spec("bokeh") is not None:
+            told(f"Dask's dashboard is at {client.dashboard_link}")
+        batches = iter(_batches(study, todo))
+
+        def send(batch: Batch) -> Any:
+            return client.submit(computed, batch, pure=False)
+
+        cores = max(sum(client.nthreads().values()), 1)
+        waiting = as_completed(send(one) for one in itertools.islice(batches, AHEAD * cores))
+        for future in waiting:
+            found = _result(future)
+            journal.append(found)
+            rows |= {one.number: one for one in found}
+            future.release()
+            for one in itertools.islice(batches, 1):
+                waiting.add(send(one))
+            if progress is not None:
+                progress(float(len(rows)), float(total))
+
+
+def _result(future: Any) -> list[StudyRow]:
+    """Return the rows of a batch; raise UnusableInput where scheduler or workers were lost."""
+    from distributed import KilledWorker
+
+    try:
+        rows: list[StudyRow] = future.result()
+    except (KilledWorker, CancelledError, OSError) as error:
+        raise UnusableInput(
+            f"the workers were lost ({type(error).__name__}: {error}); what is done is safe, and"
+            " the same command goes on with it."
+        ) from error
+    return rows
+
+
+def _batches(study: Study, todo: Sequence[StudyPoint]) -> Iterator[Batch]:
+    template = study.template
+    for first in range(0, len(todo), BATCH):
+        points = tuple(todo[first : first + BATCH])
+        yield Batch(template.kind, template.parameters, template.run, points)
+
+
+@contextmanager
+def _client(scheduler: str, workers: int | None) -> Iterator[Any]:
+    """Yield a client of a scheduler, or of processes of this computer, one thread each."""
+    import dask
+    from distributed import Client, LocalCluster
+
+    with ExitStack() as ending:
+        ending.enter_context(
+            dask.config.set(
+                {
+                    "distributed.scheduler.allowed-failures": LOST_WORKERS,
+                    "distributed.worker.preload": [],
+                    "distributed.nanny.pre-spawn-environ": _ONE_THREAD,
+                }
+            )
+        )
+        if scheduler:
+            yield ending.enter_context(_connected(scheduler))
+            return
+        cluster = LocalCluster(
+            n_workers=workers or os.cpu_count() or 1,
+            threads_per_worker=1,
+            processes=True,
+            dashboard_address="127.0.0.1:0",
+            silence_logs=50,
+        )
+        ending.enter_context(cluster)
+        yield ending.enter_context(Client(cluster))
+
+
+_ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS"), "1")
+"""A worker is one core: threads of libraries would fight over them."""
+
+
+def _connected(scheduler: str) -> Any:
+    from distributed import Client
+
+    try:
+        return Client(scheduler, timeout=CONNECT_S)
+    except (OSError, TimeoutError, ValueError) as error:
+        raise UnusableInput(
+            f"--scheduler {scheduler}: no Dask scheduler answers there ({error})."
+        ) from error
