@@ -90,9 +90,9 @@ translations: $(RUN_READY)
 lock:
 	uv pip compile pyproject.toml $(RUN_EXTRAS) --universal --python-version 3.11 \
 		--generate-hashes --no-header --no-annotate --no-emit-index-url --quiet -o constraints.txt
-	uv pip compile pyproject.toml $(RUN_EXTRAS) --extra analysis --extra test --universal --python-version 3.11 \
+	uv pip compile pyproject.toml $(RUN_EXTRAS) --extra analysis --extra studies --extra test --universal --python-version 3.11 \
 		--generate-hashes --no-header --no-annotate --no-emit-index-url -c constraints.txt --quiet -o constraints-test.txt
-	uv pip compile pyproject.toml $(RUN_EXTRAS) --extra analysis --extra test --extra bench --universal --python-version 3.11 \
+	uv pip compile pyproject.toml $(RUN_EXTRAS) --extra analysis --extra studies --extra test --extra bench --universal --python-version 3.11 \
 		--generate-hashes --no-header --no-annotate --no-emit-index-url -c constraints-test.txt --quiet -o constraints-bench.txt
 	uv pip compile pyproject.toml --extra docs --universal --python-version 3.11 \
 		--generate-hashes --no-header --no-annotate --no-emit-index-url -c constraints-test.txt --quiet -o constraints-docs.txt
