@@ -94,9 +94,22 @@ BindOption = Annotated[
 ]
 
 
+def _show_version(wanted: bool) -> None:
+    """Print the version and end, before anything else is loaded."""
+    if wanted:
+        from importlib.metadata import version
+
+        print(f"rigapp {version('rigapp')}")
+        raise typer.Exit
+
+
 @app.callback()
 def options(
     context: typer.Context,
+    version: Annotated[
+        bool,
+        _option("--version", "Show the version.", callback=_show_version, is_eager=True),
+    ] = False,
     debug: Annotated[bool, _option("--debug", "Show a traceback on errors.")] = False,
     log_level: Annotated[
         str | None,
@@ -171,6 +184,16 @@ def resume(
         if check:
             return examine_test(file, rig)
         return resume_test(file, rig, progress, speed, bind, reason=reason)
+
+
+@app.command()
+def init(
+    folder: Annotated[Path, typer.Argument(help="Folder to make or to fill.")] = Path(),
+) -> int:
+    """Make rig, test and calibration files to start from; overwrites nothing."""
+    from rigapp.commands.init import start_folder
+
+    return start_folder(folder)
 
 
 @app.command()

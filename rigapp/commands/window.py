@@ -3,25 +3,17 @@
 from __future__ import annotations
 
 import os
-from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
+from rigapp.prepare.examples import RIG, examples_folder
 from rigapp.process.logs import in_file
 from rigapp.process.memory import begin_to_load
 
 if TYPE_CHECKING:
     from rigapp.service.client import Client
-
-
-def examples_folder() -> Path:
-    """Return the folder of the shipped rig and test files."""
-    beside = Path(str(resources.files("rigapp"))).parent / "examples"
-    if not beside.is_dir():
-        raise UnusableInput(f"{beside}: the shipped examples are missing; name a rig file.")
-    return beside
 
 
 def open_window(rig: Path | None, test: Path | None, *, start: bool, language: str = "") -> int:
@@ -30,7 +22,7 @@ def open_window(rig: Path | None, test: Path | None, *, start: bool, language: s
     language: the code of the one to speak from now on; empty: as chosen before, or the system's.
     """
     begin_to_load()
-    rig_path = (rig or examples_folder() / "simulated.toml").resolve()
+    rig_path = (rig or examples_folder() / RIG).resolve()
     from rigapp.engine.devices import plan_devices
 
     plan_devices(read_rig(rig_path).record, str(rig_path))
