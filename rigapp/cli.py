@@ -450,7 +450,7 @@ def calibrate_load_cell(
     practise: PractiseOption = False,
 ) -> int:
     """Calibrate the load cell from a CSV of readings or live; a bad fit is refused, not saved."""
-    from rigapp.commands.live_terminal import calibrate
+    from rigapp.commands.live.terminal import calibrate
 
     asked = {"plan": plan, "weights": weights}
     return calibrate(
@@ -478,7 +478,7 @@ def calibrate_probes(
     practise: PractiseOption = False,
 ) -> int:
     """Calibrate probes by micrometer steps, from a CSV or live; a bad fit is refused, not saved."""
-    from rigapp.commands.live_terminal import calibrate
+    from rigapp.commands.live.terminal import calibrate
 
     asked = {"which": probe, "plan": plan, "reach": reach_um, "positions": positions}
     return calibrate(
@@ -522,7 +522,7 @@ def calibrate_run_out(
     json: JsonOption = False,
 ) -> int:
     """Map the pin's run-out by a slow roll of the spindle; a bad roll is refused, not saved."""
-    from rigapp.commands.spindle_runs import calibrate_run_out as make
+    from rigapp.commands.live.spindle_runs import calibrate_run_out as make
 
     return make(
         rig,
@@ -561,7 +561,7 @@ def calibrate_running_check(
     json: JsonOption = False,
 ) -> int:
     """Turn the pin alone: does the cell show its known inertia, - m r w^2 in force_1?"""
-    from rigapp.commands.spindle_runs import check_running
+    from rigapp.commands.live.spindle_runs import check_running
 
     return check_running(
         rig,

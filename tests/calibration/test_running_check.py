@@ -73,7 +73,7 @@ def test_simulated_rig_passes_with_its_pin_and_not_with_another(
 ) -> None:
     from rigapp.calibrating.certificate import write_certificate
     from rigapp.calibrating.running_check import read_run
-    from rigapp.commands.spindle_runs import check_running
+    from rigapp.commands.live.spindle_runs import check_running
 
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
     text = RIG.read_text().replace(

@@ -5,8 +5,8 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import Any
 
-from rigapp.commands.engine_line import Ask
-from rigapp.commands.live_terminal import SimulatedHands
+from rigapp.commands.live.engine_line import Ask
+from rigapp.commands.live.terminal import SimulatedHands
 
 
 class ClumsyHands(SimulatedHands):

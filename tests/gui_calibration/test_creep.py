@@ -14,8 +14,8 @@ from rigapp.calibrating import session as live_session
 from rigapp.calibrating.certificate import write_certificate
 from rigapp.calibrating.load_cell_session import LoadCellSession
 from rigapp.calibrating.session import Rig
-from rigapp.commands import live_terminal
-from rigapp.commands.live_terminal import Terminal
+from rigapp.commands.live import terminal
+from rigapp.commands.live.terminal import Terminal
 from rigapp.config.calibration_settings import LoadCellFile
 from rigapp.config.loading import read_document
 from rigapp.gui.wizard.live_calibration import LiveCalibration
@@ -79,7 +79,7 @@ def record(session: LoadCellSession, folder: Path) -> tuple[dict[str, Any], str]
 @pytest.fixture
 def at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """The rig goes on at each look; nobody sleeps between two."""
-    monkeypatch.setattr(live_terminal, "LOOK_EVERY_S", 0.0)
+    monkeypatch.setattr(terminal, "LOOK_EVERY_S", 0.0)
 
 
 @pytest.mark.usefixtures("at_once")
@@ -126,7 +126,7 @@ def test_the_operator_leaves_it_out_and_the_stated_one_counts(
         if session.takes_itself:
             raise next(waits)
 
-    monkeypatch.setattr(live_terminal, "time", SimpleNamespace(sleep=sleep, monotonic=lambda: 0.0))
+    monkeypatch.setattr(terminal, "time", SimpleNamespace(sleep=sleep, monotonic=lambda: 0.0))
     assert Terminal(session, rig.ask, lambda _: next(answers), lambda _: None).run()
     result, certificate = record(session, tmp_path)
     assert result["creep"] is None

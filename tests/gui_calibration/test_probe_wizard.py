@@ -17,7 +17,7 @@ from calibration.records import unseal
 from rigapp.calibrating.practice import MicrometerMistake
 from rigapp.calibrating.probe_session import ProbeSession, probe_plan
 from rigapp.calibrating.session import Rig
-from rigapp.commands.live_terminal import Terminal
+from rigapp.commands.live.terminal import Terminal
 from rigapp.config.calibration_settings import ProbeFile
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.look.tokens import LIGHT

@@ -20,8 +20,8 @@ from rigapp.calibrating.probe_session import ProbeSession, probe_plan
 from rigapp.calibrating.rolls import roll_test
 from rigapp.calibrating.session import LiveSession, Rig
 from rigapp.calibrating.spindle import SpindleRun, SpindleRuns
-from rigapp.commands.live_terminal import SimulatedHands, Terminal
-from rigapp.commands.spindle_runs import plain_test, running_test, take_runs
+from rigapp.commands.live.spindle_runs import plain_test, running_test, take_runs
+from rigapp.commands.live.terminal import SimulatedHands, Terminal
 from rigapp.config.calibration_settings import LoadCellFile, ProbeFile, load_cell_meaning
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document, read_rig, read_test
@@ -220,7 +220,7 @@ def runs_of(kind: str, folder: Path) -> list[SpindleRun]:
 def test_spindle_runs_are_taken_up_wherever_they_were_killed(
     kind: str, files: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rigapp.commands.spindle_runs.LOOK_EVERY_S", 0.0)
+    monkeypatch.setattr("rigapp.commands.live.spindle_runs.LOOK_EVERY_S", 0.0)
     # Takes a second a file, and other tests look at it.
     monkeypatch.setattr(SpindleRuns, "compress", lambda _: None)
     looks, killed = 0, True

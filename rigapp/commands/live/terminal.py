@@ -20,7 +20,7 @@ from rigapp.calibrating.records import refuse_existing
 from rigapp.calibrating.session import LiveSession, Outcome, Rig
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.commands.calibrate import ONE_SOURCE, calibrate_table, say_outcome
-from rigapp.commands.engine_line import Ask, engine_line
+from rigapp.commands.live.engine_line import Ask, engine_line
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document, read_rig
 

@@ -19,8 +19,8 @@ from rigapp.calibrating.rolls import roll_plan, rolls_of, save_map
 from rigapp.calibrating.running_check import check_of, known_term
 from rigapp.calibrating.spindle import SLOWEST_RPM, SpindleRun, SpindleRuns, speeds_of
 from rigapp.commands.calibrate import say_outcome
-from rigapp.commands.engine_line import Ask, engine_line
-from rigapp.commands.live_terminal import Say, sayer
+from rigapp.commands.live.engine_line import Ask, engine_line
+from rigapp.commands.live.terminal import Say, sayer
 from rigapp.config.calibration_settings import CellSection, LoadCellFile, RunOutFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_document, read_rig, read_test
