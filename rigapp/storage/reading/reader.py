@@ -22,6 +22,7 @@ from rigapp.schema.messages import Event
 from rigapp.storage.filesystem.locks import writer_is_alive
 from rigapp.storage.reading.oldlog import translated
 from rigapp.storage.reading.resample import Method, resample_channels
+from rigapp.storage.reading.texts import texts_of
 from rigapp.storage.structure.events import events_of, first_broken_link
 from rigapp.storage.structure.hdf import is_bare, open_for_reading
 from rigapp.storage.structure.layout import (
@@ -349,6 +350,10 @@ class TestReader:
         """Return the digest of the log's last row, empty when there is none."""
         number = self.committed("events")
         return bytes(self._file["/entry/events/digest"][number - 1]) if number else b""
+
+    def texts(self) -> Iterator[tuple[str, str]]:
+        """Yield every text of the file with its path, the lines of the log left out."""
+        yield from texts_of(self._file)
 
     def configuration(self) -> dict[str, Any]:
         """Return the configuration: texts ``rig`` and ``test``, ``parameters``, ``versions``."""
