@@ -15,7 +15,7 @@ TEST_READY := $(VENV)/ready-test
 BENCH_READY := $(VENV)/ready-bench
 DOCS_READY := $(VENV)/ready-docs
 SEED := $(or $(SEED),$(shell od -An -N4 -tu4 /dev/urandom | tr -d ' '))
-RUN_EXTRAS := --extra gui --extra notify --extra page --extra build
+RUN_EXTRAS := --extra gui --extra notify --extra page --extra publish --extra build
 export QT_API = pyside6
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 

@@ -280,6 +280,24 @@ def report(
 
 
 @app.command()
+def package(
+    files: Annotated[list[Path], typer.Argument(help="Test files (HDF5).", metavar="FILE...")],
+    to: Annotated[Path, _file("--to", "FILE.zip to make; never overwritten.")],
+    author: Annotated[
+        list[str] | None, _option("--author", "'Family, Given'; repeatable. Else the operators.")
+    ] = None,
+    licence: Annotated[str, _option("--licence", "Of the data, as SPDX names it.")] = "CC-BY-4.0",
+    allow_private: Annotated[
+        bool, _option("--allow-private", "Also with what looks private; it is shown.")
+    ] = False,
+) -> int:
+    """Pack tests as they are published; status 1 when something private is in them."""
+    from rigapp.commands.package import package_tests
+
+    return package_tests(files, to, author or [], licence, allow_private=allow_private)
+
+
+@app.command()
 def identify(
     files: Annotated[list[Path], typer.Argument(help="Test files (HDF5).", metavar="FILE...")],
     to: Annotated[

@@ -9,7 +9,7 @@ schema and the errors of the configuration, and nothing that measures or draws.
 from __future__ import annotations
 
 from rigapp.storage.filesystem.errors import NoRoom, StorageFailed
-from rigapp.storage.filesystem.folder import SPACE_MARGIN
+from rigapp.storage.filesystem.folder import SPACE_MARGIN, hidden_name, move_into_place
 from rigapp.storage.filesystem.locks import hold_writer_lock
 from rigapp.storage.reading.export import export_test
 from rigapp.storage.reading.reader import (
@@ -19,6 +19,8 @@ from rigapp.storage.reading.reader import (
     TestReader,
     open_test,
 )
+from rigapp.storage.reading.export import export_columns, export_test
+from rigapp.storage.reading.reader import Columns, StoredCycle, TestReader, open_test
 from rigapp.storage.reading.resample import on_grid
 from rigapp.storage.structure.layout import (
     CALIBRATION,
@@ -47,9 +49,12 @@ __all__ = [
     "compact_in_background",
     "compact_test",
     "create_test",
+    "export_columns",
     "export_test",
     "finish_whole_test",
+    "hidden_name",
     "hold_writer_lock",
+    "move_into_place",
     "name_and_unit",
     "on_grid",
     "open_test",
