@@ -11,7 +11,7 @@ from __future__ import annotations
 from rigapp.storage.filesystem.errors import NoRoom, StorageFailed
 from rigapp.storage.filesystem.folder import SPACE_MARGIN, hidden_name, move_into_place
 from rigapp.storage.filesystem.locks import hold_writer_lock
-from rigapp.storage.reading.export import export_test
+from rigapp.storage.reading.export import export_columns, export_test
 from rigapp.storage.reading.reader import (
     Columns,
     StoredCycle,
@@ -19,8 +19,6 @@ from rigapp.storage.reading.reader import (
     TestReader,
     open_test,
 )
-from rigapp.storage.reading.export import export_columns, export_test
-from rigapp.storage.reading.reader import Columns, StoredCycle, TestReader, open_test
 from rigapp.storage.reading.resample import on_grid
 from rigapp.storage.structure.layout import (
     CALIBRATION,
