@@ -1,0 +1,64 @@
+"""How quick a study of lives is, and what a second worker is worth, in turns.
+
+Run with ``python benchmarks/bench_study.py [--lives 600] [--rounds 3]``. Each study has lives of
+23,000 cycles at 1 %, as in ``examples/study.toml``. A round runs it with one worker and with two;
+the time is that from the first row that is safe to the last: starting processes does not count.
+"""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+import statistics
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from rigapp.study.running import read_study, run_study
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+GOAL_S, GOAL_LIVES = 900.0, 10_000
+LEAST_EFFICIENCY = 0.9
+
+
+def rate(study: Path, to: Path, workers: int) -> float:
+    """Return the lives a second of a study, computed into a new folder."""
+    times: list[tuple[float, float]] = []
+
+    def note(done: float, _all: float) -> None:
+        times.append((time.perf_counter(), done))
+
+    run_study(read_study(study), to, workers=workers, progress=note)
+    (begin, first), (end, last) = times[workers], times[-1 - workers]
+    return (last - first) / (end - begin)
+
+
+def main() -> int:
+    """Print both rates, their ratio, how long 10,000 lives take; status 1 where one is missed."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--lives", type=int, default=600)
+    parser.add_argument("--rounds", type=int, default=3)
+    given = parser.parse_args()
+    rates: dict[int, list[float]] = {1: [], 2: []}
+    with tempfile.TemporaryDirectory() as folder:
+        place = Path(folder)
+        shutil.copy(EXAMPLES / "parameters.toml", place)
+        text = (EXAMPLES / "study.toml").read_text("utf-8")
+        study = place / "study.toml"
+        study.write_text(text.replace("points = 320", f"points = {given.lives}"), "utf-8")
+        for number in range(given.rounds):
+            for workers, found in rates.items():
+                found.append(rate(study, place / f"{number}-{workers}", workers))
+    one, two = (statistics.median(found) for found in rates.values())
+    efficiency, lasts_s = two / one / 2.0, GOAL_LIVES / two
+    print(f"lives a second: {one:.1f} with one worker, {two:.1f} with two: {two / one:.2f} times")
+    print(f"efficiency from one to two workers: {efficiency:.0%} (at least {LEAST_EFFICIENCY:.0%})")
+    print(
+        f"{GOAL_LIVES:,} lives on two: {lasts_s / 60:.1f} min, {lasts_s / GOAL_S:.2f} of the goal"
+    )
+    return 0 if efficiency >= LEAST_EFFICIENCY and lasts_s <= GOAL_S else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
