@@ -23,7 +23,7 @@ ABOUT = {
 }
 NEXT = (
     "rigapp check rig.toml test.toml",
-    "rigapp run test.toml --rig rig.toml --out first.h5 --speed max",
+    "rigapp run test.toml --rig rig.toml --out test.h5 --speed max",
     "rigapp calibrate load-cell --settings calibration/load_cell.toml"
     " --readings calibration/load_cell.csv --to cell.json",
 )
