@@ -141,7 +141,7 @@ def test_the_commands_that_it_offers_work_in_the_folder(tmp_path: Path) -> None:
         short = ("--revolutions", "5") if command.startswith("rigapp run") else ()
         done = rigapp(*command.split()[1:], *short, folder=tmp_path)
         assert done.returncode == 0, done.stderr
-    assert (tmp_path / "first.h5").is_file()
+    assert (tmp_path / "test.h5").is_file()
     assert (tmp_path / "cell.json").is_file()
     again = rigapp("init", folder=tmp_path)
     assert again.returncode == 2
