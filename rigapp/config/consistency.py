@@ -144,9 +144,11 @@ def _listed(matrix: Matrix) -> str:
 def _of_test(test: TestFile) -> Iterator[str]:
     wrong = list(_of_sequence(test))
     yield from wrong
-    fastest = test.run.speed_rpm if wrong else Sequence(test.run).fastest_rpm
+    fastest, where = test.run.speed_rpm, "run.speed_rpm"
+    if not wrong:
+        sequence = Sequence(test.run)
+        fastest, where = sequence.fastest_rpm, sequence.fastest_key
     if test.limits.overspeed_rpm <= fastest:
-        where = "the fastest of run.step" if test.run.step else "run.speed_rpm"
         yield (
             f"limits.overspeed_rpm = {test.limits.overspeed_rpm:g} is not above {where} ="
             f" {fastest:g}; the test would trip at once"

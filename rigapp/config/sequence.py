@@ -79,6 +79,13 @@ class Sequence:
         return max(self._speed(one) for one in self._steps)
 
     @property
+    def fastest_key(self) -> str:
+        """Return the key that says the highest speed, as a sentence names it."""
+        step = max(self._steps, key=self._speed)
+        own = self._numbered and step.speed_rpm is not None
+        return f"run.step {self._steps.index(step) + 1} speed_rpm" if own else "run.speed_rpm"
+
+    @property
     def slowest_rpm(self) -> float:
         """Return the lowest speed of all steps."""
         return min(self._speed(one) for one in self._steps)

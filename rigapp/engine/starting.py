@@ -44,14 +44,15 @@ def check_start(core: Core, connection: Connection, document: Document[TestFile]
         f"the load cell shows {force_N:.0f} N, limits.overload_N is {limit_N:g} N; unload the pin "
         "or take the zero",
     )
-    fastest = Sequence(run).fastest_rpm
+    sequence = Sequence(run)
+    fastest = sequence.fastest_rpm
     samples = connection.setup.sample_rate_Hz * 60.0 / fastest
     calibration = connection.processor.calibration
     if calibration.counter.clock is SampleClock.ENCODER:
         samples = calibration.encoder.counts_per_revolution
     if samples < FEWEST_SAMPLES:
         raise UnusableInput(
-            f"run.speed_rpm = {fastest:g}: {connection.setup.sample_rate_Hz:g} samples/s "
+            f"{sequence.fastest_key} = {fastest:g}: {connection.setup.sample_rate_Hz:g} samples/s "
             f"give {samples:.0f} samples a revolution, {FEWEST_SAMPLES} are needed; "
             "raise the sample rate"
         )
@@ -61,16 +62,17 @@ def check_start(core: Core, connection: Connection, document: Document[TestFile]
 def check_fit(rig: RigFile, document: Document[TestFile]) -> None:
     """Refuse what a rig cannot do or see, before any device is opened; raise UnusableInput."""
     test, where = document.record, document.path
-    fastest, allowed = Sequence(test.run).fastest_rpm, rig.spindle.maximum_speed_rpm
+    sequence, allowed = Sequence(test.run), rig.spindle.maximum_speed_rpm
+    fastest, key = sequence.fastest_rpm, sequence.fastest_key
     if fastest > allowed:
         raise UnusableInput(
-            f"{where}: run.speed_rpm = {fastest:g} is above the rig's "
+            f"{where}: {key} = {fastest:g} is above the rig's "
             f"spindle.maximum_speed_rpm = {allowed:g}"
         )
     if test.limits.overspeed_rpm <= fastest:
         raise UnusableInput(
             f"{where}: limits.overspeed_rpm = {test.limits.overspeed_rpm:g} must be above "
-            f"run.speed_rpm = {fastest:g}"
+            f"{key} = {fastest:g}"
         )
     check_rules(test.limits.rule, channel_table(rig), f"{where}: ")
     check_overload(rig, test.limits.overload_N, f"{where}: ")

@@ -158,10 +158,11 @@ def _of_ends(test: TestFile) -> Iterator[Check]:
 
 
 def _of_rig_limits(test: TestFile, rig: RigFile) -> Iterator[Check]:
-    speed, fastest = Sequence(test.run).fastest_rpm, rig.spindle.maximum_speed_rpm
+    sequence, fastest = Sequence(test.run), rig.spindle.maximum_speed_rpm
+    speed = sequence.fastest_rpm
     if speed > fastest:
         text = f"{speed:g} rpm, the rig allows {fastest:g} rpm"
-        yield Check("Speed", BLOCKS, text, "Lower run.speed_rpm")
+        yield Check("Speed", BLOCKS, text, f"Lower the speed: {sequence.fastest_key}")
     else:
         yield Check("Speed", GOOD, f"{speed:g} rpm of {fastest:g} rpm that the rig allows")
     overload, full = test.limits.overload_N, rig.load_cell.full_scale_N

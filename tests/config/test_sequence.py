@@ -93,6 +93,7 @@ def test_steps_are_read_with_the_speed_of_the_run_where_they_name_none() -> None
     assert sequence.at(101).speed_rpm == 60.0
     assert sequence.at(161).acceleration_rpm_per_s == 10.0
     assert (sequence.slowest_rpm, sequence.fastest_rpm) == (30.0, 80.0)
+    assert sequence.fastest_key == "run.step 3 speed_rpm"
     assert sequence.at(100).words == "step 1 (running in)"
     assert msgspec.structs.asdict(test.run)["repeat_from_step"] == 1
 

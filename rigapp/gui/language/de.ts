@@ -1048,10 +1048,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>limits.overload_N auf das senken, was der Kraftsensor tragen darf</translation>
     </message>
     <message>
-        <source>Lower run.speed_rpm</source>
-        <translation>run.speed_rpm senken</translation>
-    </message>
-    <message>
         <source>Measured wear depth (µm)</source>
         <translation>Gemessene Verschleißtiefe (µm)</translation>
     </message>
@@ -6102,10 +6098,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>das Ende wartet</translation>
     </message>
     <message>
-        <source>the fastest of run.step</source>
-        <translation>dem schnellsten von run.step</translation>
-    </message>
-    <message>
         <source>the load cell</source>
         <translation>den Kraftsensor</translation>
     </message>
@@ -6597,6 +6589,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Eingang des Kraftsensors übersteuert: {}</translation>
     </message>
     <message>
+        <source>Lower the speed: {}</source>
+        <translation>die Drehzahl senken: {}</translation>
+    </message>
+    <message>
         <source>Motion with the speed, taken off the slowest roll: up to {:.2f} um</source>
         <translation>Bewegung mit der Drehzahl, vom langsamsten Umlauf abgezogen: bis {} um</translation>
     </message>
@@ -7005,10 +7001,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>run.repeat_from_step = {}, aber run.step steht {}-mal da</translation>
     </message>
     <message>
-        <source>run.speed_rpm = {:g}: {:g} samples/s give {:.0f} samples a revolution, {} are needed; raise the sample rate</source>
-        <translation>run.speed_rpm = {}: {} Messwerte/s geben {} Messwerte je Umdrehung, {} sind nötig; die Abtastrate erhöhen</translation>
-    </message>
-    <message>
         <source>run.step stands {} times; {} are possible, and they can be repeated</source>
         <translation>run.step steht {}-mal da; {} sind möglich, und sie lassen sich wiederholen</translation>
     </message>
@@ -7285,6 +7277,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} ({} bis {}) mm^3/(N m)</translation>
     </message>
     <message>
+        <source>{} = {:g}: {:g} samples/s give {:.0f} samples a revolution, {} are needed; raise the sample rate</source>
+        <translation>{} = {}: {} Messwerte/s geben {} Messwerte je Umdrehung, {} sind nötig; die Abtastrate erhöhen</translation>
+    </message>
+    <message>
         <source>{} = {} cannot be inverted; two rows say the same, or nothing</source>
         <translation>{} = {} ist nicht umkehrbar; zwei Zeilen sagen dasselbe oder nichts</translation>
     </message>
@@ -7469,16 +7465,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: enthält keine Umläufe ({})</translation>
     </message>
     <message>
-        <source>{}: limits.overspeed_rpm = {:g} must be above run.speed_rpm = {:g}</source>
-        <translation>{}: limits.overspeed_rpm = {} muss über run.speed_rpm = {} liegen</translation>
+        <source>{}: limits.overspeed_rpm = {:g} must be above {} = {:g}</source>
+        <translation>{}: limits.overspeed_rpm = {} muss über {} = {} liegen</translation>
     </message>
     <message>
         <source>{}: nothing is left to do. {}</source>
         <translation>{}: es bleibt nichts zu tun. {}</translation>
-    </message>
-    <message>
-        <source>{}: run.speed_rpm = {:g} is above the rig&apos;s spindle.maximum_speed_rpm = {:g}</source>
-        <translation>{}: run.speed_rpm = {} liegt über spindle.maximum_speed_rpm = {} des Prüfstands</translation>
     </message>
     <message>
         <source>{}: the elastic motion of the pin cannot be taken off: {}; roll again with --test and the test file of this bushing</source>
@@ -7503,6 +7495,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}: this is the record of a {}, not of a {}</source>
         <translation>{}: dies ist der Datensatz zu {}, nicht zu {}</translation>
+    </message>
+    <message>
+        <source>{}: {} = {:g} is above the rig&apos;s spindle.maximum_speed_rpm = {:g}</source>
+        <translation>{}: {} = {} liegt über spindle.maximum_speed_rpm = {} des Prüfstands</translation>
     </message>
     <message>
         <source>{}; check the device</source>
