@@ -29,7 +29,7 @@ from drivers.cia402.commission import Commissioning, Setup, check_watchdog
 from drivers.cia402.control import DriveControl
 from drivers.cia402.identify import identify
 from drivers.cia402.monitor import AxisMotion, NodeMonitor
-from drivers.cia402.network import CanNode
+from drivers.cia402.network import TRIES, CanNode
 from drivers.cia402.probe import PROBE
 from drivers.cia402.protocol import (
     EMERGENCY_BASE,
@@ -104,6 +104,7 @@ class Cia402Drive:
             except BaseException:
                 self._release()
                 raise
+            node.tries = TRIES
             self._epos = identity.details["objects"] == "epos4"
             return identity
 

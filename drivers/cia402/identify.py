@@ -8,7 +8,7 @@ from drivers.api import ConnectionFailed, Identity, ReplyTimeout, WrongDevice
 from drivers.cia402.network import CanNode
 from drivers.cia402.protocol import PROFILE_402, VENDOR_MAXON, Nmt
 
-_FIRST_TRIES: Final = 3  # the first is lost while a drive finds its bit rate
+_WAKING_TRIES: Final = 3  # the first is lost while a drive finds its bit rate
 
 
 def identify(node: CanNode, interface: str, objects: str) -> Identity:
@@ -41,7 +41,7 @@ def identify(node: CanNode, interface: str, objects: str) -> Identity:
 def _wake(node: CanNode) -> int:
     """Return the device type; a stopped node, or one that finds the bit rate, needs a push."""
     try:
-        return node.read(0x1000, tries=_FIRST_TRIES)
+        return node.read(0x1000, tries=_WAKING_TRIES)
     except ReplyTimeout:
         node.command(Nmt.PRE_OPERATIONAL)
-        return node.read(0x1000, tries=_FIRST_TRIES)
+        return node.read(0x1000)

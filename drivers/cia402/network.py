@@ -29,6 +29,7 @@ from drivers.cia402.protocol import (
 from drivers.transport import SerialPort
 
 TRIES: Final = 3  # one lost frame must not stop a test; a node that is silent thrice is gone
+FIRST_TRIES: Final = 10  # until it is identified nothing turns, and a busy computer may be late
 _SLCAN_BAUD_RATE: Final = 115200  # as python-can opens it
 _OBJECTS: Final = Path(__file__).with_name("objects.eds")
 _WAIT_S: Final = 0.05  # so soon does the receiver see that it is to end
@@ -56,6 +57,7 @@ class _Bus(canopen.Network):  # type: ignore[misc]
 class CanNode:
     """Speak to one node. ``send`` may be called by any thread; SDOs are serialised.
 
+    ``tries`` is how often a question without an answer is asked, where no call says it.
     ``hurry`` ends the retries of an SDO under way, so that a stop need not wait for them.
     """
 
@@ -70,6 +72,7 @@ class CanNode:
         self.frames_received = 0
         self.frames_sent = 0
         self.retries = 0
+        self.tries = FIRST_TRIES
         self.last_beat_ns = 0
         self._bus_options = dict(bus_options)
         self._timeout_s = timeout_s
@@ -215,7 +218,7 @@ class CanNode:
 
     # --- SDO -------------------------------------------------------------------------------------
 
-    def read(self, index: int, subindex: int = 0, tries: int = TRIES) -> int:
+    def read(self, index: int, subindex: int = 0, tries: int | None = None) -> int:
         """Return a number; raise SettingRefused on an abort, ReplyTimeout, DeviceLost."""
         variable = self._variable(index, subindex)
         data = self._try(index, subindex, tries, lambda: self._sdo.upload(index, subindex))
@@ -239,12 +242,12 @@ class CanNode:
     def read_text(self, index: int) -> str:
         """Return a text, "" when the drive has none."""
         try:
-            data = self._try(index, 0, TRIES, lambda: self._sdo.upload(index, 0))
+            data = self._try(index, 0, None, lambda: self._sdo.upload(index, 0))
         except SettingRefused:
             return ""
         return bytes(data).decode("ascii", "replace").rstrip("\0 ")
 
-    def write(self, index: int, value: int, subindex: int = 0, tries: int = TRIES) -> None:
+    def write(self, index: int, value: int, subindex: int = 0, tries: int | None = None) -> None:
         """Set a number; errors as ``read``."""
         data = self._variable(index, subindex).encode_raw(value)
         self._try(index, subindex, tries, lambda: self._sdo.download(index, subindex, data))
@@ -252,9 +255,12 @@ class CanNode:
     def _variable(self, index: int, subindex: int) -> Any:
         return self._sdo.od.get_variable(index, subindex)
 
-    def _try(self, index: int, subindex: int, tries: int, transfer: Callable[[], Any]) -> Any:
+    def _try(
+        self, index: int, subindex: int, tries: int | None, transfer: Callable[[], Any]
+    ) -> Any:
+        most = self.tries if tries is None else tries
         with self._transfer:
-            for attempt in range(1, tries + 1):
+            for attempt in range(1, most + 1):
                 self._check()
                 self.beat()
                 self.retries += attempt > 1
@@ -264,7 +270,7 @@ class CanNode:
                     raise self._refused(index, subindex, f"was refused: {error}") from error
                 except canopen.SdoCommunicationError as error:
                     self._check()
-                    if attempt == tries or self.hurry.is_set():
+                    if attempt == most or self.hurry.is_set():
                         raise ReplyTimeout.at(
                             self,
                             f"node {self.node_id} did not answer object {_shown(index, subindex)} "
