@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from patience import PATIENCE_S
 from report.report_samples import eventful
-from twin.virtual_tests import RECORDED, record
+from twin.recorded_plants import RECORDED, record
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NOTEBOOKS = sorted(path.name for path in (EXAMPLES / "notebooks").glob("*.ipynb"))

@@ -20,6 +20,8 @@ from rigapp.publishing.package import private_in, published
 from rigapp.publishing.places import RIG, Passage
 from rigapp.publishing.private import found_in
 
+ROOT = "/root"
+
 NOBODY: frozenset[str] = frozenset()
 
 
@@ -36,7 +38,7 @@ def found(text: str, path: str = "/entry/notes", key: str = "") -> list[str]:
         (r'path = "C:\\Users\\Ada\\x"', r"the home folder of Ada (C:\\Users\\Ada)"),
         (r"D:\Users\Ada\x", r"the home folder of Ada (D:\Users\Ada)"),
         ("on /media/ada/stick", "the home folder of ada (/media/ada)"),
-        ("in /root/cell.json", "a path in the home folder of root (/root)"),
+        (f"in {ROOT}/cell.json", f"a path in the home folder of root ({ROOT})"),
         ('port = "192.168.0.17:502"', "the IP address 192.168.0.17"),
         ("reached at 10.0.0.1.", "the IP address 10.0.0.1"),
         ("tcp://[fe80::1:2]:5000", "the IP address fe80::1:2"),

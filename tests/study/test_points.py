@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from study.studies import EXAMPLES, PRESSURE, written
-from twin.virtual_tests import RECORDED, record
+from twin.recorded_plants import RECORDED, record
 
 from model.bushing.ring import pressure_distribution, ring_of
 from model.dynamics import inverse_dynamics

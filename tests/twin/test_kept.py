@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 import pytest
 from plant_revolutions import EXAMPLES
-from virtual_tests import RECORDED, REVOLUTIONS, record
+from recorded_plants import RECORDED, REVOLUTIONS, record
 
 from rigapp.commands.identify import identify_tests
 from rigapp.config.errors import UnusableInput
