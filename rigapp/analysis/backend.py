@@ -18,7 +18,7 @@ from xarray.backends import BackendArray, BackendEntrypoint
 from xarray.core import indexing
 
 from rigapp.config.errors import UnusableInput
-from rigapp.storage import StoredVariable, TestReader, open_test
+from rigapp.storage import PROFILE_ANGLE, StoredVariable, TestReader, open_test
 
 ROWS = {
     "revolutions": "revolution",
@@ -169,8 +169,7 @@ def _profiles(reader: TestReader, path: Path) -> xarray.Dataset:
             name: xarray.Variable(dims[: one.ndim], one, about[f"{_PROFILE}{name}"])
             for name, one in empty.items()
         }
-    words = "angle from the initial contact point, follower frame"
-    found["angle"] = _angle(np.asarray(reader.profiles()["angle"]), words)
+    found["angle"] = _angle(np.asarray(reader.profiles()["angle"]), PROFILE_ANGLE)
     return xarray.Dataset(found)
 
 

@@ -22,6 +22,7 @@ from rigapp.storage.reading.reader import (
 from rigapp.storage.reading.resample import on_grid
 from rigapp.storage.structure.layout import (
     CALIBRATION,
+    PROFILE_ANGLE,
     FilePlan,
     profile_rows,
     reserved_bytes,
@@ -34,6 +35,7 @@ from rigapp.storage.writing.writer import TestWriter, create_test
 
 __all__ = [
     "CALIBRATION",
+    "PROFILE_ANGLE",
     "SPACE_MARGIN",
     "Columns",
     "FilePlan",
