@@ -15,7 +15,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.numbers import within
 from rigapp.config.parameters import MM, MPA
 from rigapp.study.file import StudyFile
-from rigapp.study.virtual import VirtualTest, virtual_test
+from rigapp.study.virtual import MM3_PER_NM, VirtualTest, virtual_test
 
 if TYPE_CHECKING:
     from model.parameters import Parameters
@@ -27,7 +27,6 @@ else:
     TechniqueName = Literal[tuple(TECHNIQUES)]
 
 MM2, GRAM = 1e-6, 1e-3
-MM3_PER_NM = 1e9
 Rpm = Annotated[float, within(-10_000.0, 10_000.0)]
 Numbers = Mapping[str, float]
 

@@ -13,7 +13,8 @@ from rigapp.study.design import Design
 from rigapp.study.file import StudyFile
 from rigapp.study.kinds import KINDS
 from rigapp.study.points import StudyRow
-from rigapp.study.table import result, sensitivities
+from rigapp.study.sensitivity import Indices
+from rigapp.study.table import result
 
 MOST_SHOWN = 6
 """Parameters and results beside each other; more cannot be read."""
@@ -21,9 +22,13 @@ DPI = 160
 
 
 def draw_study(
-    folder: Path, study: StudyFile, design: Design, rows: Mapping[int, StudyRow]
+    folder: Path,
+    study: StudyFile,
+    design: Design,
+    rows: Mapping[int, StudyRow],
+    known: Mapping[str, Indices],
 ) -> list[Path]:
-    """Draw ``results.png``, and ``sensitivities.png`` where the design tells them; return them."""
+    """Draw ``results.png``, and ``sensitivities.png`` where any are known; return them."""
     keys = list(design.points[0].values)[:MOST_SHOWN] if design.points else []
     names = [one.name for one in KINDS[study.kind].results if _varies(one.name, design, rows)]
     files = []
@@ -34,7 +39,6 @@ def draw_study(
             _scatter(canvas, keys, shown, design, rows)
 
         files.append(_saved(folder / "results.png", (2.4 * len(keys), 1.8 * len(shown)), scatter))
-    known = sensitivities(study, design, rows)
     if known:
 
         def bars(canvas: Any) -> None:

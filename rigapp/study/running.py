@@ -26,7 +26,7 @@ from rigapp.study.kinds import KINDS, IdentifyRun, record_of
 from rigapp.study.pictures import draw_study
 from rigapp.study.points import RUN, Batch, StudyRow, computed
 from rigapp.study.power import write_power
-from rigapp.study.table import write_tables
+from rigapp.study.table import sensitivities, write_tables
 
 BATCH = 8
 """Points that a worker takes at once: tenths of a second, and so much is lost with a worker."""
@@ -155,10 +155,11 @@ def run_study(
 def _written(study: Study, folder: Path, rows: dict[int, StudyRow]) -> tuple[Path, ...]:
     """Write tables and pictures of what there is; return their paths."""
     record, design = study.record, study.design
+    known = sensitivities(record, design, rows)
     return (
-        *write_tables(folder, record, design, study.identity, rows),
+        *write_tables(folder, record, design, study.identity, rows, known),
         *write_power(folder, record, design, rows),
-        *draw_study(folder, record, design, rows),
+        *draw_study(folder, record, design, rows, known),
     )
 
 

@@ -37,22 +37,21 @@ def indices_of(blocks: Floats, seed: int) -> Indices | None:
     known = blocks[:, np.isfinite(blocks).all(axis=0)]
     if known.shape[1] < FEWEST or np.ptp(known[:2]) == 0.0:
         return None
-    first, total = _estimates(known[:, None, :])
-    random = np.random.default_rng(seed)
-    drawn = random.integers(0, known.shape[1], (RESAMPLES, known.shape[1]))
-    firsts, totals = _estimates(known[:, drawn])
-    low, high = np.nanpercentile(firsts, LIMITS, axis=0)
-    total_low, total_high = np.nanpercentile(totals, LIMITS, axis=0)
-    return Indices(first[0], low, high, total[0], total_low, total_high)
+    first, total = _estimates(known)
+    random, count = np.random.default_rng(seed), known.shape[1]
+    # One at a time: all together are a thousand times the study.
+    drawn = (_estimates(known[:, random.integers(0, count, count)]) for _ in range(RESAMPLES))
+    limits = np.nanpercentile(np.array(list(drawn)), LIMITS, axis=0)
+    (low, total_low), (high, total_high) = limits
+    return Indices(first, low, high, total, total_low, total_high)
 
 
 def _estimates(blocks: Floats) -> tuple[Floats, Floats]:
-    """Return first-order and total indices (samples, d) of blocks (d + 2, samples, n)."""
+    """Return first-order and total indices (d,) of blocks (d + 2, n)."""
     a, b, mixed = blocks[0], blocks[1], blocks[2:]
-    variance = np.concatenate([a, b], axis=-1).var(axis=-1)
+    variance, mean = blocks[:2].var(), blocks[:2].mean()
     with np.errstate(divide="ignore", invalid="ignore"):
         # Centred: the mean of a result is no share of its variance, and only makes noise.
-        centred = b - np.concatenate([a, b], axis=-1).mean(axis=-1, keepdims=True)
-        first = (centred * (mixed - a)).mean(axis=-1) / variance
+        first = ((b - mean) * (mixed - a)).mean(axis=-1) / variance
         total = 0.5 * ((a - mixed) ** 2).mean(axis=-1) / variance
-    return first.T, total.T
+    return first, total

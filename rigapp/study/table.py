@@ -30,9 +30,13 @@ def write_tables(
     design: Design,
     identity: StudyIdentity,
     rows: Mapping[int, StudyRow],
+    known: Mapping[str, Indices],
 ) -> list[Path]:
-    """Write ``table.nc`` and ``table.csv``, in place of those of before; return their paths."""
-    table = dataset(study, design, rows)
+    """Write ``table.nc`` and ``table.csv``, in place of those of before; return their paths.
+
+    known: ``sensitivities``.
+    """
+    table = dataset(study, design, rows, known)
     table.attrs = {
         "title": f"study: {study.kind}",
         "study": identity.study,
@@ -46,7 +50,9 @@ def write_tables(
     return found
 
 
-def dataset(study: StudyFile, design: Design, rows: Mapping[int, StudyRow]) -> xarray.Dataset:
+def dataset(
+    study: StudyFile, design: Design, rows: Mapping[int, StudyRow], known: Mapping[str, Indices]
+) -> xarray.Dataset:
     """Return a row a point over ``point``, and what the results depend on over ``parameter``.
 
     Points that are not computed yet, and those without a result, are NaN; ``problem`` says why.
@@ -64,7 +70,6 @@ def dataset(study: StudyFile, design: Design, rows: Mapping[int, StudyRow]) -> x
     about = {"long_name": "why there is no result", "role": "problem"}
     columns["problem"] = ("point", np.array(problems, dtype=object), about)
     table = xarray.Dataset(columns, {"point": [one.number for one in design.points]})
-    known = sensitivities(study, design, rows)
     return table.merge(_sensitivity_columns(keys, known)) if known else table
 
 
