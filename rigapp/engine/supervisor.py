@@ -10,6 +10,7 @@ from functools import partial
 from rigapp.engine.connection import Connection, silent_thread
 from rigapp.engine.core import SLOW_DISK_S, Core
 from rigapp.engine.resting import begin_rest, end_rest
+from rigapp.process.threads import OVERSLEPT_S
 from rigapp.schema.alarms import because
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import ACTIVE
@@ -20,11 +21,12 @@ SPEED_LOST = 0.3  # of the target; no ripple or load is as large
 SPEED_LOST_S = 1.0  # a load passes faster
 CLOCK_JUMP_S = 1.0  # a time server slews what is less, seen over ANCHOR_S
 
-SUSPENDED_S = 1.0
-"""When a short pause takes so much longer, the whole process did not run."""
-
 WAKING_S = 0.2
-"""Granted to the other threads after that, before they are judged."""
+"""Granted to the other threads after the process did not run, before they are judged."""
+
+ASK_AGAIN_S = 0.01
+
+DID_NOT_RUN = "the engine did not run for {lost:.1f} s; this computer was suspended or overloaded"
 
 
 class Supervisor:
@@ -35,40 +37,58 @@ class Supervisor:
         self._connection = connection
         self._helpers: dict[str, threading.Thread] = {}
         self._silent: set[str] = set()
-        self._anchored_s = self._file_seen_s = time.monotonic()
+        self._anchored_s = self._file_seen_s = self._awake_s = time.monotonic()
         self._slow_since: float | None = None
         self._waited_s = 0.0
 
     def step(self) -> None:
-        """Look once."""
+        """Look once at everything."""
         self._connection.lateness.tick(time.monotonic(), time.thread_time(), self._waited_s)
-        self._look_at_threads()
-        self._look_at_data()
-        self._connection.watches.look()
-        self._look_at_start()
-        self._look_at_rest()
-        self._look_at_stop()
-        self._look_at_clock()
-        self._look_at_disk()
-        self._look_at_file()
-        self._core.alarms.look()
-        self._rest()
+        self._waited_s = 0.0
+        for look in (
+            self._look_at_threads,
+            self._look_at_data,
+            self._connection.watches.look,
+            self._look_at_start,
+            self._look_at_rest,
+            self._look_at_stop,
+            self._look_at_clock,
+            self._look_at_disk,
+            self._look_at_file,
+            self._core.alarms.look,
+        ):
+            self._notice_sleep()
+            look()
+        self._pause(self._core.timing.supervise)
+        self._notice_sleep()
 
-    def _rest(self) -> None:
-        """Pause; tell when the pause was far too long, and do not blame the threads for it."""
-        connection, period = self._connection, self._core.timing.supervise
-        before = time.monotonic()
-        self._waited_s = period
-        connection.supervise.pause(period)
-        lost = time.monotonic() - before - period
-        if lost < SUSPENDED_S:
+    def _pause(self, seconds: float) -> None:
+        self._connection.supervise.pause(seconds)
+        self._waited_s += seconds
+
+    def _notice_sleep(self) -> None:
+        """Tell when the process did not run, and do not blame its threads for it.
+
+        It may be put to sleep between any two lines. A look that waited while the others ran is
+        no sleep: one of them then has to say that its pause was too long.
+        """
+        connection, before_s, now = self._connection, self._awake_s, time.monotonic()
+        self._awake_s = now
+        if now - before_s < OVERSLEPT_S:
             return
         for worker in connection.workers:
             worker.beat()
-        text = f"the engine did not run for {lost:.1f} s; this computer was suspended or overloaded"
-        self._core.event("suspended", "engine", text)
-        connection.supervise.pause(WAKING_S)
-        self._waited_s += WAKING_S
+        lost, until_s = self._overslept(before_s), now + WAKING_S
+        while not lost and time.monotonic() < until_s:
+            self._pause(ASK_AGAIN_S)
+            lost = self._overslept(before_s)
+        if lost:
+            self._core.event("suspended", "engine", DID_NOT_RUN.format(lost=lost))
+        self._pause(max(0.0, until_s - time.monotonic()))
+        self._awake_s = time.monotonic()
+
+    def _overslept(self, since_s: float) -> float:
+        return max(worker.overslept(since_s) for worker in self._connection.workers)
 
     def _look_at_threads(self) -> None:
         for worker in self._connection.workers:

@@ -8,6 +8,9 @@ from collections.abc import Callable
 
 from rigapp.schema.states import Refused
 
+OVERSLEPT_S = 1.0
+"""When a pause takes so much longer than asked for, the whole process did not run."""
+
 
 class Worker:
     """Run a step again and again in a thread of its own.
@@ -34,6 +37,7 @@ class Worker:
         self._on_death = on_death
         self._halt = threading.Event()
         self._beat = time.monotonic()
+        self._overslept = (float("-inf"), 0.0)
         self._thread = threading.Thread(target=self._run, name=f"rigapp {name}", daemon=True)
 
     def start(self) -> None:
@@ -52,7 +56,17 @@ class Worker:
 
     def pause(self, seconds: float) -> None:
         """Wait inside a step, but no longer than until the thread is asked to end."""
+        before_s = time.monotonic()
         self._halt.wait(seconds)
+        woken_s = time.monotonic()
+        over_s = woken_s - before_s - seconds
+        if over_s > OVERSLEPT_S:
+            self._overslept = (woken_s, over_s)
+
+    def overslept(self, since_s: float) -> float:
+        """Return by how many seconds a pause that ended since then was too long, 0 for none."""
+        woken_s, over_s = self._overslept
+        return over_s if woken_s >= since_s else 0.0
 
     def join(self, timeout_s: float) -> bool:
         """Wait for the end of the thread; False when it did not come in time."""
