@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import sys
 import time
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
@@ -30,11 +32,18 @@ PIPE_WIDTH = 200  # where no terminal tells its width, no line is broken
 MARKS = {Checked.GOOD: "ok", Checked.ATTENTION: "note", Checked.BLOCKS: "BLOCKS"}
 
 
-def check_rig(rig_path: Path, test_path: Path) -> int:
+def check_rig(rig_path: Path, test_path: Path, *, as_json: bool = False) -> int:
     """Print the pre-flight table; status 1 when anything blocks a start."""
-    from rich.console import Console
-    from rich.table import Table
+    checks = _all_checks(rig_path, test_path)
+    if as_json:
+        found = [asdict(check) for check in checks]
+        print(json.dumps({"blocked": blocked(checks), "checks": found}, indent=2))
+    else:
+        _print_table(checks)
+    return 1 if blocked(checks) else 0
 
+
+def _all_checks(rig_path: Path, test_path: Path) -> list[Check]:
     records = with_records(read_rig(rig_path))
     plan_devices(records.rig.record, str(rig_path))
     test = read_test(test_path).record
@@ -46,13 +55,18 @@ def check_rig(rig_path: Path, test_path: Path) -> int:
     checks = preflight(test, records, disk, status)
     if status is None:
         checks = [check for check in checks if check.what != "Engine"]
-    checks += [*found, *message_checks(records.rig)]
+    return [*checks, *found, *message_checks(records.rig)]
+
+
+def _print_table(checks: Sequence[Check]) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
     table = Table(show_header=False, box=None, pad_edge=False)
     for check in checks:
         text = f"{check.finding}. {check.action}" if check.action else check.finding
         table.add_row(MARKS[check.verdict], check.what, text)
     Console(width=None if sys.stdout.isatty() else PIPE_WIDTH).print(table)
-    return 1 if blocked(checks) else 0
 
 
 def message_checks(rig: Document[RigFile]) -> list[Check]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import importlib.metadata
+import json
 import os
 import platform
 import subprocess
 import sys
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -48,10 +49,10 @@ class Observation:
     good: bool = True
 
 
-def examine(port: str | None = None) -> int:
+def examine(port: str | None = None, *, as_json: bool = False) -> int:
     """Print every finding; status 1 when one needs action. port: ask this one, nothing else."""
     findings = _all() if port is None else ask_port(port)
-    return _report(findings)
+    return _as_json(tuple(findings)) if as_json else _report(findings)
 
 
 def _all() -> Iterator[Observation]:
@@ -60,6 +61,12 @@ def _all() -> Iterator[Observation]:
     yield from ports()
     yield from can_interfaces()
     yield from _window()
+
+
+def _as_json(findings: Sequence[Observation]) -> int:
+    good = all(finding.good for finding in findings)
+    print(json.dumps({"good": good, "findings": [asdict(one) for one in findings]}, indent=2))
+    return 0 if good else 1
 
 
 def _report(findings: Iterable[Observation]) -> int:

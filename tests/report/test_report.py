@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import re
 import subprocess
 import sys
@@ -262,6 +263,28 @@ def test_unusable_targets(eventful_file: Path, tmp_path: Path, target: str, word
     with pytest.raises(UnusableInput, match=words):
         write_report(eventful_file, tmp_path / target)
     assert [one.name for one in tmp_path.iterdir()] == ["folder.html"]
+
+
+def test_its_texts_and_tables_are_told_as_values(
+    eventful_file: Path, page: Page, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert write_report(eventful_file, None, as_json=True) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert [told["title"], *(one["title"] for one in told["sections"] if one["title"])] == (
+        page.headings
+    )
+    (section,) = (one for one in told["sections"] if one["title"] == "Limits and alarms")
+    rows = next(block["rows"] for block in section["blocks"] if block["kind"] == "table")
+    limits = {row[0]: row[1:] for row in rows}
+    assert limits["overload"] == ["200", "200", "88.0", "N", "drive off"]
+    assert {"text", "table", "figure"} <= {
+        block["kind"] for section in told["sections"] for block in section["blocks"]
+    }
+
+
+def test_nothing_asked_for_is_refused(eventful_file: Path) -> None:
+    with pytest.raises(UnusableInput, match="--to REPORT"):
+        write_report(eventful_file, None)
 
 
 def test_target_that_cannot_be_written(eventful_file: Path) -> None:
