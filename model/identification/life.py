@@ -108,7 +108,7 @@ class DepthLife:
         return np.interp(depth, self.stretches[0].depth, self.elastic)
 
     def continued(self, start: float, progress: ArrayLike, depth: ArrayLike) -> DepthLife:
-        """Return the life gone on with under another load from a measured progress on.
+        """Return the life as it continues under another load from a measured progress on.
 
         progress, depth: (m,), nominal cycles and m, from the profile at that time or before it.
         """

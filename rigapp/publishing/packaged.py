@@ -66,7 +66,7 @@ def packaged_tests(paths: Sequence[Path]) -> tuple[PackagedTest, ...]:
 
 
 def refuse_changed(tests: Sequence[PackagedTest]) -> None:
-    """Refuse tests that were gone on with, compressed or replaced since they were read."""
+    """Refuse tests that were resumed, compressed or replaced since they were read."""
     for one in tests:
         if _state(one.path) != one.state:
             raise UnusableInput(

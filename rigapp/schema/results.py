@@ -11,7 +11,7 @@ from rigapp.schema.messages import FinishReason
 
 NOT_READABLE = "not readable"
 RESUMABLE = frozenset({"interrupted", "stopped"})
-"""Statuses of a file that can be gone on with."""
+"""Statuses of a file that can be resumed."""
 
 
 class HowEnded(enum.StrEnum):

@@ -1,4 +1,4 @@
-"""The wear coefficient beside a simulated test: what is stated, refused, kept and gone on with."""
+"""The wear coefficient beside a simulated test: what is stated, refused, kept and continued."""
 
 from __future__ import annotations
 

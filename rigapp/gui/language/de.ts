@@ -6270,7 +6270,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} lässt sich nicht starten: {}.</translation>
     </message>
     <message>
-        <source>{} cycles are safe; it can be gone on with</source>
+        <source>{} cycles are safe; it can be resumed</source>
         <translation>{} Zyklen sind sicher; er lässt sich fortsetzen</translation>
     </message>
     <message>

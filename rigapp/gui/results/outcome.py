@@ -92,7 +92,7 @@ def trust_lines(result: TestResult) -> Iterator[TrustLine]:
     told = tr("Nothing lost") if whole else tr("Data are missing or doubtful")
     yield TrustLine(whole, told, marked)
     if result.outcome is HowEnded.INTERRUPTED:
-        safe = tr("{} cycles are safe; it can be gone on with", cycles)
+        safe = tr("{} cycles are safe; it can be resumed", cycles)
         yield TrustLine(False, tr("Not closed"), safe)
     elif result.outcome is not HowEnded.RUNNING:
         yield TrustLine(True, tr("Closed"), tr("all {} cycles are in the file", cycles))
