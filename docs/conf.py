@@ -1,12 +1,14 @@
-"""Settings of `make docs`: the guides as they stand here, and pages of the docstrings."""
+"""Settings of `make docs`: the guides as they stand here, pages of commands and docstrings."""
 
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).resolve().parents[1]
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent
 PACKAGES = {
     "model": [],
     "calibration": [],
@@ -46,5 +48,10 @@ def escape_bars(_app: Any, _what: str, _name: str, _of: Any, _how: Any, lines: l
 
 
 def setup(app: Any) -> None:
-    """Connect with Sphinx."""
+    """Connect with Sphinx; write the page of the commands."""
+    sys.path.insert(0, str(HERE))
+    from reference import command_reference
+
+    (HERE / "api").mkdir(exist_ok=True)
+    (HERE / "api" / "commands.md").write_text(command_reference(), "utf-8")
     app.connect("autodoc-process-docstring", escape_bars)

@@ -86,7 +86,7 @@ def test_engine_of_another_version_is_listed_with_the_reason(
 def test_keys_are_made_once_and_the_secret_is_private(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from rigapp.cli import keys
+    from rigapp.cli.rig import keys
 
     keys()
     path = Path(capsys.readouterr().out.strip())

@@ -11,7 +11,7 @@ import msgspec
 import pytest
 import typer
 
-from rigapp.cli import model_app
+from rigapp.cli.models import model_verbs
 from rigapp.config.parameters import ParameterFile
 
 ROOT = Path(__file__).parents[2]
@@ -24,7 +24,7 @@ ADVICE = re.compile(
 
 def verbs() -> dict[str, set[str]]:
     """Return the options of each verb of `rigapp model`."""
-    group = typer.main.get_command(model_app)
+    group = typer.main.get_command(model_verbs)
     return {
         name: {option for p in command.params for option in p.opts if option.startswith("--")}
         for name, command in group.commands.items()

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from storage_samples import METADATA
 from typer.testing import CliRunner
 
-from rigapp.cli import app
+from rigapp.cli.program import app
 from rigapp.config.errors import UnusableInput
 from rigapp.storage import FilePlan, create_test, export_test, on_grid, open_test
 

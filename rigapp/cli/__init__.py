@@ -1,0 +1,8 @@
+"""The command line: verbs, thin. Each imports what it needs when it is called.
+
+Others enter by this door.
+"""
+
+from rigapp.cli.program import main
+
+__all__ = ["main"]

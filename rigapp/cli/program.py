@@ -1,0 +1,119 @@
+"""The program: every verb in its place, the options that all of them have, and how it ends.
+
+Exit status: 0 done, 1 the test or check failed or was stopped by a limit, 2 unusable input, 3 a
+device failed. One plain sentence on stderr; a traceback only with ``--debug``.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import sys
+from typing import Annotated, NoReturn
+
+import typer
+
+from rigapp.cli import calibrations, models, recorded, rig, unattended
+from rigapp.cli.options import WholeSentences, option
+from rigapp.config.errors import UnusableInput
+
+app = typer.Typer(
+    name="rigapp",
+    help="Control, record and understand slider-crank joint wear tests.",
+    cls=WholeSentences,
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+app.add_typer(rig.verbs)
+app.add_typer(recorded.verbs)
+app.add_typer(models.study_verbs)
+app.add_typer(models.model_verbs, name="model")
+app.add_typer(calibrations.calibrate_verbs, name="calibrate")
+app.add_typer(unattended.queue_verbs, name="queue")
+app.add_typer(unattended.service_verbs, name="service")
+
+
+def _show_version(wanted: bool) -> None:
+    """Print the version and end, before anything else is loaded."""
+    if wanted:
+        from importlib.metadata import version
+
+        print(f"rigapp {version('rigapp')}")
+        raise typer.Exit
+
+
+@app.callback()
+def options(
+    context: typer.Context,
+    version: Annotated[
+        bool,
+        option("--version", "Show the version.", callback=_show_version, is_eager=True),
+    ] = False,
+    debug: Annotated[bool, option("--debug", "Show a traceback on errors.")] = False,
+    log_level: Annotated[
+        str | None,
+        option(
+            "--log-level",
+            "Remarks on standard error from this level on: debug, info, warning or error.",
+            metavar="LEVEL",
+        ),
+    ] = None,
+) -> None:
+    """Take the options that every verb has (``--debug`` is read by ``main``)."""
+    from rigapp.process.logs import chosen_level, on_terminal
+
+    context.with_resource(on_terminal(chosen_level(log_level)))
+
+
+INTERRUPTED = 130
+"""What the command line's library returns after Ctrl-C."""
+
+
+def main() -> NoReturn:
+    """Run the command line and exit with its status."""
+    # Threads of the linear algebra would fight the acquisition for the cores.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    debug = "--debug" in sys.argv
+    arguments = [word for word in sys.argv[1:] if word != "--debug"]
+    try:
+        status = app(args=arguments, prog_name="rigapp", standalone_mode=False)
+    except (KeyboardInterrupt, typer.Abort):
+        status = INTERRUPTED
+    except Exception as error:
+        if debug:
+            raise
+        status = _report(error)
+    if status == INTERRUPTED:
+        print("rigapp: interrupted.", file=sys.stderr)
+        status = 1
+    sys.stdout.flush()
+    raise SystemExit(status or 0)
+
+
+def _report(error: Exception) -> int:
+    """Say what went wrong in one sentence and return the exit status that it stands for."""
+    if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
+        start = str(error.filename)[:40]
+        print(f"rigapp: the name {start}... is too long; shorten it.", file=sys.stderr)
+        return 2
+    wrong_call = getattr(error, "format_message", None)
+    if wrong_call is None:
+        print(f"rigapp: {error or type(error).__name__}", file=sys.stderr)
+        return _status_of(error)
+    if type(error).__name__ == "NoArgsIsHelpError":
+        print(wrong_call())
+    else:
+        print(f"rigapp: {wrong_call()} See 'rigapp --help'.", file=sys.stderr)
+    return 2
+
+
+def _status_of(error: Exception) -> int:
+    """Return the exit status of an error that a verb raised."""
+    if isinstance(error, UnusableInput):
+        return 2
+    module = sys.modules.get("drivers.api")
+    if module is not None and isinstance(error, module.DeviceError):
+        return 3
+    return 1

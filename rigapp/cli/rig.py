@@ -1,0 +1,213 @@
+"""Verbs at a rig: its window, a test, what is before it and what is after a fault."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from rigapp.cli.options import (
+    BindOption,
+    CertificateOption,
+    JsonOption,
+    KeyOption,
+    OutOption,
+    ProgressOption,
+    RigArgument,
+    RigOption,
+    SpeedOption,
+    TestArgument,
+    TokenOption,
+    group,
+    option,
+)
+
+verbs = group()
+
+
+@verbs.command()
+def gui(
+    rig: Annotated[Path | None, option("--rig", "Rig file.")] = None,
+    test: Annotated[Path | None, option("--test", "Test file to offer first.")] = None,
+    start: Annotated[bool, option("--start", "Start that test at once.")] = False,
+    language: Annotated[
+        str, option("--language", "en or de; kept for the next time. Else as the system.")
+    ] = "",
+) -> int:
+    """Open the operator's window (without a rig file: on the simulated rig)."""
+    from rigapp.commands.window import open_window
+
+    return open_window(rig, test, start=start, language=language)
+
+
+@verbs.command()
+def run(
+    test: TestArgument,
+    rig: RigOption,
+    out: OutOption,
+    revolutions: Annotated[
+        int | None, option("--revolutions", "Instead of the test file's.", min=1)
+    ] = None,
+    progress: ProgressOption = None,
+    speed: SpeedOption = None,
+    bind: BindOption = None,
+) -> int:
+    """Run one test without a window."""
+    from rigapp.service.registry import starting
+
+    # First of all: a window that opens meanwhile waits for this engine.
+    with starting(rig):
+        from rigapp.commands.run import run_test
+
+        return run_test(test, rig, out, revolutions, progress, speed, bind)
+
+
+@verbs.command()
+def resume(
+    file: Annotated[Path, typer.Argument(help="Interrupted test file.")],
+    rig: RigOption,
+    progress: ProgressOption = None,
+    speed: SpeedOption = None,
+    bind: BindOption = None,
+    reason: Annotated[
+        str, option("--reason", "Why it may go on with another calibration or zero; logged.")
+    ] = "",
+    check: Annotated[bool, option("--check", "Only show what is there and what differs.")] = False,
+) -> int:
+    """Go on with an interrupted test in the same file, after a look at what has changed."""
+    from rigapp.service.registry import starting
+
+    with starting(rig):
+        from rigapp.commands.run import examine_test, resume_test
+
+        if check:
+            return examine_test(file, rig)
+        return resume_test(file, rig, progress, speed, bind, reason=reason)
+
+
+@verbs.command()
+def init(
+    folder: Annotated[Path, typer.Argument(help="Folder to make or to fill.")] = Path(),
+) -> int:
+    """Make rig, test and calibration files to start from; overwrites nothing."""
+    from rigapp.commands.init import start_folder
+
+    return start_folder(folder)
+
+
+@verbs.command()
+def check(
+    rig: RigArgument,
+    test: TestArgument,
+    json: JsonOption = False,
+) -> int:
+    """Check devices, calibration, disk and limits before a test; status 1 if anything blocks."""
+    from rigapp.commands.check import check_rig
+
+    return check_rig(rig, test, as_json=json)
+
+
+@verbs.command()
+def reset(rig: RigArgument) -> int:
+    """Release a drive that holds its emergency stop or a fault, once its cause is removed."""
+    from rigapp.commands.reset import reset_drive
+
+    return reset_drive(rig)
+
+
+@verbs.command(context_settings={"allow_extra_args": True, "ignore_unknown_options": True})
+def sim(context: typer.Context, rig: RigArgument) -> int:
+    """Start the rig's simulated devices, print one JSON line of URLs, run until interrupted."""
+    from rigapp.simulation.process import main as simulate
+
+    return simulate([str(rig), *context.args])
+
+
+@verbs.command()
+def doctor(
+    port: Annotated[
+        str | None, option("--port", "Ask only this port who is there.", metavar="URL")
+    ] = None,
+    json: JsonOption = False,
+) -> int:
+    """Show versions, ports with the devices on them, permissions; test the window's libraries."""
+    from rigapp.commands.doctor import examine
+
+    return examine(port, as_json=json)
+
+
+@verbs.command()
+def status(
+    rig: Annotated[Path | None, option("--rig", "Only the engine of this rig.")] = None,
+    json: JsonOption = False,
+) -> int:
+    """Show the engines that run: state, revolution, alarms, who is in command; 1 when none does."""
+    from rigapp.commands.status import show_engines
+
+    return show_engines(rig, as_json=json)
+
+
+@verbs.command()
+def notify(
+    rig: Annotated[Path | None, option("--rig", "Rig file; else the user's ways alone.")] = None,
+    test: Annotated[bool, option("--test", "Send one message by every way.")] = False,
+) -> int:
+    """Show by which ways an absent operator is told, and what waits; or try them."""
+    from rigapp.commands.notify import show_ways, try_ways
+
+    return try_ways(rig) if test else show_ways(rig)
+
+
+PageBindOption = Annotated[
+    str,
+    option(
+        "--bind",
+        "Where to listen; beyond this computer only with token, certificate and key.",
+        metavar="ADDRESS:PORT",
+    ),
+]
+
+
+@verbs.command()
+def page(
+    rig: Annotated[
+        list[Path] | None,
+        option("--rig", "Rig file, or entry of an engine elsewhere; repeatable. Else all here."),
+    ] = None,
+    bind: PageBindOption = "127.0.0.1:8750",
+    token: TokenOption = None,
+    certificate: CertificateOption = None,
+    key: KeyOption = None,
+) -> int:
+    """Show the engines that run as a read-only page, and as metrics for Prometheus."""
+    from rigapp.commands.page import serve_page
+
+    return serve_page(rig or [], bind, token, certificate, key)
+
+
+@verbs.command()
+def keys() -> None:
+    """Make this user's key pair as a viewer of rigs elsewhere; print the file to hand over."""
+    from rigapp.service.registry import lasting_folder
+    from rigapp.service.security import viewer_keys
+
+    folder = lasting_folder()
+    viewer_keys(folder)
+    print(folder / "keys" / "viewer.key")
+
+
+@verbs.command(hidden=True)
+def engine(
+    rig: Annotated[Path, typer.Argument()],
+    speed: SpeedOption = None,
+    bind: BindOption = None,
+    stay: Annotated[bool, option("--stay", "Also while nobody looks on.")] = False,
+) -> int:
+    """Host an engine for windows to attach to."""
+    from rigapp.service.registry import starting
+
+    with starting(rig):
+        from rigapp.service.host import serve
+
+        return serve(rig, speed, bind, stay=stay)
