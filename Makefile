@@ -15,7 +15,7 @@ TEST_READY := $(VENV)/ready-test
 BENCH_READY := $(VENV)/ready-bench
 DOCS_READY := $(VENV)/ready-docs
 SEED := $(or $(SEED),$(shell od -An -N4 -tu4 /dev/urandom | tr -d ' '))
-RUN_EXTRAS := --extra gui --extra notify --extra page --extra publish --extra build
+RUN_EXTRAS := --extra gui --extra notify --extra page --extra publish --extra analysis --extra build
 export QT_API = pyside6
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 
@@ -90,9 +90,9 @@ translations: $(RUN_READY)
 lock:
 	uv pip compile pyproject.toml $(RUN_EXTRAS) --universal --python-version 3.11 \
 		--generate-hashes --no-header --no-annotate --no-emit-index-url --quiet -o constraints.txt
-	uv pip compile pyproject.toml $(RUN_EXTRAS) --extra analysis --extra studies --extra test --universal --python-version 3.11 \
+	uv pip compile pyproject.toml $(RUN_EXTRAS) --extra studies --extra test --universal --python-version 3.11 \
 		--generate-hashes --no-header --no-annotate --no-emit-index-url -c constraints.txt --quiet -o constraints-test.txt
-	uv pip compile pyproject.toml $(RUN_EXTRAS) --extra analysis --extra studies --extra test --extra bench --universal --python-version 3.11 \
+	uv pip compile pyproject.toml $(RUN_EXTRAS) --extra studies --extra test --extra bench --universal --python-version 3.11 \
 		--generate-hashes --no-header --no-annotate --no-emit-index-url -c constraints-test.txt --quiet -o constraints-bench.txt
 	uv pip compile pyproject.toml --extra docs --universal --python-version 3.11 \
 		--generate-hashes --no-header --no-annotate --no-emit-index-url -c constraints-test.txt --quiet -o constraints-docs.txt

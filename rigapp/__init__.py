@@ -22,9 +22,13 @@ def open(path: str | os.PathLike[str], *, chunks: int | None = None) -> Recorded
     """Open a test file, running or ended.
 
     chunks: rows of a piece; datasets hold Dask arrays then, to be computed piece by piece. Raises
-    UnusableInput for a file that is no test, and for chunks where Dask is not installed.
+    UnusableInput for a file that is no test, and where the packages of the extra `analysis` are
+    not installed.
     """
-    from rigapp.analysis.recorded import RecordedTest
+    from rigapp.config.extras import from_extra
+
+    with from_extra("analysis", "rigapp.open"):
+        from rigapp.analysis.recorded import RecordedTest
 
     return RecordedTest(path, chunks)
 
@@ -34,7 +38,10 @@ def open_many(paths: Paths, *, chunks: int | None = None) -> RecordedTests:
 
     chunks: as of ``open``.
     """
-    from rigapp.analysis.recorded import RecordedTests
+    from rigapp.config.extras import from_extra
+
+    with from_extra("analysis", "rigapp.open_many"):
+        from rigapp.analysis.recorded import RecordedTests
 
     return RecordedTests(paths, chunks)
 

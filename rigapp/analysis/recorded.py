@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import datetime
 import glob
-import importlib.util
+import importlib
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from rigapp.analysis.backend import ROWS, RigappBackend
 from rigapp.config.errors import UnusableInput
+from rigapp.config.extras import from_extra
 from rigapp.report.results import result_of
 from rigapp.schema.results import NOT_READABLE
 from rigapp.storage import open_test
@@ -307,5 +308,5 @@ def _files(paths: Paths) -> tuple[Path, ...]:
 def _require_dask(chunks: int) -> None:
     if chunks < 1:
         raise UnusableInput(f"chunks = {chunks}: give the rows of a piece, 1 or more")
-    if importlib.util.find_spec("dask") is None:
-        raise UnusableInput("chunks need Dask: pip install 'rigapp[analysis]'")
+    with from_extra("analysis", f"chunks = {chunks}"):
+        importlib.import_module("dask.array")

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from rigapp.config.errors import UnusableInput
+from rigapp.config.extras import from_extra
 from rigapp.process.ending import ending_as_interrupt
 
 
@@ -14,12 +14,8 @@ def serve_page(
     rigs: Sequence[Path], bind: str, token: Path | None, certificate: Path | None, key: Path | None
 ) -> int:
     """Serve the page until somebody asks for the end; print its address first. Exit status."""
-    try:
+    with from_extra("page", "The page"):
         from rigapp.page.serving import page_server
-    except ImportError as error:
-        raise UnusableInput(
-            f"The page's libraries are missing ({error}); install them: pip install 'rigapp[page]'."
-        ) from error
     server = page_server(rigs, bind, token, certificate, key)
     print(f"The page is at {server.address}", flush=True)
     try:

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rigapp.commands.progress import bar
-from rigapp.study.running import StudyEnd, read_study, run_study
+from rigapp.config.extras import from_extra
+
+if TYPE_CHECKING:
+    from rigapp.study.running import StudyEnd
 
 
 def make_study(path: Path, folder: Path, scheduler: str, workers: int | None) -> int:
@@ -14,6 +18,8 @@ def make_study(path: Path, folder: Path, scheduler: str, workers: int | None) ->
 
     0: all points have a result; 1: some have none, or it was interrupted. Raises UnusableInput.
     """
+    with from_extra("studies", "A study"):
+        from rigapp.study.running import read_study, run_study
     study = read_study(path)
     try:
         with bar("Study") as progress:

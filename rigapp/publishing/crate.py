@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 from urllib.parse import quote
 
-from rigapp.config.errors import UnusableInput
+from rigapp.config.extras import from_extra
 from rigapp.publishing.authors import Author
 from rigapp.publishing.packaged import PackagedTest
 from rigapp.publishing.packed import PackedFile
@@ -20,13 +20,8 @@ PROGRAM = "#rigapp"
 
 def crate_library() -> Any:
     """Return the library; raise UnusableInput where it is not installed."""
-    try:
+    with from_extra("publish", "A package"):
         from rocrate import rocrate
-    except ImportError as error:
-        raise UnusableInput(
-            f"The library for RO-Crate is missing ({error}); install it: pip install"
-            " 'rigapp[publish]'."
-        ) from error
     return rocrate
 
 

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from rigapp.config.errors import UnusableInput
+from rigapp.config.extras import from_extra
 from rigapp.config.loading import read_document, read_parameter_file
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.ranges import keys_of
@@ -136,8 +137,8 @@ def run_study(
     when None. told: called with a sentence, as that of the dashboard. Raises UnusableInput. An
     interrupt (KeyboardInterrupt) leaves what is safe, with its tables.
     """
-    if importlib.util.find_spec("distributed") is None:
-        raise UnusableInput("a study needs Dask: pip install 'rigapp[studies]'.")
+    with from_extra("studies", "A study"):
+        importlib.import_module("distributed")
     with StudyJournal(folder, study.identity) as journal:
         rows = dict(journal.rows)
         todo = [one for one in study.design.points if one.number not in rows]

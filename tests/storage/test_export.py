@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -97,3 +98,14 @@ def test_targets_are_never_overwritten_and_nothing_half_done_stays(
     with pytest.raises(KeyboardInterrupt):
         export_test(recorded, recorded.parent / "new.parquet", progress=fail)
     assert sorted(one.name for one in recorded.parent.iterdir()) == ["out.csv", "test.h5"]
+
+
+def test_parquet_without_its_library_names_the_extra_and_csv_needs_none(
+    recorded: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    monkeypatch.setitem(sys.modules, "pyarrow.parquet", None)
+    with pytest.raises(UnusableInput, match=r"out\.parquet: Parquet .*rigapp\[analysis\]"):
+        export_test(recorded, recorded.parent / "out.parquet")
+    assert [one.name for one in recorded.parent.iterdir()] == [recorded.name]
+    assert export_test(recorded, recorded.parent / "out.csv") == 45

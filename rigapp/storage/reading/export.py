@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
+from rigapp.config.extras import from_extra
 from rigapp.storage.filesystem.folder import move_into_place
 from rigapp.storage.reading.reader import StoredCycle, TestReader, open_test
 from rigapp.storage.structure.metadata import unit_suffix
@@ -20,7 +21,6 @@ from rigapp.storage.structure.metadata import unit_suffix
 ROWS_AT_A_TIME = 65536  # 18 MB of the columns of every rig
 SAMPLES_AT_A_TIME = 1 << 18  # 16 MB of the columns of every rig
 FORMATS = (".csv", ".parquet")
-STEP = "step"
 FEWEST_POINTS = 8  # fewer say nothing of a revolution
 
 Table = dict[str, NDArray[Any]]
@@ -28,8 +28,21 @@ Progress = Callable[[int, int], None]
 Steps = Callable[[NDArray[np.int64]], NDArray[np.int64]]
 
 
+@dataclass(frozen=True, slots=True)
+class _Field:
+    """One exported column: name with its unit, type as NumPy names it, unit, description."""
+
+    name: str
+    dtype: str
+    unit: str
+    description: str
+
+
+STEP_FIELD = _Field("step", "<i8", "1", "number of the step of the test")
+
+
 class _Sink(Protocol):
-    def write(self, table: Any) -> None: ...
+    def write(self, table: Table) -> None: ...
 
     def close(self) -> None: ...
 
@@ -51,7 +64,8 @@ def export_test(
     Columns are named as in the file with the unit at the end (``force_max_N``, ``time_s``); a cycle
     row begins with its revolution. Parquet fields carry ``units`` and ``long_name`` as well.
     progress(done, all) is called after each piece. The target appears when it is whole. Raises
-    UnusableInput for an existing target, an unknown ending, an unusable source.
+    UnusableInput for an existing target, an unknown ending, an unusable source, and for Parquet
+    where pyarrow is not installed.
     """
     goal = Path(target)
     _refuse_target(goal)
@@ -61,24 +75,21 @@ def export_test(
         )
     with open_test(path) as reader:
         pieces, total = _cycle_pieces(reader, points) if cycles else _row_pieces(reader)
-        schema = _schema(reader, cycles, on_grid=points is not None)
+        fields = _fields(reader, cycles, on_grid=points is not None)
         if steps is not None:
-            pieces, schema = _with_steps(pieces, steps), _schema_with_steps(schema)
+            pieces, fields = _with_steps(pieces, steps), [*fields, STEP_FIELD]
         hidden = goal.parent / f".{goal.name}.part-{os.getpid()}"
-        with _finished_file(hidden, goal):
-            return _write(hidden, goal.suffix.lower(), schema, pieces, total, progress)
+        about = {name: str(value) for name, value in reader.metadata().items()}
+        with (
+            _finished_file(hidden, goal),
+            contextlib.closing(_sink(hidden, goal, fields, about)) as sink,
+        ):
+            return _write(sink, pieces, total, progress)
 
 
 def _with_steps(pieces: Iterator[Table], steps: Steps) -> Iterator[Table]:
     for piece in pieces:
-        yield {**piece, STEP: steps(piece["revolution"].astype(np.int64))}
-
-
-def _schema_with_steps(schema: Any) -> Any:
-    import pyarrow
-
-    about = {"units": "1", "long_name": "number of the step of the test"}
-    return schema.append(pyarrow.field(STEP, pyarrow.int64(), metadata=about))
+        yield {**piece, STEP_FIELD.name: steps(piece["revolution"].astype(np.int64))}
 
 
 def export_columns(
@@ -149,68 +160,70 @@ def _joined(tables: list[Table]) -> Table:
     return {name: np.concatenate([one[name] for one in tables]) for name in tables[0]}
 
 
-def _schema(reader: TestReader, cycles: bool, on_grid: bool) -> Any:
-    import pyarrow
-
+def _fields(reader: TestReader, cycles: bool, on_grid: bool) -> list[_Field]:
     columns = reader.plan.cycle_columns if cycles else reader.plan.revolution_columns
     types = {"revolution": "<i8", **{one.name: one.dtype for one in columns}}
-    fields = [
-        pyarrow.field(
-            name,
-            pyarrow.from_numpy_dtype(np.dtype(types[source])),
-            metadata={"units": unit, "long_name": description},
-        )
+    return [
+        _Field(name, types[source], unit, description)
         for name, (source, unit, description) in export_columns(reader, cycles, on_grid).items()
     ]
-    about = {name: str(value) for name, value in reader.metadata().items()}
-    return pyarrow.schema(fields, metadata=about)
 
 
-def _write(
-    hidden: Path,
-    ending: str,
-    schema: Any,
-    pieces: Iterator[Table],
-    total: int,
-    progress: Progress | None,
-) -> int:
-    import pyarrow
-
+def _write(sink: _Sink, pieces: Iterator[Table], total: int, progress: Progress | None) -> int:
     done = 0
-    with contextlib.closing(_sink(hidden, ending, schema)) as sink:
-        for piece in pieces:
-            arrays = [pyarrow.array(values) for values in piece.values()]
-            sink.write(pyarrow.Table.from_arrays(arrays, schema=schema))
-            done += len(arrays[0])
-            if progress is not None:
-                progress(done, total)
+    for piece in pieces:
+        sink.write(piece)
+        done += len(next(iter(piece.values())))
+        if progress is not None:
+            progress(done, total)
     return done
 
 
-def _sink(path: Path, ending: str, schema: Any) -> _Sink:
-    if ending == ".parquet":
+def _sink(hidden: Path, goal: Path, fields: Sequence[_Field], about: Mapping[str, str]) -> _Sink:
+    if goal.suffix.lower() == ".csv":
+        return _CsvSink(hidden, fields)
+    with from_extra("analysis", f"{goal}: Parquet"):
+        return _ParquetSink(hidden, fields, about)
+
+
+class _ParquetSink:
+    """Write tables whose fields carry units and descriptions; the file says of which test."""
+
+    def __init__(self, path: Path, fields: Sequence[_Field], about: Mapping[str, str]) -> None:
         import pyarrow.parquet
 
-        return pyarrow.parquet.ParquetWriter(path, schema, compression="zstd")
-    return _CsvSink(path, schema)
+        self._arrow = pyarrow
+        types = [pyarrow.from_numpy_dtype(np.dtype(one.dtype)) for one in fields]
+        about_fields = [{"units": one.unit, "long_name": one.description} for one in fields]
+        self._schema = pyarrow.schema(
+            [
+                pyarrow.field(one.name, kind, metadata=words)
+                for one, kind, words in zip(fields, types, about_fields, strict=True)
+            ],
+            metadata=about,
+        )
+        self._writer = pyarrow.parquet.ParquetWriter(path, self._schema, compression="zstd")
 
-
-class _CsvSink:
-    """Write a header of bare names and then tables."""
-
-    def __init__(self, path: Path, schema: Any) -> None:
-        import pyarrow.csv
-
-        self._file = path.open("xb")
-        self._file.write(",".join(schema.names).encode() + b"\n")
-        options = pyarrow.csv.WriteOptions(include_header=False, quoting_style="none")
-        self._writer = pyarrow.csv.CSVWriter(self._file, schema, write_options=options)
-
-    def write(self, table: Any) -> None:
-        self._writer.write(table)
+    def write(self, table: Table) -> None:
+        arrays = [self._arrow.array(values) for values in table.values()]
+        self._writer.write(self._arrow.Table.from_arrays(arrays, schema=self._schema))
 
     def close(self) -> None:
         self._writer.close()
+
+
+class _CsvSink:
+    """Write a header of bare names and then tables, each number as short as it reads back."""
+
+    def __init__(self, path: Path, fields: Sequence[_Field]) -> None:
+        self._file = path.open("x", encoding="ascii", newline="\n")
+        self._file.write(",".join(one.name for one in fields) + "\n")
+
+    def write(self, table: Table) -> None:
+        columns = [values.astype(str).tolist() for values in table.values()]
+        self._file.writelines(f"{','.join(row)}\n" for row in zip(*columns, strict=True))
+
+    def close(self) -> None:
         self._file.close()
 
 
