@@ -11,7 +11,7 @@ from pathlib import Path
 from rigapp.config.errors import UnusableInput
 from rigapp.config.reading import read_text
 from rigapp.config.writing import whole_file
-from rigapp.prepare.examples import RIG, TEST, examples_folder
+from rigapp.prepare.shipped import RIG, TEST, examples_folder
 
 NEW_NAMES = {RIG: "rig.toml", TEST: "test.toml"}
 """What the examples are called where they are somebody's own, also inside of the other files."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
-from rigapp.prepare.examples import RIG, examples_folder
+from rigapp.prepare.shipped import RIG, examples_folder
 from rigapp.process.logs import in_file
 from rigapp.process.memory import begin_to_load
 

@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -15,7 +16,7 @@ from rigapp.commands import init
 from rigapp.commands.init import NEXT, start_folder, starting_files
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
-from rigapp.prepare import examples
+from rigapp.prepare import shipped
 
 TOP = Path(__file__).parents[2]
 EXAMPLES = TOP / "examples"
@@ -148,34 +149,49 @@ def test_the_commands_that_it_offers_work_in_the_folder(tmp_path: Path) -> None:
     assert "rig.toml, test.toml" in again.stderr
 
 
-def test_an_installation_holds_every_file(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_an_installation_holds_every_file() -> None:
     project = tomllib.loads((TOP / "pyproject.toml").read_text())
-    shipped = {
-        Path(place).relative_to("share/rigapp/examples") / one.name
+    held = {
+        Path(place).relative_to(shipped.SHARED) / one.name
         for place, patterns in project["tool"]["setuptools"]["data-files"].items()
         for pattern in patterns
         for one in TOP.glob(pattern)
     }
     old = {new: one for one, new in init.NEW_NAMES.items()}
     for one in starting_files(EXAMPLES):
-        assert one.place.with_name(old.get(one.place.name, one.place.name)) in shipped
-    assert (Path("share/rigapp/examples") / examples.RIG).as_posix() == examples.SHARED
+        assert (
+            Path("examples") / one.place.with_name(old.get(one.place.name, one.place.name)) in held
+        )
+    guides = TOP / "docs"
+    for one in [*guides.glob("*.md"), *(guides / "images").iterdir()]:
+        assert one.relative_to(TOP) in held
 
 
-def test_examples_are_found_where_an_installation_put_them(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+@pytest.mark.parametrize(
+    ("folder", "file", "find"),
+    [
+        ("examples", shipped.RIG, shipped.examples_folder),
+        ("docs", shipped.GUIDE, shipped.guides_folder),
+    ],
+)
+def test_what_is_shipped_is_found_where_an_installation_put_it(
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    folder: str,
+    file: str,
+    find: Callable[[], Path],
 ) -> None:
     site = tmp_path / "lib" / "site-packages"
-    monkeypatch.setattr(examples, "__file__", str(site / "rigapp" / "prepare" / "examples.py"))
-    (site / "examples").mkdir(parents=True)
-    (site / "examples" / examples.RIG).write_text("of another package")
-    shared = tmp_path / examples.SHARED
-    monkeypatch.setattr(examples.metadata, "files", lambda _: [_Installed(shared)])
+    monkeypatch.setattr(shipped, "__file__", str(site / "rigapp" / "prepare" / "shipped.py"))
+    (site / folder).mkdir(parents=True)
+    (site / folder / file).write_text("of another package")
+    shared = tmp_path / shipped.SHARED / folder / file
+    monkeypatch.setattr(shipped.metadata, "files", lambda _: [_Installed(shared)])
     with pytest.raises(UnusableInput, match="install it again"):
-        examples.examples_folder()
+        find()
     shared.parent.mkdir(parents=True)
     shared.write_text("")
-    assert examples.examples_folder() == shared.parent
+    assert find() == shared.parent
 
 
 class _Installed:
@@ -185,7 +201,7 @@ class _Installed:
         self.path = path
 
     def __str__(self) -> str:
-        return "../../" + examples.SHARED
+        return f"../../{self.path.relative_to(self.path.parents[3]).as_posix()}"
 
     def locate(self) -> Path:
         return self.path

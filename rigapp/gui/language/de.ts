@@ -2762,6 +2762,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Den Winkel des Drehgebers nehmen, wie er &amp;jetzt ist</translation>
     </message>
     <message>
+        <source>&amp;Guide</source>
+        <translation>&amp;Anleitung</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
         <source>&amp;Test file</source>
         <translation>&amp;Versuchsdatei</translation>
     </message>

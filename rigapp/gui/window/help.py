@@ -1,17 +1,22 @@
-"""Help on F1: the operator's manual where it is installed, and always the keys."""
+"""Help on F1: the guides with their pictures where they are installed, and always the keys."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QTextBrowser, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt, QUrl
+from PySide6.QtGui import QKeySequence, QPixmap, QShortcut, QTextDocument
+from PySide6.QtWidgets import QHBoxLayout, QTextBrowser, QVBoxLayout, QWidget
 
+from rigapp.config.errors import UnusableInput
 from rigapp.gui.language.words import Text, tr
-from rigapp.gui.widgets.build import named
+from rigapp.gui.widgets.build import button, named
 from rigapp.gui.window.controls import BUTTONS
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
+from rigapp.prepare.shipped import GUIDE, guides_folder
+
+MARGIN = 40  # px: the bar at the side and the page's own margins
 
 KEYS: Text = """
 | Key | Does |
@@ -34,30 +39,77 @@ replaces it. "Stop test" ends a test in order: the spindle runs down, the file i
 """
 
 
-def manual() -> str:
-    """Return the operator's manual as Markdown; only the keys where no manual is installed."""
+def keys() -> str:
+    """Return what each key does, as Markdown."""
     commands = "\n".join(
         f"| {command.key} | {command.spoken.rstrip('…')}: {tr(command.tip)} |"
         for command in BUTTONS
     )
-    keys = f"# {tr('Keys')}\n{tr(KEYS, commands=commands, recover=RECOVER_KEY)}"
-    path = Path(__file__).parents[3] / "docs" / "operator.md"
-    try:
-        return path.read_text(encoding="utf-8") + "\n\n" + keys
-    except OSError:
-        return keys
+    return f"# {tr('Keys')}\n{tr(KEYS, commands=commands, recover=RECOVER_KEY)}"
+
+
+class GuidePages(QTextBrowser):
+    """Show guides: their pictures fit the window, their links lead to each other alone."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setOpenLinks(False)
+        self.anchorClicked.connect(self._follow)
+
+    def loadResource(self, kind: int, name: QUrl | str) -> Any:
+        """Load what a page names; a picture that is too wide is made smaller."""
+        found = super().loadResource(kind, name)
+        if kind != QTextDocument.ResourceType.ImageResource.value or not found:
+            return found
+        picture = found if isinstance(found, QPixmap) else QPixmap()
+        room = max(self.viewport().width() - MARGIN, 1)
+        if not isinstance(found, QPixmap) and not picture.loadFromData(found):
+            return found
+        if picture.width() <= room:
+            return picture
+        return picture.scaledToWidth(room, Qt.TransformationMode.SmoothTransformation)
+
+    def _follow(self, link: QUrl) -> None:
+        """Go to another guide, or to a heading of this one; nowhere else."""
+        target = self.source().resolved(link)
+        path = Path(target.toLocalFile())
+        if path.suffix == ".md" and path.is_file():
+            self.setSource(target, QTextDocument.ResourceType.MarkdownResource)
 
 
 class HelpWindow(QWidget):
-    """Show the manual in a window of its own, which never blocks the first one."""
+    """Show the guides in a window of its own, which never blocks the first one."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent, Qt.WindowType.Window)
         named(self, "help", "Help").setWindowTitle(tr("Help"))
-        self.browser = named(QTextBrowser(), "help_text", "Manual")
-        self.browser.setOpenExternalLinks(False)
-        self.browser.setMarkdown(manual())
+        self.browser = named(GuidePages(), "help_text", "Manual")
+        self._guide = button("help_guide", "&Guide", self.show_guide)
+        back = button("help_back", "&Back", self.browser.backward)
+        back.setEnabled(False)
+        self.browser.backwardAvailable.connect(back.setEnabled)
+        row = QHBoxLayout()
+        for one in (self._guide, button("help_keys", "&Keys", self.show_keys), back):
+            row.addWidget(one)
+        row.addStretch()
         column = QVBoxLayout(self)
+        column.addLayout(row)
         column.addWidget(self.browser)
         QShortcut(QKeySequence(Qt.Key.Key_Escape), self, self.close)
-        self.resize(820, 640)
+        self.resize(980, 720)
+        self.show_guide()
+
+    def show_guide(self) -> None:
+        """Show the operator's guide; the keys where no guide is installed."""
+        try:
+            path = guides_folder() / GUIDE
+        except UnusableInput:
+            self._guide.setEnabled(False)
+            self.show_keys()
+            return
+        page = QUrl.fromLocalFile(str(path))
+        self.browser.setSource(page, QTextDocument.ResourceType.MarkdownResource)
+
+    def show_keys(self) -> None:
+        """Show what each key does."""
+        self.browser.setMarkdown(keys())

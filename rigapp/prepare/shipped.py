@@ -1,0 +1,48 @@
+"""Where examples and guides stand: beside the source, or where the installed package put them."""
+
+from __future__ import annotations
+
+from importlib import metadata
+from pathlib import Path
+
+from rigapp.config.errors import UnusableInput
+
+RIG = "simulated.toml"
+TEST = "quick.toml"
+GUIDE = "operator.md"
+SHARED = Path("share/rigapp")
+"""Where ``pyproject.toml`` lets an installation put both, below its prefix."""
+
+
+def examples_folder() -> Path:
+    """Return the folder of the shipped rig, test and calibration files; raise UnusableInput."""
+    return _shipped("examples", RIG)
+
+
+def guides_folder() -> Path:
+    """Return the folder of the guides with their pictures; raise UnusableInput."""
+    return _shipped("docs", GUIDE)
+
+
+def _shipped(folder: str, file: str) -> Path:
+    """Return the folder in which a shipped file stands."""
+    source = Path(__file__).resolve().parents[2]
+    # Some other package may have put a folder "examples" beside an installed rigapp.
+    if (source / "pyproject.toml").is_file() and (source / folder / file).is_file():
+        return source / folder
+    for one in _installed((SHARED / folder / file).as_posix()):
+        if one.is_file():
+            return one.parent
+    raise UnusableInput(
+        f"The shipped {folder} are neither in {source / folder} nor where rigapp is installed;"
+        " install it again, or name files of your own."
+    )
+
+
+def _installed(shared: str) -> list[Path]:
+    """Return where the installation says that it put a file."""
+    try:
+        files = metadata.files("rigapp") or []
+    except metadata.PackageNotFoundError:
+        return []
+    return [Path(str(one.locate())).resolve() for one in files if str(one).endswith(shared)]

@@ -1,0 +1,79 @@
+"""Help on F1: guides with their pictures, links between them, the keys."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QUrl
+from PySide6.QtWidgets import QPushButton
+from pytestqt.qtbot import QtBot
+
+from rigapp.config.errors import UnusableInput
+from rigapp.gui.window import help as help_module
+from rigapp.gui.window.help import HelpWindow
+from rigapp.prepare.shipped import guides_folder
+
+
+@pytest.fixture
+def shown(qtbot: QtBot) -> HelpWindow:
+    window = HelpWindow()
+    qtbot.addWidget(window)
+    window.show()
+    qtbot.waitExposed(window)
+    return window
+
+
+def press(window: HelpWindow, name: str) -> None:
+    button = window.findChild(QPushButton, name)
+    assert button is not None
+    assert button.isEnabled()
+    button.click()
+
+
+def test_it_begins_with_the_operators_guide_and_its_pictures_fit(shown: HelpWindow) -> None:
+    browser = shown.browser
+    title = (guides_folder() / "operator.md").read_text("utf-8").splitlines()[0]
+    assert browser.toPlainText().startswith(title.removeprefix("# "))
+    pictures = list((guides_folder() / "images").glob("guide-*.png"))
+    assert pictures
+    for one in pictures:
+        picture = browser.loadResource(2, QUrl.fromLocalFile(str(one)))
+        assert 100 < picture.width() <= browser.viewport().width()
+
+
+def test_a_link_leads_to_another_guide_and_back(shown: HelpWindow) -> None:
+    browser = shown.browser
+    first = browser.toPlainText()
+    browser.anchorClicked.emit(QUrl("rig.md#a-test-of-several-steps"))
+    assert Path(browser.source().toLocalFile()).name == "rig.md"
+    assert browser.toPlainText() != first
+    press(shown, "help_back")
+    assert browser.toPlainText() == first
+
+
+@pytest.mark.parametrize("link", ["https://example.org/", "missing.md", "images/guide-log.png"])
+def test_other_links_lead_nowhere(shown: HelpWindow, link: str) -> None:
+    before = shown.browser.source()
+    shown.browser.anchorClicked.emit(QUrl(link))
+    assert shown.browser.source() == before
+
+
+def test_keys_and_guide_by_their_buttons(shown: HelpWindow) -> None:
+    press(shown, "help_keys")
+    assert "Acknowledge the alarm" in shown.browser.toPlainText()
+    press(shown, "help_guide")
+    assert "Acknowledge the alarm that is told in full" not in shown.browser.toPlainText()
+
+
+def test_without_guides_it_shows_the_keys(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
+    def missing() -> Path:
+        raise UnusableInput("not installed")
+
+    monkeypatch.setattr(help_module, "guides_folder", missing)
+    window = HelpWindow()
+    qtbot.addWidget(window)
+    assert "F7" in window.browser.toPlainText()
+    guide = window.findChild(QPushButton, "help_guide")
+    assert guide is not None
+    assert not guide.isEnabled()
