@@ -13,15 +13,12 @@ from typing import Any
 import pytest
 from patience import PATIENCE_S
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "drivers" / "contract"))
-
-from contract_bench import SourceBench, SpindleBench
-from contract_table import read_contracts
-
 from drivers import registry
 from drivers.api import DriverKind
 from rigapp.commands import doctor
 from rigapp.simulation.link import WireFault
+from rigapp.testing.bench import SourceBench, SpindleBench
+from rigapp.testing.contracts import read_contracts
 
 
 @dataclass(order=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import dataclasses
 import threading
 import time
@@ -12,14 +11,14 @@ from typing import Any
 
 import can
 import pytest
-from contract_bench import Port, SourceBench, SpindleBench
-from contract_table import Contract, read_contracts
 from patience import PATIENCE_S
 
 from drivers.api import DriverInfo, DriverKind, Probe
 from drivers.cia402.probe import listen, node_words
-from drivers.discovery import Answer, ask, drivers_of_usb_id, has_speed, may_be_asked
+from drivers.discovery import ask, drivers_of_usb_id, has_speed, may_be_asked
 from drivers.registry import load_driver
+from rigapp.testing.bench import Port
+from rigapp.testing.contracts import read_contracts
 
 Make = Callable[..., Any]
 
@@ -54,70 +53,6 @@ def device(tmp_path: Path) -> Iterator[Callable[[Any], Port]]:
     yield make
     for port in made:
         port.close()
-
-
-def found(port: str, drivers: tuple[DriverInfo, ...]) -> Answer:
-    """Return who answers on a port, asked again as a person would on a busy computer."""
-    inquiries = (ask(port, drivers) for _ in range(10))
-    answer = next((one.answer for one in inquiries if one.answer is not None), None)
-    assert answer is not None
-    return answer
-
-
-def test_the_device_is_found_among_all_others(contract: Contract, bench: Make) -> None:
-    b = bench(contract)
-    answer = found(b.port.url, tuple(_drivers()))
-    assert answer.driver == contract.info.name
-    assert answer.identity.port == b.port.url
-    b.driver.open()  # the port was released
-    b.driver.close()
-
-
-def test_what_answers_is_what_the_driver_identifies(source: Contract, bench: Make) -> None:
-    b = bench(source)
-    told, known = found(b.port.url, (source.info,)).identity, b.driver.open()
-    assert (told.maker, told.model) == (known.maker, known.model)
-    assert (told.firmware, told.serial_number) == (known.firmware, known.serial_number)
-
-
-def test_a_data_source_goes_on_as_it_was(source: Contract, bench: Make) -> None:
-    b: SourceBench = bench(source)
-    before = b.simulator.streaming
-    settings = getattr(b.simulator, "settings", None)
-    kept = copy.deepcopy(settings)
-    ask(b.port.url, _drivers(), 0.1)
-    assert b.simulator.streaming == before
-    if dataclasses.is_dataclass(settings):
-        assert settings == kept
-
-
-def test_no_question_turns_a_motor_that_stands(spindle: Contract, bench: Make) -> None:
-    b: SpindleBench = bench(spindle)
-    moved = threading.Event()
-    produce = b.motor.__call__
-
-    def watched(now_s: float) -> bytes:
-        data = produce(now_s)
-        if not b.is_safe():
-            moved.set()
-        return data
-
-    b.port._produce = watched
-    ask(b.port.url, [info for info in _drivers() if info is not spindle.info], 0.1)
-    ask(b.port.url, [spindle.info], 0.1)
-    assert not moved.is_set()
-
-
-def test_a_motor_that_turns_is_left_alone(spindle: Contract, bench: Make) -> None:
-    b: SpindleBench = bench(spindle)
-    b.connect(5.0)
-    b.turn()
-    sent = len(b.port.received)
-    inquiry = ask(b.port.url, _drivers())
-    assert inquiry.answer is None
-    assert "in use" in inquiry.problem
-    assert len(b.port.received) == sent
-    b.turn()
 
 
 def test_roboclaw_and_can_are_only_read(bench: Make) -> None:

@@ -5,9 +5,12 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from contract_table import Contract
+import pytest
 
 from drivers.registry import available_drivers, load_driver
+from rigapp.testing.contracts import Contract, read_contracts
+
+pytestmark = pytest.mark.rigapp_contract
 
 ROOT = Path(__file__).parents[3]
 PAGE = (ROOT / "docs" / "drivers.md").read_text("utf-8")
@@ -46,3 +49,20 @@ def test_every_driver_tells_how_it_is_recognised(contract: Contract) -> None:
     assert contract.info.probe is not None
     if contract.info.factory.__module__.startswith("drivers."):
         assert f"| `{contract.info.name}` |" in PAGE.split("## Finding devices", 1)[1]
+
+
+def test_every_shipped_driver_with_a_simulator_is_in_the_contract() -> None:
+    shipped = {
+        name
+        for name in available_drivers()
+        if (info := load_driver(name)).simulator is not None
+        and info.factory.__module__.startswith("drivers.")
+    }
+    assert shipped == {one.info.name for one in read_contracts()}
+
+
+def test_a_contract_for_a_driver_that_is_not_there_is_refused(tmp_path: Path) -> None:
+    table = tmp_path / "contract.toml"
+    table.write_text("[driver.nobody]\n", "utf-8")
+    with pytest.raises(ValueError, match="no such driver is installed: nobody"):
+        read_contracts([table])

@@ -10,7 +10,6 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
-from contract_table import VARIABLE
 
 ROOT = Path(__file__).parents[3]
 EXAMPLE = ROOT / "examples" / "driver_example"
@@ -29,7 +28,7 @@ def installed(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, str]:
     done = run(pip + options + [str(source)])
     assert done.returncode == 0, done.stderr
     path = os.pathsep.join([str(site), os.environ.get("PYTHONPATH", "")]).strip(os.pathsep)
-    return {**os.environ, "PYTHONPATH": path, VARIABLE: str(EXAMPLE / "contract.toml")}
+    return {**os.environ, "PYTHONPATH": path}
 
 
 def run(
@@ -62,10 +61,9 @@ def test_it_is_listed_beside_the_shipped_drivers(installed: Mapping[str, str]) -
 
 
 def test_it_keeps_the_contract_of_data_sources(installed: Mapping[str, str]) -> None:
-    suite = ["test_data_sources.py", "test_discovery.py"]
-    files = [str(Path(__file__).with_name(name)) for name in suite]
-    pytest_command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
-    done = run([*pytest_command, *files, "-k", "simple_adc"], installed)
+    suite = ["--pyargs", "rigapp.testing", "--rigapp-contract", str(EXAMPLE / "contract.toml")]
+    options = ["-q", "-p", "no:cacheprovider", "-p", "rigapp.testing.plugin", "-k", "simple_adc"]
+    done = run([sys.executable, "-m", "pytest", *options, *suite], installed)
     assert done.returncode == 0, done.stdout
     summary = done.stdout.strip().splitlines()[-1]
     passed = int(summary.split(" passed")[0].split()[-1])

@@ -8,12 +8,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-from contract_bench import COUNTS, PERIOD, SourceBench, SpindleBench, truth, wait_until
-from contract_table import Contract, read_contracts
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp.engine.devices import Devices, make_devices
+from rigapp.testing.bench import COUNTS, PERIOD, SourceBench, SpindleBench, truth, wait_until
+from rigapp.testing.contracts import Contract, read_contracts
+
+pytestmark = pytest.mark.rigapp_contract
 
 Make = Callable[..., Any]
 RIG = """

@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from contract_table import Contract, ExpectedFault
 from numpy.typing import NDArray
 
 from drivers.api import (
@@ -31,9 +30,10 @@ from drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignal
 from rigapp.process.owntime import OwnTime
 from rigapp.simulation.endpoints import PtyEndpoint
 from rigapp.simulation.link import SimulatedWire, WireFault
+from rigapp.testing.contracts import Contract, ExpectedFault
 
 PATIENCE = 3.0
-"""So many times longer may a driver take on a busy computer than ``contract.toml`` says."""
+"""So many times longer may a driver take on a busy computer than the contract says."""
 PERIOD = 480
 """Samples of a revolution; the first analog input says which of them a sample is."""
 COUNTS = 3600

@@ -1,14 +1,13 @@
 """The contract's table: which drivers, how they are asked, which faults they must tell and when.
 
-``contract.toml`` holds the shipped drivers. A driver of another package brings a file of the same
-form, named in the environment variable RIGAPP_CONTRACT (several are separated as in PATH).
+``shipped.toml`` holds the shipped drivers. A driver of another package brings a file of the same
+form.
 """
 
 from __future__ import annotations
 
-import os
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -16,8 +15,7 @@ from typing import Any
 from drivers.api import DriverInfo
 from drivers.registry import available_drivers, load_driver
 
-TABLE = Path(__file__).with_name("contract.toml")
-VARIABLE = "RIGAPP_CONTRACT"
+SHIPPED = Path(__file__).with_name("shipped.toml")
 
 
 @dataclass(frozen=True)
@@ -63,18 +61,21 @@ class Contract:
     faults: tuple[ExpectedFault, ...]
 
 
-def read_contracts() -> list[Contract]:
-    """Return a contract for every installed driver that has a simulator."""
-    files = list(_files())
+def read_contracts(others: Iterable[Path] = ()) -> list[Contract]:
+    """Return a contract for every driver that a table names.
+
+    others: tables of drivers of other packages. Raises ValueError where a table names a driver
+    that is not installed.
+    """
+    files = [tomllib.loads(path.read_text("utf-8")) for path in (SHIPPED, *others)]
     rows = [_row(row) for file in files for row in file.get("fault", ())]
     profiles = {name: profile for file in files for name, profile in file["driver"].items()}
+    missing = sorted(profiles.keys() - set(available_drivers()))
+    if missing:
+        raise ValueError(f"no such driver is installed: {', '.join(missing)}")
     contracts = []
-    for name in available_drivers():
+    for name, profile in profiles.items():
         info = load_driver(name)
-        if info.simulator is None:
-            continue
-        profile = profiles.get(name)
-        assert profile is not None, f"driver {name} is in no contract file: add [driver.{name}]"
         faults = tuple(row for row in rows if {name, str(info.kind)} & set(row.drivers))
         inputs = {key: (kind, span) for key, (kind, span) in profile.get("inputs", {}).items()}
         contracts.append(
@@ -95,12 +96,6 @@ def _own_rows_first(rows: tuple[ExpectedFault, ...], name: str) -> tuple[Expecte
     own = [row for row in rows if name in row.drivers]
     taken = {row.name for row in own}
     return (*own, *(row for row in rows if name not in row.drivers and row.name not in taken))
-
-
-def _files() -> Iterator[dict[str, Any]]:
-    others = os.environ.get(VARIABLE, "")
-    for path in [TABLE, *(Path(text) for text in others.split(os.pathsep) if text)]:
-        yield tomllib.loads(path.read_text("utf-8"))
 
 
 def _row(row: dict[str, Any]) -> ExpectedFault:

@@ -1,4 +1,4 @@
-"""What every slow source must do, in front of its simulator; faults as in ``contract.toml``."""
+"""What every slow source must do, in front of its simulator; faults as in the contract."""
 
 from __future__ import annotations
 
@@ -6,10 +6,12 @@ import re
 from collections.abc import Callable
 
 import pytest
-from contract_bench import PATIENCE, SlowBench, wait_until
-from contract_table import Contract, ExpectedFault
 
 from drivers.api import ConnectionFailed, DeviceError, SettingRefused, SlowRequest
+from rigapp.testing.bench import PATIENCE, SlowBench, wait_until
+from rigapp.testing.contracts import Contract, ExpectedFault
+
+pytestmark = pytest.mark.rigapp_contract
 
 Make = Callable[..., SlowBench]
 

@@ -1,4 +1,4 @@
-"""What every spindle must do, in front of its simulator; faults as in ``contract.toml``."""
+"""What every spindle must do, in front of its simulator; faults as in the contract."""
 
 from __future__ import annotations
 
@@ -9,17 +9,18 @@ import time
 from collections.abc import Callable
 
 import pytest
-from contract_bench import COUNTS, PATIENCE, WATCHDOG_S, SpindleBench, wait_until
-from contract_table import Contract, ExpectedFault, read_contracts
 
 from drivers.api import (
     ConnectionFailed,
     DeviceError,
     DeviceFault,
-    DriveRequest,
     DriveStatus,
     SettingRefused,
 )
+from rigapp.testing.bench import COUNTS, PATIENCE, WATCHDOG_S, SpindleBench, wait_until
+from rigapp.testing.contracts import Contract, ExpectedFault
+
+pytestmark = pytest.mark.rigapp_contract
 
 Make = Callable[..., SpindleBench]
 SAFE_S = WATCHDOG_S + 1.5
@@ -78,12 +79,6 @@ def test_a_gear_is_between_motor_and_crank(
     assert turned > 0.9, "its own count is the motor's"
     b.driver.set_speed(0.0, 1000.0)
     wait_until(b.is_safe, "the controlled stop")
-
-
-@pytest.mark.parametrize("gear_ratio", [0.0, -2.0, float("nan"), float("inf")])
-def test_a_gear_that_turns_nothing_is_refused(gear_ratio: float) -> None:
-    with pytest.raises(ValueError, match="gear_ratio"):
-        DriveRequest(COUNTS, 1, 12.0, WATCHDOG_S, gear_ratio=gear_ratio)
 
 
 def test_a_port_in_use_is_refused_and_the_motor_goes_on(spindle: Contract, bench: Make) -> None:
@@ -162,20 +157,6 @@ def test_fault_is_told_in_time_and_the_spindle_is_safe(
     else:
         b.driver.close()
         _reconnects(b)
-
-
-def test_a_cut_can_frame_is_counted_and_not_taken(bench: Make) -> None:
-    b = bench(next(c for c in read_contracts() if c.info.name == "cia402"))
-    b.connect(PATIENT_S)
-    b.turn()
-    before = b.driver.status().crc_errors
-    for line in (b"t38160000\r", b"t081831220000\r"):  # a velocity and an emergency, both cut
-        with b.port._lock:
-            b.port.wire.send(line, time.monotonic(), droppable=False)
-    wait_until(lambda: b.driver.status().crc_errors >= before + 2, "the cut frames to be counted")
-    status = b.driver.status()
-    assert not status.faults
-    _is_true(b, status)
 
 
 def _poll_until_told(

@@ -1,0 +1,92 @@
+"""The plug-in for pytest: every test of the suite on every driver that it is about."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from drivers.api import DriverInfo, DriverKind
+from rigapp.testing.bench import SlowBench, SourceBench, SpindleBench
+from rigapp.testing.contracts import Contract, read_contracts
+
+OPTION = "--rigapp-contract"
+MARK = "rigapp_contract"
+BENCHES = {
+    DriverKind.DATA_SOURCE: SourceBench,
+    DriverKind.SPINDLE: SpindleBench,
+    DriverKind.SLOW_SOURCE: SlowBench,
+}
+ARGUMENTS = {
+    "source": (DriverKind.DATA_SOURCE, False),
+    "source_fault": (DriverKind.DATA_SOURCE, True),
+    "spindle": (DriverKind.SPINDLE, False),
+    "spindle_fault": (DriverKind.SPINDLE, True),
+    "slow": (DriverKind.SLOW_SOURCE, False),
+    "slow_fault": (DriverKind.SLOW_SOURCE, True),
+    "contract": (None, False),
+}
+"""What a test of the suite may ask for: drivers of a kind, or each with each of its faults."""
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Take the tables of drivers of other packages."""
+    parser.addoption(
+        OPTION,
+        action="append",
+        default=[],
+        type=Path,
+        metavar="CONTRACT.toml",
+        help="table of a driver that rigapp does not ship: settings, inputs, faults; repeatable",
+    )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Name the mark of the suite's tests."""
+    config.addinivalue_line("markers", f"{MARK}: runs on every driver that a contract names")
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """Give a test of the suite the drivers, or the drivers with their faults, that it asks for."""
+    if metafunc.definition.get_closest_marker(MARK) is None:
+        return
+    contracts = _contracts(metafunc.config)
+    asked = {name: ARGUMENTS[name] for name in ARGUMENTS if name in metafunc.fixturenames}
+    for argument, (kind, with_faults) in asked.items():
+        found = [one for one in contracts if kind in (None, one.info.kind)]
+        if with_faults:
+            pairs = [(one, fault) for one in found for fault in one.faults]
+            ids = [f"{one.info.name}-{fault.name}" for one, fault in pairs]
+            metafunc.parametrize(argument, pairs, ids=ids)
+        else:
+            metafunc.parametrize(argument, found, ids=[one.info.name for one in found])
+
+
+def _contracts(config: pytest.Config) -> list[Contract]:
+    try:
+        return read_contracts(config.getoption(OPTION))
+    except (OSError, ValueError) as error:
+        raise pytest.UsageError(f"{OPTION}: {error}") from error
+
+
+@pytest.fixture
+def known_drivers(pytestconfig: pytest.Config) -> tuple[DriverInfo, ...]:
+    """Return every driver that a contract names."""
+    return tuple(one.info for one in _contracts(pytestconfig))
+
+
+@pytest.fixture
+def bench(tmp_path: Path) -> Iterator[Callable[..., Any]]:
+    """Make benches: ``bench(contract, **settings)``; all are closed at the end."""
+    made: list[Any] = []
+
+    def make(contract: Contract, **settings: Any) -> Any:
+        kind = BENCHES[contract.info.kind]
+        made.append(kind(contract, tmp_path / f"port{len(made)}", settings))
+        return made[-1]
+
+    yield make
+    for one in made:
+        one.close()
