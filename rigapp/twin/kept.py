@@ -24,10 +24,13 @@ def kept_of(reader: TestReader) -> Identifier:
         raise CannotBeTold(
             "the file was recorded without a prediction, or by a version that did not ask for it"
         )
+    state = reader.checkpoint()
+    if not state:
+        raise CannotBeTold("the twin had followed no revolution of it when the test ended")
     try:
         text = str(reader.configuration()["test"])
         test = parse_test(text, "its test", recorded=True)
-        found = msgspec.msgpack.decode(reader.checkpoint(), type=Checkpoint)
+        found = msgspec.msgpack.decode(state, type=Checkpoint)
     except (UnusableInput, msgspec.DecodeError) as error:
         raise CannotBeTold(f"the twin has left nothing readable in the file ({error})") from error
     parameters = to_parameters(test.model)
@@ -38,7 +41,7 @@ def kept_of(reader: TestReader) -> Identifier:
         raise CannotBeTold("the twin did not ask for it")
     identifier = Identifier(parameters, found.identified.sought)
     twin = Twin(parameters, test.prediction.joint, identifier=identifier)
-    restore(twin, reader.checkpoint())
+    restore(twin, state)
     return identifier
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
+import h5py
 import msgspec
 import numpy as np
 import pytest
@@ -148,3 +150,14 @@ def test_it_is_written_in_each_form(
 def test_a_target_of_another_kind_is_refused_before_anything_is_read(tmp_path: Path) -> None:
     with pytest.raises(UnusableInput, match="the name must end with one of"):
         identify_tests([tmp_path / "missing.h5"], tmp_path / "wear.txt", as_json=False)
+
+
+def test_a_test_that_its_twin_never_followed_says_so(folder: Path, tmp_path: Path) -> None:
+    path = tmp_path / "short.h5"
+    shutil.copy(folder / "first.h5", path)
+    path.chmod(0o600)
+    with h5py.File(path, "r+") as file:
+        file["entry/prediction/checkpoint_length"][:] = 0
+    found = identified_test(path)
+    assert found.known is None
+    assert "the twin had followed no revolution" in found.said

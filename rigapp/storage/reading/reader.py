@@ -413,7 +413,7 @@ class TestReader:
             return "complete", reason
         if stored in ("stopped", "fault"):
             return "stopped", reason
-        if writer_is_alive(self.path):
+        if writer_is_alive(self.path, self._state_text("writer")):
             return "running", ""
         whole = self.has_all_revolutions()
         safe = f"all {revolutions} revolutions are" if whole else f"{revolutions} revolutions are"

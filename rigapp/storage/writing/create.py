@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
-import resource
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -62,14 +61,24 @@ def refuse_bad_target(path: Path, plan: FilePlan) -> None:
         raise UnusableInput(f"{path}: the folder {folder} cannot be written to; choose another one")
     streams = streams_of(plan).values()
     refuse_little_space(folder, path, reserved_bytes(streams) + STRUCTURE_BYTES)
-    limit = resource.getrlimit(resource.RLIMIT_FSIZE)[0]
+    limit = _largest_file()
     length = declared_bytes(streams) + STRUCTURE_BYTES
-    if limit != resource.RLIM_INFINITY and length > limit:
+    if limit is not None and length > limit:
         raise UnusableInput(
             f"{path}: the test needs a file of {length / MEGABYTE:.0f} MB, but this system allows "
             f"files of {limit / MEGABYTE:.0f} MB; {(length - limit) / MEGABYTE:.1f} MB are missing,"
             " keep fewer whole cycles or raise the limit (ulimit -f)"
         )
+
+
+def _largest_file() -> int | None:
+    """Return the bytes that this system allows a file, None for any number."""
+    try:
+        import resource
+    except ImportError:  # not a POSIX system
+        return None
+    limit = resource.getrlimit(resource.RLIMIT_FSIZE)[0]
+    return None if limit == resource.RLIM_INFINITY else limit
 
 
 def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Disk, Places]:
