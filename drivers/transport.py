@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import select
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -18,12 +19,14 @@ import serial
 
 from drivers.api import BytePort, ConnectionFailed, DeviceLost, Identity
 
-try:
-    from termios import error as termios_error
-except ImportError:  # Windows
-    termios_error = OSError  # type: ignore[misc, assignment]
+_PORT_ERRORS: tuple[type[Exception], ...] = (OSError, ValueError)
+"""What a port raises; pyserial's own error is an OSError."""
+if sys.platform != "win32":
+    with contextlib.suppress(ImportError):
+        import termios
 
-_PORT_ERRORS = (OSError, ValueError, termios_error)  # SerialException is an OSError
+        _PORT_ERRORS += (termios.error,)
+_NOT_ABLE: tuple[type[Exception], ...] = (AttributeError, NotImplementedError, *_PORT_ERRORS)
 _PARITIES = {"none": "N", "even": "E", "odd": "O"}
 _SLICE_S = 0.1  # a waiting reader looks this often whether the port was closed
 _DRAIN_QUIET_S = 0.02  # longer than a USB adapter holds bytes back (16 ms)
@@ -218,7 +221,7 @@ def _read_counting(opened: Any, maximum: int, wait_s: float) -> bytes:
 def _can_select(opened: Any) -> bool:
     try:
         select.select([opened.fileno()], [], [], 0)
-    except (AttributeError, *_PORT_ERRORS):  # io.UnsupportedOperation is an OSError
+    except _NOT_ABLE:  # io.UnsupportedOperation is an OSError
         return False
     return True
 
@@ -226,7 +229,7 @@ def _can_select(opened: Any) -> bool:
 def _set_low_latency(opened: Any) -> bool:
     try:
         opened.set_low_latency_mode(True)
-    except (AttributeError, NotImplementedError, *_PORT_ERRORS):
+    except _NOT_ABLE:
         # So pyserial tells that this system, or this kind of port, has no such mode.
         return False
     return True

@@ -224,6 +224,8 @@ def identity_words(inquiry: Inquiry) -> str:
 
 def permission_advice(device: str) -> str:
     """Return what to do about a port that this user may not open."""
+    if sys.platform == "win32":
+        return "no permission to open it."
     try:
         import grp
 

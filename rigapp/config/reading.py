@@ -6,6 +6,7 @@ import errno
 import os
 import select
 import stat
+import sys
 import threading
 import time
 from pathlib import Path
@@ -104,6 +105,8 @@ def _all_of(path: Path, descriptor: int, largest: int, *, pipe: bool) -> bytes:
 
 def _something_comes(descriptor: int, seconds: float) -> bool:
     """Wait for bytes or for the end of a pipe; a pipe without a writer yet brings neither."""
+    if sys.platform == "win32":  # where it is no matter of a file's name
+        return True
     watch = select.poll()
     watch.register(descriptor, select.POLLIN)
     return bool(watch.poll(1000.0 * seconds))

@@ -149,8 +149,9 @@ def _bounded(argv: Sequence[str], given: bytes, *, keep: bool) -> tuple[int | No
         return None, b""
     finally:
         if process.returncode is None:
-            with suppress(OSError):
-                os.killpg(process.pid, signal.SIGKILL)
+            if sys.platform != "win32":
+                with suppress(OSError):
+                    os.killpg(process.pid, signal.SIGKILL)
             process.kill()
             process.wait()
             for stream in (process.stdin, process.stdout):

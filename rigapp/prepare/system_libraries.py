@@ -61,6 +61,8 @@ def _loads(library: str) -> bool:
 
 def _administrator() -> list[str] | None:
     """Return the prefix that runs a command as administrator, None when not allowed."""
+    if sys.platform == "win32":
+        return None
     if os.geteuid() == 0:
         return []
     if shutil.which("sudo"):

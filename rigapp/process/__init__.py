@@ -2,5 +2,5 @@
 
 Any package of rigapp may enter; this one imports none of them but schema and the errors of config.
 Others enter by ``ending``, ``leftovers``, ``locks``, ``logs``, ``memory``,
-``owntime``, ``private``, ``threads``.
+``owntime``, ``priority``, ``private``, ``threads``.
 """

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
+from rigapp.process.priority import give_way
 from rigapp.schema.messages import Flag
 from rigapp.schema.results import TestResult
 from rigapp.storage import TestReader, open_test
@@ -137,7 +138,7 @@ def _with_uncertainty(found: TestResult, test: TestReader) -> TestResult:
 
 def main(arguments: list[str]) -> int:
     """Answer the paths of standard input; return the exit status."""
-    os.nice(NICENESS)
+    give_way(NICENESS)
     encoder = msgspec.msgpack.Encoder()
     try:
         for line in sys.stdin.buffer.read().splitlines():

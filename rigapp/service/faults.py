@@ -19,7 +19,7 @@ def fault_choices(devices: tuple[tuple[str, str], ...]) -> list[FaultChoice]:
     """Return every fault of a simulated rig; devices: (name, driver) of each."""
     # The simulator is loaded when a simulated rig is there, not with the window.
     from rigapp.simulation.disturbances import SignalFault
-    from rigapp.simulation.link import WireFault
+    from rigapp.simulation.wire.link import WireFault
 
     found = [FaultChoice(kind.value, "signal") for kind in SignalFault]
     for name, driver in devices:

@@ -170,12 +170,17 @@ class EngineHost:
         )
 
     def _listen(self, bind: Bind | None) -> Server:
-        keys = lasting_folder() if bind is not None and bind.curve else None
-        if bind is not None and keys is not None:
-            require_viewers(keys, bind)
+        if bind is not None:
+            addresses, by_key = bind.endpoints(), bind.curve
+        else:
+            addresses = local_endpoints(runtime_folder(), os.getpid())
+            # A port of this computer is open to its other users, as a socket in our folder is not.
+            by_key = addresses[0].startswith("tcp:")
+        keys = lasting_folder() if by_key else None
+        if keys is not None:
+            if bind is not None:
+                require_viewers(keys, bind)
             authorise_own_viewer(keys)
-        own = os.getpid()
-        addresses = bind.endpoints() if bind is not None else local_endpoints(runtime_folder(), own)
         return Server(
             self.handle,
             self.snapshot,

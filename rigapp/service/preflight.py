@@ -8,6 +8,7 @@ from __future__ import annotations
 import enum
 import math
 import os
+import shutil
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -72,10 +73,10 @@ def disk_facts(
     try:
         if not os.access(folder, os.W_OK | os.X_OK):
             return DiskFacts(folder, needed, 0, f"{folder} does not exist or cannot be written to")
-        disk = os.statvfs(folder)
+        free = shutil.disk_usage(folder).free
     except OSError as error:
         return DiskFacts(folder, needed, 0, f"{folder}: {error}")
-    return DiskFacts(folder, needed, disk.f_bavail * disk.f_frsize)
+    return DiskFacts(folder, needed, free)
 
 
 def preflight(

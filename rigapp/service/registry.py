@@ -95,7 +95,10 @@ def kept_of(rig: Path, what: str) -> Path:
 
 
 def local_endpoints(folder: Path, pid: int) -> tuple[str, str]:
-    """Return (commands, snapshots) addresses: Unix sockets, or loopback where there are none."""
+    """Return (commands, snapshots) addresses: Unix sockets, or ports of loopback where none can be.
+
+    A folder with too long a name can hold none either.
+    """
     if sys.platform == "win32" or len(str(folder)) > LONGEST_SOCKET_FOLDER:
         return "tcp://127.0.0.1:*", "tcp://127.0.0.1:*"
     return f"ipc://{folder}/{pid}.commands", f"ipc://{folder}/{pid}.snapshots"

@@ -1,4 +1,6 @@
-"""Where an engine listens, and who may attach: Unix sockets and loopback freely, others by key.
+"""Where an engine listens, and who may attach: by Unix sockets freely, to ports by key.
+
+A port of loopback that the operator asks for is free; one that stands for Unix sockets is not.
 
 Beyond this computer every viewer needs a CurveZMQ key pair whose public half lies in the engine's
 folder of authorised viewers. Keys lie in ``keys`` in the lasting folder (see ``registry``):

@@ -22,8 +22,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import DeviceSection, RigFile
 from rigapp.schema.channels import ChannelTable
 from rigapp.simulation.disturbances import WiredSignals
-from rigapp.simulation.endpoints import Endpoint
-from rigapp.simulation.link import SimulatedWire
+from rigapp.simulation.wire.endpoints import Endpoint
+from rigapp.simulation.wire.link import SimulatedWire
 
 MakeEndpoint = Callable[[str], Endpoint]
 

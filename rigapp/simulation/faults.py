@@ -37,7 +37,7 @@ from rigapp.config.toml import toml_tree
 from rigapp.schema.channels import ChannelTable
 from rigapp.schema.faults import FaultRecord
 from rigapp.simulation.disturbances import BRIDGES, SignalFault
-from rigapp.simulation.link import WireFault
+from rigapp.simulation.wire.link import WireFault
 
 WIRE_KINDS = frozenset(WireFault)
 SIGNAL_KINDS = frozenset(SignalFault)

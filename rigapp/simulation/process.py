@@ -109,21 +109,15 @@ def _run(options: argparse.Namespace, stack: contextlib.ExitStack) -> int:
 
 def _endpoints(sockets: bool, stack: contextlib.ExitStack) -> Callable[[str], Any]:
     """Return what makes an endpoint for a device: a pty, or TCP where there are none."""
-    from rigapp.simulation.endpoints import Endpoint, PtyEndpoint, SocketEndpoint
+    from rigapp.simulation.wire.endpoints import SocketEndpoint
+    from rigapp.simulation.wire.ports import port_at
 
     if sockets:
         return lambda name: SocketEndpoint()
     remove_left_behind(Path(tempfile.gettempdir()), LEFT_BEHIND)
     folder = Path(tempfile.mkdtemp(prefix=f"{FOLDER}{os.getpid()}-"))
     stack.callback(shutil.rmtree, folder, ignore_errors=True)
-
-    def make(name: str) -> Endpoint:
-        try:
-            return PtyEndpoint(folder / name)
-        except OSError:
-            return SocketEndpoint()
-
-    return make
+    return lambda name: port_at(folder / name)
 
 
 def _loop(rig: Any, stopping: list[str], *, exit_with_parent: bool) -> None:

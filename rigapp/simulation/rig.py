@@ -34,11 +34,11 @@ from rigapp.simulation.disturbances import Disturbances, SignalFault, WiredSigna
 from rigapp.simulation.faults import SIGNAL_KINDS, WIRE_KINDS, Timetable, check_fault
 from rigapp.simulation.hands import PlantHands
 from rigapp.simulation.layout import Drive
-from rigapp.simulation.link import WireFault
 from rigapp.simulation.pacing import PlantPace
 from rigapp.simulation.plant import Plant
 from rigapp.simulation.surroundings import DRIVE_WARMER_K, FreeInputs, slow_values
 from rigapp.simulation.truth import TruthRecorder
+from rigapp.simulation.wire.link import WireFault
 
 STANDING = 1e-6
 """A crank slower than this stands, rad/s."""

@@ -28,8 +28,8 @@ from drivers.api import (
 from drivers.registry import check_settings, load_simulator
 from drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
 from rigapp.process.owntime import OwnTime
-from rigapp.simulation.endpoints import PtyEndpoint
-from rigapp.simulation.link import SimulatedWire, WireFault
+from rigapp.simulation.wire.link import SimulatedWire, WireFault
+from rigapp.simulation.wire.ports import port_at
 from rigapp.testing.contracts import Contract, ExpectedFault
 
 PATIENCE = 3.0
@@ -59,7 +59,7 @@ class Port:
     """
 
     def __init__(self, simulator: Any, link: Path, produce: Produce, *, streams: bool) -> None:
-        self.wire = SimulatedWire(PtyEndpoint(link))
+        self.wire = SimulatedWire(port_at(link))
         self.url = self.wire.endpoint.url
         self.failure: BaseException | None = None
         self.received = bytearray()

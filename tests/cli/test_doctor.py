@@ -16,7 +16,7 @@ from patience import PATIENCE_S
 from drivers import registry
 from drivers.api import DriverKind
 from rigapp.commands import doctor
-from rigapp.simulation.link import WireFault
+from rigapp.simulation.wire.link import WireFault
 from rigapp.testing.bench import SourceBench, SpindleBench
 from rigapp.testing.contracts import read_contracts
 

@@ -147,6 +147,26 @@ def test_viewer_with_another_key_cannot_attach_until_it_is_authorised(
 
 
 def test_viewer_without_a_key_cannot_attach(entry: EngineEntry) -> None:
+    refuses_strangers(entry)
+
+
+def test_a_port_in_place_of_unix_sockets_demands_keys(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / ("long" * 25)
+    monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(folder))
+    host = EngineHost(read_rig(RIG), "max")
+    try:
+        client = attach(RIG)
+        assert client.entry.commands.startswith("tcp://127.0.0.1:")
+        assert client.request("status").result["state"] == "idle"
+        client.close()
+        refuses_strangers(client.entry)
+    finally:
+        host.close()
+
+
+def refuses_strangers(entry: EngineEntry) -> None:
     context = zmq.Context()
     asks, looks = context.socket(zmq.REQ), context.socket(zmq.SUB)
     try:

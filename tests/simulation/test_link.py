@@ -11,8 +11,9 @@ from pathlib import Path
 import pytest
 import serial
 
-from rigapp.simulation.endpoints import Endpoint, PtyEndpoint, SocketEndpoint
-from rigapp.simulation.link import OutputQueue, SimulatedWire, WireFault
+from rigapp.simulation.wire.endpoints import Endpoint, SocketEndpoint
+from rigapp.simulation.wire.link import OutputQueue, SimulatedWire, WireFault
+from rigapp.simulation.wire.pty import PtyEndpoint
 
 
 def wait_for(condition: Callable[[], bool], what: str, deadline_s: float = 60.0) -> None:

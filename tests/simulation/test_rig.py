@@ -21,9 +21,9 @@ from rigapp.config.rig import ChannelSection, RigFile
 from rigapp.schema.faults import FaultRecord
 from rigapp.simulation import devices
 from rigapp.simulation.control import Lines, answer
-from rigapp.simulation.endpoints import PtyEndpoint
 from rigapp.simulation.rig import RigSimulation
 from rigapp.simulation.truth import COLUMNS, TruthRecorder
+from rigapp.simulation.wire.pty import PtyEndpoint
 
 NONE: Mapping[str, ChannelSection] = {}
 FREE = {

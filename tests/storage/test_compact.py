@@ -136,15 +136,17 @@ def test_too_little_room_for_the_copy_leaves_the_original(
         assert check(reader) == 150
 
 
-STEPS = ("write_duplicate", "_sync_file", "first_difference", "sync_folder")
+STEPS = ("write_duplicate", "_sync_file", "first_difference", "FILES.sync_folder")
 KILLED_AT = """
 import os, signal, sys
 from rigapp.storage.upkeep import compact
-honest = getattr(compact, sys.argv[2])
+*owners, name = sys.argv[2].split(".")
+owner = getattr(compact, owners[0]) if owners else compact
+honest = getattr(owner, name)
 def die(*arguments):
     if sys.argv[3] == "after": honest(*arguments)
     os.kill(os.getpid(), signal.SIGKILL)
-setattr(compact, sys.argv[2], die)
+setattr(owner, name, die)
 compact.compact_test(sys.argv[1])
 """
 

@@ -23,7 +23,7 @@ from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, StorageFailed, open_test, reopen_test
 from rigapp.storage.filesystem.disk import Disk
-from rigapp.storage.filesystem.locks import writer_is_alive
+from rigapp.storage.filesystem.system import FILES
 
 PAGE = 4096
 SMALL = FilePlan(
@@ -63,7 +63,7 @@ def kill_one_writer(folder: Path, chance: random.Random, number: int, *words: st
         rest, _ = process.communicate(timeout=PATIENCE_S)
         lines = [line for line in rest.split(b"\n")[:-1] if line]
         announced = int(lines[-1]) if lines else announced
-        assert not writer_is_alive(path)
+        assert not FILES.is_held(path, "")
         with open_test(path) as reader:
             number_safe = check(reader)
             assert number_safe >= announced >= before
@@ -295,7 +295,7 @@ def test_a_failing_disk_is_reported_for_good_and_costs_nothing_committed(
     def fail(fd: int) -> None:
         raise OSError(5, "Input/output error")
 
-    monkeypatch.setattr(os, "fdatasync", fail)
+    monkeypatch.setattr(FILES, "sync", fail)
     with pytest.raises(StorageFailed, match=r"test\.h5: syncing failed \(Input/output error\)"):
         writer.commit()
     monkeypatch.undo()

@@ -148,7 +148,7 @@ def test_a_kill_between_opening_and_protecting_is_mended(
         "import os, sys\n"
         "from rigapp.storage.upkeep import resume\n"
         "os.access = lambda *_: False\n"
-        "resume.protect = lambda fd: os._exit(9)\n"
+        "resume.FILES.protect = lambda fd: os._exit(9)\n"
         "resume.reopen_test(sys.argv[1])\n"
     )
     assert subprocess.run([sys.executable, "-c", program, path], check=False).returncode == 9

@@ -14,7 +14,7 @@ from storage_samples import PLAN, check, new_test, write
 
 from rigapp.schema.messages import Event, LookedAfter
 from rigapp.storage import StorageFailed, TestWriter, compact_test, open_test, reopen_test
-from rigapp.storage.filesystem.locks import writer_is_alive
+from rigapp.storage.filesystem.system import FILES
 from rigapp.storage.writing import keeper
 
 Deed = Callable[[Path], object]
@@ -96,7 +96,7 @@ def test_nothing_is_lost_and_the_test_goes_on(quick_folder: Path, deed: str) -> 
         assert str(path) in sentence
         assert str(writer.path) in sentence
         assert writer.look_after() is None
-        assert writer_is_alive(writer.path)
+        assert FILES.is_held(writer.path, "")
         with open_test(writer.path) as reader:
             assert reader.summary()["status"] == "running"
             assert check(reader) == 100

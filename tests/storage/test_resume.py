@@ -42,7 +42,14 @@ def test_resumed_test_goes_on_after_its_committed_rows(quick_folder: Path) -> No
         assert "after revolution 57" in reader.events()[-1].text
         assert reader.first_altered_event() is None
         assert reader.cycle_revolutions().tolist() == list(range(10, 121, 10))
-    assert stat.S_IMODE(path.stat().st_mode) == 0o444
+
+
+def test_a_resumed_file_is_write_protected_again(quick_folder: Path) -> None:
+    with new_test(quick_folder) as writer:
+        write(writer, 1, 5)
+    path = quick_folder / "test.h5"
+    with reopen_test(path):
+        assert stat.S_IMODE(path.stat().st_mode) == 0o444
 
 
 def test_what_belongs_to_no_committed_revolution_is_measured_anew(quick_folder: Path) -> None:

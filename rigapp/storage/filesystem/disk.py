@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import contextlib
-import errno
 import os
 import threading
 from pathlib import Path
 
+from rigapp.storage.filesystem.calls import Bytes
 from rigapp.storage.filesystem.errors import StorageFailed
-from rigapp.storage.filesystem.holes import punch_hole
 from rigapp.storage.filesystem.rescue import copy_ranges
-
-Bytes = bytes | bytearray | memoryview
+from rigapp.storage.filesystem.system import FILES
 
 PAGE = 1 << 16
 """Writing is noted in such steps while the file is being copied."""
@@ -41,9 +38,9 @@ class Disk:
         size = len(data)
         with self._writing:
             try:
-                done = os.pwrite(self.fd, data, offset)
+                done = FILES.write_at(self.fd, data, offset)
                 while done < size:
-                    done += os.pwrite(self.fd, memoryview(data)[done:], offset + done)
+                    done += FILES.write_at(self.fd, memoryview(data)[done:], offset + done)
             except OSError as error:
                 raise self._failed("writing", error) from error
             if self._touched is not None:
@@ -54,7 +51,7 @@ class Disk:
         """Return when all bytes written before are on the disk; raises StorageFailed."""
         self.refuse_broken()
         try:
-            os.fdatasync(self.fd)
+            FILES.sync(self.fd)
         except OSError as error:
             raise self._failed("syncing", error) from error
 
@@ -65,13 +62,8 @@ class Disk:
 
     def reserve(self, offset: int, length: int) -> None:
         """Reserve disk space for a range; raises OSError (ENOSPC, EDQUOT, EFBIG)."""
-        if length <= 0:
-            return
-        try:
-            os.posix_fallocate(self.fd, offset, length)
-        except OSError as error:
-            if error.errno not in (errno.EOPNOTSUPP, errno.ENOSYS, errno.EINVAL):
-                raise
+        if length > 0:
+            FILES.reserve(self.fd, offset, length)
 
     def give_back(self, offset: int, length: int) -> None:
         """Give the disk space of a range back; it reads as zeros then, the file's length stays.
@@ -81,12 +73,11 @@ class Disk:
         self.refuse_broken()
         if length > 0:
             with self._writing:
-                punch_hole(self.fd, offset, length)
+                FILES.give_back(self.fd, offset, length)
 
     def forget(self, offset: int, length: int) -> None:
         """Let go of synced pages in memory, so that a long test keeps no more than it needs."""
-        with contextlib.suppress(OSError, AttributeError):
-            os.posix_fadvise(self.fd, offset, length, os.POSIX_FADV_DONTNEED)
+        FILES.forget(self.fd, offset, length)
 
     def begin_copy(self) -> None:
         """Note from now on what is written: the file is being copied."""
@@ -104,6 +95,7 @@ class Disk:
         with self._writing:
             touched = self._touched or set()
             copy_ranges(self.fd, fd, ((page * PAGE, PAGE) for page in sorted(touched)))
+            FILES.release(self.fd)
             os.dup2(fd, self.fd, inheritable=False)
 
     def end_copy(self) -> None:
@@ -113,6 +105,7 @@ class Disk:
 
     def close(self) -> None:
         """Close the file; writing to it afterwards raises StorageFailed."""
+        FILES.release(self.fd)
         os.close(self.fd)
         self._failure = self._failure or f"{self.path}: the file is closed"
 

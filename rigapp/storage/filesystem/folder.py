@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import shutil
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
@@ -17,8 +18,7 @@ MEGABYTE = 1e6
 
 def refuse_little_space(folder: Path, path: Path, needed: int, who: str = "the test") -> None:
     """Refuse when the folder's disk has not ``needed`` bytes and a margin free: UnusableInput."""
-    disk = os.statvfs(folder)
-    free = disk.f_bavail * disk.f_frsize
+    free = shutil.disk_usage(folder).free
     missing = needed + SPACE_MARGIN - free
     if missing > 0:
         raise UnusableInput(
@@ -48,24 +48,6 @@ def move_into_place(hidden: Path, path: Path) -> None:
         os.rename(hidden, path)
     else:
         hidden.unlink()
-
-
-def protect(fd: int) -> None:
-    """Make a file read-only for everybody, where the file system knows modes."""
-    with contextlib.suppress(OSError):
-        os.fchmod(fd, 0o444)
-
-
-def sync_folder(folder: Path) -> None:
-    """Return when the folder's names are on the disk."""
-    fd = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
-    try:
-        os.fsync(fd)
-    except OSError as error:
-        if error.errno != errno.EINVAL:
-            raise
-    finally:
-        os.close(fd)
 
 
 def remove_stale(folder: Path) -> None:

@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from itertools import count
 from pathlib import Path
 
+from rigapp.storage.filesystem.system import FILES
+
 PIECE = 1 << 22  # a copy gives way to the test every 4 MB, some 20 ms of a disk
 
 
@@ -80,43 +82,18 @@ def free_name(path: Path) -> Path:
     return next(name for name in names if not os.path.lexists(name))
 
 
-def link_open_file(fd: int, path: Path) -> None:
-    """Give an open file that has a name another one; raises OSError."""
-    folder = os.open(path.parent, os.O_RDONLY | os.O_DIRECTORY)
-    try:
-        # Only with a folder's descriptor Python asks the kernel to follow the link in /proc.
-        os.link(f"/proc/self/fd/{fd}", path.name, src_dir_fd=folder, dst_dir_fd=folder)
-        os.fsync(folder)
-    finally:
-        os.close(folder)
-
-
 def copy_content(source: int, target: int) -> None:
     """Copy an open file with its holes into another, empty one; raises OSError."""
     size = os.fstat(source).st_size
     os.ftruncate(target, size)
-    for start, stop in _data_of(source, size):
+    for start, stop in FILES.data_ranges(source, size):
         copy_ranges(source, target, ((first, PIECE) for first in range(start, stop, PIECE)))
 
 
 def copy_ranges(source: int, target: int, ranges: Iterable[tuple[int, int]]) -> None:
     """Copy ranges (offset, length) of an open file to the same places of another."""
     for offset, length in ranges:
-        data = os.pread(source, length, offset)
+        data = FILES.read_at(source, length, offset)
         done = 0
         while done < len(data):
-            done += os.pwrite(target, memoryview(data)[done:], offset + done)
-
-
-def _data_of(fd: int, size: int) -> Iterator[tuple[int, int]]:
-    """Yield where a file has data; all of it where the file system cannot tell."""
-    stop = 0
-    while stop < size:
-        try:
-            start = os.lseek(fd, stop, os.SEEK_DATA)
-            stop = os.lseek(fd, start, os.SEEK_HOLE)
-        except OSError:
-            if stop == 0 and os.fstat(fd).st_blocks:
-                yield 0, size
-            return
-        yield start, stop
+            done += FILES.write_at(target, memoryview(data)[done:], offset + done)

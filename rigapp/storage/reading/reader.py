@@ -19,7 +19,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.schema.columns import PROFILE_ANGLES_DEG
 from rigapp.schema.messages import Event
-from rigapp.storage.filesystem.locks import writer_is_alive
+from rigapp.storage.filesystem.system import FILES
 from rigapp.storage.reading.oldlog import translated
 from rigapp.storage.reading.resample import Method, resample_channels
 from rigapp.storage.reading.texts import texts_of
@@ -413,7 +413,7 @@ class TestReader:
             return "complete", reason
         if stored in ("stopped", "fault"):
             return "stopped", reason
-        if writer_is_alive(self.path, self._state_text("writer")):
+        if FILES.is_held(self.path, self.writer()):
             return "running", ""
         whole = self.has_all_revolutions()
         safe = f"all {revolutions} revolutions are" if whole else f"{revolutions} revolutions are"
@@ -423,6 +423,10 @@ class TestReader:
             "the program that wrote the file ended without closing the test (killed, crashed or "
             f"power lost); {safe} safe, resume {following}",
         )
+
+    def writer(self) -> str:
+        """Return the process that writes or wrote the file, ``process N on HOST`` while it does."""
+        return self._state_text("writer")
 
     def _state_text(self, name: str) -> str:
         return self._text(f"{STATE}/{name}")

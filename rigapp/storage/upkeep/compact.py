@@ -14,18 +14,20 @@ import sys
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
+from rigapp.process.priority import give_way
+from rigapp.storage.filesystem.calls import BINARY
 from rigapp.storage.filesystem.errors import StorageFailed
 from rigapp.storage.filesystem.folder import (
     hidden_name,
     refuse_little_space,
     remove_stale,
     short_reason,
-    sync_folder,
 )
+from rigapp.storage.filesystem.system import FILES
 from rigapp.storage.reading.reader import TestReader, open_test
 from rigapp.storage.structure.layout import streams_of
 from rigapp.storage.upkeep.duplicate import first_difference, write_duplicate
-from rigapp.storage.upkeep.resume import open_exclusively
+from rigapp.storage.upkeep.resume import let_go, open_exclusively
 
 
 def compact_test(path: str | os.PathLike[str]) -> bool:
@@ -48,7 +50,7 @@ def compact_test(path: str | os.PathLike[str]) -> bool:
                 return False
             _replace_by_copy(reader)
     finally:
-        os.close(fd)
+        let_go(fd)
     return True
 
 
@@ -109,12 +111,12 @@ def _replace_by_copy(reader: TestReader) -> None:
             )
         hidden.chmod(0o444)
         os.replace(hidden, target)
-        sync_folder(target.parent)
+        FILES.sync_folder(target.parent)
         undo.pop_all()
 
 
 def _sync_file(path: Path) -> None:
-    fd = os.open(path, os.O_RDONLY)
+    fd = os.open(path, os.O_RDWR | BINARY)
     try:
         os.fsync(fd)
     finally:
@@ -123,7 +125,7 @@ def _sync_file(path: Path) -> None:
 
 def main() -> int:
     """Compress the file named on the command line; exit status 0 done, 2 refused, 1 failed."""
-    os.nice(19)
+    give_way(19)
     try:
         compact_test(sys.argv[1])
     except UnusableInput as error:

@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.messages import Event
+from rigapp.storage.filesystem.calls import BINARY
 from rigapp.storage.filesystem.disk import Disk
-from rigapp.storage.filesystem.folder import hidden_name, protect, refuse_little_space, remove_stale
-from rigapp.storage.filesystem.locks import hold_writer_lock
+from rigapp.storage.filesystem.folder import hidden_name, refuse_little_space, remove_stale
+from rigapp.storage.filesystem.system import FILES
 from rigapp.storage.reading.reader import TestReader, open_test
 from rigapp.storage.structure.events import seed_of
 from rigapp.storage.structure.layout import FilePlan, planned_rows
@@ -64,8 +65,10 @@ def _writer_at_end(
     """Return a writer after the committed rows, and the last revolution; raises UnusableInput."""
     fd = open_exclusively(path)
     with contextlib.ExitStack() as undo:
-        undo.callback(os.close, fd)
+        undo.callback(let_go, fd)
         with open_test(path) as reader:
+            if FILES.is_taken(path, reader.writer()):
+                raise _written_elsewhere(path)
             _refuse_finished(reader)
             counts, digest, last = _counts(reader)
             plan = reader.plan
@@ -89,16 +92,29 @@ def open_exclusively(path: Path) -> int:
     """
     fd = _open_for_writing(path)
     try:
-        if not hold_writer_lock(fd):
-            raise UnusableInput(
-                f"{path}: another process is writing this test; "
-                "stop it there before going on with it here"
-            )
-        _refuse_replaced(path, fd)
+        if not FILES.hold(fd):
+            raise _written_elsewhere(path)
     except BaseException:
         os.close(fd)
         raise
+    try:
+        _refuse_replaced(path, fd)
+    except BaseException:
+        let_go(fd)
+        raise
     return fd
+
+
+def let_go(fd: int) -> None:
+    """Close a file that was opened exclusively."""
+    FILES.release(fd)
+    os.close(fd)
+
+
+def _written_elsewhere(path: Path) -> UnusableInput:
+    return UnusableInput(
+        f"{path}: another process is writing this test; stop it there before going on with it here"
+    )
 
 
 def _refuse_finished(reader: TestReader) -> None:
@@ -128,8 +144,8 @@ def _open_for_writing(path: Path) -> int:
                 mark.touch()
             path.chmod(0o644)
         try:
-            fd = os.open(path, os.O_RDWR)
-            protect(fd)
+            fd = os.open(path, os.O_RDWR | BINARY)
+            FILES.protect(fd)
         finally:
             mark.unlink(missing_ok=True)
         return fd
@@ -193,7 +209,7 @@ def _reserve(disk: Disk, plan: FilePlan, places: Places, revolutions: int) -> di
     for name, rows in planned_rows(plan, revolutions).items():
         wanted[name] = max(wanted[name], rows)
     length = sum(wanted[name] * stream.row_bytes for name, stream in streams.items())
-    have = os.fstat(disk.fd).st_blocks * 512
+    have = FILES.taken_bytes(disk.fd)
     refuse_little_space(disk.path.parent, disk.path, max(0, length - have), "the rest of the test")
     try:
         for name, stream in streams.items():

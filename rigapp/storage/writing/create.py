@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -14,19 +15,17 @@ import numpy as np
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.names import name_refusal
+from rigapp.storage.filesystem.calls import BINARY
 from rigapp.storage.filesystem.disk import Disk
 from rigapp.storage.filesystem.errors import StorageFailed
 from rigapp.storage.filesystem.folder import (
     MEGABYTE,
     hidden_name,
-    move_into_place,
-    protect,
     refuse_little_space,
     remove_stale,
     short_reason,
-    sync_folder,
 )
-from rigapp.storage.filesystem.locks import hold_writer_lock
+from rigapp.storage.filesystem.system import FILES
 from rigapp.storage.structure.build import build_file
 from rigapp.storage.structure.hdf import open_for_reading
 from rigapp.storage.structure.layout import (
@@ -73,6 +72,8 @@ def refuse_bad_target(path: Path, plan: FilePlan) -> None:
 
 def _largest_file() -> int | None:
     """Return the bytes that this system allows a file, None for any number."""
+    if sys.platform == "win32":
+        return None
     try:
         import resource
     except ImportError:  # not a POSIX system
@@ -95,19 +96,20 @@ def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Dis
         undo.callback(lambda: hidden.unlink(missing_ok=True))
         with _space_errors(path):
             build_file(hidden, plan, metadata, path.name)
-            fd = os.open(hidden, os.O_RDWR)
+            fd = os.open(hidden, os.O_RDWR | BINARY)
             undo.callback(os.close, fd)
             places = places_of(hidden)
             disk = Disk(fd, path)
             for stream in streams_of(plan).values():
                 reserve_stream(disk, stream, places, 0, stream.planned)
             check_places(disk, hidden, streams_of(plan), places)
-            protect(fd)
+            FILES.protect(fd)
             os.fsync(fd)
-            if not hold_writer_lock(fd):
+            if not FILES.hold(fd):
                 raise UnusableInput(f"{path}: another process took the new file; try again")
-            move_into_place(hidden, path)
-            sync_folder(path.parent)
+            undo.callback(FILES.release, fd)
+            FILES.settle(fd, hidden, path)
+            FILES.sync_folder(path.parent)
         undo.pop_all()
     disk.bytes_written = 0
     return disk, places

@@ -10,17 +10,15 @@ from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.messages import LookedAfter
+from rigapp.storage.filesystem.calls import BINARY
 from rigapp.storage.filesystem.disk import Disk
 from rigapp.storage.filesystem.errors import StorageFailed
 from rigapp.storage.filesystem.folder import (
     hidden_name,
-    move_into_place,
-    protect,
     refuse_little_space,
-    sync_folder,
 )
-from rigapp.storage.filesystem.locks import hold_writer_lock
-from rigapp.storage.filesystem.rescue import Fate, copy_content, fate_of, link_open_file, places_for
+from rigapp.storage.filesystem.rescue import Fate, copy_content, fate_of, places_for
+from rigapp.storage.filesystem.system import FILES
 
 
 class Keeper:
@@ -85,7 +83,7 @@ class Keeper:
     def _link(self, target: Path) -> bool:
         """Give the file another name; False where its file system or folder does not allow it."""
         try:
-            link_open_file(self._disk.fd, target)
+            FILES.link(self._disk.fd, target)
         except FileExistsError:
             raise
         except OSError:
@@ -95,11 +93,11 @@ class Keeper:
     def _copy(self, target: Path) -> None:
         """Copy the file while it is written, and write to the copy from then on."""
         disk = self._disk
-        needed = os.fstat(disk.fd).st_blocks * 512
+        needed = FILES.taken_bytes(disk.fd)
         refuse_little_space(target.parent, target, needed, "the file of the running test")
         hidden = hidden_name(target)
         hidden.unlink(missing_ok=True)
-        fd = os.open(hidden, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
+        fd = os.open(hidden, os.O_RDWR | os.O_CREAT | os.O_EXCL | BINARY, 0o600)
         with contextlib.ExitStack() as always, contextlib.ExitStack() as failed:
             always.callback(os.close, fd)
             always.callback(disk.end_copy)
@@ -110,13 +108,13 @@ class Keeper:
             os.fsync(fd)
             with self._committing:
                 disk.follow_copy(fd)
-                os.fdatasync(fd)
-                protect(fd)
-                if not hold_writer_lock(fd):
+                FILES.sync(fd)
+                FILES.protect(fd)
+                if not FILES.hold(fd):
                     raise UnusableInput(f"{target}: another process took the new file")
-                move_into_place(hidden, target)
+                FILES.settle(fd, hidden, target)
                 disk.go_on_in(fd)
                 disk.sync()
             failed.pop_all()
         self._reserve(disk)
-        sync_folder(target.parent)
+        FILES.sync_folder(target.parent)

@@ -20,6 +20,7 @@ from rigapp.schema.messages import Event, LookedAfter
 from rigapp.storage.filesystem.disk import Disk
 from rigapp.storage.filesystem.errors import NoRoom, StorageFailed
 from rigapp.storage.filesystem.folder import refuse_little_space
+from rigapp.storage.filesystem.system import FILES
 from rigapp.storage.structure.build import PAGE
 from rigapp.storage.structure.events import asked_for, columns_of, rows_of, seed_of
 from rigapp.storage.structure.layout import (
@@ -284,7 +285,7 @@ class TestWriter:
         }
         if self._slot is None:
             offset = self._places["/entry/prediction/checkpoint_revolution"][0]
-            first, second = np.frombuffer(os.pread(self._disk.fd, 16, offset), "<i8")
+            first, second = np.frombuffer(FILES.read_at(self._disk.fd, 16, offset), "<i8")
             self._slot = 0 if first <= second else 1
         self._records["checkpoints"].place(self._slot, 1, values)
         self._slot = 1 - self._slot

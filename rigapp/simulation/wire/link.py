@@ -13,7 +13,7 @@ import math
 import random
 from dataclasses import dataclass
 
-from rigapp.simulation.endpoints import Endpoint
+from rigapp.simulation.wire.endpoints import Endpoint
 
 QUEUE_BYTES = 65536  # some 0.2 s of a GSV-8 at its highest rate
 HANDOVER_S = 0.00015  # a pty passes bytes on in less than 0.1 ms

@@ -1,0 +1,16 @@
+"""Let a process give way to others that want the processor."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+
+def give_way(niceness: int) -> None:
+    """Lower this process's priority by so much, 0 to 19; on Windows to the class below normal."""
+    if sys.platform != "win32":
+        os.nice(niceness)
+    else:
+        import psutil
+
+        psutil.Process().nice(psutil.BELOW_NORMAL_PRIORITY_CLASS)

@@ -1,0 +1,19 @@
+"""Which kind of port a simulated device gets."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from pathlib import Path
+
+from rigapp.simulation.wire.endpoints import Endpoint, SocketEndpoint
+
+
+def port_at(link: Path) -> Endpoint:
+    """Return a port with a lasting name; one of TCP where the system has no pty for it."""
+    if sys.platform != "win32":
+        with contextlib.suppress(ImportError, OSError):
+            from rigapp.simulation.wire.pty import PtyEndpoint
+
+            return PtyEndpoint(link)
+    return SocketEndpoint()

@@ -1,0 +1,132 @@
+"""A test file with what every system has: no holes, no locks of the kernel.
+
+Where a range is reserved the file only becomes longer, which takes the space on NTFS. Who writes a
+file is known by the process that it names, if that lives and began before the file's last change.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import re
+import socket
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+from rigapp.storage.filesystem.calls import BINARY, Bytes
+
+_NAMED = re.compile(r"process (\d+) on (.+)")
+_CLOCK_S = 2.0  # so coarse are times of files on some file systems
+
+
+class PortableFiles:
+    """See ``FileSystem``."""
+
+    def __init__(self) -> None:
+        # A descriptor has one place at which all threads read and write.
+        self._placing = threading.Lock()
+        self._held: set[tuple[int, int]] = set()
+
+    def write_at(self, fd: int, data: Bytes, offset: int) -> int:
+        """Go there and write; no other thread moves the place meanwhile."""
+        with self._placing:
+            os.lseek(fd, offset, os.SEEK_SET)
+            return os.write(fd, data)
+
+    def read_at(self, fd: int, length: int, offset: int) -> bytes:
+        """Go there and read; no other thread moves the place meanwhile."""
+        parts = []
+        with self._placing:
+            os.lseek(fd, offset, os.SEEK_SET)
+            while length > 0 and (part := os.read(fd, length)):
+                parts.append(part)
+                length -= len(part)
+        return b"".join(parts)
+
+    def sync(self, fd: int) -> None:
+        """Sync data and everything that is known of the file."""
+        os.fsync(fd)
+
+    def reserve(self, fd: int, offset: int, length: int) -> None:
+        """Make the file as long as it takes."""
+        if os.fstat(fd).st_size < offset + length:
+            os.ftruncate(fd, offset + length)
+
+    def give_back(self, fd: int, offset: int, length: int) -> bool:
+        """Keep the space."""
+        return False
+
+    def forget(self, fd: int, offset: int, length: int) -> None:
+        """Leave the memory to the system."""
+
+    def taken_bytes(self, fd: int) -> int:
+        """Return its length."""
+        return os.fstat(fd).st_size
+
+    def data_ranges(self, fd: int, size: int) -> Iterator[tuple[int, int]]:
+        """Yield all of it."""
+        if size:
+            yield 0, size
+
+    def link(self, fd: int, path: Path) -> None:
+        """Refuse: an open file is not known by a name."""
+        raise OSError(errno.ENOTSUP, "an open file can get no second name here", str(path))
+
+    def protect(self, fd: int) -> None:
+        """Leave it as it is."""
+
+    def settle(self, fd: int, hidden: Path, path: Path) -> None:
+        """Close it for the moment, since some systems move no open file."""
+        if os.path.lexists(path):
+            raise FileExistsError(errno.EEXIST, "file exists", str(path))
+        aside = os.open(os.devnull, os.O_RDWR)
+        try:
+            os.dup2(aside, fd, inheritable=False)
+        finally:
+            os.close(aside)
+        os.rename(hidden, path)
+        again = os.open(path, os.O_RDWR | BINARY)
+        try:
+            os.dup2(again, fd, inheritable=False)
+        finally:
+            os.close(again)
+
+    def sync_folder(self, folder: Path) -> None:
+        """Leave it to the system, which orders names by itself."""
+
+    def hold(self, fd: int) -> bool:
+        """Note that this process writes it; of others ``is_taken`` tells."""
+        key = _key(os.fstat(fd))
+        if key in self._held:
+            return False
+        self._held.add(key)
+        return True
+
+    def release(self, fd: int) -> None:
+        """Note that it writes it no more."""
+        self._held.discard(_key(os.fstat(fd)))
+
+    def is_held(self, path: Path, named: str) -> bool:
+        """Tell whether this process writes it, or the named one, which lives and is old enough."""
+        return _key(path.stat()) in self._held or self.is_taken(path, named)
+
+    def is_taken(self, path: Path, named: str) -> bool:
+        """Tell whether the named process is another one that lives and is old enough."""
+        found = _NAMED.fullmatch(named)
+        if found is None or found[2] != socket.gethostname() or int(found[1]) == os.getpid():
+            return False
+        import psutil
+
+        try:
+            process = psutil.Process(int(found[1]))
+            ended = process.status() == psutil.STATUS_ZOMBIE
+            return not ended and process.create_time() <= path.stat().st_mtime + _CLOCK_S
+        except psutil.NoSuchProcess:
+            return False
+        except psutil.AccessDenied:
+            return True
+
+
+def _key(found: os.stat_result) -> tuple[int, int]:
+    return found.st_dev, found.st_ino

@@ -1,0 +1,165 @@
+"""A test file as Linux and macOS can: positioned writes, reserved room, holes, locks of the kernel.
+
+Two locks are held by a writer. A byte-range lock of the open file description, far beyond the data,
+marks the writer as alive and keeps a second one out. A shared ``flock`` makes HDF5 refuse to open
+the file for writing (it asks for an exclusive one), while readers (shared) pass. The kernel drops
+both when the writer dies.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import fcntl
+import os
+import struct
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from rigapp.storage.filesystem.calls import Bytes
+from rigapp.storage.filesystem.folder import move_into_place
+from rigapp.storage.filesystem.holes import punch_hole
+
+assert sys.platform != "win32"
+
+LOCK_OFFSET = 1 << 62  # beyond any data
+BLOCK = 512  # bytes of the unit in which a file's space is told
+_FLOCK = "hhqqi0q"
+_OFD = sys.platform == "linux" and hasattr(fcntl, "F_OFD_SETLK")
+_NO_LOCKS = (errno.ENOLCK, errno.EOPNOTSUPP, errno.EINVAL)
+_NO_ROOM_CALL = (errno.EOPNOTSUPP, errno.ENOSYS, errno.EINVAL)
+
+
+class PosixFiles:
+    """See ``FileSystem``."""
+
+    def write_at(self, fd: int, data: Bytes, offset: int) -> int:
+        """Write without moving the file's place."""
+        return os.pwrite(fd, data, offset)
+
+    def read_at(self, fd: int, length: int, offset: int) -> bytes:
+        """Read without moving the file's place."""
+        return os.pread(fd, length, offset)
+
+    def sync(self, fd: int) -> None:
+        """Sync the data; on macOS through the disk's own memory too."""
+        if sys.platform == "darwin":
+            fcntl.fcntl(fd, fcntl.F_FULLFSYNC)
+        else:
+            os.fdatasync(fd)
+
+    def reserve(self, fd: int, offset: int, length: int) -> None:
+        """Allocate blocks where the file system can, else make the file longer."""
+        if sys.platform == "darwin":
+            if os.fstat(fd).st_size < offset + length:
+                os.ftruncate(fd, offset + length)
+            return
+        try:
+            os.posix_fallocate(fd, offset, length)
+        except OSError as error:
+            if error.errno not in _NO_ROOM_CALL:
+                raise
+
+    def give_back(self, fd: int, offset: int, length: int) -> bool:
+        """Punch a hole."""
+        return punch_hole(fd, offset, length)
+
+    def forget(self, fd: int, offset: int, length: int) -> None:
+        """Advise the kernel."""
+        if sys.platform == "linux":
+            with contextlib.suppress(OSError):
+                os.posix_fadvise(fd, offset, length, os.POSIX_FADV_DONTNEED)
+
+    def taken_bytes(self, fd: int) -> int:
+        """Return its blocks' bytes; holes take none."""
+        return os.fstat(fd).st_blocks * BLOCK
+
+    def data_ranges(self, fd: int, size: int) -> Iterator[tuple[int, int]]:
+        """Ask the file system for data and holes."""
+        stop = 0
+        while stop < size:
+            try:
+                start = os.lseek(fd, stop, os.SEEK_DATA)
+                stop = os.lseek(fd, start, os.SEEK_HOLE)
+            except OSError:
+                if stop == 0 and os.fstat(fd).st_blocks:
+                    yield 0, size
+                return
+            yield start, stop
+
+    def link(self, fd: int, path: Path) -> None:
+        """Link by the name that the kernel keeps of an open file (Linux)."""
+        folder = os.open(path.parent, os.O_RDONLY | os.O_DIRECTORY)
+        try:
+            # Only with a folder's descriptor Python asks the kernel to follow the link in /proc.
+            os.link(f"/proc/self/fd/{fd}", path.name, src_dir_fd=folder, dst_dir_fd=folder)
+            os.fsync(folder)
+        finally:
+            os.close(folder)
+
+    def protect(self, fd: int) -> None:
+        """Take everybody's right to write."""
+        with contextlib.suppress(OSError):
+            os.fchmod(fd, 0o444)
+
+    def settle(self, fd: int, hidden: Path, path: Path) -> None:
+        """Move it while it is open."""
+        move_into_place(hidden, path)
+
+    def sync_folder(self, folder: Path) -> None:
+        """Sync the folder itself, where it can be."""
+        fd = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+        try:
+            os.fsync(fd)
+        except OSError as error:
+            if error.errno != errno.EINVAL:
+                raise
+        finally:
+            os.close(fd)
+
+    def hold(self, fd: int) -> bool:
+        """Take both locks."""
+        try:
+            if _OFD:
+                fcntl.fcntl(fd, fcntl.F_OFD_SETLK, _record(fcntl.F_WRLCK))
+            else:
+                fcntl.lockf(fd, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, LOCK_OFFSET)
+        except OSError as error:
+            if error.errno in (errno.EAGAIN, errno.EACCES):
+                return False
+            if error.errno not in _NO_LOCKS:
+                raise
+        with contextlib.suppress(OSError):
+            fcntl.flock(fd, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        return True
+
+    def release(self, fd: int) -> None:
+        """Leave it to the kernel, which drops the locks when the file is closed."""
+
+    def is_held(self, path: Path, named: str) -> bool:
+        """Ask the kernel for the first lock; the name is not needed."""
+        fd = os.open(path, os.O_RDONLY)
+        try:
+            if _OFD:
+                answer = fcntl.fcntl(fd, fcntl.F_OFD_GETLK, _record(fcntl.F_WRLCK))
+                return bool(struct.unpack(_FLOCK, answer)[0] != fcntl.F_UNLCK)
+            try:
+                fcntl.lockf(fd, fcntl.LOCK_SH | fcntl.LOCK_NB, 1, LOCK_OFFSET)
+            except OSError as error:
+                return error.errno in (errno.EAGAIN, errno.EACCES)
+            return False
+        except OSError as error:
+            if error.errno in _NO_LOCKS:
+                return False
+            raise
+        finally:
+            os.close(fd)
+
+    def is_taken(self, path: Path, named: str) -> bool:
+        """Trust the locks."""
+        return False
+
+
+def _record(kind: int) -> bytes:
+    return struct.pack(_FLOCK, kind, os.SEEK_SET, LOCK_OFFSET, 1, 0)
