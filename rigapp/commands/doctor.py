@@ -28,9 +28,8 @@ PACKAGES = (
     "canopen",
     "pyzmq",
     "msgspec",
-    "PySide6-Essentials",
-    "pyqtgraph",
 )
+WINDOW_PACKAGES = ("PySide6-Essentials", "pyqtgraph")
 PROMPT_LATENCY_MS = 2
 WINDOW_TEST_S = 120  # starting the libraries of the window on a slow disk
 CAN_LISTEN_S = 1.0  # heartbeats come several times a second
@@ -56,11 +55,16 @@ def examine(port: str | None = None, *, as_json: bool = False) -> int:
 
 
 def _all() -> Iterator[Observation]:
-    yield from _versions()
+    yield Observation("Python", f"{platform.python_version()} on {platform.platform()}")
+    yield from _versions(PACKAGES)
     yield from _folders()
     yield from ports()
     yield from can_interfaces()
-    yield from _window()
+    if any(_version(package) for package in WINDOW_PACKAGES):
+        yield from _versions(WINDOW_PACKAGES)
+        yield from _window()
+    else:
+        yield Observation("Window", "not installed; to have one: pip install 'rigapp[gui]'")
 
 
 def _as_json(findings: Sequence[Observation]) -> int:
@@ -82,12 +86,10 @@ def _report(findings: Iterable[Observation]) -> int:
 # --- the machine ------------------------------------------------------------------------------
 
 
-def _versions() -> Iterator[Observation]:
-    yield Observation("Python", f"{platform.python_version()} on {platform.platform()}")
-    for package in PACKAGES:
-        try:
-            version = importlib.metadata.version(package)
-        except importlib.metadata.PackageNotFoundError:
+def _versions(packages: Sequence[str]) -> Iterator[Observation]:
+    for package in packages:
+        version = _version(package)
+        if not version:
             yield Observation(package, "is not installed; run make run, or pip install it.", False)
             continue
         bad = package == "PySide6-Essentials" and version.startswith("6.12.")
@@ -95,6 +97,14 @@ def _versions() -> Iterator[Observation]:
             yield Observation(package, f"{version} aborts Python 3.11; install 6.11.3.", False)
         else:
             yield Observation(package, version)
+
+
+def _version(package: str) -> str:
+    """Return the installed version, empty where there is none."""
+    try:
+        return importlib.metadata.version(package)
+    except importlib.metadata.PackageNotFoundError:
+        return ""
 
 
 def _folders() -> Iterator[Observation]:

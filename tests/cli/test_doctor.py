@@ -211,3 +211,16 @@ def test_the_whole_examination_runs_with_nothing_connected() -> None:
     assert ("ACT" in done.stdout) == (done.returncode == 1)
     for subject in ("Python", "Drivers", "CAN interfaces", "Window self test"):
         assert subject in done.stdout
+
+
+def test_an_installation_without_the_window_is_no_fault(
+    listed: Callable[..., list[doctor.Observation]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    versions = dict.fromkeys(doctor.PACKAGES, "1.0")
+    monkeypatch.setattr(doctor, "_version", lambda package: versions.get(package, ""))
+    listed()
+    found = list(doctor._all())
+    assert all(one.good for one in found)
+    assert any("rigapp[gui]" in one.text for one in found)
+    versions["pyqtgraph"] = "0.14.0"
+    assert [one.subject for one in doctor._all() if not one.good] == ["PySide6-Essentials"]
