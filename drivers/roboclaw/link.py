@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Final, TypeVar
 
 from drivers.api import BytePort, ProtocolError, ReplyTimeout
@@ -23,7 +23,9 @@ from drivers.roboclaw.protocol import (
 )
 
 TRIES: Final = 3  # one disturbed packet must not stop a test; three in a row are a fault
-STANDING_TRIES: Final = 10  # nothing is to turn, and a busy computer may be late
+STANDING_TRIES: Final = (1, 2, 4, 6)
+"""How many time-outs each try waits while nothing is to turn: a busy computer, or a busy USB, may
+be late by the same time again and again, so that more of the same wait would not help."""
 QUIET_S: Final = 0.012  # longer than the 10 ms after which the drive forgets a packet
 LONGEST_REPLY: Final = 58  # bytes, of command 73
 BITS_PER_BYTE: Final = 10
@@ -74,18 +76,19 @@ class Link:
         DeviceLost when the port broke.
         """
 
-        def exchange() -> tuple[int, ...] | Rejected:
-            raw = self._ask(command)
+        def exchange(time_outs: int) -> tuple[int, ...] | Rejected:
+            raw = self._ask(command, time_outs)
             return parse_values(self.address, command, raw, self.generation)
 
-        allowed = STANDING_TRIES if self.standing else TRIES
-        return self._repeat(command, exchange, allowed if tries is None else tries)
+        if tries is None and self.standing:
+            return self._repeat(command, exchange, STANDING_TRIES)
+        return self._repeat(command, exchange, (1,) * (TRIES if tries is None else tries))
 
     def version(self) -> str:
         """Return the firmware text, the first that a drive is asked for; errors as ``read``."""
 
-        def exchange() -> str | Rejected:
-            return parse_version(self.address, self._ask(Command.VERSION))
+        def exchange(time_outs: int) -> str | Rejected:
+            return parse_version(self.address, self._ask(Command.VERSION, time_outs))
 
         return self._repeat(Command.VERSION, exchange, STANDING_TRIES)
 
@@ -127,15 +130,15 @@ class Link:
         raise self._failure(command, failures)
 
     def _repeat(
-        self, command: int, exchange: Callable[[], _Reply | Rejected], tries: int
+        self, command: int, exchange: Callable[[int], _Reply | Rejected], tries: Sequence[int]
     ) -> _Reply:
         failures: list[str] = []
         because: set[str] = set()
-        for attempt in range(tries):
+        for attempt, time_outs in enumerate(tries):
             if attempt:
                 self.retries += 1
                 self._wait_for_quiet()
-            result = exchange()
+            result = exchange(time_outs)
             if not isinstance(result, Rejected):
                 for reason in sorted(because):
                     self._tell_repeated(reason)
@@ -157,7 +160,8 @@ class Link:
             return ReplyTimeout.at(
                 self,
                 f"no reply to {name} ({command}) in {len(failures)} tries of "
-                f"{self._timeout_s * 1e3:.0f} ms: check power, cable, address and baud rate.",
+                f"{self._timeout_s * 1e3:.0f} ms or longer: "
+                "check power, cable, address and baud rate.",
             )
         return ProtocolError.at(
             self,
@@ -173,10 +177,10 @@ class Link:
         self._serial.write(packet)
         self.last_sent_ns = time.monotonic_ns()
 
-    def _ask(self, command: int) -> bytes:
+    def _ask(self, command: int, time_outs: int) -> bytes:
         self._send(read_packet(self.address, command))
         raw = b""
-        deadline = time.monotonic() + self._reply_timeout(2 + LONGEST_REPLY)
+        deadline = time.monotonic() + time_outs * self._reply_timeout(2 + LONGEST_REPLY)
         while missing := missing_bytes(command, raw, self.generation):
             left = deadline - time.monotonic()
             part = self._serial.read_some(missing, max(left, 0.0))
