@@ -137,6 +137,8 @@ class Link:
         for attempt, time_outs in enumerate(tries):
             if attempt:
                 self.retries += 1
+            if failures and failures[-1]:
+                # Where nothing came the line was quiet, and a reply that is late may come yet.
                 self._wait_for_quiet()
             result = exchange(time_outs)
             if not isinstance(result, Rejected):
