@@ -8,7 +8,7 @@ from model.identification.bins import Bin, Bins, bins_of
 from model.identification.consistency import Consistency, Departure, consistency_of
 from model.identification.errors import CannotBeTold, Prior, ProbeErrors, probe_errors
 from model.identification.forecast import Band, Remaining, predictive_band, remaining
-from model.identification.identify import Credible, Identification, Verdict, identify
+from model.identification.inference import Credible, Identification, Verdict, identify
 from model.identification.life import DepthLife, depth_life, weight, worn_ahead
 from model.identification.specimens import Estimate, Pairing, estimate_of, pairing_of
 from model.identification.words import sentence

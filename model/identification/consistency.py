@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from model.identification.bins import Bin, Bins, bins_of
-from model.identification.identify import Identification
+from model.identification.inference import Identification
 from model.identification.life import DepthLife
 from model.identification.statements import STATEMENTS, Hypotheses
 

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr
 
 from model.errors import require_positive
-from model.identification.identify import Credible, Identification
+from model.identification.inference import Credible, Identification
 from model.identification.life import DepthLife
 from model.identification.posterior import Nodes
 

@@ -17,7 +17,7 @@ from scipy.optimize import brentq
 from scipy.special import ndtr
 
 from model.identification.errors import CannotBeTold, Prior
-from model.identification.identify import Credible, Identification, quantiles
+from model.identification.inference import Credible, Identification, quantiles
 
 Array = NDArray[np.float64]
 

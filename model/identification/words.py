@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from model.identification.consistency import Departure
-from model.identification.identify import Credible, Identification
+from model.identification.inference import Credible, Identification
 from model.identification.statements import CHANGE, CONSTANT, RUNNING_IN
 
 TOLD = 20.0

@@ -31,7 +31,7 @@ from model.identification import (
     remaining,
     weight,
 )
-from model.identification.identify import Identification
+from model.identification.inference import Identification
 from model.identification.words import revolution_of
 from model.parameters import Parameters
 from model.wear.front import Front, touched
