@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 from patience import PATIENCE_MS
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QComboBox, QWidget
 from snapshots import (
     ALARM,
     make_snapshot,
@@ -221,6 +221,11 @@ class Operator:
         """Click a widget as soon as it can be clicked."""
         self.see(lambda: widget.isVisible() and widget.isEnabled())
         self._qtbot.mouseClick(widget, Qt.MouseButton.LeftButton)
+
+    def choose(self, box: QComboBox, text: str) -> None:
+        """Choose an item of a box as soon as it is offered."""
+        self.see(lambda: box.findText(text) >= 0)
+        box.setCurrentIndex(box.findText(text))
 
     def press(self, key: Qt.Key) -> None:
         """Press a key in the window."""

@@ -218,11 +218,11 @@ def test_a_rig_with_free_channels_from_the_start_of_a_test_to_its_replay(
         hands.see(lambda: window.side.live.free["bushing_temperature"].value.whole.endswith(" °C"))
         hands.see(lambda: window.side.live.free["humidity"].caption.whole.endswith(" old"))
         trend = panels["overview_trend"]
-        trend.choice.setCurrentIndex(trend.choice.findData("bushing_temperature"))
+        hands.choose(trend.choice, "Bushing temperature")
         hands.see(lambda: "maximum 2" in trend.words)
         window.tabs.setCurrentIndex(1)
         curves = panels["cycle"].channels
-        curves.choice.setCurrentIndex(curves.choice.findText("Bushing temperature"))
+        hands.choose(curves.choice, "Bushing temperature")
         hands.see(lambda: curves.title.whole.startswith("°C, mean 2"))
         window.tabs.setCurrentIndex(3)
         limits, name = panels["limits"], "Warn when maximum bushing temperature is above"
