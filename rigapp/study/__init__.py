@@ -2,6 +2,6 @@
 
 ``file`` is what a study file says, ``kinds`` what can be computed of a point, ``design`` which
 points; ``points`` is what a worker does, ``journal`` what is safe of it, ``running`` sends the
-points out. ``table``, ``sensitivity``, ``power`` and ``pictures`` are what comes of the results.
-Others enter by ``running``.
+points out. ``table``, ``sensitivity``, ``power`` and ``pictures`` are what comes of the results,
+``folder`` reads them back. Others enter by ``running``, ``folder``.
 """

@@ -12,9 +12,8 @@ import msgspec
 from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
 from rigapp.storage import hold_writer_lock
+from rigapp.study.folder import IDENTITY, ROWS
 from rigapp.study.points import StudyRow
-
-ROWS, IDENTITY = "rows.jsonl", "study.json"
 
 
 class StudyIdentity(msgspec.Struct, frozen=True):

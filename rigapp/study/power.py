@@ -12,11 +12,11 @@ import numpy as np
 from rigapp.config.writing import whole_file
 from rigapp.study.design import Design
 from rigapp.study.file import StudyFile
+from rigapp.study.folder import POWER
 from rigapp.study.kinds import KINDS
 from rigapp.study.points import StudyRow
 from rigapp.study.virtual import VirtualTest
 
-POWER = "power.csv"
 SHARES = (0.5, 0.8, 0.9, 0.95)
 """Of the tests that shall see the difference."""
 FACTOR = "run.coefficient_factor"

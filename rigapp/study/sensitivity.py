@@ -5,7 +5,7 @@ First order by Saltelli (2010), total by Jansen (1999), limits by the bootstrap 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,9 @@ class Indices:
     total: Floats
     total_low: Floats
     total_high: Floats
+
+
+INDICES = tuple(one.name for one in fields(Indices))
 
 
 def indices_of(blocks: Floats, seed: int) -> Indices | None:

@@ -16,12 +16,11 @@ from rigapp.config.writing import whole_file
 from rigapp.schema.units import unit_of_key
 from rigapp.study.design import Design, Value
 from rigapp.study.file import StudyFile
+from rigapp.study.folder import CSV, NOT_COMPUTED, SENSITIVITY, TABLE
 from rigapp.study.journal import StudyIdentity
 from rigapp.study.kinds import KINDS
 from rigapp.study.points import StudyRow
 from rigapp.study.sensitivity import Indices, indices_of
-
-TABLE, CSV = "table.nc", "table.csv"
 
 
 def write_tables(
@@ -74,7 +73,7 @@ def dataset(
 
 
 def _problem(row: StudyRow | None) -> str:
-    return "not computed yet" if row is None else row.problem
+    return NOT_COMPUTED if row is None else row.problem
 
 
 def result(name: str, design: Design, rows: Mapping[int, StudyRow]) -> NDArray[np.float64]:
@@ -109,7 +108,7 @@ def _sensitivity_columns(keys: list[str], known: Mapping[str, Indices]) -> xarra
         "total_high": "upper 95 % limit of it",
     }
     columns = {
-        f"sensitivity_{name}": (
+        f"{SENSITIVITY}{name}": (
             ("result", "parameter"),
             np.array([getattr(one, name) for one in known.values()]),
             {"units": "1", "long_name": text, "role": "sensitivity"},

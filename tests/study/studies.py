@@ -6,7 +6,16 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Mapping
 from pathlib import Path
+
+import msgspec
+
+from rigapp.study.folder import IDENTITY
+from rigapp.study.points import Batch, StudyRow, computed
+from rigapp.study.power import write_power
+from rigapp.study.running import read_study
+from rigapp.study.table import sensitivities, write_tables
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PRESSURE = """schema = 1
@@ -30,6 +39,23 @@ def written(folder: Path, text: str = PRESSURE) -> Path:
     path = folder / "study.toml"
     path.write_text(text, "utf-8")
     return path
+
+
+def finished(folder: Path, text: str = PRESSURE, problems: Mapping[int, str] | None = None) -> Path:
+    """Compute a study here and write its tables; problems: why points shall have no result."""
+    study = read_study(written(folder.with_name(f"{folder.name}-file"), text))
+    known, points = study.template, study.design.points
+    rows = {
+        one.number: one for one in computed(Batch(known.kind, known.parameters, known.run, points))
+    }
+    for number, why in (problems or {}).items():
+        rows[number] = StudyRow(number, problem=why)
+    folder.mkdir()
+    (folder / IDENTITY).write_bytes(msgspec.json.encode(study.identity))
+    shares = sensitivities(study.record, study.design, rows)
+    write_tables(folder, study.record, study.design, study.identity, rows, shares)
+    write_power(folder, study.record, study.design, rows)
+    return folder
 
 
 def command(study: Path, to: Path, *more: str) -> list[str]:

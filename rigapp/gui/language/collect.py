@@ -40,6 +40,7 @@ SPEAKERS: Final = (
     "rigapp/service/preflight", "rigapp/gui/testfile/prepare", "rigapp/gui/data/connection",
     "rigapp/calibrating/records_in_use", "rigapp/engine/engine", "rigapp/engine/starting",
     "rigapp/engine/resting",
+    "rigapp/study/kinds", "rigapp/study/folder",
     "model/identification/words", "model/identification/errors", "model/identification/evidence",
     "calibration/taking/procedure", "calibration/taking/level", "calibration/taking/pieces",
     "calibration/taking/signals", "calibration/taking/stability", "calibration/load_cell/plans",

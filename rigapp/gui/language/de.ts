@@ -4,46 +4,6 @@
 <context>
     <name>rigapp</name>
     <message>
-        <source>
-| Key | Does |
-| --- | --- |
-{commands}
-| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
-| F7 | Acknowledge the alarm that is told in full; show the alarms where none is seen |
-| {recover} | Do the next step of the *Recover* panel |
-| F1 | This help |
-| F3 | Calibrate the load cell or the probes, map the pin&apos;s run-out |
-| F9 | Light or dark |
-| Ctrl+1 … Ctrl+9, Ctrl+W, Ctrl+0, Ctrl+R | Go to a page |
-| Alt + underlined letter | Press a button, go to a field |
-| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
-| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
-| Esc | Close the start bar or this window |
-
-The emergency stop is the red button on the rig. It works without this program, and no program
-replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
-</source>
-        <translation>
-| Taste | Wirkung |
-| --- | --- |
-{commands}
-| F8 | Zur Zeile für Gründe und Notizen; Enter schreibt die Notiz ins Protokoll |
-| F7 | Den Alarm quittieren, der ganz dasteht; ist keiner zu sehen, die Alarme zeigen |
-| {recover} | Den nächsten Schritt unter *Zurück zum Versuch* tun |
-| F1 | Diese Hilfe |
-| F3 | Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Bolzens aufnehmen |
-| F9 | Hell oder dunkel |
-| Strg+1 … Strg+9, Strg+W, Strg+0, Strg+R | Zu einer Seite |
-| Alt + unterstrichener Buchstabe | Eine Taste drücken, in ein Feld gehen |
-| ← → + − in einem Verlauf | Verschieben und vergrößern; ein Klick liest die Werte eines Zyklus, Esc wieder die neuesten |
-| ← → in einem Kraftbild | Den Cursor um 1°, mit Umschalt um 10° verschieben; ein Klick setzt ihn |
-| Esc | Die Startkarte oder dieses Fenster schließen |
-
-Der Not-Halt ist der rote Taster am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm
-ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus, die Datei wird geschlossen.
-</translation>
-    </message>
-    <message>
         <source> or </source>
         <translation> oder </translation>
     </message>
@@ -2762,12 +2722,60 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Den Winkel des Drehgebers nehmen, wie er &amp;jetzt ist</translation>
     </message>
     <message>
+        <source>
+| Key | Does |
+| --- | --- |
+{commands}
+| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
+| F7 | Acknowledge the alarm that is told in full; show the alarms where none is seen |
+| {recover} | Do the next step of the *Recover* panel |
+| F1 | This help |
+| F3 | Calibrate the load cell or the probes, map the pin&apos;s run-out |
+| F9 | Light or dark |
+| Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+R, Ctrl+U, Ctrl+W | Go to a page |
+| Alt + underlined letter | Press a button, go to a field |
+| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
+| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
+| Esc | Close the start bar or this window |
+
+The emergency stop is the red button on the rig. It works without this program, and no program
+replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
+</source>
+        <translation>
+| Taste | Wirkung |
+| --- | --- |
+{commands}
+| F8 | Zur Zeile für Gründe und Notizen; Enter schreibt die Notiz ins Protokoll |
+| F7 | Den Alarm quittieren, der ganz dasteht; ist keiner zu sehen, die Alarme zeigen |
+| {recover} | Den nächsten Schritt unter *Zurück zum Versuch* tun |
+| F1 | Diese Hilfe |
+| F3 | Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Bolzens aufnehmen |
+| F9 | Hell oder dunkel |
+| Strg+1 … Strg+9, Strg+0, Strg+D, Strg+R, Strg+U, Strg+W | Zu einer Seite |
+| Alt + unterstrichener Buchstabe | Eine Taste drücken, in ein Feld gehen |
+| ← → + − in einem Verlauf | Verschieben und vergrößern; ein Klick liest die Werte eines Zyklus, Esc wieder die neuesten |
+| ← → in einem Kraftbild | Den Cursor um 1°, mit Umschalt um 10° verschieben; ein Klick setzt ihn |
+| Esc | Die Startkarte oder dieses Fenster schließen |
+
+Der Not-Halt ist der rote Taster am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm
+ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus, die Datei wird geschlossen.
+</translation>
+    </message>
+    <message>
+        <source>&amp;Against</source>
+        <translation>&amp;Gegen</translation>
+    </message>
+    <message>
         <source>&amp;Guide</source>
         <translation>&amp;Anleitung</translation>
     </message>
     <message>
         <source>&amp;Keys</source>
         <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Of</source>
+        <translation>&amp;Von</translation>
     </message>
     <message>
         <source>&amp;Test file</source>
@@ -2780,6 +2788,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>, in step {}</source>
         <translation>, in Schritt {}</translation>
+    </message>
+    <message>
+        <source>1: the error is within the tolerance</source>
+        <translation>1: der Fehler liegt innerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>1: the true coefficient lies within its limits</source>
+        <translation>1: der wahre Koeffizient liegt in seinen Grenzen</translation>
     </message>
     <message>
         <source>; and {} more</source>
@@ -2814,6 +2830,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Ein Versuch wurde unterbrochen</translation>
     </message>
     <message>
+        <source>A wear coefficient other than the model&apos;s is seen after so many revolutions by so great a share of the tests:</source>
+        <translation>Ein anderer Verschleißkoeffizient als der des Modells wird nach so vielen Umdrehungen von einem so großen Anteil der Versuche gesehen:</translation>
+    </message>
+    <message>
         <source>A window with the simulated rig is being opened.</source>
         <translation>Ein Fenster mit dem simulierten Prüfstand wird geöffnet.</translation>
     </message>
@@ -2842,6 +2862,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Schritt hinzufügen</translation>
     </message>
     <message>
+        <source>After how many revolutions it is seen</source>
+        <translation>Nach wie vielen Umdrehungen man es sieht</translation>
+    </message>
+    <message>
         <source>All</source>
         <translation>Alle</translation>
     </message>
@@ -2860,6 +2884,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>All {} results</source>
         <translation>Alle {} Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Alone</source>
+        <translation>Allein</translation>
     </message>
     <message>
         <source>Always watched</source>
@@ -2946,6 +2974,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kalibrierschein</translation>
     </message>
     <message>
+        <source>Changed</source>
+        <translation>Geändert</translation>
+    </message>
+    <message>
         <source>Channel</source>
         <translation>Kanal</translation>
     </message>
@@ -2960,6 +2992,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Choose a settings file</source>
         <translation>Eine Einstellungsdatei wählen</translation>
+    </message>
+    <message>
+        <source>Choose a study: its points are drawn here.</source>
+        <translation>Eine Studie wählen: hier werden ihre Punkte gezeichnet.</translation>
     </message>
     <message>
         <source>Choose a test: what it came to stands here.</source>
@@ -3002,6 +3038,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Vollständig</translation>
     </message>
     <message>
+        <source>Computes</source>
+        <translation>Berechnet</translation>
+    </message>
+    <message>
         <source>Connected</source>
         <translation>Verbunden</translation>
     </message>
@@ -3040,6 +3080,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Delay</source>
         <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>Depends most on {}. Shares of the variance, with 95 % limits:</source>
+        <translation>Hängt am meisten von {} ab. Anteile an der Varianz, mit 95-%-Grenzen:</translation>
     </message>
     <message>
         <source>Depth, µm</source>
@@ -3124,6 +3168,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>F on the follower, away from the crank&apos;s centre (the cell feels the opposite)</source>
         <translation>F auf die Koppel, weg von der Kurbelmitte (der Kraftsensor spürt das Umgekehrte)</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Faktor</translation>
     </message>
     <message>
         <source>Faults</source>
@@ -3422,6 +3470,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Liste der Prüfungen</translation>
     </message>
     <message>
+        <source>List of studies</source>
+        <translation>Liste der Studien</translation>
+    </message>
+    <message>
         <source>Load cell broken</source>
         <translation>Kraftsensor defekt</translation>
     </message>
@@ -3670,12 +3722,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kein weiterer Versuch der Warteschlange beginnt.</translation>
     </message>
     <message>
+        <source>No point has this result.</source>
+        <translation>Kein Punkt hat dieses Ergebnis.</translation>
+    </message>
+    <message>
         <source>No results yet</source>
         <translation>Noch keine Ergebnisse</translation>
     </message>
     <message>
         <source>No steps</source>
         <translation>Keine Schritte</translation>
+    </message>
+    <message>
+        <source>No study is in {}. `rigapp study STUDY.toml --to FOLDER` computes one; open its folder here.</source>
+        <translation>In {} ist keine Studie. `rigapp study STUDIE.toml --to ORDNER` berechnet eine; hier ihren Ordner öffnen.</translation>
     </message>
     <message>
         <source>No test is armed. Choose a test file, or save the new one in Prepare.</source>
@@ -3774,6 +3834,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zahlen und Unsicherheit</translation>
     </message>
     <message>
+        <source>O&amp;pen another study…</source>
+        <translation>Andere Studie öff&amp;nen…</translation>
+    </message>
+    <message>
         <source>Oct</source>
         <translation>Okt</translation>
     </message>
@@ -3796,6 +3860,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Open a test file</source>
         <translation>Eine Versuchsdatei öffnen</translation>
+    </message>
+    <message>
+        <source>Open another study</source>
+        <translation>Andere Studie öffnen</translation>
     </message>
     <message>
         <source>Open results</source>
@@ -3836,6 +3904,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Panels</source>
         <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Parameter to draw it against</source>
+        <translation>Parameter, gegen den gezeichnet wird</translation>
     </message>
     <message>
         <source>Pause  F6</source>
@@ -3884,6 +3960,22 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Play or pause</source>
         <translation>Abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Points of the study</source>
+        <translation>Punkte der Studie</translation>
+    </message>
+    <message>
+        <source>Points without a result</source>
+        <translation>Punkte ohne Ergebnis</translation>
     </message>
     <message>
         <source>Posi&amp;tions of a run</source>
@@ -3994,6 +4086,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>RMS</translation>
     </message>
     <message>
+        <source>RMS of |F| of the joint</source>
+        <translation>Effektivwert von |F| des Gelenks</translation>
+    </message>
+    <message>
         <source>RMS to the model; worst cycle {:.1f} N</source>
         <translation>RMS zum Modell; schlechtester Zyklus {:.1f} N</translation>
     </message>
@@ -4004,6 +4100,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>RMS, {} cycles ago</source>
         <translation>RMS, vor {} Zyklen</translation>
+    </message>
+    <message>
+        <source>Range of the result</source>
+        <translation>Bereich des Ergebnisses</translation>
     </message>
     <message>
         <source>Range or error of {}</source>
@@ -4040,6 +4140,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Read the folder again</source>
         <translation>Den Ordner neu lesen</translation>
+    </message>
+    <message>
+        <source>Read the folders again</source>
+        <translation>Die Ordner noch einmal lesen</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -4202,8 +4306,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Ergebnis</translation>
     </message>
     <message>
+        <source>Result against parameter</source>
+        <translation>Ergebnis gegen Parameter</translation>
+    </message>
+    <message>
         <source>Result of the test</source>
         <translation>Ergebnis des Versuchs</translation>
+    </message>
+    <message>
+        <source>Result to draw</source>
+        <translation>Ergebnis, das gezeichnet wird</translation>
     </message>
     <message>
         <source>Results</source>
@@ -4346,6 +4458,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Schema</translation>
     </message>
     <message>
+        <source>Seen after (rev)</source>
+        <translation>Gesehen nach (Umdr.)</translation>
+    </message>
+    <message>
         <source>Sensitivity of the daily checks</source>
         <translation>Empfindlichkeit der täglichen Prüfungen</translation>
     </message>
@@ -4400,6 +4516,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Shape of the state</source>
         <translation>Form des Zustands</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
     </message>
     <message>
         <source>Shelve the chosen alarm</source>
@@ -4682,6 +4802,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Gespeicherte Umdrehung zum Vergleich</translation>
     </message>
     <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
+    </message>
+    <message>
+        <source>Studies in the folder</source>
+        <translation>Studien im Ordner</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
         <source>Sun</source>
         <translation>So</translation>
     </message>
@@ -4772,6 +4904,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Test {} did not end as planned, and the queue stopped there. Start the queue to go on with it in its own file, or remove it.</source>
         <translation>Versuch {} endete nicht wie geplant, und die Warteschlange blieb dort stehen. Die Warteschlange beginnen, um ihn in seiner Datei fortzusetzen, oder ihn entfernen.</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Versuche</translation>
     </message>
     <message>
         <source>Tests (*.toml)</source>
@@ -4974,6 +5110,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Spindel dreht sich. Hände weg.</translation>
     </message>
     <message>
+        <source>The study has no table yet: it is under way, or was killed. What is done is safe, and the same command goes on with it</source>
+        <translation>Die Studie hat noch keine Tabelle: sie läuft, oder wurde abgebrochen. Was fertig ist, ist sicher, und derselbe Befehl macht damit weiter</translation>
+    </message>
+    <message>
         <source>The test goes on and is recorded; windows may show nothing and cannot command it.</source>
         <translation>Der Versuch geht weiter und wird aufgezeichnet; Fenster zeigen vielleicht nichts und können ihn nicht bedienen.</translation>
     </message>
@@ -5052,6 +5192,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Then</source>
         <translation>Danach</translation>
+    </message>
+    <message>
+        <source>There is no study in {}.</source>
+        <translation>In {} ist keine Studie.</translation>
     </message>
     <message>
         <source>These faults happen in the simulated devices, on the wire or on the signals, not in the program: what you see is what a real fault would show.</source>
@@ -5310,6 +5454,22 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Was die Warteschlange tut</translation>
     </message>
     <message>
+        <source>What the result depends on</source>
+        <translation>Wovon das Ergebnis abhängt</translation>
+    </message>
+    <message>
+        <source>What the result depends on most</source>
+        <translation>Wovon das Ergebnis am meisten abhängt</translation>
+    </message>
+    <message>
+        <source>What the study came to</source>
+        <translation>Was die Studie ergeben hat</translation>
+    </message>
+    <message>
+        <source>What the table of the power says</source>
+        <translation>Was die Tabelle der Trennschärfe sagt</translation>
+    </message>
+    <message>
         <source>What these faults are</source>
         <translation>Was diese Fehler sind</translation>
     </message>
@@ -5414,6 +5574,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Warum der Versuch endete</translation>
     </message>
     <message>
+        <source>Why there is no result</source>
+        <translation>Warum es kein Ergebnis gibt</translation>
+    </message>
+    <message>
         <source>Why this window only looks</source>
         <translation>Warum dieses Fenster nur zusieht</translation>
     </message>
@@ -5432,6 +5596,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Windows cannot be served</source>
         <translation>Fenster können nicht bedient werden</translation>
+    </message>
+    <message>
+        <source>With all others</source>
+        <translation>Mit allen anderen</translation>
     </message>
     <message>
         <source>Write</source>
@@ -5566,6 +5734,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>vor dem Start</translation>
     </message>
     <message>
+        <source>bound of the computed depth&apos;s error</source>
+        <translation>Schranke für den Fehler der berechneten Tiefe</translation>
+    </message>
+    <message>
         <source>broken</source>
         <translation>gebrochen</translation>
     </message>
@@ -5596,6 +5768,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>connecting</source>
         <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>crank angle of the largest |F|</source>
+        <translation>Kurbelwinkel des größten |F|</translation>
     </message>
     <message>
         <source>critical</source>
@@ -5632,6 +5808,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>driven wear depth</source>
         <translation>Verschleißtiefe aus der gemessenen Kraft</translation>
+    </message>
+    <message>
+        <source>elastic approach of pin and bushing</source>
+        <translation>elastische Annäherung von Bolzen und Buchse</translation>
     </message>
     <message>
         <source>ends {}</source>
@@ -5682,6 +5862,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>gut, nichts verloren</translation>
     </message>
     <message>
+        <source>half angle of the contact</source>
+        <translation>halber Kontaktwinkel</translation>
+    </message>
+    <message>
+        <source>half the limits&apos; distance over the median</source>
+        <translation>halber Abstand der Grenzen durch den Median</translation>
+    </message>
+    <message>
         <source>hand</source>
         <translation>Hand</translation>
     </message>
@@ -5726,6 +5914,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kilogramm</translation>
     </message>
     <message>
+        <source>largest contact pressure</source>
+        <translation>größter Kontaktdruck</translation>
+    </message>
+    <message>
+        <source>largest magnitude of the drive&apos;s torque</source>
+        <translation>größter Betrag des Antriebsmoments</translation>
+    </message>
+    <message>
+        <source>largest |F| of the joint</source>
+        <translation>größtes |F| des Gelenks</translation>
+    </message>
+    <message>
         <source>latched</source>
         <translation>gehalten</translation>
     </message>
@@ -5746,12 +5946,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>ohne laufenden Versuch werden Grenzen in der Versuchsdatei geändert</translation>
     </message>
     <message>
+        <source>lower 95 % limit of it</source>
+        <translation>untere 95-%-Grenze davon</translation>
+    </message>
+    <message>
+        <source>lower 95 % limit of them</source>
+        <translation>untere 95-%-Grenze davon</translation>
+    </message>
+    <message>
         <source>making the ports</source>
         <translation>Anschlüsse werden angelegt</translation>
     </message>
     <message>
         <source>margin {:.0f} %</source>
         <translation>Abstand {:.0f} %</translation>
+    </message>
+    <message>
+        <source>mean force over the slip at the end</source>
+        <translation>mittlere Kraft über den Gleitweg am Ende</translation>
     </message>
     <message>
         <source>measured by the probes, k = 2</source>
@@ -5826,12 +6038,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>keine: die Felder unten genügen</translation>
     </message>
     <message>
+        <source>not computed yet</source>
+        <translation>noch nicht berechnet</translation>
+    </message>
+    <message>
         <source>not connected</source>
         <translation>nicht verbunden</translation>
     </message>
     <message>
         <source>not connected yet</source>
         <translation>noch nicht verbunden</translation>
+    </message>
+    <message>
+        <source>not in time</source>
+        <translation>nicht rechtzeitig</translation>
     </message>
     <message>
         <source>not known</source>
@@ -5970,8 +6190,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>zurückgekehrt</translation>
     </message>
     <message>
+        <source>revolution from which the limits leave out the model&apos;s coefficient, to the end; none where they do not</source>
+        <translation>Umdrehung, von der an die Grenzen den Koeffizienten des Modells bis zum Ende ausschließen; keine, wo sie es nicht tun</translation>
+    </message>
+    <message>
         <source>revolutions</source>
         <translation>Umdrehungen</translation>
+    </message>
+    <message>
+        <source>revolutions to the depth of the end</source>
+        <translation>Umdrehungen bis zur Endtiefe</translation>
     </message>
     <message>
         <source>revolutions {} to {}, ramp {}</source>
@@ -5984,6 +6212,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>revolutions/s</source>
         <translation>Umdrehungen/s</translation>
+    </message>
+    <message>
+        <source>run.rpm = 0: give a speed other than 0</source>
+        <translation>run.rpm = 0: eine andere Drehzahl als 0 angeben</translation>
     </message>
     <message>
         <source>running</source>
@@ -6020,6 +6252,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>simulation state</source>
         <translation>Stand der Simulation</translation>
+    </message>
+    <message>
+        <source>slip of a cycle</source>
+        <translation>Gleitweg eines Umlaufs</translation>
+    </message>
+    <message>
+        <source>smallest |F| of the joint</source>
+        <translation>kleinstes |F| des Gelenks</translation>
     </message>
     <message>
         <source>square</source>
@@ -6194,6 +6434,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>bis zum Beenden</translation>
     </message>
     <message>
+        <source>upper 95 % limit of it</source>
+        <translation>obere 95-%-Grenze davon</translation>
+    </message>
+    <message>
+        <source>upper 95 % limit of them</source>
+        <translation>obere 95-%-Grenze davon</translation>
+    </message>
+    <message>
         <source>use records</source>
         <translation>Kalibrierung verwenden</translation>
     </message>
@@ -6208,6 +6456,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>was {}; {}</source>
         <translation>war: {}; {}</translation>
+    </message>
+    <message>
+        <source>wear coefficient, median</source>
+        <translation>Verschleißkoeffizient, Median</translation>
+    </message>
+    <message>
+        <source>wear depth at the end</source>
+        <translation>Verschleißtiefe am Ende</translation>
     </message>
     <message>
         <source>what the calibration says</source>
@@ -6232,6 +6488,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>with weights, at several pin angles</source>
         <translation>mit Gewichten, bei mehreren Bolzenwinkeln</translation>
+    </message>
+    <message>
+        <source>worn area at the end</source>
+        <translation>verschlissene Fläche am Ende</translation>
+    </message>
+    <message>
+        <source>worn mass at the end</source>
+        <translation>verschlissene Masse am Ende</translation>
     </message>
     <message>
         <source>zero</source>
@@ -6260,6 +6524,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{name} {length} {kind} at {speed_rpm} rpm, then rest {rest_s} s</source>
         <translation>{name} {length} {kind} mit {speed_rpm} rpm, dann {rest_s} s Ruhe</translation>
+    </message>
+    <message>
+        <source>{} % ({} to {})</source>
+        <translation>{} % ({} bis {})</translation>
     </message>
     <message>
         <source>{} above limit</source>
@@ -6362,6 +6630,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} von {} Zyklen</translation>
     </message>
     <message>
+        <source>{} of {} points have a result. Why the others have none stands below.</source>
+        <translation>{} von {} Punkten haben ein Ergebnis. Warum die anderen keines haben, steht unten.</translation>
+    </message>
+    <message>
+        <source>{} of {} points have a result; still to come: {}; without a result: {}.</source>
+        <translation>{} von {} Punkten haben ein Ergebnis; noch zu rechnen: {}; ohne Ergebnis: {}.</translation>
+    </message>
+    <message>
         <source>{} of {} tests in {}</source>
         <translation>{} von {} Versuchen in {}</translation>
     </message>
@@ -6372,6 +6648,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} pieces, {:g} kg in all. The heaviest load is {:g} kg; {}</source>
         <translation>{} Stücke, zusammen {:g} kg. Die schwerste Last ist {:g} kg; {}</translation>
+    </message>
+    <message>
+        <source>{} points, each with a result.</source>
+        <translation>{} Punkte, jeder mit einem Ergebnis.</translation>
     </message>
     <message>
         <source>{} readings, about {}.</source>
@@ -6390,8 +6670,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} noch zu lesen; {}</translation>
     </message>
     <message>
+        <source>{} studies in {}</source>
+        <translation>{} Studien in {}</translation>
+    </message>
+    <message>
         <source>{} tests in {} cannot be read: {}</source>
         <translation>{} Versuche in {} sind nicht lesbar: {}</translation>
+    </message>
+    <message>
+        <source>{} to {}, half of them below {}</source>
+        <translation>{} bis {}, die Hälfte unter {}</translation>
     </message>
     <message>
         <source>{} to {}, {}</source>
@@ -6907,6 +7195,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>it cannot be recorded now: {}</source>
         <translation>jetzt lässt sich nicht aufnehmen: {}</translation>
+    </message>
+    <message>
+        <source>kind = {}: choose one of {}</source>
+        <translation>kind = {}: eines von {} wählen</translation>
     </message>
     <message>
         <source>limit {} changed{}</source>
@@ -7467,6 +7759,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}: how its unit becomes SI is not known</source>
         <translation>{}: wie seine Einheit zu SI wird, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>{}: is not the table of a study ({})</source>
+        <translation>{}: ist nicht die Tabelle einer Studie ({})</translation>
     </message>
     <message>
         <source>{}: it tells no rolls ({})</source>

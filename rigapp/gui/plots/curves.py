@@ -20,6 +20,8 @@ Changed = Callable[[], None]
 
 SHADE = 48
 """Opacity of a band, of 255: two over each other, and a line below them, can still be told."""
+DOT = 5.0
+"""Diameter of a point, pixels."""
 NOTHING: Floats = np.empty(0)
 
 
@@ -60,6 +62,35 @@ class Trace:
             painter.setPen(self._pen)
             for piece in self._pieces:
                 painter.drawPolyline(piece)
+
+
+class Dots:
+    """Points that no line joins; what is NaN is not drawn."""
+
+    def __init__(self, changed: Changed) -> None:
+        self._changed = changed
+        self._points = QPolygonF()
+        self._pen = QPen()
+        self.x, self.y = NOTHING, NOTHING
+
+    def setPen(self, pen: QPen) -> None:
+        """Draw in the colour of a pen."""
+        self._pen = QPen(pen.color(), DOT)
+        self._pen.setCosmetic(True)
+        self._pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+        self._changed()
+
+    def setData(self, x: Floats, y: Floats) -> None:
+        """Draw points, (n,) each."""
+        known = np.isfinite(x) & np.isfinite(y)
+        self.x, self.y = x[known], y[known]
+        self._points = _polygon(self.x, self.y)
+        self._changed()
+
+    def paint(self, painter: QPainter) -> None:
+        """Paint the points."""
+        painter.setPen(self._pen)
+        painter.drawPoints(self._points)
 
 
 class ShadedBand:
@@ -105,7 +136,7 @@ class Canvas(pg.GraphicsObject):  # type: ignore[misc]
         super().__init__()
         self._seen = QRectF()
         self.bands: list[ShadedBand] = []
-        self.traces: list[Trace] = []
+        self.traces: list[Trace | Dots] = []
 
     def boundingRect(self) -> QRectF:
         """Return the visible part of the plot."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
@@ -18,7 +18,7 @@ from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import BODY_PT, GAP, STEP, Theme
 from rigapp.gui.plots.axes import QuietAxis
-from rigapp.gui.plots.curves import Canvas, ShadedBand, Trace
+from rigapp.gui.plots.curves import Canvas, Dots, ShadedBand, Trace
 from rigapp.gui.plots.marks import (
     Marks,
     PlotFrame,
@@ -134,6 +134,11 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         """Return the sentence that stands in place of axes and curves, empty when these show."""
         return self._instead.text()
 
+    def name_places(self, side: str, texts: Sequence[str]) -> None:
+        """Write texts at 0, 1, 2 … of an axis in place of numbers; none: numbers again."""
+        self._axes[side].setTicks([list(enumerate(texts))] if texts else None)
+        self._repaint()
+
     def empty(self, sentence: Text) -> None:
         """Show a sentence in place of axes and curves, which mean nothing yet; "": show these."""
         sentence = tr(sentence)
@@ -154,6 +159,13 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
     def curve(self, pen: LinePen) -> Trace:
         """Add an empty curve for data known to be finite."""
         item = Trace(self._canvas.update)
+        self._canvas.traces.append(item)
+        self.draw_with(pen, item)
+        return item
+
+    def dots(self, pen: LinePen) -> Dots:
+        """Add points that no line joins, none yet."""
+        item = Dots(self._canvas.update)
         self._canvas.traces.append(item)
         self.draw_with(pen, item)
         return item

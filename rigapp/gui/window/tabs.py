@@ -26,6 +26,7 @@ from rigapp.gui.panels.queue import queue_page
 from rigapp.gui.panels.resultpage import has_result, result_page
 from rigapp.gui.panels.results import results_page
 from rigapp.gui.panels.start import may_begin, start_page
+from rigapp.gui.panels.studies import studies_page
 from rigapp.gui.panels.trends import trend_page
 from rigapp.gui.panels.wear import wear_page
 from rigapp.gui.plots.plotting import QuietPlot
@@ -79,6 +80,7 @@ TABS = (
     Tab("wear", "Wear", "Ctrl+W", RailPlace.WATCH, wear_page),
     Tab("start", "Start", "Ctrl+0", RailPlace.WATCH, start_page, may_begin),
     Tab("result", "Result", "Ctrl+R", RailPlace.WATCH, result_page, has_result),
+    Tab("studies", "Studies", "Ctrl+D", RailPlace.RESULTS, studies_page),
     Tab("faults", "Simulated faults", "Ctrl+9", RailPlace.RIG, fault_page, _simulated),
 )
 NUMBERS = {tab.name: number for number, tab in enumerate(TABS)}

@@ -1,0 +1,240 @@
+"""The studies of the results folder: what was varied, what came of it, and what it depends on."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Final
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from rigapp.gui.data.news import News, Takes
+from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.data.texts import MOMENT, dated, grouped
+from rigapp.gui.language.told import retold
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.tokens import GAP, Theme
+from rigapp.gui.panel import Host
+from rigapp.gui.plots.studyplot import StudyPlot
+from rigapp.gui.widgets.build import button, column, named, page, prose, row, split
+from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.gui.widgets.tables import PlainTable
+from rigapp.study.folder import PowerRow, StudyResults, studies_in
+
+NO_STUDIES: Final[Text] = (
+    "No study is in {}. `rigapp study STUDY.toml --to FOLDER` computes one; open its folder here."
+)
+ALL_DONE: Final[Text] = "{} points, each with a result."
+SOME_FAILED: Final[Text] = "{} of {} points have a result. Why the others have none stands below."
+SOME_WAIT: Final[Text] = "{} of {} points have a result; still to come: {}; without a result: {}."
+SEEN_TITLE: Final[Text] = (
+    "A wear coefficient other than the model's is seen after so many revolutions by so great a"
+    " share of the tests:"
+)
+DEPENDS: Final[tuple[Text, ...]] = ("Parameter", "Alone", "With all others")
+FAILED: Final[tuple[Text, ...]] = ("Point", "Why there is no result")
+SEEN: Final[tuple[Text, ...]] = ("Factor", "Tests", "Share", "Seen after (rev)")
+MOST_FAILED = 200
+"""Reasons that are listed; the column ``problem`` of the table has them all."""
+
+
+class StudiesPanel(QWidget):
+    """List the studies at the left; the chosen one at the right: points, dependence, power."""
+
+    said = Signal(str, bool)
+    takes = Takes(0)
+
+    def __init__(self, theme: Theme, folder: Path, worker: TaskWorker) -> None:
+        super().__init__()
+        self._folder, self._worker = folder, worker
+        self._opened: tuple[Path, ...] = ()
+        self._studies: tuple[StudyResults, ...] = ()
+        self._shown: StudyResults | None = None
+        self._wanted: Path | None = None
+        named(self, "studies", "Studies")
+        self.told = ElidedLabel("studies_told", "Studies in the folder")
+        self.told.setProperty("role", "caption")
+        self.another = button("studies_open", "O&pen another study…", self._choose_folder)
+        self.again = button("studies_again", "&Look again", self.look, tip="Read the folders again")
+        self.list = PlainTable(
+            "study_list", "List of studies", ("Study", "Computes", "Points", "Changed")
+        )
+        self.list.itemSelectionChanged.connect(self._choose)
+        self.sentence = prose("study_sentence", "What the study came to")
+        self.plot = StudyPlot(theme)
+        self.plot.result.currentIndexChanged.connect(self._show_dependence)
+        self.depends = PlainTable("study_depends", "What the result depends on", DEPENDS)
+        self.power = PlainTable("study_power", "After how many revolutions it is seen", SEEN)
+        self.failed = PlainTable("study_failed", "Points without a result", FAILED, stretch=(1,))
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        self.depends_title = prose("study_depends_title", "What the result depends on most")
+        power_title = prose("study_power_title", "What the table of the power says", SEEN_TITLE)
+        self._power = page(power_title, (self.power, 1))
+        self._depends = page(self.depends_title, (self.depends, 1))
+        below = row((self._depends, 3), (self._power, 3), (self.failed, 3))
+        below.setSpacing(GAP)
+        under = QWidget()
+        under.setLayout(below)
+        parts = split("study_parts", Qt.Orientation.Vertical, [420, 200], self.plot, under)
+        right = page(self.sentence, (parts, 1))
+        both = split("studies_split", Qt.Orientation.Horizontal, [420, 900], self.list, right)
+        whole = column(row((self.told, 1), self.another, self.again), (both, 1), on=self)
+        whole.setSpacing(GAP)
+        self._show(None)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Look what is there."""
+        super().showEvent(event)
+        self.look()
+
+    def show_news(self, news: News) -> None:
+        """Take nothing: a study has nothing to do with the test that runs."""
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self.plot.dress(theme)
+
+    def look(self) -> None:
+        """Read the studies again, on the worker."""
+        folders = (self._folder, *self._opened)
+        self._worker.submit(lambda: _found(folders), self._list, self._not_read)
+
+    def open_folder(self, folder: str) -> None:
+        """List the studies of one more folder, and choose the newest of them."""
+        path = Path(folder)
+        if path not in self._opened:
+            self._opened = (path, *self._opened)
+        self._wanted = path
+        self.look()
+
+    def _choose_folder(self) -> None:
+        dialog = QFileDialog(self, tr("Open another study"))
+        dialog.setFileMode(QFileDialog.FileMode.Directory)
+        dialog.fileSelected.connect(self.open_folder)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
+
+    def _list(self, found: tuple[StudyResults, ...]) -> None:
+        """Show what was found; the one that is shown or wanted stays chosen, else the newest."""
+        wanted = self._wanted
+        at = next(
+            (at for at, one in enumerate(found) if wanted in (one.folder, one.folder.parent)), None
+        )
+        if at is None and wanted in self._opened:
+            self.said.emit(tr("There is no study in {}.", wanted), False)
+        self._studies = found
+        self.list.blockSignals(True)
+        self.list.show_rows([_row(one) for one in found])
+        self.list.clearSelection()
+        if found:
+            self.list.selectRow(at or 0)
+        self.list.blockSignals(False)
+        told = tr("{} studies in {}", grouped(len(found)), self._folder)
+        self.told.show_text(told if found else tr(NO_STUDIES, self._folder))
+        self._choose()
+
+    def _not_read(self, error: Exception) -> None:
+        self.told.show_text(tr("{} cannot be read: {}", self._folder, error))
+
+    def _choose(self) -> None:
+        at = self.list.chosen()
+        self._show(self._studies[at] if at is not None and at < len(self._studies) else None)
+
+    def _show(self, study: StudyResults | None) -> None:
+        self._shown = study
+        self._wanted = study.folder if study is not None else self._wanted
+        self.sentence.setText(_sentence(study) if study is not None else "")
+        failed = study.failed[:MOST_FAILED] if study is not None else ()
+        self.failed.show_rows([(grouped(number), retold(why)) for number, why in failed])
+        self.failed.setVisible(bool(failed))
+        power = _power_rows(study.power) if study is not None else []
+        self.power.show_rows(power)
+        self._power.setVisible(bool(power))
+        self.plot.show_study(study)
+        self._show_dependence()
+
+    def _show_dependence(self) -> None:
+        """Show what the drawn result depends on, where the design tells."""
+        study, result = self._shown, self.plot.column
+        found = _dependence(study, result.name) if study and result else []
+        self.depends.show_rows([texts for _, texts in found])
+        self._depends.setVisible(bool(found))
+        if found:
+            most = max(found, key=lambda one: one[0])[1][0]
+            self.depends_title.setText(
+                tr("Depends most on {}. Shares of the variance, with 95 % limits:", most)
+            )
+
+
+def _found(folders: Sequence[Path]) -> tuple[StudyResults, ...]:
+    """Return the studies of folders, those that are there."""
+    there = (one for folder in folders if folder.is_dir() for one in studies_in(folder))
+    return tuple({one.folder: one for one in there}.values())
+
+
+def _row(study: StudyResults) -> tuple[str, ...]:
+    changed = dated(MOMENT, time.localtime(study.changed))
+    points = grouped(len(study.problems)) if study.problems else "–"
+    return study.folder.name, study.kind or "–", points, changed
+
+
+def _sentence(study: StudyResults) -> str:
+    """Return how many points have a result, or why there is no table."""
+    if study.said:
+        return retold(study.said)
+    points, waiting, failed = len(study.problems), study.waiting, len(study.failed)
+    done = grouped(points - waiting - failed)
+    if waiting:
+        said = tr(SOME_WAIT, done, grouped(points), grouped(waiting), grouped(failed))
+    elif failed:
+        said = tr(SOME_FAILED, done, grouped(points))
+    else:
+        said = tr(ALL_DONE, done)
+    return said
+
+
+def _power_rows(power: Sequence[PowerRow]) -> list[tuple[str, ...]]:
+    return [
+        (
+            f"{one.factor:g}",
+            grouped(one.tests),
+            f"{100.0 * one.share:.0f} %",
+            _revolutions(one.revolutions),
+        )
+        for one in power
+    ]
+
+
+def _revolutions(number: float) -> str:
+    return grouped(round(number)) if math.isfinite(number) else tr("not in time")
+
+
+def _dependence(study: StudyResults, result: str) -> list[tuple[float, tuple[str, ...]]]:
+    """Return of each parameter its total share of a result's variance, and how a row says it."""
+    known = (study.sensitivities or {}).get(result)
+    if known is None:
+        return []
+    first = zip(known.first_order, known.first_order_low, known.first_order_high, strict=True)
+    total = zip(known.total, known.total_low, known.total_high, strict=True)
+    return [
+        (float(with_others[0]), (parameter.name, _share(*alone), _share(*with_others)))
+        for parameter, alone, with_others in zip(study.parameters, first, total, strict=True)
+    ]
+
+
+def _share(middle: float, low: float, high: float) -> str:
+    shares = (f"{100.0 * one:.0f}".replace("-", "\u2212") for one in (middle, low, high))
+    return tr("{} % ({} to {})", *shares)
+
+
+def studies_page(host: Host) -> QWidget:
+    """Make the page of the studies."""
+    panel = host.add("studies", StudiesPanel(host.theme, host.results_folder, host.worker))
+    panel.said.connect(host.say)
+    return panel

@@ -1,0 +1,126 @@
+"""The points of a study: one of its results against one of the parameters that were varied."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import PurePath
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.gui.data.ranges import SteadyRange
+from rigapp.gui.data.texts import unit_text
+from rigapp.gui.language.told import retold
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.tokens import STEP, Theme
+from rigapp.gui.plots.palette import LinePen
+from rigapp.gui.plots.plotting import PlotPanel, QuietPlot
+from rigapp.gui.widgets.build import choice, column, row
+from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.study.folder import StudyColumn, StudyResults
+
+NOTHING: Final[Text] = "Choose a study: its points are drawn here."
+MOST_NAMES = 6
+"""Texts at an axis; more would stand over each other."""
+ROOM = 0.03
+"""Of the width beside the first and the last point."""
+
+
+def with_unit(words: str, unit: str) -> str:
+    """Return words with their unit in brackets."""
+    unit = unit_text(unit)
+    return f"{words} ({unit})" if unit else words
+
+
+def result_title(one: StudyColumn) -> str:
+    """Return what a result is, in the language of the window, with its unit."""
+    words = retold(one.words) or one.name
+    return with_unit(words[:1].upper() + words[1:], one.unit)
+
+
+class StudyPlot(PlotPanel):
+    """Draw the chosen result against the chosen parameter, and say its range."""
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__("study_plot_panel", "Points of the study")
+        self._study: StudyResults | None = None
+        self.result = choice("study_result", "Result to draw", (), self._draw)
+        self.parameter = choice("study_parameter", "Parameter to draw it against", (), self._draw)
+        self.range = ElidedLabel("study_range", "Range of the result")
+        self.plot = QuietPlot("study_plot", "Result against parameter", theme)
+        self._dots = self.plot.dots(LinePen("first"))
+        choices = row("&Of", self.result, "&Against", self.parameter, (self.range, 1))
+        choices.setSpacing(STEP)
+        column(choices, (self.plot, 1), on=self)
+        self.plot.empty(NOTHING)
+
+    @property
+    def column(self) -> StudyColumn | None:
+        """Return the result that is drawn."""
+        at = self.result.currentIndex()
+        return None if self._study is None or at < 0 else self._study.results[at]
+
+    def show_study(self, study: StudyResults | None) -> None:
+        """Offer what a study varied and found; what was chosen stays, where it has that too."""
+        self._study = study
+        results = study.results if study is not None else ()
+        parameters = study.parameters if study is not None else ()
+        for box, items in (
+            (self.result, [(result_title(one), one.name) for one in results]),
+            (self.parameter, [(one.name, one.name) for one in parameters]),
+        ):
+            chosen = box.currentData()
+            box.blockSignals(True)
+            box.clear()
+            for text, name in items:
+                box.addItem(text, name)
+            box.setCurrentIndex(max(box.findData(chosen), 0 if items else -1))
+            box.blockSignals(False)
+        self._draw()
+
+    def _draw(self) -> None:
+        at, result = self.parameter.currentIndex(), self.column
+        if self._study is None or result is None or at < 0:
+            said = retold(self._study.said) if self._study is not None else ""
+            self._show_nothing(said or tr(NOTHING))
+            return
+        against = self._study.parameters[at]
+        known = result.values[np.isfinite(result.values)]
+        if not known.size:
+            self._show_nothing(tr("No point has this result."))
+            return
+        low, high = float(known.min()), float(known.max())
+        self.range.show_text(
+            tr("{} to {}, half of them below {}", _short(low), _short(high), _short(_middle(known)))
+        )
+        self.plot.name_places("bottom", _names(against.texts))
+        self.plot.label("bottom", with_unit(against.name, against.unit))
+        self.plot.label("left", result_title(result))
+        self._dots.setData(against.values, result.values)
+        first, last = float(against.values.min()), float(against.values.max())
+        room = ROOM * (last - first) or 0.5
+        self.plot.setXRange(first - room, last + room, padding=0.0)
+        self.plot.steady = SteadyRange((high - low) or abs(high) or 1.0)
+        self.plot.fit(low, high)
+
+    def _show_nothing(self, why: str) -> None:
+        self.range.show_text("")
+        nothing = np.empty(0)
+        self._dots.setData(nothing, nothing)
+        self.plot.empty(why)
+
+
+def _names(texts: Sequence[str]) -> list[str]:
+    """Return what stands at the places of texts, of files their names; only some where many are."""
+    apart = math.ceil(len(texts) / MOST_NAMES)
+    return [PurePath(one).name if at % apart == 0 else "" for at, one in enumerate(texts)]
+
+
+def _short(number: float) -> str:
+    return f"{number:.4g}".replace("-", "\u2212")
+
+
+def _middle(known: NDArray[np.float64]) -> float:
+    return float(np.median(known))

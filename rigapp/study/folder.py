@@ -1,0 +1,169 @@
+"""What lies in a study's folder, and reading it back for those who look on: no Dask, no xarray."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.config.errors import UnusableInput
+from rigapp.study.sensitivity import INDICES, Indices
+
+Floats = NDArray[np.float64]
+
+ROWS, IDENTITY = "rows.jsonl", "study.json"
+TABLE, CSV, POWER = "table.nc", "table.csv", "power.csv"
+NOT_COMPUTED = "not computed yet"
+"""The problem of a point that is still to come."""
+SENSITIVITY = "sensitivity_"
+"""Before the names of the indices among the columns of the table."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StudyColumn:
+    """A parameter or a result at each point, (n,), NaN where there is none.
+
+    texts: where the values are texts, all of them; ``values`` are then their places among these.
+    """
+
+    name: str
+    unit: str
+    words: str
+    values: Floats
+    texts: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class PowerRow:
+    """So great a share of so many tests has seen the factor after so many revolutions, or inf."""
+
+    factor: float
+    share: float
+    revolutions: float
+    tests: int
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StudyResults:
+    """What a study came to. changed: when, seconds since 1970. said: why there is no table.
+
+    problems: of each point why it has no result, "" where it has. sensitivities: by result, each
+    index of the parameters in their order.
+    """
+
+    folder: Path
+    changed: float
+    kind: str = ""
+    parameters: tuple[StudyColumn, ...] = ()
+    results: tuple[StudyColumn, ...] = ()
+    problems: tuple[str, ...] = ()
+    sensitivities: Mapping[str, Indices] | None = None
+    power: tuple[PowerRow, ...] = ()
+    said: str = ""
+
+    @property
+    def waiting(self) -> int:
+        """Return how many points are still to come."""
+        return self.problems.count(NOT_COMPUTED)
+
+    @property
+    def failed(self) -> tuple[tuple[int, str], ...]:
+        """Return the points without a result, each with the reason."""
+        found = enumerate(self.problems)
+        return tuple((number, why) for number, why in found if why not in ("", NOT_COMPUTED))
+
+
+def studies_in(folder: Path) -> tuple[StudyResults, ...]:
+    """Return the studies of a folder and of those in it, that of the newest change first.
+
+    One that cannot be read, or has no table yet, says why. Raises OSError for no such folder.
+    """
+    there = [folder, *(one for one in folder.iterdir() if one.is_dir())]
+    found = [study_results(one) for one in there if (one / IDENTITY).is_file()]
+    return tuple(sorted(found, key=lambda one: one.changed, reverse=True))
+
+
+def study_results(folder: Path) -> StudyResults:
+    """Return what a study's folder holds; what cannot be read is said in the answer."""
+    newest = next((one for one in (TABLE, ROWS, IDENTITY) if (folder / one).exists()), "")
+    changed = (folder / newest).stat().st_mtime
+    if newest != TABLE:
+        said = (
+            "The study has no table yet: it is under way, or was killed. What is done is safe, and"
+            " the same command goes on with it."
+        )
+        return StudyResults(folder, changed, said=said)
+    try:
+        return _results(folder, changed)
+    except UnusableInput as error:
+        return StudyResults(folder, changed, said=str(error))
+
+
+def _results(folder: Path, changed: float) -> StudyResults:
+    path = folder / TABLE
+    try:
+        with h5py.File(path, "r") as file:
+            return StudyResults(
+                folder,
+                changed,
+                _text(file.attrs["title"]).removeprefix("study: "),
+                _columns(file, "parameter"),
+                _columns(file, "result"),
+                tuple(map(str, file["problem"].asstr()[...])),
+                _sensitivities(file),
+                _power(folder / POWER),
+            )
+    except (OSError, KeyError, ValueError, TypeError, AttributeError) as error:
+        raise UnusableInput(f"{path}: is not the table of a study ({error}).") from error
+
+
+def _text(value: Any) -> str:
+    return value.decode() if isinstance(value, bytes) else str(value)
+
+
+def _columns(file: h5py.File, role: str) -> tuple[StudyColumn, ...]:
+    """Return the columns of a role, in the order of their sensitivities where these are known."""
+    names = [name for name, data in file.items() if _text(data.attrs.get("role", "")) == role]
+    order = [str(one) for one in file[role].asstr()[...]] if role in file else []
+    names.sort(key=lambda name: order.index(name) if name in order else len(order))
+    return tuple(_column(name, file[name]) for name in names)
+
+
+def _column(name: str, data: h5py.Dataset) -> StudyColumn:
+    unit, words = (_text(data.attrs.get(one, "")) for one in ("units", "long_name"))
+    if h5py.check_string_dtype(data.dtype) is None:
+        return StudyColumn(name, unit, words, data[...].astype(np.float64))
+    texts, places = np.unique(data.asstr()[...].astype(str), return_inverse=True)
+    return StudyColumn(name, unit, words, places.astype(np.float64), tuple(map(str, texts)))
+
+
+def _sensitivities(file: h5py.File) -> dict[str, Indices]:
+    if f"{SENSITIVITY}total" not in file:
+        return {}
+    read = {name: file[f"{SENSITIVITY}{name}"][...] for name in INDICES}
+    names = file["result"].asstr()[...]
+    return {
+        str(result): Indices(**{name: values[at] for name, values in read.items()})
+        for at, result in enumerate(names)
+    }
+
+
+def _power(path: Path) -> tuple[PowerRow, ...]:
+    if not path.exists():
+        return ()
+    with path.open(newline="", encoding="utf-8") as file:
+        return tuple(
+            PowerRow(
+                float(one["coefficient_factor"]),
+                float(one["share_of_tests"]),
+                float(one["revolutions"]),
+                int(one["tests"]),
+            )
+            for one in csv.DictReader(file)
+        )
