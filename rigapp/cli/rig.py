@@ -91,9 +91,9 @@ def init(
     folder: Annotated[Path, typer.Argument(help="Folder to make or to fill.")] = Path(),
 ) -> int:
     """Make rig, test and calibration files to start from; overwrites nothing."""
-    from rigapp.commands.init import start_folder
+    from rigapp.commands.init import prepare_folder
 
-    return start_folder(folder)
+    return prepare_folder(folder)
 
 
 @verbs.command()

@@ -11,6 +11,7 @@ from pathlib import Path
 from rigapp.config.errors import UnusableInput
 from rigapp.config.reading import read_text
 from rigapp.config.writing import whole_file
+from rigapp.prepare.kernels import compile_kernels
 from rigapp.prepare.shipped import RIG, TEST, examples_folder
 
 NEW_NAMES = {RIG: "rig.toml", TEST: "test.toml"}
@@ -37,8 +38,22 @@ class StartingFile:
     text: str
 
 
-def start_folder(folder: Path) -> int:
-    """Write the files to start from into a folder, all or none; return the exit status.
+def prepare_folder(folder: Path) -> int:
+    """Write the files to start from, and compile what a first test would wait for; exit status.
+
+    Raises UnusableInput as ``start_folder``.
+    """
+    start_folder(folder)
+    print("Numerical kernels are compiled once on a computer, so that no test waits for them.")
+    compile_kernels()
+    print("Try next:" if folder.resolve() == Path.cwd() else f"Try next, in {folder}:")
+    for command in NEXT:
+        print(f"  {command}")
+    return 0
+
+
+def start_folder(folder: Path) -> None:
+    """Write the files to start from into a folder, all or none, and list them.
 
     Raises UnusableInput, and writes nothing, when one of them is there already.
     """
@@ -49,10 +64,6 @@ def start_folder(folder: Path) -> int:
     width = max(len(str(one.place)) for one in files)
     for one in files:
         print(f"  {one.place!s:<{width}}  {ABOUT.get(str(one.place), '')}".rstrip())
-    print("Try next:" if folder.resolve() == Path.cwd() else f"Try next, in {folder}:")
-    for command in NEXT:
-        print(f"  {command}")
-    return 0
 
 
 def starting_files(examples: Path) -> Iterator[StartingFile]:

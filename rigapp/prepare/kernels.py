@@ -91,8 +91,8 @@ def remove_left_over(modules: Iterable[ModuleType]) -> int:
     return len(left_over)
 
 
-def main() -> int:
-    """Compile or load every kernel module."""
+def compile_kernels() -> None:
+    """Compile every kernel that is not compiled yet, with a line of progress for each module."""
     names = list(kernel_modules())
     terminal = sys.stdout.isatty()
     modules = []
@@ -108,8 +108,7 @@ def main() -> int:
     if terminal and names:
         print(f"\r{'Kernels are compiled.':<70}")
     remove_left_over(modules)
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    compile_kernels()

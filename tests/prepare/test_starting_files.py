@@ -32,14 +32,13 @@ def test_the_files_are_there_and_can_be_read(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     folder = tmp_path / "new" / "rig 7"
-    assert start_folder(folder) == 0
+    start_folder(folder)
     assert {"rig.toml", "test.toml", "parameters.toml"} < set(files_below(folder))
     assert (folder / "rig.toml").read_text() == (EXAMPLES / "simulated.toml").read_text()
     assert read_rig(folder / "rig.toml").record.simulation is not None
     assert read_test(folder / "test.toml").record.run.revolutions > 0
     said = capsys.readouterr().out
     assert all(name in said for name in files_below(folder))
-    assert all(command in said for command in NEXT)
 
 
 def test_every_file_that_a_file_names_is_there(tmp_path: Path) -> None:
@@ -64,7 +63,7 @@ def test_nothing_is_written_where_one_of_the_files_exists(tmp_path: Path, there:
 def test_other_files_stay_as_they_are(tmp_path: Path) -> None:
     (tmp_path / "calibration").mkdir()
     (tmp_path / "calibration" / "mine.csv").write_text("1,2")
-    assert start_folder(tmp_path) == 0
+    start_folder(tmp_path)
     assert (tmp_path / "calibration" / "mine.csv").read_text() == "1,2"
 
 
@@ -138,6 +137,8 @@ def rigapp(*arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
 def test_the_commands_that_it_offers_work_in_the_folder(tmp_path: Path) -> None:
     done = rigapp("init", folder=tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
+    assert "Numerical kernels are compiled once" in done.stdout
+    assert done.stdout.splitlines()[-len(NEXT) :] == [f"  {command}" for command in NEXT]
     for command in NEXT:
         short = ("--revolutions", "5") if command.startswith("rigapp run") else ()
         done = rigapp(*command.split()[1:], *short, folder=tmp_path)
