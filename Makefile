@@ -3,6 +3,7 @@
 # make docs   guides and pages of the packages as a site in build/site; its links are checked
 # make search random search for what breaks a property; it prints its seed, SEED=N repeats it
 # make bench  performance as ratios, measured side by side in one run
+# make single    build/rigapp.pex: the program as one file, for Linux with the Python that makes it
 # make pictures   the pictures of README and guides, anew; needs Xvfb, openbox, xdotool, ImageMagick
 # make translations   texts of the window into its catalogues (rigapp/gui/language/*.ts)
 # make soak   the long tests: hours
@@ -14,12 +15,13 @@ RUN_READY := $(VENV)/ready-run
 TEST_READY := $(VENV)/ready-test
 BENCH_READY := $(VENV)/ready-bench
 DOCS_READY := $(VENV)/ready-docs
+SINGLE_READY := $(VENV)/ready-single
 SEED := $(or $(SEED),$(shell od -An -N4 -tu4 /dev/urandom | tr -d ' '))
 RUN_EXTRAS := --extra gui --extra notify --extra page --extra publish --extra analysis --extra build
 export QT_API = pyside6
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 
-.PHONY: run test kernels lint hooks search bench soak docs lock pictures translations clean
+.PHONY: run test kernels lint hooks search bench soak docs single lock pictures translations clean
 
 run: kernels
 	@$(BIN)/python -m rigapp.start
@@ -82,6 +84,17 @@ $(DOCS_READY): constraints-docs.txt $(RUN_READY)
 	$(BIN)/python -m pip install --quiet --require-hashes -r constraints-docs.txt
 	@touch $@
 
+$(SINGLE_READY): constraints-single.txt $(RUN_READY)
+	$(BIN)/python -m pip install --quiet --require-hashes -r constraints-single.txt
+	@touch $@
+
+single: $(SINGLE_READY)
+	rm -rf build/single build/rigapp.pex
+	$(BIN)/python -m pip wheel --quiet --no-deps --no-build-isolation -w build/single .
+	sed -n 's/ *\\$$//; /^[A-Za-z]/p' constraints.txt > build/single/versions.txt
+	$(BIN)/pex --use-pip-config --venv prepend --constraints build/single/versions.txt \
+		--script rigapp --output-file build/rigapp.pex "$$(echo build/single/rigapp-*.whl)[gui,page,notify,publish,analysis]"
+
 pictures: $(RUN_READY)
 	$(BIN)/python docs/make_pictures.py
 
@@ -98,6 +111,8 @@ lock:
 		--generate-hashes --no-header --no-annotate --no-emit-index-url -c constraints-test.txt --quiet -o constraints-bench.txt
 	uv pip compile pyproject.toml --extra docs --universal --python-version 3.11 \
 		--generate-hashes --no-header --no-annotate --no-emit-index-url -c constraints-test.txt --quiet -o constraints-docs.txt
+	echo 'pex>=2.100' | uv pip compile - --universal --python-version 3.11 \
+		--generate-hashes --no-header --no-annotate --no-emit-index-url --quiet -o constraints-single.txt
 
 clean:
 	rm -rf $(VENV) build dist docs/api *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache

@@ -44,7 +44,7 @@ def prepare_folder(folder: Path) -> int:
     Raises UnusableInput as ``start_folder``.
     """
     start_folder(folder)
-    print("Numerical kernels are compiled once on a computer, so that no test waits for them.")
+    print("Numerical kernels are compiled once, so that no test waits for them:")
     compile_kernels()
     print("Try next:" if folder.resolve() == Path.cwd() else f"Try next, in {folder}:")
     for command in NEXT:

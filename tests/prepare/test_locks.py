@@ -41,7 +41,7 @@ def test_a_lock_holds_every_package_of_its_extras(lock: str, extras: tuple[str, 
     assert names <= {package for package, _ in pins(lock)}
 
 
-@pytest.mark.parametrize("lock", LOCKS)
+@pytest.mark.parametrize("lock", [*LOCKS, "constraints-docs.txt", "constraints-single.txt"])
 def test_a_lock_has_hashes_and_no_addresses(lock: str) -> None:
     text = (REPOSITORY / lock).read_text(encoding="utf-8")
     assert "://" not in text
