@@ -1,4 +1,4 @@
 """What happens once on a machine or in a folder before the first start, and what it starts from.
 
-System libraries, compiled kernels, example files. Others enter by ``shipped``.
+System libraries, compiled kernels, example files. Others enter by ``shipped``, ``kernels``.
 """
