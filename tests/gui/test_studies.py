@@ -95,8 +95,9 @@ def test_texts_stand_at_the_axis_and_power_in_a_table(opened: Opened, tmp_path: 
     assert not panel._depends.isVisible()
     choose(panel, "power")
     assert panel._power.isVisible()
-    assert [row[:3] for row in panel.power.texts()][:2] == [["1", "3", "50 %"], ["1", "3", "80 %"]]
-    assert panel.power.texts()[0][3] == "not in time"
+    assert [row[:2] for row in panel.power.texts()] == [["1", "3"], ["2", "3"]]
+    assert panel.power.texts()[0][2:] == ["not in time"] * 4
+    assert panel.power.horizontalHeaderItem(2).text() == "50 %"
     assert plot.parameter.currentText() == "run.coefficient_factor"
     assert not plot.plot._axes["bottom"]._tickLevels
 

@@ -4458,10 +4458,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Schema</translation>
     </message>
     <message>
-        <source>Seen after (rev)</source>
-        <translation>Gesehen nach (Umdr.)</translation>
-    </message>
-    <message>
         <source>Sensitivity of the daily checks</source>
         <translation>Empfindlichkeit der täglichen Prüfungen</translation>
     </message>
@@ -4516,10 +4512,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Shape of the state</source>
         <translation>Form des Zustands</translation>
-    </message>
-    <message>
-        <source>Share</source>
-        <translation>Anteil</translation>
     </message>
     <message>
         <source>Shelve the chosen alarm</source>

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Sequence
+from itertools import groupby
 from pathlib import Path
 from typing import Final
 
@@ -14,7 +15,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.data.texts import MOMENT, dated, grouped
+from rigapp.gui.data.texts import MOMENT, axis_number, dated, grouped
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import GAP, Theme
@@ -37,7 +38,7 @@ SEEN_TITLE: Final[Text] = (
 )
 DEPENDS: Final[tuple[Text, ...]] = ("Parameter", "Alone", "With all others")
 FAILED: Final[tuple[Text, ...]] = ("Point", "Why there is no result")
-SEEN: Final[tuple[Text, ...]] = ("Factor", "Tests", "Share", "Seen after (rev)")
+SEEN: Final[tuple[Text, ...]] = ("Factor", "Tests")
 MOST_FAILED = 200
 """Reasons that are listed; the column ``problem`` of the table has them all."""
 
@@ -79,11 +80,11 @@ class StudiesPanel(QWidget):
         self._depends = page(self.depends_title, (self.depends, 1))
         below = row((self._depends, 3), (self._power, 3), (self.failed, 3))
         below.setSpacing(GAP)
-        under = QWidget()
-        under.setLayout(below)
-        parts = split("study_parts", Qt.Orientation.Vertical, [420, 200], self.plot, under)
+        self._under = QWidget()
+        self._under.setLayout(below)
+        parts = split("study_parts", Qt.Orientation.Vertical, [420, 200], self.plot, self._under)
         right = page(self.sentence, (parts, 1))
-        both = split("studies_split", Qt.Orientation.Horizontal, [420, 900], self.list, right)
+        both = split("studies_split", Qt.Orientation.Horizontal, [360, 960], self.list, right)
         whole = column(row((self.told, 1), self.another, self.again), (both, 1), on=self)
         whole.setSpacing(GAP)
         self._show(None)
@@ -153,11 +154,23 @@ class StudiesPanel(QWidget):
         failed = study.failed[:MOST_FAILED] if study is not None else ()
         self.failed.show_rows([(grouped(number), retold(why)) for number, why in failed])
         self.failed.setVisible(bool(failed))
-        power = _power_rows(study.power) if study is not None else []
-        self.power.show_rows(power)
-        self._power.setVisible(bool(power))
+        self._show_power(study.power if study is not None else ())
         self.plot.show_study(study)
         self._show_dependence()
+
+    def _show_power(self, power: Sequence[PowerRow]) -> None:
+        """Show a row a factor, and a column a share of the tests."""
+        shares = sorted({one.share for one in power})
+        self.power.setColumnCount(len(SEEN) + len(shares))
+        percents = [f"{100.0 * share:.0f} %" for share in shares]
+        self.power.setHorizontalHeaderLabels([*(tr(one) for one in SEEN), *percents])
+        self.power.show_rows(
+            [
+                (f"{factor:g}", grouped(rows[0].tests), *(_revolutions(one) for one in rows))
+                for factor, rows in _by_factor(power)
+            ]
+        )
+        self._power.setVisible(bool(power))
 
     def _show_dependence(self) -> None:
         """Show what the drawn result depends on, where the design tells."""
@@ -165,6 +178,8 @@ class StudiesPanel(QWidget):
         found = _dependence(study, result.name) if study and result else []
         self.depends.show_rows([texts for _, texts in found])
         self._depends.setVisible(bool(found))
+        parts = (self._depends, self._power, self.failed)
+        self._under.setVisible(any(one.isVisibleTo(self._under) for one in parts))
         if found:
             most = max(found, key=lambda one: one[0])[1][0]
             self.depends_title.setText(
@@ -199,20 +214,15 @@ def _sentence(study: StudyResults) -> str:
     return said
 
 
-def _power_rows(power: Sequence[PowerRow]) -> list[tuple[str, ...]]:
-    return [
-        (
-            f"{one.factor:g}",
-            grouped(one.tests),
-            f"{100.0 * one.share:.0f} %",
-            _revolutions(one.revolutions),
-        )
-        for one in power
-    ]
+def _by_factor(power: Sequence[PowerRow]) -> list[tuple[float, list[PowerRow]]]:
+    """Return the rows of each factor, in the order of their shares."""
+    ordered = sorted(power, key=lambda one: (one.factor, one.share))
+    return [(factor, list(rows)) for factor, rows in groupby(ordered, lambda one: one.factor)]
 
 
-def _revolutions(number: float) -> str:
-    return grouped(round(number)) if math.isfinite(number) else tr("not in time")
+def _revolutions(one: PowerRow) -> str:
+    known = math.isfinite(one.revolutions)
+    return grouped(round(one.revolutions)) if known else tr("not in time")
 
 
 def _dependence(study: StudyResults, result: str) -> list[tuple[float, tuple[str, ...]]]:
@@ -229,7 +239,7 @@ def _dependence(study: StudyResults, result: str) -> list[tuple[float, tuple[str
 
 
 def _share(middle: float, low: float, high: float) -> str:
-    shares = (f"{100.0 * one:.0f}".replace("-", "\u2212") for one in (middle, low, high))
+    shares = (axis_number(100.0 * one, 1.0) for one in (middle, low, high))
     return tr("{} % ({} to {})", *shares)
 
 

@@ -88,9 +88,13 @@ class Dots:
         self._changed()
 
     def paint(self, painter: QPainter) -> None:
-        """Paint the points."""
+        """Paint the points, round however the axes stretch."""
+        places = painter.worldTransform().map(self._points)
+        painter.save()
+        painter.resetTransform()
         painter.setPen(self._pen)
-        painter.drawPoints(self._points)
+        painter.drawPoints(places)
+        painter.restore()
 
 
 class ShadedBand:

@@ -9,6 +9,7 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
+from PySide6.QtWidgets import QComboBox
 
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.texts import unit_text
@@ -22,6 +23,8 @@ from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.study.folder import StudyColumn, StudyResults
 
 NOTHING: Final[Text] = "Choose a study: its points are drawn here."
+LEAST_LETTERS = 16
+"""Of a choice in a narrow window."""
 MOST_NAMES = 6
 """Texts at an axis; more would stand over each other."""
 ROOM = 0.03
@@ -51,9 +54,14 @@ class StudyPlot(PlotPanel):
         self.range = ElidedLabel("study_range", "Range of the result")
         self.plot = QuietPlot("study_plot", "Result against parameter", theme)
         self._dots = self.plot.dots(LinePen("first"))
-        choices = row("&Of", self.result, "&Against", self.parameter, (self.range, 1))
+        for box in (self.result, self.parameter):
+            box.setSizeAdjustPolicy(
+                QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+            )
+            box.setMinimumContentsLength(LEAST_LETTERS)
+        choices = row("&Of", (self.result, 1), "&Against", (self.parameter, 1))
         choices.setSpacing(STEP)
-        column(choices, (self.plot, 1), on=self)
+        column(choices, self.range, (self.plot, 1), on=self)
         self.plot.empty(NOTHING)
 
     @property
@@ -78,7 +86,17 @@ class StudyPlot(PlotPanel):
                 box.addItem(text, name)
             box.setCurrentIndex(max(box.findData(chosen), 0 if items else -1))
             box.blockSignals(False)
+            if box is self.parameter and box.findData(chosen) < 0:
+                self._choose_strongest()
         self._draw()
+
+    def _choose_strongest(self) -> None:
+        """Draw against what the result depends on most, where that is known."""
+        known = (self._study.sensitivities or {}) if self._study is not None else {}
+        if self.column is not None and self.column.name in known:
+            self.parameter.blockSignals(True)
+            self.parameter.setCurrentIndex(int(np.nanargmax(known[self.column.name].total)))
+            self.parameter.blockSignals(False)
 
     def _draw(self) -> None:
         at, result = self.parameter.currentIndex(), self.column
