@@ -23,7 +23,7 @@ from drivers.roboclaw.protocol import (
 )
 
 TRIES: Final = 3  # one disturbed packet must not stop a test; three in a row are a fault
-STANDING_TRIES: Final = (1, 2, 4, 6)
+STANDING_TRIES: Final = (1, 2, 4, 6, 8, 10)
 """How many time-outs each try waits while nothing is to turn: a busy computer, or a busy USB, may
 be late by the same time again and again, so that more of the same wait would not help."""
 QUIET_S: Final = 0.012  # longer than the 10 ms after which the drive forgets a packet

@@ -2762,20 +2762,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
 </translation>
     </message>
     <message>
-        <source>&amp;Against</source>
-        <translation>&amp;Gegen</translation>
-    </message>
-    <message>
         <source>&amp;Guide</source>
         <translation>&amp;Anleitung</translation>
     </message>
     <message>
         <source>&amp;Keys</source>
         <translation>&amp;Tasten</translation>
-    </message>
-    <message>
-        <source>&amp;Of</source>
-        <translation>&amp;Von</translation>
     </message>
     <message>
         <source>&amp;Test file</source>
@@ -3834,12 +3826,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zahlen und Unsicherheit</translation>
     </message>
     <message>
-        <source>O&amp;pen another study…</source>
-        <translation>Andere Studie öff&amp;nen…</translation>
-    </message>
-    <message>
         <source>Oct</source>
         <translation>Okt</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>Von</translation>
     </message>
     <message>
         <source>One revolution</source>
@@ -3860,6 +3852,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Open a test file</source>
         <translation>Eine Versuchsdatei öffnen</translation>
+    </message>
+    <message>
+        <source>Open another stud&amp;y…</source>
+        <translation>Andere Studie öff&amp;nen…</translation>
     </message>
     <message>
         <source>Open another study</source>

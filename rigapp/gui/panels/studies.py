@@ -59,7 +59,7 @@ class StudiesPanel(QWidget):
         named(self, "studies", "Studies")
         self.told = ElidedLabel("studies_told", "Studies in the folder")
         self.told.setProperty("role", "caption")
-        self.another = button("studies_open", "O&pen another study…", self._choose_folder)
+        self.another = button("studies_open", "Open another stud&y…", self._choose_folder)
         self.again = button("studies_again", "&Look again", self.look, tip="Read the folders again")
         self.list = PlainTable(
             "study_list", "List of studies", ("Study", "Computes", "Points", "Changed")

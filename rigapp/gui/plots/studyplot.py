@@ -59,7 +59,7 @@ class StudyPlot(PlotPanel):
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
             )
             box.setMinimumContentsLength(LEAST_LETTERS)
-        choices = row("&Of", (self.result, 1), "&Against", (self.parameter, 1))
+        choices = row("Of", (self.result, 1), "Against", (self.parameter, 1))
         choices.setSpacing(STEP)
         column(choices, self.range, (self.plot, 1), on=self)
         self.plot.empty(NOTHING)

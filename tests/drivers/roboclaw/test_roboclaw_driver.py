@@ -262,7 +262,7 @@ def test_a_watchdog_that_does_not_hold_is_refused(drive_rig: Any, request_for: A
 def test_a_port_without_an_answer_is_named(wire: Any) -> None:
     silent = wire(lambda data, now_s: b"")
     drive = RoboClaw("drive", silent.port, {"reply_timeout_ms": 20.0})
-    with pytest.raises(ConnectionFailed, match=r"no RoboClaw answers at address 128.*4 tries"):
+    with pytest.raises(ConnectionFailed, match=r"no RoboClaw answers at address 128.*6 tries"):
         drive.open()
     with pytest.raises(DeviceLost):
         drive.status()
@@ -550,7 +550,7 @@ def test_a_restart_with_a_long_silence_is_a_missing_reply(drive_rig: Any, connec
     rig = drive_rig()
     drive = connect(rig, reply_timeout_ms=50.0)
     rig.simulator.inject("reset", value=30.0)
-    with pytest.raises(ReplyTimeout, match=r"no reply to COMBINED_STATUS.*4 tries"):
+    with pytest.raises(ReplyTimeout, match=r"no reply to COMBINED_STATUS.*6 tries"):
         drive.status()
 
 
@@ -566,13 +566,13 @@ def test_a_drive_that_may_turn_is_missed_sooner_than_one_at_rest(
             drive.status()
         rig.simulator.clear("no_reply")
 
-    missed_after(4)
+    missed_after(6)
     drive.set_speed(1.0, 1000.0)
     missed_after(3)
     drive.set_speed(0.0, 1000.0)
     missed_after(3)  # it may still run down
     drive.drive_off()
-    missed_after(4)
+    missed_after(6)
 
 
 # --- the link -------------------------------------------------------------------------------------
@@ -609,7 +609,7 @@ def test_only_wrong_crcs_are_an_error_with_what_was_seen(drive_rig: Any, connect
     rig = drive_rig()
     drive = connect(rig, **PATIENT)
     rig.simulator.inject("wrong_crc")
-    with pytest.raises(ProtocolError, match=r"COMBINED_STATUS.*4 tries: CRC .* instead of"):
+    with pytest.raises(ProtocolError, match=r"COMBINED_STATUS.*6 tries: CRC .* instead of"):
         drive.status()
 
 
