@@ -11,7 +11,6 @@ import numpy as np
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import LimitsSection
 from rigapp.engine.judging.limits import RuleMonitor, changed_limits, least_margin
-from rigapp.engine.judging.testrun import NOT_STEADY
 from rigapp.schema.loglines import (
     ALARM,
     LIMIT_CHANGED,
@@ -20,7 +19,7 @@ from rigapp.schema.loglines import (
     limit_change,
     severity_of,
 )
-from rigapp.schema.messages import Alarm, Event
+from rigapp.schema.messages import NOT_STEADY, Alarm, Event
 
 
 class RecordedAlarms:

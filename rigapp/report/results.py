@@ -18,12 +18,9 @@ from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
 from rigapp.process.priority import give_way
-from rigapp.schema.messages import Flag
+from rigapp.schema.messages import NOT_STEADY
 from rigapp.schema.results import TestResult
 from rigapp.storage import TestReader, open_test
-
-UNSTEADY = Flag.RAMP | Flag.PAUSED | Flag.PARTIAL
-"""Flags of revolutions that are no good and no bad: the crank was not at a steady speed."""
 
 LINE_POINTS = 48
 """Of the small line in a list: two pixels each are as much as is seen."""
@@ -69,7 +66,7 @@ def _described(known: TestResult, test: TestReader) -> TestResult:
 
 def _measured(found: TestResult, test: TestReader) -> TestResult:
     force = test.column("force_max")
-    flagged = int(np.count_nonzero(test.column("quality") & ~int(UNSTEADY)))
+    flagged = int(np.count_nonzero(test.column("quality") & ~NOT_STEADY))
     if not np.isfinite(force).any():
         return msgspec.structs.replace(found, flagged=flagged)
     at = int(np.nanargmax(force))

@@ -65,6 +65,10 @@ class Flag(enum.IntFlag):
     SENSOR_FAULT = 1024
 
 
+NOT_STEADY = int(Flag.RAMP | Flag.PAUSED | Flag.PARTIAL)
+"""Flags of revolutions away from the set speed: stored and shown, judged by no rule of a test."""
+
+
 class Severity(enum.StrEnum):
     """How bad an alarm is."""
 
@@ -370,3 +374,14 @@ class Reply(msgspec.Struct, frozen=True):
 def as_array(data: bytes, dtype: str = "<f4") -> NDArray[Any]:
     """Return the array that a message carries as bytes (read-only, 1-D)."""
     return np.frombuffer(data, dtype=dtype)
+
+
+def last_set_speed(speed: NDArray[Any], quality: NDArray[Any]) -> float:
+    """Return the speed of the last revolution outside of ramps, of the last one where all are, rpm.
+
+    speed, quality: the columns (n,), signed and as ``Flag``, NaN where not known. NaN without rows.
+    """
+    flags = np.nan_to_num(quality).astype(np.int64)
+    whole = np.flatnonzero(flags & NOT_STEADY == 0)
+    place = whole[-1:] if whole.size else slice(-1, None)
+    return abs(float(speed[place][0])) if len(speed) else float("nan")

@@ -13,11 +13,17 @@ from engine_doubles import COUNTS, MemoryRig, a_test, eventually
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import LimitRule
-from rigapp.engine.judging.testrun import NOT_STEADY
 from rigapp.engine.recording.store import Opened
 from rigapp.schema.channels import BASE
 from rigapp.schema.columns import prediction_columns
-from rigapp.schema.messages import FinishReason, Flag, Prediction, RunState, as_array
+from rigapp.schema.messages import (
+    NOT_STEADY,
+    FinishReason,
+    Flag,
+    Prediction,
+    RunState,
+    as_array,
+)
 from rigapp.schema.notices import AlarmChanged, Committed, Finished, Notice, StateChanged
 from rigapp.schema.states import ENDED, Refused
 

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, TestMetadata, TestReader, TestWriter, create_test
 
 PLAN = FilePlan(revolutions=300, cycles=40, samples_per_cycle=50, events=256)
@@ -90,3 +91,12 @@ def check(reader: TestReader, first: int = 1, every: int = 10) -> int:
     for i, revolution in enumerate(reader.predictions()["revolution"]):
         assert revolution == first + i
     return number
+
+
+def ended(folder: Path, revolutions: int = 150, status: str = "complete") -> Path:
+    """Return the file of a test that has ended."""
+    with new_test(folder) as writer:
+        writer.append_event(Event(1.0, 0, "started", "operator", "g" * 300))
+        write(writer, 1, revolutions)
+        writer.finish(status, status, "done")
+    return folder / "test.h5"

@@ -13,10 +13,9 @@ import h5py
 import numpy as np
 import pytest
 from patience import PATIENCE_S
-from storage_samples import METADATA, PLAN, check, new_test, write
+from storage_samples import METADATA, PLAN, check, ended, new_test, write
 
 from rigapp.config.errors import UnusableInput
-from rigapp.schema.messages import Event
 from rigapp.storage import (
     StorageFailed,
     compact_in_background,
@@ -26,15 +25,6 @@ from rigapp.storage import (
     reopen_test,
 )
 from rigapp.storage.upkeep import compact as compact_module
-
-
-def ended(folder: Path, revolutions: int = 150, status: str = "complete") -> Path:
-    """Return the file of a test that has ended."""
-    with new_test(folder) as writer:
-        writer.append_event(Event(1.0, 0, "started", "operator", "g" * 300))
-        write(writer, 1, revolutions)
-        writer.finish(status, status, "done")
-    return folder / "test.h5"
 
 
 @pytest.mark.parametrize("revolutions", [0, 1, 9, 150])

@@ -10,8 +10,11 @@ from pathlib import Path
 import psutil
 import pytest
 from patience import PATIENCE_S
+from storage_samples import check, ended
 
+from rigapp.storage import open_test
 from rigapp.storage.filesystem.portable import PortableFiles
+from rigapp.storage.upkeep import compact, resume
 
 HERE = Path(__file__).parent
 SUITES = ("test_crash.py", "test_resume.py", "test_roundtrip.py", "test_whole.py")
@@ -62,6 +65,29 @@ def test_a_file_gets_its_name_and_never_another_ones(tmp_path: Path) -> None:
         os.close(fd)
     assert path.read_bytes() == b"second"
     assert not hidden.exists()
+
+
+def test_a_file_is_not_open_while_another_one_takes_its_place(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = ended(tmp_path)
+    replace, opened = os.replace, []
+
+    def watched(old: Path, new: Path) -> None:
+        opened.extend(one.path for one in psutil.Process().open_files())
+        replace(old, new)
+
+    files = PortableFiles()
+    for module in (compact, resume):
+        monkeypatch.setattr(module, "FILES", files)
+    monkeypatch.setattr(os, "replace", watched)
+    assert compact.compact_test(path)
+    assert str(path) not in opened
+    with open_test(path) as reader:
+        assert reader.compressed
+        assert check(reader) == 150
+    with path.open("rb") as file:
+        assert files.hold(file.fileno())
 
 
 def test_a_writer_is_known_while_it_lives(tmp_path: Path) -> None:

@@ -17,6 +17,7 @@ from rigapp.commands.identify import identify_tests
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_test
 from rigapp.report.testreport.identified import identified_test, identified_tests
+from rigapp.schema.messages import Flag
 from rigapp.storage import open_test
 from rigapp.twin.messages import Sought
 
@@ -161,3 +162,17 @@ def test_a_test_that_its_twin_never_followed_says_so(folder: Path, tmp_path: Pat
     found = identified_test(path)
     assert found.known is None
     assert "the twin had followed no revolution" in found.said
+
+
+def test_the_ramp_at_the_end_does_not_count_for_the_time_that_remains(
+    folder: Path, tmp_path: Path
+) -> None:
+    path = tmp_path / "stopped.h5"
+    shutil.copy(folder / "first.h5", path)
+    path.chmod(0o600)
+    with h5py.File(path, "r+") as file:
+        rows = file["entry/revolutions"]
+        rows["speed"][REVOLUTIONS - 1] = 28.0
+        rows["quality"][REVOLUTIONS - 1] = Flag.RAMP
+    remains_s = identified_test(path).remaining_s
+    assert remains_s == pytest.approx(identified_test(folder / "first.h5").remaining_s)

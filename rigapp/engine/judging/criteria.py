@@ -23,7 +23,7 @@ from rigapp.config.ranges import unit_of
 from rigapp.config.recipe import StopSection
 from rigapp.schema.channels import BASE
 from rigapp.schema.criteria import CRITERIA, At, Criterion, Sight
-from rigapp.schema.messages import Flag
+from rigapp.schema.messages import NOT_STEADY
 
 Array = NDArray[np.float64]
 
@@ -39,8 +39,6 @@ FILLED_SHARE = 0.8
 
 MOST_UNJUDGED = 1024
 """Revolutions whose prediction is awaited; a twin so far behind is told of elsewhere."""
-
-NOT_JUDGED = int(Flag.RAMP | Flag.PAUSED | Flag.PARTIAL)
 
 HISTORY_COLUMNS = ("revolution", "speed", "quality")
 """What a criterion needs to know of the rows of an earlier segment."""
@@ -172,7 +170,7 @@ class StopMonitor:
             self.running_h += float(hours[np.isfinite(hours) & (hours > 0)].sum())
             if len(number):
                 self._last = int(number[-1])
-            left_out.update(number[(quality.astype(np.int64) & NOT_JUDGED) != 0].astype(int))
+            left_out.update(number[(quality.astype(np.int64) & NOT_STEADY) != 0].astype(int))
         recent = last - 2 * self._stop.wear_rate_window_revolutions
         for one, depth in depths[:, (depths[0] > recent) & (depths[0] <= last)].T.tolist():
             if int(one) not in left_out and math.isfinite(depth):
@@ -190,7 +188,7 @@ class StopMonitor:
         met = self.over(at("time"))
         if met is not None:
             return met
-        if int(at("quality")) & NOT_JUDGED or number <= self._stop.hold_off_revolutions:
+        if int(at("quality")) & NOT_STEADY or number <= self._stop.hold_off_revolutions:
             self._unjudged.append(number)
             return None
         for one in self._judged:

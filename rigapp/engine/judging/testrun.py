@@ -22,12 +22,9 @@ from rigapp.engine.judging.limits import LevelPassed, RuleMonitor
 from rigapp.engine.samples.assembler import Revolution
 from rigapp.engine.values.calibrate import Calibration, Measured
 from rigapp.engine.values.reduce import Reducer
-from rigapp.schema.messages import Flag
+from rigapp.schema.messages import NOT_STEADY, Flag
 
 Array = NDArray[np.float64]
-
-NOT_STEADY = Flag.RAMP | Flag.PAUSED | Flag.PARTIAL
-"""Revolutions with one of these flags are stored, but not judged by the rules of the test."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -20,12 +20,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.gui.data.channels import FreeValue
+from rigapp.gui.data.judged import QUALITY
 from rigapp.gui.data.news import News
 from rigapp.gui.data.series import SeriesTable
 from rigapp.gui.data.texts import MOMENT, dated, duration, grouped, unit_text
 from rigapp.gui.language.words import tr
 from rigapp.schema.columns import WEAR_MODELS, prediction_columns
-from rigapp.schema.messages import RunState
+from rigapp.schema.messages import RunState, last_set_speed
 
 Floats = NDArray[np.float64]
 
@@ -71,6 +72,8 @@ _NAMES = (
 
 SEARCHED = 256
 """Buckets looked through for the newest statement: it is asked for at every look for news."""
+RECENT = 256
+"""Revolutions among which the last one at the set speed is looked for: a ramp has fewer."""
 
 
 def newest_wear(predictions: SeriesTable) -> NewestWear:
@@ -90,11 +93,19 @@ def wear_of(news: News, now: float) -> list[FreeValue]:
     """Return what is known of the wear of the test that is shown; the date while it goes on."""
     status, rows = news.status, news.data.rows
     live = status is not None and status.state is RunState.RUNNING and not news.is_replay
-    rpm = abs(rows.last("speed")) if len(rows) else 0.0
+    rpm = _rpm(rows, live) if len(rows) else 0.0
     if live and status is not None and 0.0 < status.simulated_speed < math.inf:
         rpm *= status.simulated_speed
     revolution = rows.revolutions[-1] if len(rows) else math.nan
     return wear_values(news.data.predictions, rpm, now if live else None, revolution)
+
+
+def _rpm(rows: SeriesTable, live: bool) -> float:
+    """Return the present speed; of a test that does not go on the last one outside of ramps."""
+    if live or QUALITY not in rows.names:
+        return abs(rows.last("speed"))
+    speed, quality = (rows.series(one).values[-RECENT:] for one in ("speed", QUALITY))
+    return last_set_speed(speed, quality)
 
 
 def wear_values(

@@ -11,9 +11,9 @@ import numpy as np
 from rigapp.config.errors import UnusableInput
 from rigapp.report.paper.chapter import Chapter
 from rigapp.report.paper.kinematics import COLOURS, DEGREES
-from rigapp.report.results import UNSTEADY
 from rigapp.report.testreport.model_facts import CyclePicture, cycles_of
 from rigapp.report.testreport.worn import CURVES, worn_of
+from rigapp.schema.messages import NOT_STEADY
 from rigapp.storage import TestReader, open_test
 
 COMPONENTS = {"force_1": "component 1", "force_2": "component 2", "force": "magnitude"}
@@ -102,7 +102,7 @@ def extrema(reader: TestReader) -> Chapter | None:
         return None
     starts = np.unique(np.linspace(0, count, min(count, MOST_ROWS), endpoint=False).astype(int))
     columns = {"revolution": reader.column("revolution", 0, count)[starts].astype(float)}
-    unsteady = reader.column("quality", 0, count).astype(np.int64) & UNSTEADY != 0
+    unsteady = reader.column("quality", 0, count).astype(np.int64) & NOT_STEADY != 0
     for name in names:
         values = np.where(unsteady, np.nan, reader.column(name, 0, count))
         columns[f"{name}_N"] = _gathered(name, values, starts)

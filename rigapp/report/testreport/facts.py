@@ -13,10 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.report.results import UNSTEADY
 from rigapp.report.testreport.envelope import Floats, envelope
 from rigapp.schema.channels import Channel, Kind
-from rigapp.schema.messages import Flag
+from rigapp.schema.messages import NOT_STEADY, Flag
 from rigapp.storage import TestReader
 
 Line = tuple[Floats, Floats]
@@ -212,7 +211,7 @@ def _channel(
 def _steady_range(
     largest: NDArray[Any], smallest: NDArray[Any], quality: NDArray[np.int64]
 ) -> tuple[float, float] | None:
-    steady = (quality & int(UNSTEADY) == 0) & np.isfinite(largest) & np.isfinite(smallest)
+    steady = (quality & NOT_STEADY == 0) & np.isfinite(largest) & np.isfinite(smallest)
     if not steady.any():
         return None
     return float(smallest[steady].min()), float(largest[steady].max())

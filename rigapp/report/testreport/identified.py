@@ -34,6 +34,7 @@ from model.identification import (
 from model.identification.words import sentence
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.columns import identified_columns
+from rigapp.schema.messages import last_set_speed
 from rigapp.storage import TestReader, open_test
 from rigapp.twin.identifying import LEAST_REFERENCE
 from rigapp.twin.kept import kept_of, life_of
@@ -81,7 +82,7 @@ class IdentifiedTest:
 
     @property
     def remaining_s(self) -> float:
-        """Return for how long the test goes on at its last speed, s; NaN where it is not known."""
+        """Return how long it goes on at its last set speed, s; NaN where it is not known."""
         if self.left is None or self.left.revolutions is None or not self.rpm:
             return float("nan")
         return 60.0 * self.left.revolutions.median / self.rpm
@@ -99,14 +100,17 @@ def identified_test(path: Path, after: int | None = None) -> IdentifiedTest:
 def identified(reader: TestReader, path: Path, after: int | None = None) -> IdentifiedTest:
     """Return what is known of the wear of an open test."""
     about = reader.metadata()
-    speed = reader.column("speed")[-1:]
+    end = (
+        None if after is None else int(np.searchsorted(reader.column("revolution"), after, "right"))
+    )
+    speed, quality = (reader.column(one, stop=end) for one in ("speed", "quality"))
     plain: dict[str, Any] = {
         "path": path,
         "title": str(about["title"]),
         "identifier": str(about["identifier"]),
         "specimen": str(about["specimen"]),
         "planned": int(about["planned_revolutions"]),
-        "rpm": abs(float(speed[0])) if speed.size else 0.0,
+        "rpm": last_set_speed(speed, quality) if speed.size else 0.0,
     }
     record = ""
     try:

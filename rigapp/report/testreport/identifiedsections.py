@@ -37,7 +37,9 @@ def remaining_text(test: IdentifiedTest) -> str:
     one = left.revolutions
     high = count(round(one.high)) if math.isfinite(one.high) else "what the model computes"
     text = f"{count(round(one.median))} (95 %: {count(round(one.low))} to {high}) revolutions"
-    after = f", {duration(test.remaining_s)} at the last speed" if test.remaining_s > 0.0 else ""
+    after = (
+        f", {duration(test.remaining_s)} at the last set speed" if test.remaining_s > 0.0 else ""
+    )
     return f"{text} until {1e6 * left.depth:.4g} µm{after}"
 
 

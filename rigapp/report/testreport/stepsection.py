@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.report.page.manuscript import Section, Table, Text
-from rigapp.report.results import UNSTEADY
 from rigapp.report.steps import sequence_of, step_numbers
 from rigapp.report.testreport.facts import mean
 from rigapp.report.testreport.wording import count, number
+from rigapp.schema.messages import NOT_STEADY
 from rigapp.storage import TestReader
 
 HEADER = (
@@ -24,7 +24,7 @@ def step_section(reader: TestReader) -> list[Section]:
     if sequence is None or not rows:
         return []
     revolutions = reader.column("revolution", 0, rows).astype(np.int64)
-    judged = (reader.column("quality", 0, rows).astype(np.int64) & int(UNSTEADY)) == 0
+    judged = (reader.column("quality", 0, rows).astype(np.int64) & NOT_STEADY) == 0
     of = step_numbers(sequence, revolutions)
     columns = {
         name: reader.column(name, 0, rows).astype(float)

@@ -52,6 +52,9 @@ class FileSystem(Protocol):
     def settle(self, fd: int, hidden: Path, path: Path) -> None:
         """Give an open file its name, never over an existing one; its descriptor stays."""
 
+    def exchange(self, fd: int, ready: Path, path: Path) -> None:
+        """Put a closed file into the place of an open one; its descriptor is of no more use."""
+
     def sync_folder(self, folder: Path) -> None:
         """Return when the folder's names are on the disk."""
 

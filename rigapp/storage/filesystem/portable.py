@@ -80,17 +80,19 @@ class PortableFiles:
         """Close it for the moment, since some systems move no open file."""
         if os.path.lexists(path):
             raise FileExistsError(errno.EEXIST, "file exists", str(path))
-        aside = os.open(os.devnull, os.O_RDWR)
-        try:
-            os.dup2(aside, fd, inheritable=False)
-        finally:
-            os.close(aside)
+        _close_for_now(fd)
         os.rename(hidden, path)
         again = os.open(path, os.O_RDWR | BINARY)
         try:
             os.dup2(again, fd, inheritable=False)
         finally:
             os.close(again)
+
+    def exchange(self, fd: int, ready: Path, path: Path) -> None:
+        """Close the old one before, since some systems replace no open file."""
+        self.release(fd)
+        _close_for_now(fd)
+        os.replace(ready, path)
 
     def sync_folder(self, folder: Path) -> None:
         """Leave it to the system, which orders names by itself."""
@@ -126,6 +128,12 @@ class PortableFiles:
             return False
         except psutil.AccessDenied:
             return True
+
+
+def _close_for_now(fd: int) -> None:
+    """Close a file; its descriptor stays taken, by nothing."""
+    with open(os.devnull, "r+b", buffering=0) as aside:
+        os.dup2(aside.fileno(), fd, inheritable=False)
 
 
 def _key(found: os.stat_result) -> tuple[int, int]:

@@ -107,6 +107,10 @@ class PosixFiles:
         """Move it while it is open."""
         move_into_place(hidden, path)
 
+    def exchange(self, fd: int, ready: Path, path: Path) -> None:
+        """Give it the name; who has the old one open goes on with that."""
+        os.replace(ready, path)
+
     def sync_folder(self, folder: Path) -> None:
         """Sync the folder itself, where it can be."""
         fd = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)

@@ -43,14 +43,17 @@ def compact_test(path: str | os.PathLike[str]) -> bool:
         if reader.compressed:
             return False
     fd = open_exclusively(target)
-    try:
+    with contextlib.ExitStack() as undo:
+        undo.callback(let_go, fd)
         with open_test(target) as reader:
             _refuse_unended(reader)
             if reader.compressed:
                 return False
-            _replace_by_copy(reader)
-    finally:
-        let_go(fd)
+            copy = _verified_copy(reader)
+        undo.callback(lambda: copy.unlink(missing_ok=True))
+        copy.chmod(0o444)
+        FILES.exchange(fd, copy, target)
+        FILES.sync_folder(target.parent)
     return True
 
 
@@ -83,7 +86,8 @@ def _refuse_unended(reader: TestReader) -> None:
         )
 
 
-def _replace_by_copy(reader: TestReader) -> None:
+def _verified_copy(reader: TestReader) -> Path:
+    """Write the compressed copy under a hidden name; return it when it reads back the same."""
     target = reader.path
     hidden = hidden_name(target, "packed")
     sizes = sizes_of(reader)
@@ -109,10 +113,8 @@ def _replace_by_copy(reader: TestReader) -> None:
                 f"{target}: the compressed copy differs at {difference} and was thrown away; "
                 "the original is untouched, check the disk"
             )
-        hidden.chmod(0o444)
-        os.replace(hidden, target)
-        FILES.sync_folder(target.parent)
         undo.pop_all()
+    return hidden
 
 
 def _sync_file(path: Path) -> None:
