@@ -25,7 +25,7 @@ class MessageLine(QFrame):
         self.clock = named(QLabel(), "clock", "Time")
         self.clock.setFixedWidth(18 * STEP)
         self.clock.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._row = row(*((bar, 4) for bar in bars), (answer, 3), self.clock, on=self)
+        self._row = row(*((bar, 5) for bar in bars), (answer, 2), self.clock, on=self)
         self._row.setSpacing(GAP)
         self.make_room(tight=False)
         for bar in bars:
