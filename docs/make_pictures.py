@@ -27,6 +27,7 @@ TABS = {
     "log": "ctrl+7",
     "results": "ctrl+8",
     "faults": "ctrl+9",
+    "studies": "ctrl+d",
 }
 """Pages and their keys."""
 REVOLUTIONS = 250
@@ -155,7 +156,7 @@ def attach_first() -> Any:
 
 def _shoot(name: str) -> None:
     subprocess.run(
-        ["import", "-window", "root", "-depth", "8", "-colors", "128", IMAGES / name], check=True
+        ["import", "-window", "root", "-trim", "+repage", "-depth", "8", "-colors", "128", IMAGES / name], check=True
     )
 
 

@@ -15,6 +15,8 @@ from patience import PATIENCE_S
 from report.report_samples import eventful
 from twin.recorded_plants import RECORDED, record
 
+from rigapp.twin.messages import Sought
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NOTEBOOKS = sorted(path.name for path in (EXAMPLES / "notebooks").glob("*.ipynb"))
 
@@ -54,6 +56,14 @@ def test_a_notebook_runs(folder: Path, name: str) -> None:
     place = folder / "notebooks"
     place.mkdir(exist_ok=True)
     assert "nan" not in run(place, cells(name))
+
+
+@pytest.mark.parametrize("name", ["compare_specimens.ipynb", "identify_wear_coefficient.ipynb"])
+def test_a_notebook_runs_beside_the_first_test_of_a_new_folder(tmp_path: Path, name: str) -> None:
+    place = tmp_path / "notebooks"
+    place.mkdir()
+    record(tmp_path / "test.h5", 1.1, Sought(planned=400.0), 10)
+    run(place, cells(name))
 
 
 def test_the_examples_of_the_guide_run(folder: Path) -> None:
