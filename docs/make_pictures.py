@@ -48,6 +48,7 @@ def main() -> int:
         test = Path(folder) / "quick.toml"
         text = (ROOT / "examples/quick.toml").read_text("utf-8")
         test.write_text(text.replace("revolutions = 500", f"revolutions = {PLANNED}"), "utf-8")
+        _study(Path(folder))
         manager = subprocess.Popen(["openbox"])
         window = subprocess.Popen(
             [sys.executable, "-m", "rigapp", "gui", "--rig", ROOT / "examples/simulated.toml",
@@ -64,6 +65,15 @@ def main() -> int:
                 _end(process)
             _end_engine()
     return 0
+
+
+def _study(folder: Path) -> None:
+    """Compute the example's study into the results folder."""
+    subprocess.run(
+        [sys.executable, "-m", "rigapp", "study", ROOT / "examples/study.toml",
+         "--to", folder / "results" / "study"],
+        check=True, timeout=1200,
+    )  # fmt: skip
 
 
 def _end(process: subprocess.Popen[bytes]) -> None:
@@ -156,8 +166,10 @@ def attach_first() -> Any:
 
 def _shoot(name: str) -> None:
     subprocess.run(
-        ["import", "-window", "root", "-trim", "+repage", "-depth", "8", "-colors", "128", IMAGES / name], check=True
-    )
+        ["import", "-window", "root", "-trim", "+repage", "-depth", "8", "-colors", "128",
+         IMAGES / name],
+        check=True,
+    )  # fmt: skip
 
 
 def _end_engine() -> None:

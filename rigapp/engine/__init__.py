@@ -2,7 +2,6 @@
 
 Others enter by ``engine`` (the conductor), ``devices`` (what a rig file names), ``starting`` (may
 this test start on it), and by the rules that hold without an engine too: ``judging.criteria``,
-``judging.limits``, ``judging.reach``, ``judging.testrun``, ``values.calibrate``,
-``recording.fileplan``, ``recording.store``. No door imports them all: who plans a test need not
-load compiled loops.
+``judging.limits``, ``judging.reach``, ``values.calibrate``, ``recording.fileplan``,
+``recording.store``. No door imports them all: who plans a test need not load compiled loops.
 """

@@ -6658,8 +6658,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} noch zu lesen; {}</translation>
     </message>
     <message>
-        <source>{} studies in {}</source>
-        <translation>{} Studien in {}</translation>
+        <source>Studies in {}: {}</source>
+        <translation>Studien in {}: {}</translation>
     </message>
     <message>
         <source>{} tests in {} cannot be read: {}</source>

@@ -136,7 +136,7 @@ class StudiesPanel(QWidget):
         if found:
             self.list.selectRow(at or 0)
         self.list.blockSignals(False)
-        told = tr("{} studies in {}", grouped(len(found)), self._folder)
+        told = tr("Studies in {}: {}", self._folder, grouped(len(found)))
         self.told.show_text(told if found else tr(NO_STUDIES, self._folder))
         self._choose()
 
