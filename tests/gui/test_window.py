@@ -344,7 +344,8 @@ def test_thousands_of_updates_leak_neither_memory_nor_references(
     assert len(window._test.data.rows) == 50 + 2 * len(snapshots)
     # A leak grows in every batch; what the tests before have left may move the memory in one.
     assert min(after - before for before, after in itertools.pairwise(resident)) < 4_000
-    assert abs(sys.getrefcount(None) - nones) < 500
+    if sys.version_info < (3, 12):  # from there on None lives for ever, and nobody counts right
+        assert abs(sys.getrefcount(None) - nones) < 500
     assert len(gc.get_objects()) - objects < 2000
 
 
