@@ -12,6 +12,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol, TypeVar, runtime_checkable
 
+from PySide6.QtWidgets import QWidget
+
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.recording import StoredRevolution
 from rigapp.gui.data.tasks import TaskWorker
@@ -39,6 +41,15 @@ class Dressed(Protocol):
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
+        ...
+
+
+@runtime_checkable
+class InParts(Protocol):
+    """A page with so much on it that its parts are put in a theme one after the other."""
+
+    def parts(self) -> list[QWidget]:
+        """Return the parts; nothing that has a look of its own stands beside them."""
         ...
 
 

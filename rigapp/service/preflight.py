@@ -193,13 +193,13 @@ def _of_rules(test: TestFile) -> Iterator[Check]:
 
 
 def _of_disk(disk: DiskFacts | None) -> Iterator[Check]:
-    from rigapp.storage import SPACE_MARGIN
-
     if disk is None:
         return
     if disk.problem:
         yield Check("Disk", BLOCKS, disk.problem, "Choose a folder that can be written to")
         return
+    from rigapp.storage import SPACE_MARGIN
+
     text = f"{disk.needed_bytes / 1e6:.0f} MB needed, {disk.free_bytes / 1e9:.1f} GB free"
     missing = disk.needed_bytes + SPACE_MARGIN - disk.free_bytes
     yield Check(

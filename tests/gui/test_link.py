@@ -15,7 +15,7 @@ from rigapp.gui.data.connection import (
     ConnectionState,
     EngineConnection,
 )
-from rigapp.gui.window.window import IDLE_LOOK_MS, LOOK_MS
+from rigapp.gui.window.window import IDLE, IN_TEST
 from rigapp.schema.messages import Reply, RunState
 
 
@@ -204,7 +204,8 @@ def test_a_lost_client_is_closed_only_when_no_request_uses_it(
 def test_the_window_looks_often_during_a_test_and_seldom_without_one(
     window: Any, engine: Any, attach: Any
 ) -> None:
-    for state, every_ms in ((RunState.RUNNING, LOOK_MS), (RunState.READY, IDLE_LOOK_MS)):
+    for state, rhythm in ((RunState.RUNNING, IN_TEST), (RunState.READY, IDLE)):
         engine.say(count=3, state=state)
         attach()
-        assert window._timer.interval() == every_ms
+        assert window.rhythm == rhythm
+        assert window._timer.interval() == rhythm.look_ms

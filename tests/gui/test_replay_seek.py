@@ -90,7 +90,7 @@ def test_the_bar_follows_and_leads_the_replay(
     assert not window.controls.isVisible()
     assert window.tabs.places() == {RailPlace.WATCH, RailPlace.RESULTS}
     assert not window.rail.buttons[RailPlace.RIG].isVisible()
-    assert LIGHT.highlight in window._body.styleSheet()
+    assert window.body.colour == LIGHT.highlight
     assert all(not one.isEnabled() for one in window.findChildren(GuardedButton))
     assert (bar.place.value(), bar.revolution.value()) == (1000, 300)
     bar.place.setFocus()

@@ -15,6 +15,7 @@ from rigapp.gui.window.window import MainWindow
 from rigapp.schema.alarms import because
 from rigapp.schema.messages import Alarm, Recovery, Remedy, RunState, Severity
 from tests.gui.roominess import SCALES, SIZES, cut_texts
+from tests.patience import PATIENCE_MS
 
 
 @pytest.fixture(autouse=True)
@@ -47,17 +48,22 @@ def tripped() -> dict[str, Any]:
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_no_text_is_cut_at_any_scale_size_and_theme(
-    language: str, qapp: Any, engine: Any, request: pytest.FixtureRequest
+    language: str, qapp: Any, qtbot: Any, engine: Any, request: pytest.FixtureRequest
 ) -> None:
     """Try all twelve at which one may look; a scale leaves so many fewer pixels to the window."""
     speak_language(qapp, language)
     window: MainWindow = request.getfixturevalue("window")
     attach: Callable[[], None] = request.getfixturevalue("attach")
+
+    def wait_until_dressed() -> None:
+        qtbot.waitUntil(lambda: not window.dressing.isActive(), timeout=PATIENCE_MS)
+
     window.tabs.setCurrentIndex(NUMBERS["log"])  # of the place with the side column; draws little
     cut = set()
     for number, (theme, scale, size) in enumerate(product(THEMES.values(), SCALES, SIZES)):
         if theme is not window.theme:
             window.dress(theme)
+            wait_until_dressed()
         window.resize(int(size[0] / scale), int(size[1] / scale))
         for turn, situation in enumerate(({}, tripped(), {"state": RunState.CONNECTING})):
             engine.say(first=3 * number + turn + 1, count=1, curves=False, **situation)

@@ -440,6 +440,7 @@ def test_light_and_dark_are_both_complete(
     for theme, background in (("dark", DARK.base), ("light", LIGHT.base)):
         qtbot.keyClick(window, Qt.Key.Key_F9)
         assert window.theme.name == theme
+        qtbot.waitUntil(lambda: not window.dressing.isActive(), timeout=PATIENCE_MS)
         picture = window.tabs.panels["overview"].plot.grab().toImage()
         corner = picture.pixelColor(picture.width() - 3, 3).name()
         assert corner == background

@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+from PySide6.QtCore import QTimer
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 
@@ -63,11 +64,16 @@ class PreparePanel(QWidget):
         self._layout = row((self.recipe, 3), on=self)
         self._layout.setContentsMargins(0, 0, 0, 0)
         self._layout.setSpacing(GAP)
+        self._fit = QTimer(self, singleShot=True, interval=0)
+        self._fit.timeout.connect(self._fit_checks)
         self._place_checks(narrow=False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Put the checks where there is room for them."""
+        """Put the checks where there is room for them, once the page has its last width."""
         super().resizeEvent(event)
+        self._fit.start()
+
+    def _fit_checks(self) -> None:
         self._place_checks(narrow=self.width() < NARROW)
 
     def _place_checks(self, *, narrow: bool) -> None:
@@ -78,6 +84,10 @@ class PreparePanel(QWidget):
             self.recipe.offer_checks(None)
             self._layout.addWidget(self.checks, 1)
             self.checks.show()
+
+    def parts(self) -> list[QWidget]:
+        """Return what is put in a theme for itself."""
+        return [self.checks, *(one for one in self.recipe.parts() if one is not self.checks)]
 
     def set_rig(self, rig: Path) -> None:
         """Take the rig file, for its ranges and its calibration records."""

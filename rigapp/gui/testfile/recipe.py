@@ -197,6 +197,11 @@ class RecipePanel(QWidget):
     def _optional(self) -> frozenset[str]:
         return frozenset(field.section for field in form_fields() if field.optional)
 
+    def parts(self) -> list[QWidget]:
+        """Return what is put in a theme for itself: each step, and what stands around them."""
+        steps = (self.pages.widget(number) for number in range(self.pages.count()))
+        return [self.steps, self._tools, *(step for step in steps if step is not None)]
+
     def show_step(self, place: int) -> None:
         """Open a step; one beyond the last is a page that somebody else put behind them."""
         self._now = max(0, min(place, self.pages.count() - 1))
@@ -251,7 +256,7 @@ class RecipePanel(QWidget):
         line = row(*buttons[:3], None, *buttons[3:5], *buttons[5:], on=tools)
         line.setContentsMargins(0, 0, 0, 0)
         self.unsaved_bar = UnsavedBar(self._save, tools)
-        card = named(QFrame(), "recipe_tools", "Test file")
+        card = self._tools = named(QFrame(), "recipe_tools", "Test file")
         card.setProperty("role", "card")
         told = row((self.name, 1), (self.verdict, 3))
         told.setSpacing(GAP)

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QFrame, QPushButton, QSizePolicy, QStackedWidget
 from rigapp.gui.data.connection import ConnectionState
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import MARGIN, STEP, VALUE_PT, Theme
@@ -190,8 +191,10 @@ class ControlRow(QFrame):
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
         self._theme = theme
-        self.setStyleSheet(
-            f"#controls {{ background: {theme.base}; border-top: 1px solid {theme.hairline}; }}"
+        dress_part(
+            self,
+            theme,
+            f"#controls {{ background: {theme.base}; border-top: 1px solid {theme.hairline}; }}",
         )
         for spec in BUTTONS:
             colour = theme.critical if spec.verb == "stop" else theme.text

@@ -16,6 +16,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QFrame, QProgressBar, QWidget
 
 from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, LARGE_PT, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import column, named, row
@@ -214,8 +215,10 @@ class Header(QFrame):
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        self.setStyleSheet(
-            f"#header {{ background: {theme.base}; border-bottom: 1px solid {theme.hairline}; }}"
+        dress_part(
+            self,
+            theme,
+            f"#header {{ background: {theme.base}; border-bottom: 1px solid {theme.hairline}; }}",
         )
         for tile in self.tiles.values():
             tile.dress(theme)

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from rigapp.gui.data.texts import dated
+from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, MARGIN, STEP, Theme
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import named, row
@@ -35,10 +36,12 @@ class MessageLine(QFrame):
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        self.setStyleSheet(
+        dress_part(
+            self,
+            theme,
             f"#message_line {{ background: {theme.alternate};"
             f" border-bottom: 1px solid {theme.hairline}; }}"
-            f" #clock {{ color: {theme.muted}; font-size: {CAPTION_PT}pt; }}"
+            f" #clock {{ color: {theme.muted}; font-size: {CAPTION_PT}pt; }}",
         )
 
     def make_room(self, *, tight: bool) -> None:

@@ -12,6 +12,7 @@ from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QPushButton, QToolButton, QWidget
 
 from rigapp.gui.language.words import Text, marked, tr
+from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, STEP, Theme
 from rigapp.gui.widgets.build import button, choice, column, follow_in_tab_order, named, row
@@ -86,7 +87,9 @@ class Rail(QFrame):
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        self.setStyleSheet(
+        dress_part(
+            self,
+            theme,
             f"#rail {{ background: {theme.base}; border-right: 1px solid {theme.hairline}; }}"
             f" QToolButton {{ border: 0; border-radius: 6px; color: {theme.secondary}; }}"
             f" QToolButton:hover {{ background: {theme.alternate}; }}"
@@ -96,16 +99,21 @@ class Rail(QFrame):
             f" #rail_rig {{ font-size: {CAPTION_PT}pt; font-weight: 600; }}"
             f" #rail_kind {{ color: {theme.secondary}; font-size: {CAPTION_PT - 1.5}pt;"
             f" font-weight: 600; border: 1px dashed {theme.border}; border-radius: 4px; }}"
-            f" QPushButton {{ font-size: {CAPTION_PT}pt; color: {theme.secondary}; padding: 0; }}"
+            f" #rail QPushButton {{ font-size: {CAPTION_PT}pt; color: {theme.secondary};"
+            " padding: 0; }",
         )
-        for place, one in self.buttons.items():
-            chosen = theme.highlight if one.isChecked() else theme.secondary
-            one.setIcon(icon(ICONS[place], chosen))
+        self._theme = theme
+        self._paint_places()
         dark = theme.name == "dark"
         self.theme_button.setIcon(icon(Icon.LIGHT if dark else Icon.DARK, theme.secondary))
         self.theme_button.setText(tr("Light F9") if dark else tr("Dark F9"))
         self.help_button.setIcon(icon(Icon.HELP, theme.secondary))
-        self._theme = theme
+
+    def _paint_places(self) -> None:
+        theme = self._theme
+        for place, one in self.buttons.items():
+            chosen = theme.highlight if one.isChecked() else theme.secondary
+            one.setIcon(icon(ICONS[place], chosen))
 
     def show_place(self, place: RailPlace) -> None:
         """Mark the place that is shown; the focus of another one goes along."""
@@ -113,7 +121,7 @@ class Rail(QFrame):
             self.buttons[place].setChecked(True)
             if any(one.hasFocus() for one in self.buttons.values()):
                 self.buttons[place].setFocus()
-            self.dress(self._theme)
+            self._paint_places()
 
     def offer(self, places: Collection[RailPlace]) -> None:
         """Offer some places; those without pages are gone."""

@@ -3,10 +3,19 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QFont, QKeySequence, QShortcut
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QKeySequence,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QShortcut,
+)
 from PySide6.QtWidgets import QFrame, QLabel, QSlider, QSpinBox
 
 from rigapp.gui.language.words import tr
+from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import GAP, MARGIN, RADIUS, STEP, VALUE_PT, Theme
@@ -15,8 +24,37 @@ from rigapp.gui.window.controls import BAR_HEIGHT, BUTTON_HEIGHT
 from rigapp.schema.messages import RunState, Status
 
 SPEEDS = (0.1, 1.0, 10.0, 100.0, 1000.0, 10_000.0)
+FRAME = STEP // 2
+"""Width of the frame around a replay."""
+
 STEPS = 1000
 """Places of the slider; the field beside it takes any revolution."""
+
+
+class ReplayFrame(QFrame):
+    """What the window is made on; around a replay it has a frame, seen from three metres."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        named(self, "body", "Window of the rig")
+        self.colour = ""
+
+    def paint(self, colour: str) -> None:
+        """Paint the frame in a colour, none where it is empty."""
+        width = FRAME if colour else 0
+        layout = self.layout()
+        if layout is not None:
+            layout.setContentsMargins(width, width, width, width)
+        self.colour = colour
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the frame."""
+        super().paintEvent(event)
+        if self.colour:
+            painter = QPainter(self)
+            painter.setPen(QPen(QColor(self.colour), 2 * FRAME))
+            painter.drawRect(self.rect())
 
 
 class ReplayBar(QFrame):
@@ -74,10 +112,12 @@ class ReplayBar(QFrame):
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
         self._theme = theme
-        self.setStyleSheet(
+        dress_part(
+            self,
+            theme,
             f"#replay_bar {{ background: {theme.base}; border-top: 1px solid {theme.hairline}; }}"
             f" #replay_word {{ background: {theme.highlight}; color: {theme.highlighted_text};"
-            f" border-radius: {RADIUS}px; padding: {STEP // 2}px {GAP}px; }}"
+            f" border-radius: {RADIUS}px; padding: {STEP // 2}px {GAP}px; }}",
         )
         self.again.setIcon(icon(Icon.AGAIN, theme.text, theme.muted))
         self._show_playing()

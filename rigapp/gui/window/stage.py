@@ -5,6 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QScrollArea, QStackedWidget, QWidget
 
+from rigapp.gui.look.dress import dress_part
+from rigapp.gui.look.tokens import Theme
+from rigapp.gui.panel import Dressed
 from rigapp.gui.widgets.build import named
 
 
@@ -35,6 +38,16 @@ class Stage(QStackedWidget):
         guide.show()
         self.setCurrentIndex(1)
         (guide.focusWidget() or guide).setFocus()
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        guide = self._area.widget()
+        for bar in (self._area.verticalScrollBar(), self._area.horizontalScrollBar()):
+            dress_part(bar, theme)
+        if isinstance(guide, Dressed):
+            guide.dress(theme)
+        elif guide is not None:
+            dress_part(guide, theme)
 
     def end(self) -> None:
         """Let the guide go, and show the pages."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
 
@@ -14,8 +14,9 @@ from rigapp.gui.data.news import News, Takes, tripped
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.tokens import Theme
-from rigapp.gui.panel import Act, Dressed, Host, Panel, StallCounter
+from rigapp.gui.panel import Act, Dressed, Host, InParts, Panel, StallCounter
 from rigapp.gui.panels.alarms import alarm_page
 from rigapp.gui.panels.cycle import cycle_page
 from rigapp.gui.panels.devices import device_page
@@ -33,11 +34,9 @@ from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.testfile.prepare import PreparePanel, prepare_page
 from rigapp.gui.widgets.build import named
+from rigapp.gui.widgets.turns import Turns
 from rigapp.gui.window.places import PageName, RailPlace
 from rigapp.schema.states import ACTIVE
-
-TURN_MS = 10
-"""Between two parts of a long drawing, so that keys and the state bar come in between."""
 
 
 def _always(news: News) -> bool:
@@ -107,6 +106,7 @@ class Tabs(QTabWidget):
     ) -> None:
         super().__init__()
         self._test = test
+        self._turns = Turns(self)
         self._news = News()
         host = Host(
             theme,
@@ -167,13 +167,21 @@ class Tabs(QTabWidget):
         """Go to a page by its name."""
         self._go_to(NUMBERS[name])
 
-    def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+    def dress_calls(self, theme: Theme) -> list[Callable[[], object]]:
+        """Return what puts the pages in a theme, a part each, what is seen first."""
+        parts = [part for number in range(self.count()) for part in self._parts(number)]
         dressed = [panel for panel in self.panels.values() if isinstance(panel, Dressed)]
-        # What is seen first; the sort is stable. The first panel of those at once.
-        first, *others = sorted(dressed, key=lambda panel: not panel.isVisible())
-        first.dress(theme)
-        self._in_turns(partial(panel.dress, theme) for panel in others)
+        calls = [(part.isVisible(), partial(dress_part, part, theme)) for part in parts]
+        calls += [(panel.isVisible(), partial(panel.dress, theme)) for panel in dressed]
+        return [call for _, call in sorted(calls, key=lambda one: not one[0])]
+
+    def _parts(self, number: int) -> list[QWidget]:
+        area = self.widget(number)
+        assert isinstance(area, QScrollArea)
+        inside = area.widget()
+        if not isinstance(inside, InParts):
+            return [area]
+        return [*inside.parts(), area.verticalScrollBar(), area.horizontalScrollBar()]
 
     def take(self, news: News) -> None:
         """Take what every new status means, for panels that are seen or not."""
@@ -232,12 +240,7 @@ class Tabs(QTabWidget):
             plot.setUpdatesEnabled(False)
             calls.append(partial(plot.setUpdatesEnabled, True))
         calls += [partial(self._draw_history, panel) for panel in self._seen(Takes.HISTORY)]
-        self._in_turns(calls)
-
-    def _in_turns(self, calls: Iterable[Callable[[], object]]) -> None:
-        """Make each call in a turn of the event loop of its own, so that none is long."""
-        for number, call in enumerate(calls, 1):
-            QTimer.singleShot(number * TURN_MS, self, call)
+        self._turns.then(calls)
 
 
 def _scrolling(page: QWidget, tab: Tab) -> QScrollArea:

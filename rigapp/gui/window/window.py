@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
 from getpass import getuser
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,14 +18,14 @@ from PySide6.QtGui import (
     QResizeEvent,
     QShortcut,
 )
-from PySide6.QtWidgets import QApplication, QFrame, QMainWindow, QPushButton, QWidget
+from PySide6.QtWidgets import QApplication, QMainWindow, QPushButton, QWidget
 
 from rigapp.gui.data.connection import ConnectionState, EngineConnection
 from rigapp.gui.data.news import News
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.language.words import Text, tr
-from rigapp.gui.look.dress import apply_theme, dress_window
+from rigapp.gui.look.dress import apply_theme, dress_part
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP, THEMES, TIGHT_HEIGHT, TIGHT_WIDTH, Theme
 from rigapp.gui.panel import Act
 from rigapp.gui.panels.alarms import AlarmPanel
@@ -31,6 +33,7 @@ from rigapp.gui.panels.documents import launch_process
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import button, column, follow_in_tab_order, named, row
 from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.gui.widgets.turns import Turns
 from rigapp.gui.window.closebar import CloseBar
 from rigapp.gui.window.command import KEY as COMMAND_KEY
 from rigapp.gui.window.command import ViewerBar, why_forbidden
@@ -43,12 +46,12 @@ from rigapp.gui.window.notice import NoticeBar
 from rigapp.gui.window.places import PageBar, Rail, RailPlace
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.gui.window.recover import RecoverPanel
-from rigapp.gui.window.replaybar import ReplayBar
+from rigapp.gui.window.replaybar import ReplayBar, ReplayFrame
 from rigapp.gui.window.side import SideColumn
 from rigapp.gui.window.stage import Stage
 from rigapp.gui.window.startbar import StartBar
 from rigapp.gui.window.tabs import Tabs
-from rigapp.gui.window.watchdog import Watchdog
+from rigapp.gui.window.watchdog import IDLE_PERIOD_S, PERIOD_S, Watchdog
 from rigapp.schema.messages import Snapshot, Status
 from rigapp.schema.states import ACTIVE
 
@@ -56,15 +59,23 @@ if TYPE_CHECKING:
     from rigapp.gui.wizard.wizard import CalibrationWizard
 
 
-LOOK_MS, IDLE_LOOK_MS = 10, 250
-"""Between two looks for news during a test, and without one: a revolution shall be on the screen
-70 ms after its end, and a window that waits shall cost next to nothing."""
+@dataclass(frozen=True, slots=True)
+class Rhythm:
+    """How often something is done: looks for news, parts of a slow drawing, beats for stalls."""
+
+    look_ms: int
+    part_ms: int
+    beat_s: float
+
+
+IN_TEST = Rhythm(10, 25, PERIOD_S)
+"""A revolution shall be on the screen 70 ms after its end."""
+
+IDLE = Rhythm(250, 100, IDLE_PERIOD_S)
+"""A window that waits shall cost next to nothing."""
 
 STATE_EVERY = 10
 """Looks between two at the state bar when there are no news: its ages grow all the same."""
-
-PART_MS, IDLE_PART_MS = 25, 50
-"""Between two parts of a slow drawing, during a test and without one."""
 
 FAST_EVERY = 4
 """Parts of a slow drawing between two looks at the newest revolution, for what was chosen there."""
@@ -82,14 +93,11 @@ LEAST = (640, 360)
 BESIDE = frozenset({RailPlace.WATCH, RailPlace.RIG})
 """Places with newest values and the way out of a fault beside them; the others need the width."""
 
-REPLAY_FRAME = STEP // 2
-"""Width of the frame around a replay: it is seen from three metres."""
-
 FRAME_HEIGHT = 40
 """Room for the frame that the window manager puts around a window."""
 
 SLOW_EVERY = 20
-"""Parts in which trends and tables are drawn in turns: each of them twice a second."""
+"""Parts in which trends and tables are drawn in turns: in a test each of them twice a second."""
 
 
 class MainWindow(QMainWindow):
@@ -112,6 +120,7 @@ class MainWindow(QMainWindow):
         self._settings = settings
         self._reader = TaskWorker("gui-files", bound=32)
         self._looks = 0
+        self.rhythm: Rhythm | None = None
         self._part = 0
         self._help: HelpWindow | None = None
         self._start_wanted: Path | None = None
@@ -133,6 +142,7 @@ class MainWindow(QMainWindow):
         self._forbidden = ""
         self.replay_bar = ReplayBar(theme)
         self.replay_bar.hide()
+        self.body = ReplayFrame()
         self._results = ResultShelf(results_folder, self._reader)
         self.tabs = Tabs(test, theme, self._results, self._reader, self.watchdog)
         self.stage = Stage(self.tabs)
@@ -148,15 +158,14 @@ class MainWindow(QMainWindow):
         if tests:
             self.tabs.prepare.recipe.open_file(tests[0])
         self._build()
-        dress_window(self, theme)
+        self.dressing = Turns(self)
+        for call in self._dress_calls():
+            call()
         self._connect()
         self._timer, self._part_timer = QTimer(self), QTimer(self)
-        for timer, call, every_ms in (
-            (self._timer, self._look, LOOK_MS),
-            (self._part_timer, self._draw_part, PART_MS),
-        ):
-            timer.setInterval(every_ms)
-            timer.timeout.connect(call)
+        self._timer.timeout.connect(self._look)
+        self._part_timer.timeout.connect(self._draw_part)
+        self._keep(IN_TEST)
         self._restore_layout()
 
     def start(self) -> None:
@@ -224,16 +233,10 @@ class MainWindow(QMainWindow):
         self.replay_bar.setVisible(replay)
         self.controls.setVisible(not replay)
         self.rail.offer(self.tabs.places())
-        width = REPLAY_FRAME if replay else 0
-        layout = self._body.layout()
-        if layout is not None:
-            layout.setContentsMargins(width, width, width, width)
         self._paint_frame()
 
     def _paint_frame(self) -> None:
-        shown = not self.replay_bar.isHidden()
-        border = f"{REPLAY_FRAME}px solid {self.theme.highlight}" if shown else "0"
-        self._body.setStyleSheet(f"#body {{ border: {border}; }}")
+        self.body.paint("" if self.replay_bar.isHidden() else self.theme.highlight)
 
     @property
     def news(self) -> News:
@@ -275,19 +278,26 @@ class MainWindow(QMainWindow):
         application = QApplication.instance()
         if isinstance(application, QApplication):
             apply_theme(application, theme)
-        dress_window(self, theme)
-        bars = (self.header, self.notice, self.viewer_bar, self.messages, self.controls)
-        for part in (*bars, self.replay_bar, self.rail, self.tabs):
-            part.dress(theme)
-        if self._calibration is not None:
-            self._calibration.dress(theme)
-        self._paint_frame()
-        self.draw_now()
+        self.dressing.instead([*self._dress_calls(), self.draw_now])
+
+    def _dress_calls(self) -> Iterator[Callable[[], object]]:
+        """Give what puts each part in the theme: what is seen first, no part for long."""
+        theme = self.theme
+        yield self._paint_frame
+        bars = (self.header, self.rail, self.messages, self.notice, self.viewer_bar, self.controls)
+        for part in (*bars, self.replay_bar):
+            yield partial(part.dress, theme)
+        for plain in (self.page_bar, self.start_bar, self.side, self._help):
+            if plain is not None:
+                yield partial(dress_part, plain, theme)
+        yield partial(self.stage.dress, theme)
+        yield from self.tabs.dress_calls(theme)
 
     def show_help(self) -> None:
         """Open the help window, or bring it to the front."""
         if self._help is None:
             self._help = HelpWindow(self)
+            dress_part(self._help, self.theme)
         self._front(self._help)
 
     def calibrate(self) -> None:
@@ -302,6 +312,7 @@ class MainWindow(QMainWindow):
         chooser = CalibrationChooser(self)
         chooser.chosen.connect(self.calibrate_what)
         chooser.rejected.connect(self._end_calibration)
+        dress_part(chooser, self.theme)
         # Fits and statistics are loaded while somebody chooses, not before, and not here.
         self._reader.submit(_load_wizards, lambda _: None, lambda _: None)
         self._guide(chooser)
@@ -405,12 +416,7 @@ class MainWindow(QMainWindow):
     def _take(self, snapshot: Snapshot) -> None:
         status = snapshot.status
         busy = status.state in ACTIVE or self._start_wanted is not None
-        for timer, every_ms in (
-            (self._timer, LOOK_MS if busy else IDLE_LOOK_MS),
-            (self._part_timer, PART_MS if busy else IDLE_PART_MS),
-        ):
-            if timer.interval() != every_ms:
-                timer.setInterval(every_ms)
+        self._keep(IN_TEST if busy else IDLE)
         self.recover.take_status(None if self._connection.is_replay else status)
         self.notice.take_status(status, replay=self._connection.is_replay)
         self._test.take(snapshot)
@@ -425,6 +431,13 @@ class MainWindow(QMainWindow):
             title = tr("Viewing only: {}", title)
         if self.windowTitle() != title:
             self.setWindowTitle(title)
+
+    def _keep(self, rhythm: Rhythm) -> None:
+        if rhythm is not self.rhythm:
+            self.rhythm = rhythm
+            self._timer.setInterval(rhythm.look_ms)
+            self._part_timer.setInterval(rhythm.part_ms)
+            self.watchdog.beat_every(rhythm.beat_s)
 
     def _show_who_commands(self) -> None:
         watch = self._connection.command
@@ -489,15 +502,14 @@ class MainWindow(QMainWindow):
         content = row((pages, 1), self.side)
         content.setContentsMargins(MARGIN, STEP, MARGIN, GAP)
         content.setSpacing(GAP)
-        body = self._body = named(QFrame(), "body", "Window of the rig")
         upper = column(self.header, self.messages, (content, 1), self.controls, self.replay_bar)
         upper.setSpacing(0)
-        layout = row(self.rail, (upper, 1), on=body)
+        layout = row(self.rail, (upper, 1), on=self.body)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
-        self.start_bar.setParent(body)
+        self.start_bar.setParent(self.body)
         self.start_bar.installEventFilter(self)
-        self.setCentralWidget(body)
+        self.setCentralWidget(self.body)
         asked = self.messages.findChildren(QPushButton)
         follow_in_tab_order(self.rail.help_button, *asked, self.page_bar.choice)
         self._show_place()

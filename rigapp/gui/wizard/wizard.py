@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QWidget, QWizard, QWizardPage
 from rigapp.calibrating.session import Rig
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.gui.language.words import Text, tr
-from rigapp.gui.look.dress import dress_window
+from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.tokens import STEP, TIGHT_WIDTH, Theme
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import tell
@@ -75,7 +75,7 @@ class CalibrationWizard(QWizard):
         self.setWizardStyle(QWizard.WizardStyle.ClassicStyle)
         self.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
         self.setModal(False)
-        dress_window(self, theme)
+        dress_part(self, theme)
         self.live = face.live(line, rig, session)
         self.plan = PlanPage(
             self.live, folder, settings, face.asks, of.plan, face.sketch, theme, fields
@@ -105,7 +105,7 @@ class CalibrationWizard(QWizard):
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        dress_window(self, theme)
+        dress_part(self, theme)
         parts: list[Any] = [self.steps, *self.findChildren(Picture), *self.findChildren(Sign)]
         for part in (*parts, *self.findChildren(QuietPlot)):
             part.dress(theme)
