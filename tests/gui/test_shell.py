@@ -8,6 +8,7 @@ from typing import Any
 
 import msgspec
 import pytest
+from patience import PATIENCE_MS
 from PySide6.QtCore import QRect, Qt
 from PySide6.QtWidgets import QAbstractButton, QDialog, QWidget
 
@@ -102,7 +103,7 @@ def test_a_calibration_stands_in_the_window_and_is_left_and_come_back_to(
     qtbot.keyClick(window.focusWidget(), Qt.Key.Key_Space)
     wizard = window._calibration
     assert wizard is not None
-    assert wizard.isVisible()
+    qtbot.waitUntil(wizard.isVisible, timeout=PATIENCE_MS)
     stop = window.controls.buttons["stop"]
     assert stop.isVisible()
     assert "&" not in stop.text(), "the letters are the wizard's"

@@ -29,12 +29,15 @@ class Stage(QStackedWidget):
         """Tell whether the guide is seen."""
         return self.currentIndex() == 1
 
+    def take(self, guide: QWidget, theme: Theme) -> None:
+        """Put a guide in the place of the one before it, unseen; its sheet is set here, once."""
+        self._let_go()
+        guide.setWindowFlags(Qt.WindowType.Widget)
+        self._area.setWidget(guide)
+        self.dress(theme)
+
     def guide(self, guide: QWidget) -> None:
-        """Show a guide in the place of the pages, and of the guide before it."""
-        if self._area.widget() is not guide:
-            self.end()
-            guide.setWindowFlags(Qt.WindowType.Widget)
-            self._area.setWidget(guide)
+        """Show the guide that was taken in the place of the pages."""
         guide.show()
         self.setCurrentIndex(1)
         (guide.focusWidget() or guide).setFocus()
@@ -51,10 +54,13 @@ class Stage(QStackedWidget):
 
     def end(self) -> None:
         """Let the guide go, and show the pages."""
+        self._let_go()
+        self.show_pages()
+
+    def _let_go(self) -> None:
         over = self._area.takeWidget()
         if over is not None:
             over.deleteLater()
-        self.show_pages()
 
     def show_pages(self) -> None:
         """Show the pages; the guide goes on unseen."""

@@ -158,7 +158,7 @@ class MainWindow(QMainWindow):
         if tests:
             self.tabs.prepare.recipe.open_file(tests[0])
         self._build()
-        self.dressing = Turns(self)
+        self.dressing, self._turns = Turns(self), Turns(self)
         for call in self._dress_calls():
             call()
         self._connect()
@@ -312,7 +312,7 @@ class MainWindow(QMainWindow):
         chooser = CalibrationChooser(self)
         chooser.chosen.connect(self.calibrate_what)
         chooser.rejected.connect(self._end_calibration)
-        dress_part(chooser, self.theme)
+        self.stage.take(chooser, self.theme)
         # Fits and statistics are loaded while somebody chooses, not before, and not here.
         self._reader.submit(_load_wizards, lambda _: None, lambda _: None)
         self._guide(chooser)
@@ -336,7 +336,15 @@ class MainWindow(QMainWindow):
             line, rig, self.theme, folder, parent=self, subject=choice.subject, fields=choice.fields
         )
         self._calibration.finished.connect(self._end_calibration)
-        self._guide(self._calibration)
+        self._turns.then((self._take_calibration, self._show_calibration))
+
+    def _take_calibration(self) -> None:
+        if self._calibration is not None:
+            self.stage.take(self._calibration, self.theme)
+
+    def _show_calibration(self) -> None:
+        if self._calibration is not None:
+            self._guide(self._calibration)
 
     def _guide(self, guide: QWidget) -> None:
         """Show a guide in the place of the rig's pages; strip, Stop and notes stay."""

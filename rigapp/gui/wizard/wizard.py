@@ -75,7 +75,6 @@ class CalibrationWizard(QWizard):
         self.setWizardStyle(QWizard.WizardStyle.ClassicStyle)
         self.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
         self.setModal(False)
-        dress_part(self, theme)
         self.live = face.live(line, rig, session)
         self.plan = PlanPage(
             self.live, folder, settings, face.asks, of.plan, face.sketch, theme, fields
@@ -101,6 +100,8 @@ class CalibrationWizard(QWizard):
         self.currentIdChanged.connect(self._mark)
         self.live.moved.connect(self._mark)
         self.finished.connect(lambda _: self.live.close())
+        if parent is None:  # else it is put in the theme where it is shown, once
+            dress_part(self, theme)
         self.resize(QSize(1040, 820))
 
     def dress(self, theme: Theme) -> None:
