@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gc
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -163,3 +165,14 @@ def test_what_a_start_has_made_is_not_searched_for_garbage() -> None:
     finally:
         gc.unfreeze()
         gc.enable()
+
+
+def test_the_window_and_the_room_that_a_test_needs_load_no_kernels() -> None:
+    """Half a second would be lost where the page that prepares a test is opened first."""
+    code = (
+        "import sys, rigapp.gui.window.window, rigapp.service.preflight,"
+        " rigapp.engine.recording.fileplan;"
+        "print(*{'numba', 'scipy', 'llvmlite'} & set(sys.modules))"
+    )
+    found = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, check=True)
+    assert not found.stdout.strip()

@@ -101,6 +101,12 @@ def test_a_calibration_stands_in_the_window_and_is_left_and_come_back_to(
     assert window.stage.guiding
     assert window.tabs.place is RailPlace.RIG
     qtbot.keyClick(window.focusWidget(), Qt.Key.Key_Space)
+
+    def opened() -> bool:
+        window.tick()
+        return window._calibration is not None
+
+    qtbot.waitUntil(opened, timeout=PATIENCE_MS)
     wizard = window._calibration
     assert wizard is not None
     qtbot.waitUntil(wizard.isVisible, timeout=PATIENCE_MS)

@@ -16,10 +16,13 @@ import enum
 from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from rigapp.config.recipe import CyclesSection
 from rigapp.engine.recording.schedule import Schedule
-from rigapp.engine.values.calibrate import Measured
+
+if TYPE_CHECKING:  # the window asks for the room of a file, and shall not load the kernels for it
+    from rigapp.engine.values.calibrate import Measured
 
 RING_BYTES = 64 << 20
 """Memory for revolutions that may still be wanted."""

@@ -4922,6 +4922,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Winkelbezug ist schon genommen.</translation>
     </message>
     <message>
+        <source>The calibration is being opened.</source>
+        <translation>Die Kalibrierung wird geöffnet.</translation>
+    </message>
+    <message>
         <source>The certificate is made from the record alone: the same bytes each time.</source>
         <translation>Der Kalibrierschein entsteht allein aus dem Datensatz: jedes Mal dieselben Bytes.</translation>
     </message>

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -130,6 +129,8 @@ class MainWindow(QMainWindow):
         self._results_folder = results_folder
         self._rig_file = rig
         self._calibration: CalibrationWizard | None = None
+        self._make_wizard: type[CalibrationWizard] | None = None
+        self._calibrate_next = ""
         self.theme = theme
         self.watchdog = Watchdog(self)
         named(self, "main_window", "Rig control").setWindowTitle(PROGRAM)
@@ -314,29 +315,42 @@ class MainWindow(QMainWindow):
         chooser.rejected.connect(self._end_calibration)
         self.stage.take(chooser, self.theme)
         # Fits and statistics are loaded while somebody chooses, not before, and not here.
-        self._reader.submit(_load_wizards, lambda _: None, lambda _: None)
+        if self._make_wizard is None:
+            self._reader.submit(_load_wizards, self._take_wizards, self._tell_problem)
         self._guide(chooser)
 
     def calibrate_what(self, which: str) -> None:
         """Open the wizard for the load cell, a probe or both (see ``chooser.CHOICES``)."""
         from rigapp.calibrating.session import Rig
         from rigapp.gui.wizard.chooser import CHOICES
-        from rigapp.gui.wizard.wizard import CalibrationWizard
 
         status = self._may_calibrate()
         if status is None:
             self._end_calibration()
+            return
+        self._calibrate_next = which
+        if self._make_wizard is None:
+            self._say("The calibration is being opened.")
             return
         operator = status.operator or getuser()
         test = self.tabs.prepare.recipe.path
         rig = Rig(status.rig, status.simulated, operator, self._rig_file, test)
         line, folder = self._connection.request, self._results_folder
         choice = CHOICES[which]
-        self._calibration = CalibrationWizard(
+        self._calibrate_next = ""
+        self._calibration = self._make_wizard(
             line, rig, self.theme, folder, parent=self, subject=choice.subject, fields=choice.fields
         )
         self._calibration.finished.connect(self._end_calibration)
         self._turns.then((self._take_calibration, self._show_calibration))
+
+    def _take_wizards(self, make: type[CalibrationWizard]) -> None:
+        self._make_wizard = make
+        if self._calibrate_next:
+            self.calibrate_what(self._calibrate_next)
+
+    def _tell_problem(self, error: Exception) -> None:
+        self.controls.show_answer(str(error), good=False)
 
     def _take_calibration(self) -> None:
         if self._calibration is not None:
@@ -358,7 +372,7 @@ class MainWindow(QMainWindow):
         self._show_place()
 
     def _end_calibration(self) -> None:
-        self._calibration = None
+        self._calibration, self._calibrate_next = None, ""
         self.stage.end()
         self._show_place()
 
@@ -645,5 +659,7 @@ class MainWindow(QMainWindow):
         self._settings.setValue("theme", self.theme.name)
 
 
-def _load_wizards() -> None:
-    importlib.import_module("rigapp.gui.wizard.wizard")
+def _load_wizards() -> type[CalibrationWizard]:
+    from rigapp.gui.wizard.wizard import CalibrationWizard
+
+    return CalibrationWizard
