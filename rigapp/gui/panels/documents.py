@@ -122,18 +122,12 @@ class DocumentPanel(QWidget):
         self._writing[target] = process
         process.finished.connect(partial(self._finished, kind, test))
         process.errorOccurred.connect(partial(self._failed, kind, test))
-        QTimer.singleShot(TIMEOUT_MS, process, process.kill)
+        limit = QTimer(process, singleShot=True, interval=TIMEOUT_MS)
+        limit.timeout.connect(process.kill)
+        limit.start()
         process.start(sys.executable, ["-m", "rigapp", kind.verb, str(test), "--to", str(target)])
         self._said(tr("Writing {} …", target.name), True)
         self.show_test(test)
-
-    def close_all(self) -> None:
-        """End what is still being written; a part of a document is never left."""
-        for process in self._writing.values():
-            process.blockSignals(True)
-            process.kill()
-            process.waitForFinished(1000)
-        self._writing.clear()
 
     def _failed(self, kind: DocumentKind, test: Path, error: QProcess.ProcessError) -> None:
         if error is QProcess.ProcessError.FailedToStart:

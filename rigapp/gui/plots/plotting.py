@@ -83,9 +83,8 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
     ) -> None:
         """Make a plot; lane: with room above it for the words of moments; room: a shared one."""
         axes = {side: QuietAxis(side) for side in ("left", "bottom")}
-        super().__init__(background=theme.base, axisItems=axes)
+        super().__init__(background=theme.base, axisItems=axes, enableMenu=False)
         named(self, name, spoken)
-        self.setMenuEnabled(False)
         self.hideButtons()
         self.setMouseEnabled(x=False, y=False)
         self.disableAutoRange()
