@@ -196,7 +196,8 @@ def test_memory_stays_after_many_updates_on_every_page(
             engine.say(first=row, count=1, planned=each, started_at=1.8e9 + test)
             attach()
             QCoreApplication.processEvents()
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+            # Without a loop that runs, nobody else deletes what is to be deleted later.
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
         gc.collect()
         held.append((footprint(os.getpid()).memory, len(QApplication.allWidgets())))
     assert held[-1][0] - held[1][0] < GROWTH, held
