@@ -35,7 +35,8 @@ from rigapp.gui.language.catalogue import (
     speak_language,
     translations,
 )
-from rigapp.gui.language.collect import all_templates, all_texts, has_words, texts_of
+from rigapp.gui.language.collect import all_texts, texts_of
+from rigapp.gui.language.sentences import all_templates, has_words
 from rigapp.gui.language.told import retold, templates
 from rigapp.gui.language.words import speak, tr
 from rigapp.gui.plots.plotting import QuietPlot
@@ -205,7 +206,7 @@ NAMES = (
     "Simulated slider-crank", "The paper's wear test", "paper-20270101-080000.h5", "E. Sample",
     "quick.toml", "paper.toml", "force max", "force_max", "deg", "Ctrl", "Alt", "Force is high",
     "force_max is 212 N, warns above 200 N", "At 300 N for 3 cycles the test stops",
-    "Look at the joint; lower the speed or stop the test",
+    "Look at the joint",
     "GSV-8 1.44", "RoboClaw 4.3", "daq", "drive", "PTFE bushing 1", "/dev/pts/3", "socket://127",
     "examples/quick.toml", "title",
 )  # fmt: skip
