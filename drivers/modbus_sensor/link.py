@@ -95,8 +95,8 @@ class ModbusLink:
                 self._late_until_s = 0.0
 
     def _asked(self, function: int, address: int, count: int) -> str:
-        kind = "input" if function == 4 else "holding"
+        many = "input registers" if function == 4 else "holding registers"
         return (
-            f"{count} {kind} register{'s' * (count > 1)} from {address} on at Modbus address"
-            f" {self.device}"
+            f"{count} {many if count > 1 else many.removesuffix('s')} from {address} on at Modbus"
+            f" address {self.device}"
         )

@@ -206,7 +206,7 @@ NAMES = (
     "Simulated slider-crank", "The paper's wear test", "paper-20270101-080000.h5", "E. Sample",
     "quick.toml", "paper.toml", "force max", "force_max", "deg", "Ctrl", "Alt", "Force is high",
     "force_max is 212 N, warns above 200 N", "At 300 N for 3 cycles the test stops",
-    "Look at the joint",
+    "Look at the joint; lower the speed or stop the test",
     "GSV-8 1.44", "RoboClaw 4.3", "daq", "drive", "PTFE bushing 1", "/dev/pts/3", "socket://127",
     "examples/quick.toml", "title",
 )  # fmt: skip

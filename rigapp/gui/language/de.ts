@@ -3012,10 +3012,6 @@
         <translation>Abbremsen</translation>
     </message>
     <message>
-        <source>read file</source>
-        <translation>Datei lesen</translation>
-    </message>
-    <message>
         <source>ready to switch on</source>
         <translation>einschaltbereit</translation>
     </message>
@@ -4462,6 +4458,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>&amp;Ja, eintragen</translation>
     </message>
     <message>
+        <source>(assumed)</source>
+        <translation>(angenommen)</translation>
+    </message>
+    <message>
         <source>, in step {}</source>
         <translation>, in Schritt {}</translation>
     </message>
@@ -4550,6 +4550,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Angenommen</translation>
     </message>
     <message>
+        <source>Access failed due to a hardware error</source>
+        <translation>Zugriff wegen eines Hardwarefehlers fehlgeschlagen</translation>
+    </message>
+    <message>
         <source>Acknowledge the alarm that is told in full</source>
         <translation>Den Alarm quittieren, der ganz zu lesen ist</translation>
     </message>
@@ -4564,6 +4568,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Add a step</source>
         <translation>Schritt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Address already in use</source>
+        <translation>Adresse schon in Gebrauch</translation>
     </message>
     <message>
         <source>After how many revolutions it is seen</source>
@@ -4630,6 +4638,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wie in der Datei.</translation>
     </message>
     <message>
+        <source>Attempt to read a write only object</source>
+        <translation>Lesen eines nur schreibbaren Objekts</translation>
+    </message>
+    <message>
+        <source>Attempt to write a read only object</source>
+        <translation>Schreiben eines nur lesbaren Objekts</translation>
+    </message>
+    <message>
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
@@ -4682,6 +4698,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Beide Signale haben das falsche Vorzeichen: Der Bolzen steht um eine halbe Umdrehung falsch, oder beide Brücken sind verpolt; den Winkelbezug prüfen</translation>
     </message>
     <message>
+        <source>Broken pipe</source>
+        <translation>Verbindung von der Gegenseite geschlossen</translation>
+    </message>
+    <message>
         <source>Bushing</source>
         <translation>Buchse</translation>
     </message>
@@ -4708,6 +4728,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>CAN transmit queue overrun</source>
         <translation>Überlauf der CAN-Sendewarteschlange</translation>
+    </message>
+    <message>
+        <source>CRC error</source>
+        <translation>CRC-Fehler</translation>
     </message>
     <message>
         <source>Calculating …</source>
@@ -4738,8 +4762,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kalibrierung: {}</translation>
     </message>
     <message>
+        <source>Cannot assign requested address</source>
+        <translation>Adresse nicht zuteilbar</translation>
+    </message>
+    <message>
         <source>Cannot be read</source>
         <translation>Nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Cannot overwrite a value</source>
+        <translation>ein Wert lässt sich nicht überschreiben</translation>
     </message>
     <message>
         <source>Certificate</source>
@@ -4826,6 +4858,22 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Verbindung des Prüfstands</translation>
     </message>
     <message>
+        <source>Connection refused</source>
+        <translation>Verbindung abgelehnt</translation>
+    </message>
+    <message>
+        <source>Connection reset by peer</source>
+        <translation>Verbindung von der Gegenseite abgebrochen</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>Zeitüberschreitung der Verbindung</translation>
+    </message>
+    <message>
+        <source>Could not write to serial device</source>
+        <translation>Schreiben auf den seriellen Anschluss nicht möglich</translation>
+    </message>
+    <message>
         <source>Count that the index sets</source>
         <translation>Zählerstand, den der Index setzt</translation>
     </message>
@@ -4878,6 +4926,30 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Daten fehlen oder sind zweifelhaft</translation>
     </message>
     <message>
+        <source>Data can not be transferred or stored to the application because of local control</source>
+        <translation>die Daten lassen sich wegen örtlicher Steuerung nicht übertragen oder speichern</translation>
+    </message>
+    <message>
+        <source>Data can not be transferred or stored to the application because of the present device state</source>
+        <translation>die Daten lassen sich im gegenwärtigen Zustand des Geräts nicht übertragen oder speichern</translation>
+    </message>
+    <message>
+        <source>Data cannot be transferred or stored to the application</source>
+        <translation>die Daten lassen sich nicht übertragen oder speichern</translation>
+    </message>
+    <message>
+        <source>Data type and length code do not match</source>
+        <translation>Datentyp und Länge passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>Data type does not match, length of service parameter too high</source>
+        <translation>der Datentyp passt nicht, der Parameter ist zu lang</translation>
+    </message>
+    <message>
+        <source>Data type does not match, length of service parameter too low</source>
+        <translation>der Datentyp passt nicht, der Parameter ist zu kurz</translation>
+    </message>
+    <message>
         <source>Delay</source>
         <translation>Verzögerung</translation>
     </message>
@@ -4898,6 +4970,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Gerät</translation>
     </message>
     <message>
+        <source>Device or resource busy</source>
+        <translation>Gerät oder Mittel belegt</translation>
+    </message>
+    <message>
         <source>Digital line with line B of the encoder, for the direction; with the encoder clock</source>
         <translation>Digitalleitung mit Spur B des Drehgebers, für die Drehrichtung; mit dem Takt des Drehgebers</translation>
     </message>
@@ -4906,12 +4982,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Digitalleitung mit dem Index Z des Drehgebers, für den Winkel; mit dem Takt des Drehgebers</translation>
     </message>
     <message>
+        <source>Directory not empty</source>
+        <translation>Ordner nicht leer</translation>
+    </message>
+    <message>
         <source>Discard 1 change</source>
         <translation>1 Änderung verwerfen</translation>
     </message>
     <message>
         <source>Discard {} changes</source>
         <translation>{} Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Plattenkontingent überschritten</translation>
     </message>
     <message>
         <source>Do and record all further steps</source>
@@ -4986,6 +5070,26 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Jede Messung ist sofort gespeichert. Der Assistent kann jederzeit geschlossen und die Kalibrierung später fortgesetzt werden.</translation>
     </message>
     <message>
+        <source>Expected &apos;=&apos; after a key in a key/value pair</source>
+        <translation>nach einem Schlüssel wird &apos;=&apos; erwartet</translation>
+    </message>
+    <message>
+        <source>Expected &apos;]&apos; at the end of a table declaration</source>
+        <translation>am Ende eines Tabellenkopfs wird &apos;]&apos; erwartet</translation>
+    </message>
+    <message>
+        <source>Expected &apos;]]&apos; at the end of an array declaration</source>
+        <translation>am Ende eines Listenkopfs wird &apos;]]&apos; erwartet</translation>
+    </message>
+    <message>
+        <source>Expected newline or end of document after a statement</source>
+        <translation>nach einer Anweisung wird eine neue Zeile oder das Ende erwartet</translation>
+    </message>
+    <message>
+        <source>External bridge amplifiers: their output in V for 1 mV/V of the bridge, by input, for example analog_1 = 2.5</source>
+        <translation>Externe Brückenverstärker: ihr Ausgang in V je 1 mV/V der Brücke, nach Eingang, zum Beispiel analog_1 = 2.5</translation>
+    </message>
+    <message>
         <source>F on the follower, across the crank, counter-clockwise (the cell: the opposite)</source>
         <translation>F auf die Koppel, quer zur Kurbel, gegen den Uhrzeigersinn (Kraftsensor: umgekehrt)</translation>
     </message>
@@ -5014,8 +5118,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Gefühlte / aufgebrachte Kraft</translation>
     </message>
     <message>
+        <source>File exists</source>
+        <translation>Datei existiert</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname zu lang</translation>
+    </message>
+    <message>
         <source>File of the test</source>
         <translation>Datei des Versuchs</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
     </message>
     <message>
         <source>Filter noise on the encoder inputs</source>
@@ -5090,6 +5206,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Empfindlichkeit von Achse 2</translation>
     </message>
     <message>
+        <source>General error</source>
+        <translation>allgemeiner Fehler</translation>
+    </message>
+    <message>
+        <source>General internal incompatibility in the device</source>
+        <translation>allgemeine interne Unverträglichkeit im Gerät</translation>
+    </message>
+    <message>
+        <source>General parameter incompatibility reason</source>
+        <translation>allgemeine Unverträglichkeit der Parameter</translation>
+    </message>
+    <message>
         <source>Go a&amp;head</source>
         <translation>Fort&amp;fahren</translation>
     </message>
@@ -5150,6 +5278,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Das Bild festhalten</translation>
     </message>
     <message>
+        <source>Host is down</source>
+        <translation>Rechner außer Betrieb</translation>
+    </message>
+    <message>
         <source>How far it is</source>
         <translation>Wie weit es ist</translation>
     </message>
@@ -5202,6 +5334,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Eingang übersteuert</translation>
     </message>
     <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
         <source>Inputs in the order of the frame&apos;s objects, for example [&quot;analog_1&quot;, &quot;analog_2&quot;, &quot;counter_1&quot;]; empty: analog inputs first, counters last</source>
         <translation>Eingänge in der Reihenfolge der Objekte des Rahmens, zum Beispiel [&quot;analog_1&quot;, &quot;analog_2&quot;, &quot;counter_1&quot;]; leer: erst analoge Eingänge, zuletzt Zähler</translation>
     </message>
@@ -5212,6 +5348,42 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Interrupted</source>
         <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>Invalid argument</source>
+        <translation>ungültiges Argument</translation>
+    </message>
+    <message>
+        <source>Invalid block size</source>
+        <translation>ungültige Blockgröße</translation>
+    </message>
+    <message>
+        <source>Invalid date or datetime</source>
+        <translation>ungültiges Datum</translation>
+    </message>
+    <message>
+        <source>Invalid hex value</source>
+        <translation>ungültiger Hexadezimalwert</translation>
+    </message>
+    <message>
+        <source>Invalid initial character for a key part</source>
+        <translation>ungültiges erstes Zeichen eines Schlüssels</translation>
+    </message>
+    <message>
+        <source>Invalid sequence number</source>
+        <translation>ungültige Folgenummer</translation>
+    </message>
+    <message>
+        <source>Invalid statement</source>
+        <translation>ungültige Anweisung</translation>
+    </message>
+    <message>
+        <source>Invalid value</source>
+        <translation>ungültiger Wert</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Ordner</translation>
     </message>
     <message>
         <source>Is the follower on the pin, the bushing unworn, every hand away? Then begin.</source>
@@ -5494,6 +5666,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Matrix und Nullpunkt</translation>
     </message>
     <message>
+        <source>Maximum value is less than minimum value</source>
+        <translation>Höchstwert kleiner als Mindestwert</translation>
+    </message>
+    <message>
         <source>May</source>
         <translation>Mai</translation>
     </message>
@@ -5606,6 +5782,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Name des Wegsensors</translation>
     </message>
     <message>
+        <source>Name or service not known</source>
+        <translation>Name oder Dienst nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Network is unreachable</source>
+        <translation>Netz nicht erreichbar</translation>
+    </message>
+    <message>
         <source>New</source>
         <translation>Neu</translation>
     </message>
@@ -5654,6 +5838,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Keine Daten</translation>
     </message>
     <message>
+        <source>No data available</source>
+        <translation>keine Daten verfügbar</translation>
+    </message>
+    <message>
         <source>No engine</source>
         <translation>Getrennt</translation>
     </message>
@@ -5690,12 +5878,32 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Es wurde keine Umdrehung gemacht, daher bleibt keine Datei</translation>
     </message>
     <message>
+        <source>No route to host</source>
+        <translation>kein Weg zum Rechner</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
         <source>No steps</source>
         <translation>Keine Schritte</translation>
     </message>
     <message>
         <source>No study is in {}. `rigapp study STUDY.toml --to FOLDER` computes one; open its folder here.</source>
         <translation>In {} ist keine Studie. `rigapp study STUDIE.toml --to ORDNER` berechnet eine; hier ihren Ordner öffnen.</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>kein solches Gerät</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>kein solches Gerät und keine solche Adresse</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
     </message>
     <message>
         <source>No test is armed. Choose a test file, or save the new one in Prepare.</source>
@@ -5740,6 +5948,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>None: the test runs at one speed from its first revolution to its last.</source>
         <translation>Keine: der Versuch läuft von der ersten bis zur letzten Umdrehung mit einer Drehzahl.</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>kein Ordner</translation>
     </message>
     <message>
         <source>Not closed</source>
@@ -5818,6 +6030,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zahlen und Unsicherheit</translation>
     </message>
     <message>
+        <source>Object cannot be mapped to the PDO</source>
+        <translation>das Objekt lässt sich nicht auf das PDO abbilden</translation>
+    </message>
+    <message>
+        <source>Object dictionary dynamic generation fails or no object dictionary is present</source>
+        <translation>das Objektverzeichnis lässt sich nicht erzeugen oder fehlt</translation>
+    </message>
+    <message>
+        <source>Object does not exist</source>
+        <translation>das Objekt gibt es nicht</translation>
+    </message>
+    <message>
         <source>Objects to use: &quot;auto&quot; takes the EPOS4&apos;s own when the maker is maxon</source>
         <translation>Zu verwendende Objekte: &quot;auto&quot; nimmt die des EPOS4, wenn der Hersteller maxon ist</translation>
     </message>
@@ -5874,12 +6098,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} öffnen</translation>
     </message>
     <message>
+        <source>Operation not permitted</source>
+        <translation>Vorgang nicht erlaubt</translation>
+    </message>
+    <message>
         <source>Or the pin angle counts the wrong way</source>
         <translation>Oder der Bolzenwinkel zählt falsch herum</translation>
     </message>
     <message>
         <source>Or&amp;ders of the map</source>
         <translation>&amp;Ordnungen der Karte</translation>
+    </message>
+    <message>
+        <source>Out of memory</source>
+        <translation>kein Speicher mehr</translation>
     </message>
     <message>
         <source>Overload</source>
@@ -5896,6 +6128,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>P&amp;lan</source>
         <translation>P&amp;lan</translation>
+    </message>
+    <message>
+        <source>PDO length exceeded</source>
+        <translation>Länge des PDO überschritten</translation>
     </message>
     <message>
         <source>Pa m/s</source>
@@ -5952,6 +6188,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Period of the drive&apos;s heartbeat, which is supervised</source>
         <translation>Periode des Heartbeats des Antriebs, der überwacht wird</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
     </message>
     <message>
         <source>Pin</source>
@@ -6182,6 +6422,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Ordner noch einmal lesen</translation>
     </message>
     <message>
+        <source>Read-only file system</source>
+        <translation>Dateisystem nur lesbar</translation>
+    </message>
+    <message>
         <source>Reading</source>
         <translation>Messung</translation>
     </message>
@@ -6350,6 +6594,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Bisherige Abweichungen, Mikrometer</translation>
     </message>
     <message>
+        <source>Resource not available</source>
+        <translation>Mittel nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>Resource temporarily unavailable</source>
+        <translation>Mittel vorübergehend nicht verfügbar</translation>
+    </message>
+    <message>
         <source>Rest</source>
         <translation>Ruhe</translation>
     </message>
@@ -6456,6 +6708,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>S&amp;top</source>
         <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>SDO toggle bit error</source>
+        <translation>Fehler des SDO-Toggle-Bits</translation>
     </message>
     <message>
         <source>SIMULATED</source>
@@ -6658,6 +6914,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Langsame Umläufe</translation>
     </message>
     <message>
+        <source>Slowly</source>
+        <translation>Langsam</translation>
+    </message>
+    <message>
         <source>Sp&amp;eeds (rpm)</source>
         <translation>&amp;Drehzahlen (rpm)</translation>
     </message>
@@ -6716,6 +6976,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Stability of the signal</source>
         <translation>Ruhe des Signals</translation>
+    </message>
+    <message>
+        <source>Stale file handle</source>
+        <translation>Datei auf dem Server nicht mehr gültig</translation>
     </message>
     <message>
         <source>Standard &amp;uncertainty of the level</source>
@@ -6912,6 +7176,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Study</source>
         <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Subindex does not exist</source>
+        <translation>den Subindex gibt es nicht</translation>
     </message>
     <message>
         <source>Sun</source>
@@ -7414,12 +7682,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Dauer der Messwerte, die zusammen übergeben werden</translation>
     </message>
     <message>
+        <source>Timeout of transfer communication detected</source>
+        <translation>Zeitüberschreitung bei der Übertragung</translation>
+    </message>
+    <message>
         <source>Title, specimen, file, operator, reason</source>
         <translation>Titel, Probe, Datei, Bediener, Grund</translation>
     </message>
     <message>
         <source>To do</source>
         <translation>Zu tun</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>zu viele offene Dateien</translation>
     </message>
     <message>
         <source>Torque of the motor for 1 A, from its data sheet, for the channel torque_Nm; 0: not known</source>
@@ -7466,8 +7742,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Unsicherheit</translation>
     </message>
     <message>
+        <source>Unclosed array</source>
+        <translation>nicht geschlossene Liste</translation>
+    </message>
+    <message>
+        <source>Unclosed inline table</source>
+        <translation>nicht geschlossene Tabelle</translation>
+    </message>
+    <message>
         <source>Understood</source>
         <translation>Verstanden</translation>
+    </message>
+    <message>
+        <source>Unescaped &apos;\&apos; in a string</source>
+        <translation>einzelnes &apos;\&apos; in einem Text</translation>
     </message>
     <message>
         <source>Unit of how long step {} is</source>
@@ -7476,6 +7764,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Unit to set in the drive; milli-rpm is finer, and not every drive has it</source>
         <translation>Im Antrieb einzustellende Einheit; milli-rpm ist feiner, und nicht jeder Antrieb hat sie</translation>
+    </message>
+    <message>
+        <source>Unknown SDO command specified</source>
+        <translation>unbekannter SDO-Befehl</translation>
+    </message>
+    <message>
+        <source>Unsupported access to an object</source>
+        <translation>nicht unterstützter Zugriff auf ein Objekt</translation>
+    </message>
+    <message>
+        <source>Unterminated string</source>
+        <translation>nicht beendeter Text</translation>
     </message>
     <message>
         <source>Usable. Save it to arm it for a start</source>
@@ -7506,8 +7806,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wert und Grenze</translation>
     </message>
     <message>
+        <source>Value of parameter written too high</source>
+        <translation>geschriebener Wert des Parameters zu groß</translation>
+    </message>
+    <message>
+        <source>Value of parameter written too low</source>
+        <translation>geschriebener Wert des Parameters zu klein</translation>
+    </message>
+    <message>
         <source>Value of the fault, empty: its default</source>
         <translation>Wert des Fehlers, leer: der übliche</translation>
+    </message>
+    <message>
+        <source>Value range of parameter exceeded</source>
+        <translation>Wertebereich des Parameters überschritten</translation>
     </message>
     <message>
         <source>Value, empty: default</source>
@@ -8174,6 +8486,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>vom Bediener verlangt</translation>
     </message>
     <message>
+        <source>assumed</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
         <source>at an unknown angle</source>
         <translation>bei unbekanntem Winkel</translation>
     </message>
@@ -8196,6 +8512,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>bound of the computed depth&apos;s error</source>
         <translation>Schranke für den Fehler der berechneten Tiefe</translation>
+    </message>
+    <message>
+        <source>bridge</source>
+        <translation>Brücke</translation>
     </message>
     <message>
         <source>broken</source>
@@ -8238,6 +8558,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>kritisch</translation>
     </message>
     <message>
+        <source>current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
         <source>cycle {} at {:.0f}°</source>
         <translation>Zyklus {} bei {:.0f}°</translation>
     </message>
@@ -8248,6 +8572,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>default</source>
         <translation>üblicher Wert</translation>
+    </message>
+    <message>
+        <source>device reports readiness to read but returned no data (device disconnected or multiple access on port?)</source>
+        <translation>das Gerät meldet Daten, liefert aber keine (getrennt, oder mehrere Programme am Anschluss?)</translation>
     </message>
     <message>
         <source>diamond</source>
@@ -8290,8 +8618,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>verlängern</translation>
     </message>
     <message>
+        <source>faster</source>
+        <translation>schneller</translation>
+    </message>
+    <message>
         <source>fault</source>
         <translation>Störung</translation>
+    </message>
+    <message>
+        <source>fell</source>
+        <translation>fiel</translation>
     </message>
     <message>
         <source>find, e.g. cable, spikes, daq</source>
@@ -8322,6 +8658,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>gut, nichts verloren</translation>
     </message>
     <message>
+        <source>grew</source>
+        <translation>wuchs</translation>
+    </message>
+    <message>
         <source>half angle of the contact</source>
         <translation>halber Kontaktwinkel</translation>
     </message>
@@ -8334,12 +8674,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Hand</translation>
     </message>
     <message>
+        <source>hardware</source>
+        <translation>Hardware</translation>
+    </message>
+    <message>
+        <source>heavier</source>
+        <translation>schwerer</translation>
+    </message>
+    <message>
         <source>hello</source>
         <translation>Anmeldung</translation>
     </message>
     <message>
         <source>hidden for a limited time, with a reason; limits act all the same</source>
         <translation>für begrenzte Zeit verborgen, mit einem Grund; Grenzen wirken trotzdem</translation>
+    </message>
+    <message>
+        <source>holding register</source>
+        <translation>Holding-Register</translation>
+    </message>
+    <message>
+        <source>holding registers</source>
+        <translation>Holding-Register</translation>
     </message>
     <message>
         <source>idle</source>
@@ -8352,6 +8708,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>inject fault</source>
         <translation>Fehler auslösen</translation>
+    </message>
+    <message>
+        <source>input register</source>
+        <translation>Input-Register</translation>
+    </message>
+    <message>
+        <source>input registers</source>
+        <translation>Input-Register</translation>
     </message>
     <message>
         <source>interrupted</source>
@@ -8396,6 +8760,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>least margin {:.0f} %, {}</source>
         <translation>kleinster Abstand {:.0f} %, {}</translation>
+    </message>
+    <message>
+        <source>less</source>
+        <translation>weniger</translation>
+    </message>
+    <message>
+        <source>lighter</source>
+        <translation>leichter</translation>
     </message>
     <message>
         <source>limit of the history</source>
@@ -8448,6 +8820,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>mind</source>
         <translation>beachten</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>mehr</translation>
     </message>
     <message>
         <source>name</source>
@@ -8538,12 +8914,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Notiz</translation>
     </message>
     <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
         <source>nothing judged yet</source>
         <translation>noch nichts beurteilt</translation>
     </message>
     <message>
         <source>now</source>
         <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>over-current</source>
+        <translation>Überstrom</translation>
+    </message>
+    <message>
+        <source>over-temperature</source>
+        <translation>Übertemperatur</translation>
+    </message>
+    <message>
+        <source>over-voltage</source>
+        <translation>Überspannung</translation>
     </message>
     <message>
         <source>overload</source>
@@ -8588,6 +8980,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>queue stop</source>
         <translation>Warteschlange anhalten</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>Lesen</translation>
     </message>
     <message>
         <source>ready</source>
@@ -8674,6 +9070,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Umdrehungen/s</translation>
     </message>
     <message>
+        <source>rose</source>
+        <translation>stieg</translation>
+    </message>
+    <message>
         <source>run.rpm = 0: give a speed other than 0</source>
         <translation>run.rpm = 0: eine andere Drehzahl als 0 angeben</translation>
     </message>
@@ -8718,8 +9118,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Gleitweg eines Umlaufs</translation>
     </message>
     <message>
+        <source>slower</source>
+        <translation>langsamer</translation>
+    </message>
+    <message>
         <source>smallest |F| of the joint</source>
         <translation>kleinstes |F| des Gelenks</translation>
+    </message>
+    <message>
+        <source>socket disconnected</source>
+        <translation>Verbindung getrennt</translation>
+    </message>
+    <message>
+        <source>software</source>
+        <translation>Software</translation>
     </message>
     <message>
         <source>square</source>
@@ -8780,6 +9192,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>take command</source>
         <translation>Kommando nehmen</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
     </message>
     <message>
         <source>the condition holds, and nobody has acknowledged it</source>
@@ -8870,6 +9290,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>dieser Datensatz</translation>
     </message>
     <message>
+        <source>timed out</source>
+        <translation>Zeitüberschreitung</translation>
+    </message>
+    <message>
         <source>to do</source>
         <translation>zu tun</translation>
     </message>
@@ -8890,6 +9314,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>unquittiert</translation>
     </message>
     <message>
+        <source>under-voltage</source>
+        <translation>Unterspannung</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
         <source>until ended</source>
         <translation>bis zum Beenden</translation>
     </message>
@@ -8904,6 +9336,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>use records</source>
         <translation>Kalibrierung verwenden</translation>
+    </message>
+    <message>
+        <source>voltage</source>
+        <translation>Spannung</translation>
     </message>
     <message>
         <source>waiting</source>
@@ -8956,6 +9392,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>worn mass at the end</source>
         <translation>verschlissene Masse am Ende</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>Schreiben</translation>
     </message>
     <message>
         <source>zero</source>
@@ -9357,6 +9797,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Keine Antwort von {}</translation>
     </message>
     <message>
+        <source>No module named {}</source>
+        <translation>kein Modul namens {}</translation>
+    </message>
+    <message>
+        <source>Not classifiable: with a resolution of {:g} N, ASTM E74 class A needs forces of at least {:g} N and ISO 376 class 2 of at least {:g} N, above the full scale of {:g} N. The expanded uncertainty is stated instead of a class. For forces from {:g} N upward, class 2 would need a resolution of {:.2f} N and class 1 of {:.2f} N{}</source>
+        <translation>Nicht klassierbar: Bei einer Auflösung von {} N verlangt ASTM E74 Klasse A Kräfte von mindestens {} N und ISO 376 Klasse 2 von mindestens {} N, über der Nennkraft von {} N. Statt einer Klasse wird die erweiterte Unsicherheit angegeben. Für Kräfte ab {} N würde Klasse 2 eine Auflösung von {} N verlangen und Klasse 1 von {} N{}</translation>
+    </message>
+    <message>
         <source>Nothing has been measured or predicted for stop.{} in many revolutions.</source>
         <translation>Für stop.{} wurde seit vielen Umdrehungen nichts gemessen oder vorhergesagt.</translation>
     </message>
@@ -9629,6 +10077,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>limits.rule ({}): steps nennt Schritt {}, aber run.step steht {}-mal da</translation>
     </message>
     <message>
+        <source>signal_{} has the wrong sign: that bridge is reversed; exchange its two signal wires{}</source>
+        <translation>signal_{} hat das falsche Vorzeichen: Diese Brücke ist verpolt; ihre beiden Signaladern tauschen{}</translation>
+    </message>
+    <message>
         <source>the load cell shows {} mV/V at rest {}</source>
         <translation>der Kraftsensor zeigt in Ruhe {} mV/V {}</translation>
     </message>
@@ -9821,8 +10273,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>CRC {} statt {}</translation>
     </message>
     <message>
+        <source>Cannot declare {} twice</source>
+        <translation>{} lässt sich nicht zweimal anlegen</translation>
+    </message>
+    <message>
+        <source>Cannot mutate immutable namespace {}</source>
+        <translation>die feste Tabelle {} lässt sich nicht ändern</translation>
+    </message>
+    <message>
         <source>Check cable and power of {}, reconnect</source>
         <translation>Kabel und Versorgung von {} prüfen, neu verbinden</translation>
+    </message>
+    <message>
+        <source>Code {}, {}</source>
+        <translation>Code {}, {}</translation>
     </message>
     <message>
         <source>Coming back reads {:+.2f} um against going out: approach every position from one side</source>
@@ -9853,6 +10317,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Übersichtsseite von Dask ist unter {}</translation>
     </message>
     <message>
+        <source>Duplicate inline table key {}</source>
+        <translation>doppelter Schlüssel {} in einer Tabelle</translation>
+    </message>
+    <message>
         <source>Each signal sees up to {:.0f} % of the other axis, as if every pin angle were {:.1f} degrees off; repeat the angle reference step</source>
         <translation>Jedes Signal sieht bis {} % der anderen Achse, als wäre jeder Bolzenwinkel um {} Grad falsch; den Schritt des Winkelbezugs wiederholen</translation>
     </message>
@@ -9869,8 +10337,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Erweiterte Unsicherheit eines Werts {} {} (k = {})</translation>
     </message>
     <message>
+        <source>Expected {}</source>
+        <translation>erwartet wird {}</translation>
+    </message>
+    <message>
         <source>Fewer than {} positions; linearity is known only roughly</source>
         <translation>Weniger als {} Positionen; die Linearität ist nur grob bekannt</translation>
+    </message>
+    <message>
+        <source>Found invalid character {}</source>
+        <translation>ungültiges Zeichen {}</translation>
     </message>
     <message>
         <source>From series {} on</source>
@@ -9917,6 +10393,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Abwärts zeigt der Kraftsensor {} N gegenüber aufwärts, mehr als 1 % der Nennkraft: Etwas reibt, rutscht oder wurde überlastet; es vor dem Kalibrieren finden</translation>
     </message>
     <message>
+        <source>Illegal character {}</source>
+        <translation>unzulässiges Zeichen {}</translation>
+    </message>
+    <message>
         <source>In series {}</source>
         <translation>In Reihe {}</translation>
     </message>
@@ -9927,6 +10407,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>In series {} to {}</source>
         <translation>In Reihe {} bis {}</translation>
+    </message>
+    <message>
+        <source>Invalid enum value {}</source>
+        <translation>ungültiger Wert {}</translation>
     </message>
     <message>
         <source>It was made by evaluation {}, this program has {}{}</source>
@@ -9963,10 +10447,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>No snapshot could be made for windows: {}</source>
         <translation>Für die Fenster ließ sich kein Abbild machen: {}</translation>
-    </message>
-    <message>
-        <source>Not classifiable: with a resolution of {:g} N, ASTM E74 class A needs forces of at least {:g} N and ISO 376 class 2 of at least {:g} N, above the full scale of {:g} N. The expanded uncertainty is stated instead of a class. For forces from {:g} N upward, class 2 would need a resolution of {:.2f} N and class 1 of {:.2f} N.{}</source>
-        <translation>Nicht klassierbar: Bei einer Auflösung von {} N verlangt ASTM E74 Klasse A Kräfte von mindestens {} N und ISO 376 Klasse 2 von mindestens {} N, über der Nennkraft von {} N. Statt einer Klasse wird die erweiterte Unsicherheit angegeben. Für Kräfte ab {} N würde Klasse 2 eine Auflösung von {} N verlangen und Klasse 1 von {} N.{}</translation>
     </message>
     <message>
         <source>Only {} micrometer positions; take at least {}, better {}, up and down</source>
@@ -10293,6 +10773,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Bei einer Auflösung von {} N ist die kleinste Kraft für ASTM E74 Klasse A {} N und für ISO 376 Klasse 2 {} N; ob eine Klasse erreicht wird, muss eine einachsige Kalibrierung nach diesen Normen zeigen. Dieses Verfahren folgt ihnen, es erfüllt sie nicht</translation>
     </message>
     <message>
+        <source>[Errno {}] {}</source>
+        <translation>[Errno {}] {}</translation>
+    </message>
+    <message>
+        <source>[Errno {}] {}: {}</source>
+        <translation>[Errno {}] {}: {}</translation>
+    </message>
+    <message>
         <source>[run]: {}</source>
         <translation>[run]: {}</translation>
     </message>
@@ -10377,10 +10865,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>mit {} statt FF beantwortet</translation>
     </message>
     <message>
-        <source>ask {}</source>
-        <translation>{} fragen</translation>
-    </message>
-    <message>
         <source>at {:.1f} deg</source>
         <translation>bei {} deg</translation>
     </message>
@@ -10405,16 +10889,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>kam und ging: {}</translation>
     </message>
     <message>
+        <source>channel {:d} above its range</source>
+        <translation>Kanal {} über seinem Bereich</translation>
+    </message>
+    <message>
+        <source>channel {:d} below its range</source>
+        <translation>Kanal {} unter seinem Bereich</translation>
+    </message>
+    <message>
         <source>channel {}</source>
         <translation>Kanal {}</translation>
     </message>
     <message>
         <source>channel {} Ud{}</source>
         <translation>Kanal {} Ud{}</translation>
-    </message>
-    <message>
-        <source>channel {} {} its range</source>
-        <translation>Kanal {} {} seinem Bereich</translation>
     </message>
     <message>
         <source>channels.{}.source = &apos;{}.{}&apos;</source>
@@ -10443,6 +10931,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>command {} is not a write command</source>
         <translation>Befehl {} ist kein Schreibbefehl</translation>
+    </message>
+    <message>
+        <source>could not open port {}: {}</source>
+        <translation>Anschluss {} ließ sich nicht öffnen: {}</translation>
     </message>
     <message>
         <source>counter_{}: this device has no encoder input</source>
@@ -10537,6 +11029,46 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Ausnahme {} ({})</translation>
     </message>
     <message>
+        <source>expected {} &lt; {}</source>
+        <translation>erwartet wird {} &lt; {}</translation>
+    </message>
+    <message>
+        <source>expected {} &lt;= {}</source>
+        <translation>erwartet wird {} &lt;= {}</translation>
+    </message>
+    <message>
+        <source>expected {} &gt; {}</source>
+        <translation>erwartet wird {} &gt; {}</translation>
+    </message>
+    <message>
+        <source>expected {} &gt;= {}</source>
+        <translation>erwartet wird {} &gt;= {}</translation>
+    </message>
+    <message>
+        <source>expected {} of at least length {}</source>
+        <translation>erwartet wird {} mit mindestens der Länge {}</translation>
+    </message>
+    <message>
+        <source>expected {} of length &lt;= {}</source>
+        <translation>erwartet wird {} mit Länge &lt;= {}</translation>
+    </message>
+    <message>
+        <source>expected {} of length &gt;= {}</source>
+        <translation>erwartet wird {} mit Länge &gt;= {}</translation>
+    </message>
+    <message>
+        <source>expected {} of length {}</source>
+        <translation>erwartet wird {} mit Länge {}</translation>
+    </message>
+    <message>
+        <source>expected {} of length {}, got {}</source>
+        <translation>erwartet wird {} mit Länge {}, angegeben ist {}</translation>
+    </message>
+    <message>
+        <source>expected {}, got {}</source>
+        <translation>erwartet wird {}, angegeben ist {}</translation>
+    </message>
+    <message>
         <source>explicit extrapolation is stable up to {:.4g} cycles on this mesh of {} sectors; give fewer, or use implicit steps</source>
         <translation>die explizite Extrapolation ist auf diesem Netz von {1} Sektoren bis {0} Zyklen stabil; weniger angeben oder implizite Schritte nehmen</translation>
     </message>
@@ -10603,6 +11135,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>input type of analog_{}</source>
         <translation>Eingangsart von analog_{}</translation>
+    </message>
+    <message>
+        <source>invalid URL, protocol {} not known</source>
+        <translation>ungültige URL, Protokoll {} nicht bekannt</translation>
     </message>
     <message>
         <source>is missing for {:.2f} s</source>
@@ -10731,10 +11267,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>load_cell.zero_mV_per_V {} = {:g} is not within load_cell.range_mV_per_V = {:g}</source>
         <translation>load_cell.zero_mV_per_V {} = {} liegt nicht innerhalb von load_cell.range_mV_per_V = {}</translation>
-    </message>
-    <message>
-        <source>log to {}</source>
-        <translation>Log nach {}</translation>
     </message>
     <message>
         <source>method {} is not linear or band-limited</source>
@@ -10969,8 +11501,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>nach {} s gelesen</translation>
     </message>
     <message>
-        <source>read {}</source>
-        <translation>{} lesen</translation>
+        <source>read failed: {}</source>
+        <translation>Lesen schlug fehl: {}</translation>
     </message>
     <message>
         <source>readings are missing: {}</source>
@@ -11011,10 +11543,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>replay × {:g}</source>
         <translation>Wiedergabe × {}</translation>
-    </message>
-    <message>
-        <source>request {}</source>
-        <translation>Anfrage {}</translation>
     </message>
     <message>
         <source>reset by {}</source>
@@ -11163,10 +11691,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>signal_{} hardly follows the load ({:.1f} % of the other signal): is the bridge connected and switched on?</source>
         <translation>signal_{} folgt der Last kaum ({} % des anderen Signals): Ist die Brücke angeschlossen und eingeschaltet?</translation>
-    </message>
-    <message>
-        <source>signal_{} has the wrong sign: that bridge is reversed; exchange its two signal wires.{}</source>
-        <translation>signal_{} hat das falsche Vorzeichen: Diese Brücke ist verpolt; ihre beiden Signaladern tauschen.{}</translation>
     </message>
     <message>
         <source>signal_{} jumps by {:.0f} N at {}</source>
@@ -11657,10 +12181,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>zu viele bei {} s; die Toleranz erhöhen</translation>
     </message>
     <message>
-        <source>trip {}</source>
-        <translation>Auslösen {}</translation>
-    </message>
-    <message>
         <source>unknown error bit {}</source>
         <translation>unbekanntes Fehlerbit {}</translation>
     </message>
@@ -11725,6 +12245,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>wurde an {} aufgenommen, dies ist {}</translation>
     </message>
     <message>
+        <source>watchdog: the host was silent for {:.2f} s and the drive has stopped the motor</source>
+        <translation>Überwachungszeit: Der Rechner schwieg {} s, und der Antrieb hat den Motor gestoppt</translation>
+    </message>
+    <message>
         <source>weights: {} is not a mass; write for example 5x8, 2, 2, 1, 0.5 (eight pieces of 5 kg and four others)</source>
         <translation>Gewichte: {} ist keine Masse; zum Beispiel 5x8, 2, 2, 1, 0.5 schreiben (acht Stücke von 5 kg und vier andere)</translation>
     </message>
@@ -11755,6 +12279,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>without {}</source>
         <translation>ohne {}</translation>
+    </message>
+    <message>
+        <source>write failed: {}</source>
+        <translation>Schreiben schlug fehl: {}</translation>
+    </message>
+    <message>
+        <source>write {NAME} in its place, and the secret under that name into the keyring or secrets.toml</source>
+        <translation>statt dessen {NAME} schreiben und das Geheimnis unter diesem Namen in den Schlüsselbund oder secrets.toml</translation>
     </message>
     <message>
         <source>you are not in command of this rig, {}</source>
@@ -11875,6 +12407,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{number} whole cycles had no reserved room in the file.</source>
         <translation>{number} ganze Zyklen hatten keinen reservierten Platz in der Datei.</translation>
+    </message>
+    <message>
+        <source>{} (at end of document)</source>
+        <translation>{} (am Ende der Datei)</translation>
+    </message>
+    <message>
+        <source>{} (at line {}, column {})</source>
+        <translation>{} (Zeile {}, Spalte {})</translation>
     </message>
     <message>
         <source>{} (command {:02X})</source>
@@ -12369,12 +12909,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} Wörtern zu Funktion {} statt {} zu {}</translation>
     </message>
     <message>
-        <source>{} {} limit</source>
-        <translation>{} {} der Grenze</translation>
+        <source>{} {} from {} on at Modbus address {}</source>
+        <translation>{} {} ab {} an Modbus-Adresse {}</translation>
     </message>
     <message>
-        <source>{} {} register{} from {} on at Modbus address {}</source>
-        <translation>{} Register der Art {}{} ab {} an Modbus-Adresse {}</translation>
+        <source>{} {} limit</source>
+        <translation>{} {} der Grenze</translation>
     </message>
     <message>
         <source>{} {}: give a name that ends with .csv</source>
@@ -13142,7 +13682,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>{}: {} is not {}. {}</source>
-        <translation>{}: {} ist nicht {}. {}</translation>
+        <translation>{}: Statt {} ist {} verlangt. {}</translation>
     </message>
     <message>
         <source>{}: {} needs {:.0f} MB, {} has {:.0f} MB free; {:.1f} MB are missing, free them or keep fewer whole cycles</source>

@@ -64,10 +64,10 @@ def sentences_of(module: Path, raised: bool = False) -> Iterator[str]:
 def _strings(node: ast.AST, checked: bool = False) -> Iterator[tuple[ast.AST, bool]]:
     """Yield the strings below a node that may be shown, and whether ``Check`` takes them as such.
 
-    What explains, compares, annotates, decorates or goes into a journal is not shown.
+    What explains, compares, annotates, decorates, names a thread or goes into a journal is not.
     """
     match node:
-        case ast.Compare() | ast.Expr(value=ast.Constant()):
+        case ast.Compare() | ast.Expr(value=ast.Constant()) | ast.keyword(arg="name"):
             return
         case ast.Constant():
             yield node, checked
@@ -85,6 +85,8 @@ def _strings(node: ast.AST, checked: bool = False) -> Iterator[tuple[ast.AST, bo
         case ast.AnnAssign(value=ast.expr() as value):
             yield from _strings(value)
         case ast.Call(func=ast.Attribute(value=ast.Name(id="log"), attr=name)) if name in LOGGED:
+            return
+        case ast.Call(func=ast.Name(id="Worker")) | ast.Call(func=ast.Attribute(attr="_help")):
             return
         case _:
             check = isinstance(node, ast.Call) and getattr(node.func, "id", "") == "Check"

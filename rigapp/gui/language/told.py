@@ -15,6 +15,7 @@ from itertools import pairwise
 from string import Formatter
 from typing import Final
 
+from rigapp.gui.language.foreign import CANOPEN, LIBRARIES, SYSTEM, WORDS_INSIDE
 from rigapp.gui.language.words import (
     Text,
     language_changes,
@@ -68,7 +69,10 @@ UNITS: Final[tuple[Text, ...]] = (
 
 
 def templates() -> list[Text]:
-    """Return what the engine tells by its tables, with braces where it puts values."""
+    """Return what the engine tells by its tables, and others in words of their own.
+
+    Braces stand where they put values.
+    """
     alarms = [one for kind in KINDS.values() for one in (kind.title, kind.sentence)]
     led_to = [one for kind in KINDS.values() for one in (kind.consequence, kind.action)]
     return [
@@ -78,6 +82,10 @@ def templates() -> list[Text]:
         *(one for one, _ in RULE_ACTIONS.values()),
         *alarms,
         *RULES,
+        *SYSTEM,
+        *LIBRARIES,
+        *CANOPEN,
+        *WORDS_INSIDE,
     ]
 
 
@@ -109,6 +117,20 @@ def _retold(sentence: str, changes: int) -> str:
 
 def _said(core: str, changes: int) -> str:
     """Return what stands between the edges of a sentence: known, made of a template, or parts."""
+    whole = _whole(core, changes) or _with_known_end(core, changes)
+    if whole:
+        return whole
+    for separator in SEPARATORS:
+        parts = core.split(separator)
+        known_parts = [_phrase(one, changes) for one in parts] if len(parts) > 1 else parts
+        if known_parts != parts:
+            return tr(separator).join(known_parts)
+    named = VALUED.fullmatch(core)
+    return f"{tr(named[1])} {_part(named[2], changes)}" if named is not None else core
+
+
+def _whole(core: str, changes: int) -> str:
+    """Return what is known as it stands or made of a template, empty where it is neither."""
     for known, capital in _spellings(core):
         said = tr(known)
         if said != known:
@@ -117,15 +139,24 @@ def _said(core: str, changes: int) -> str:
         values = template.values_in(core)
         if values is not None:
             told = {name: _part(one, changes) for name, one in values.items()}
+            if template.glue and any(
+                " " in one and told[name] == one for name, one in values.items()
+            ):
+                continue
             said = _filled(tr(template.text).strip(EDGES), told)
             return _capital(said) if core[0].isupper() else said
-    for separator in SEPARATORS:
-        parts = core.split(separator)
-        known_parts = [_phrase(one, changes) for one in parts] if len(parts) > 1 else parts
-        if known_parts != parts:
-            return tr(separator).join(known_parts)
-    named = VALUED.fullmatch(core)
-    return f"{tr(named[1])} {_part(named[2], changes)}" if named is not None else core
+    return ""
+
+
+def _with_known_end(core: str, changes: int) -> str:
+    """Return a sentence that stands behind the name of a file, a device or a key."""
+    at = core.find(": ")
+    while at > 0:
+        said = _whole(core[at + 2 :], changes)
+        if said:
+            return f"{_phrase(core[:at], changes)}: {said}"
+        at = core.find(": ", at + 2)
+    return ""
 
 
 def _spellings(core: str) -> Iterator[tuple[str, bool]]:
@@ -152,15 +183,20 @@ def _part(value: str, changes: int) -> str:
 VALUED: Final = re.compile(r"([^\d]+?) ([-−+]?\d.*)")
 """A name with its value."""
 FEW_WORDS = 3
+GLUE: Final = frozenset(
+    {"are", "at", "by", "for", "from", "in", "is", "of", "on", "or", "to", "was", "with", "without"}
+)
+"""Words that stand in every sentence: what they join must be known itself."""
 WORD: Final = re.compile(r"[^\W\d_]{2,}")
 
 ANY: Final = re.compile(r".+", re.DOTALL)
 NUMBER: Final = re.compile(r"[-−+]?[\d.,\u2009]+(?:e[-+]?\d+)?%?|nan|inf")
-SHORT: Final = re.compile(r"(?:(?! and |[;:\n]).){1,60}")
+SHORT: Final = re.compile(r"(?!.*(?: and |[;:] |\n)) ?\S+(?: \S+){0,9}")
 """A value where little else tells the template: a few words."""
 ADDED: Final = re.compile(r"(?:(?:[;,]| \().*)?", re.DOTALL)
 """What is added where there is more to say."""
 ENDING: Final = re.compile(r".*", re.DOTALL)
+NOT_BEFORE_ENDINGS: Final = (" ", "(", "[", "=", "/")
 PLURAL: Final = "s"
 """An ending that says nothing in another language."""
 
@@ -176,13 +212,17 @@ class _Slot:
 
 @dataclass(frozen=True, slots=True)
 class _Template:
-    """A sentence with values. words: those that stand in it whole, in small letters."""
+    """A sentence with values. words: those that stand in it whole, in small letters.
+
+    glue: it has no other words than such that join others.
+    """
 
     text: str
     rank: int
     first: str
     slots: tuple[_Slot, ...]
     words: frozenset[str]
+    glue: bool
 
     def values_in(self, core: str) -> dict[str, str] | None:
         """Return the values by which it says a text, None where it does not.
@@ -201,11 +241,12 @@ def _values(core: str, at: int, slots: tuple[_Slot, ...]) -> dict[str, str] | No
     slot, *others = slots
     end = core.find(slot.after, at) if others else len(core) - len(slot.after)
     while end >= at and core.startswith(slot.after, end):
-        if slot.may_be.fullmatch(core, at, end):
+        value = core[at:end]
+        if slot.may_be.fullmatch(value) or (slot.may_be is SHORT and tr(value) != value):
             rest = _values(core, end + len(slot.after), slots[1:])
             if rest is not None:
-                ending = slot.may_be is ENDING and core[at:end] == PLURAL
-                return {slot.name: "" if ending else core[at:end]} | rest
+                ending = slot.may_be is ENDING and value == PLURAL
+                return {slot.name: "" if ending else value} | rest
         if not others:
             return None
         end = core.find(slot.after, end + 1)
@@ -253,7 +294,14 @@ def _made(text: str) -> _Template | None:
         if name
     ]
     words = frozenset(WORD.findall("\0".join(part for part, *_ in parts).lower()))
-    return _Template(text, -len(said), parts[0][0], tuple(slots), words - _cut(parts))
+    return _Template(
+        text,
+        -len(said),
+        parts[0][0],
+        tuple(slots),
+        words - _cut(parts),
+        glue=words <= GLUE and all(one.may_be is not NUMBER for one in slots),
+    )
 
 
 def _may_be(at: int, before: str, spec: str, words: int) -> re.Pattern[str]:
@@ -262,9 +310,9 @@ def _may_be(at: int, before: str, spec: str, words: int) -> re.Pattern[str]:
         return NUMBER
     if at and not before:
         return ADDED
-    if at and before[-1].isalpha():
+    if at and not before.endswith(NOT_BEFORE_ENDINGS):
         return ENDING
-    return SHORT if words < FEW_WORDS else ANY
+    return SHORT if words < FEW_WORDS and not before.endswith((": ", "; ", ". ")) else ANY
 
 
 def _cut(parts: Sequence[tuple[str, str, str]]) -> set[str]:
