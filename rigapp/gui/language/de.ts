@@ -8538,6 +8538,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Fehler beenden</translation>
     </message>
     <message>
+        <source>clearance</source>
+        <translation>Spiel</translation>
+    </message>
+    <message>
         <source>complete</source>
         <translation>vollständig</translation>
     </message>
@@ -8572,6 +8576,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>default</source>
         <translation>üblicher Wert</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>Dichte</translation>
     </message>
     <message>
         <source>device reports readiness to read but returned no data (device disconnected or multiple access on port?)</source>
@@ -8614,6 +8622,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Datei prüfen</translation>
     </message>
     <message>
+        <source>exponent</source>
+        <translation>Exponent</translation>
+    </message>
+    <message>
         <source>extend</source>
         <translation>verlängern</translation>
     </message>
@@ -8642,6 +8654,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>zuerst</translation>
     </message>
     <message>
+        <source>follower angle</source>
+        <translation>Winkel der Koppel</translation>
+    </message>
+    <message>
+        <source>follower speed</source>
+        <translation>Drehgeschwindigkeit der Koppel</translation>
+    </message>
+    <message>
+        <source>friction ramp</source>
+        <translation>Rampe der Reibung</translation>
+    </message>
+    <message>
         <source>from the calibration in the file</source>
         <translation>aus der Kalibrierung in der Datei</translation>
     </message>
@@ -8656,6 +8680,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>good, nothing lost</source>
         <translation>gut, nichts verloren</translation>
+    </message>
+    <message>
+        <source>gravity</source>
+        <translation>Fallbeschleunigung</translation>
     </message>
     <message>
         <source>grew</source>
@@ -8700,6 +8728,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>idle</source>
         <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>impact speed floor</source>
+        <translation>Mindestgeschwindigkeit eines Stoßes</translation>
     </message>
     <message>
         <source>in step {} only</source>
@@ -8758,6 +8790,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>später</translation>
     </message>
     <message>
+        <source>layers</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
         <source>least margin {:.0f} %, {}</source>
         <translation>kleinster Abstand {:.0f} %, {}</translation>
     </message>
@@ -8776,6 +8812,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>limits are changed in the test file while no test is under way</source>
         <translation>ohne laufenden Versuch werden Grenzen in der Versuchsdatei geändert</translation>
+    </message>
+    <message>
+        <source>loads</source>
+        <translation>Belastungen</translation>
     </message>
     <message>
         <source>lower 95 % limit of it</source>
@@ -8826,6 +8866,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>mehr</translation>
     </message>
     <message>
+        <source>moving mass</source>
+        <translation>bewegte Masse</translation>
+    </message>
+    <message>
         <source>name</source>
         <translation>Name</translation>
     </message>
@@ -8868,6 +8912,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>no warning</source>
         <translation>keine Warnung</translation>
+    </message>
+    <message>
+        <source>node spacing</source>
+        <translation>Knotenabstand</translation>
     </message>
     <message>
         <source>none: the fields below are enough</source>
@@ -8958,8 +9006,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Anhalten</translation>
     </message>
     <message>
+        <source>poissons ratio</source>
+        <translation>Querdehnzahl</translation>
+    </message>
+    <message>
+        <source>predictive band</source>
+        <translation>Vorhersageband</translation>
+    </message>
+    <message>
         <source>present</source>
         <translation>vorhanden</translation>
+    </message>
+    <message>
+        <source>probe errors</source>
+        <translation>Fehler der Wegsensoren</translation>
     </message>
     <message>
         <source>probes, k = 2</source>
@@ -8980,6 +9040,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>queue stop</source>
         <translation>Warteschlange anhalten</translation>
+    </message>
+    <message>
+        <source>radii</source>
+        <translation>Radien</translation>
     </message>
     <message>
         <source>reading</source>
@@ -9014,6 +9078,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>verworfen: {}</translation>
     </message>
     <message>
+        <source>relative error</source>
+        <translation>relativer Fehler</translation>
+    </message>
+    <message>
         <source>release command</source>
         <translation>Kommando abgeben</translation>
     </message>
@@ -9032,6 +9100,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>residual 2</source>
         <translation>Abweichung 2</translation>
+    </message>
+    <message>
+        <source>restitution</source>
+        <translation>Stoßzahl</translation>
     </message>
     <message>
         <source>resume</source>
@@ -9082,6 +9154,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>läuft</translation>
     </message>
     <message>
+        <source>running in revolutions</source>
+        <translation>Umdrehungen des Einlaufs</translation>
+    </message>
+    <message>
+        <source>sectors</source>
+        <translation>Sektoren</translation>
+    </message>
+    <message>
         <source>set limit</source>
         <translation>Grenze setzen</translation>
     </message>
@@ -9112,6 +9192,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>simulation state</source>
         <translation>Stand der Simulation</translation>
+    </message>
+    <message>
+        <source>slider position</source>
+        <translation>Lage des Schiebers</translation>
+    </message>
+    <message>
+        <source>slider velocity</source>
+        <translation>Geschwindigkeit des Schiebers</translation>
     </message>
     <message>
         <source>slip of a cycle</source>
@@ -9150,6 +9238,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>starten</translation>
     </message>
     <message>
+        <source>start angle</source>
+        <translation>Anfangswinkel</translation>
+    </message>
+    <message>
         <source>start: waiting for the devices …</source>
         <translation>Start: warte auf die Geräte …</translation>
     </message>
@@ -9164,6 +9256,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>step {} of {}</source>
         <translation>Schritt {} von {}</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>Steifigkeit</translation>
     </message>
     <message>
         <source>stop</source>
@@ -9192,6 +9288,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>take command</source>
         <translation>Kommando nehmen</translation>
+    </message>
+    <message>
+        <source>technique</source>
+        <translation>Verfahren</translation>
     </message>
     <message>
         <source>temperature</source>
@@ -9294,8 +9394,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zeitüberschreitung</translation>
     </message>
     <message>
+        <source>times</source>
+        <translation>Zeiten</translation>
+    </message>
+    <message>
         <source>to do</source>
         <translation>zu tun</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>Toleranz</translation>
     </message>
     <message>
         <source>triangle</source>
@@ -9304,6 +9412,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>tripped</source>
         <translation>ausgelöst</translation>
+    </message>
+    <message>
+        <source>typical force</source>
+        <translation>typische Kraft</translation>
     </message>
     <message>
         <source>u of the &amp;micrometer</source>
@@ -9396,6 +9508,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>writing</source>
         <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>youngs modulus</source>
+        <translation>Elastizitätsmodul</translation>
     </message>
     <message>
         <source>zero</source>

@@ -66,6 +66,12 @@ WORDS_INSIDE: Final = (
     "over-current", "over-voltage", "under-voltage", "over-temperature", "current",
     "temperature", "hardware", "software", "faster", "fell", "grew", "heavier", "less", "lighter",
     "more", "nothing", "reading", "rose", "slower", "text", "unknown", "writing",
+    "clearance", "density", "gravity", "stiffness", "exponent", "follower angle",
+    "follower speed", "friction ramp",
+    "impact speed floor", "layers", "loads", "moving mass", "node spacing", "poissons ratio",
+    "predictive band", "probe errors", "radii", "relative error", "restitution",
+    "running in revolutions", "sectors", "slider position", "slider velocity", "start angle",
+    "technique", "times", "tolerance", "typical force", "youngs modulus",
     "write {NAME} in its place, and the secret under that name into the keyring or secrets.toml",
 )  # fmt: skip
 """Words that sentences put in the place of a value."""

@@ -139,13 +139,16 @@ def _whole(core: str, changes: int) -> str:
         values = template.values_in(core)
         if values is not None:
             told = {name: _part(one, changes) for name, one in values.items()}
-            if template.glue and any(
-                " " in one and told[name] == one for name, one in values.items()
-            ):
+            if template.glue and any(_is_unknown(one, told[name]) for name, one in values.items()):
                 continue
             said = _filled(tr(template.text).strip(EDGES), told)
             return _capital(said) if core[0].isupper() else said
     return ""
+
+
+def _is_unknown(value: str, said: str) -> bool:
+    """Tell whether a value is more than a name or a number with its unit, and said as it was."""
+    return said == value and " " in value and MEASURED.match(value) is None
 
 
 def _with_known_end(core: str, changes: int) -> str:
@@ -182,6 +185,7 @@ def _part(value: str, changes: int) -> str:
 
 VALUED: Final = re.compile(r"([^\d]+?) ([-−+]?\d.*)")
 """A name with its value."""
+MEASURED: Final = re.compile(r"[-−+(]*\d|nan\b|-?inf\b")
 FEW_WORDS = 3
 GLUE: Final = frozenset(
     {"are", "at", "by", "for", "from", "in", "is", "of", "on", "or", "to", "was", "with", "without"}
