@@ -115,7 +115,8 @@ def _entries() -> dict[str, EntryPoint]:
 
 
 def _nearest(word: str, words: Iterable[str]) -> str:
-    near = difflib.get_close_matches(word, list(words), n=1, cutoff=0.5)
+    texts = [one for one in words if isinstance(one, str)]
+    near = difflib.get_close_matches(word, texts, n=1, cutoff=0.5)
     return f' (did you mean "{near[0]}"?)' if near else ""
 
 

@@ -21,8 +21,14 @@ TORQUE_CONSTANT: Final = SettingSpec(
     0.0,
     1e3,
 )
-WATCHDOG: Final = "watchdog: the host was silent for {0:.2f} s and the drive has stopped the motor"
 _ROUNDING: Final = 1e-9  # of a speed that is the maximum but for the digits of a conversion
+
+
+def silenced(silence_s: float) -> str:
+    """Say that the drive's supervision has fired; silence_s: how long the host was silent."""
+    return (
+        f"watchdog: the host was silent for {silence_s:.2f} s and the drive has stopped the motor"
+    )
 
 
 def torque_Nm(current_A: float, settings: Mapping[str, Any]) -> float:

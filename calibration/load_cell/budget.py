@@ -223,7 +223,7 @@ def classification(settings: LoadCellSettings, single: float) -> str:
         f" least {e74:g} N and ISO 376 class 2 of at least {iso:g} N, above the full scale of"
         f" {full:g} N. The expanded uncertainty is stated instead of a class. For forces from"
         f" {smallest:g} N upward, class 2 would need a resolution of {class_2:.2f} N and class 1 of"
-        f" {class_1:.2f} N.{_averaging(single, class_2)}"
+        f" {class_1:.2f} N{_averaging(single, class_2)}."
     )
 
 
@@ -234,10 +234,10 @@ def _averaging(single: float, wanted: float) -> str:
     count = math.ceil((single / (wanted / math.sqrt(12.0))) ** 2)
     if count < 2:
         return (
-            f" The readings of this calibration scatter by {single:.3f} N: if they are means of"
-            " many, such means would reach class 2; a single reading does not."
+            f". The readings of this calibration scatter by {single:.3f} N: if they are means of"
+            " many, such means would reach class 2; a single reading does not"
         )
     return (
-        f" A reading scatters by {single:.2f} N: the mean of about {count} readings at each load"
-        " would reach class 2."
+        f". A reading scatters by {single:.2f} N: the mean of about {count} readings at each load"
+        " would reach class 2"
     )

@@ -95,11 +95,11 @@ def _axes(evidence: Evidence) -> Iterator[Problem]:
             " reversed; check the angle reference.",
         )
     elif reversed_axes:
-        other = " Or the pin angle counts the wrong way." if reversed_axes[0] == 1 else ""
+        other = ". Or the pin angle counts the wrong way" if reversed_axes[0] == 1 else ""
         yield Problem(
             "axis_reversed",
             f"signal_{reversed_axes[0]} has the wrong sign: that bridge is reversed; exchange its"
-            f" two signal wires.{other}",
+            f" two signal wires{other}.",
         )
     else:
         yield from _turned(a)

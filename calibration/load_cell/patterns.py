@@ -298,7 +298,7 @@ def _named(evidence: Evidence, cells: Averages, found: Found) -> Problem:
         since = f"From {place_of(evidence.readings, first)} on" if pattern.steady else "Slowly"
         return Problem(
             "gain_changed",
-            f"{since} {who} {abs(100.0 * size):.1f} % {'more' if size > 0.0 else 'less'} of the"
+            f"{since}: {who} {abs(100.0 * size):.1f} % {'more' if size > 0.0 else 'less'} of the"
             " same load than before: the gain changed (range, excitation, filter or cable?). Find"
             " out why, and take all series again.",
         )

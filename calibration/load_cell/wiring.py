@@ -112,7 +112,7 @@ def check_wiring(evidence: Evidence) -> Iterator[Problem]:
         if wrong.any():
             left &= ~wrong
             where = _where(names, wrong, ~as_is | fits)
-            yield Problem(wiring.code, f"{where} {_sentence(wiring.words)} Then take them again.")
+            yield Problem(wiring.code, f"{where}: {_sentence(wiring.words)} Then take them again.")
 
 
 def _sentence(words: str) -> str:

@@ -46,9 +46,9 @@ from drivers.cia402.settings import SETTINGS, bus_options
 from drivers.spindles import (
     NEEDED,
     QUANTITIES,
-    WATCHDOG,
     note_survived_silence,
     refuse_speed,
+    silenced,
     torque_Nm,
     whole_ramp,
 )
@@ -298,7 +298,7 @@ class Cia402Drive:
             note_survived_silence(self, silence_s, setup.watchdog_s)
             return
         self._target = None
-        self._trip = WATCHDOG.format(silence_s)
+        self._trip = silenced(silence_s)
         node.write(0x6040, Control.QUICK_STOP)
 
     def _judge_restart(self, setup: Setup) -> None:

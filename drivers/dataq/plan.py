@@ -149,11 +149,11 @@ def _wiring(settings: Mapping[str, Any], clock: Clock) -> str:
     places = [f"{p.CLOCK_LINE} (scan clock)"] if by_encoder else []
     places.append(f"{p.COUNTER_LINE} (counter)")
     places += [f"{p.RATE_LINE} (rate)"] if settings["rate_range_Hz"] else []
-    words = [f"line A to {', '.join(places)}"]
+    words = [f"encoder line A to {', '.join(places)}"]
     for name, key in (("B", "direction_line"), ("Z", "index_line")):
         if settings[key] != NO_LINE:
-            words.append(f"{name} to {settings[key]}")
-    return "encoder " + ", ".join(words)
+            words.append(f"line {name} to {settings[key]}")
+    return ", ".join(words)
 
 
 def _analog(request: DataRequest, model: Model, amplifiers: Mapping[str, Any]) -> dict[int, Analog]:

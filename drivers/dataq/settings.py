@@ -47,7 +47,7 @@ SETTINGS: Mapping[str, SettingSpec] = {
         dict,
         {},
         "External bridge amplifiers: their output in V for 1 mV/V of the bridge, by input, for "
-        "example { analog_1 = 2.5, analog_2 = 2.5 }.",
+        "example analog_1 = 2.5.",
     ),
     "digital": SettingSpec(
         bool, False, "Record the digital lines D0 to D6 as another row (an encoder index, say)."

@@ -272,12 +272,17 @@ class Gsv8:
         return identity_of("GSV-8", self._firmware, number, self.port, details)
 
     def _nothing_answers(self) -> DeviceError:
-        rate = f"baud_rate ({self._settings['baud_rate']})."
+        rate = self._settings["baud_rate"]
         if self._link.tally.dropped_bytes:
-            sentence = "something sends bytes, but not those of a GSV-8; check the port and, on a "
-            return WrongDevice.at(self, f"{sentence}UART, {rate}")
-        sentence = "nothing answers; check power, cable and port and, on a UART, "
-        return ConnectionFailed.at(self, sentence + rate)
+            return WrongDevice.at(
+                self,
+                "something sends bytes, but not those of a GSV-8; check the port and, on a UART, "
+                f"baud_rate ({rate}).",
+            )
+        return ConnectionFailed.at(
+            self,
+            f"nothing answers; check power, cable and port and, on a UART, baud_rate ({rate}).",
+        )
 
     def _configured(self) -> tuple[Plan, FrameLayout]:
         if self._plan is None or self._layout is None:

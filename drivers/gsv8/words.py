@@ -120,7 +120,10 @@ _EIGHT = range(1, 9)
 _FLAGS: dict[int, tuple[str, tuple[str, ...]]] = {
     1: (
         "input saturated",
-        tuple(f"channel {n} {side} its range" for side in ("above", "below") for n in _EIGHT),
+        (
+            *(f"channel {n:d} above its range" for n in _EIGHT),
+            *(f"channel {n:d} below its range" for n in _EIGHT),
+        ),
     ),
     2: ("measured value beyond its maximum", tuple(f"channel {n}" for n in _EIGHT)),
     3: ("sensor or its cable is broken", tuple(f"channel {n} Ud{s}" for n in _EIGHT for s in "+-")),

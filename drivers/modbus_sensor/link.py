@@ -47,9 +47,11 @@ class ModbusLink:
             if reply is None:
                 continue
             if reply.exception:
-                sentence = f"{self._asked(function, address, count)} is answered by "
-                advice = f"{reply.exception}; check the registers against the device's manual."
-                raise DeviceFault.at(self.port, sentence + advice)
+                raise DeviceFault.at(
+                    self.port,
+                    f"{self._asked(function, address, count)} is answered by {reply.exception}; "
+                    "check the registers against the device's manual.",
+                )
             if reply.words:
                 return reply.words
             self.crc_errors += "checksum" in reply.wrong
@@ -93,6 +95,8 @@ class ModbusLink:
                 self._late_until_s = 0.0
 
     def _asked(self, function: int, address: int, count: int) -> str:
-        kind = "input" if function == 4 else "holding"
-        registers = f"{count} {kind} register{'s' * (count > 1)}"
-        return f"{registers} from {address} on at Modbus address {self.device}"
+        many = "input registers" if function == 4 else "holding registers"
+        return (
+            f"{count} {many if count > 1 else many.removesuffix('s')} from {address} on at Modbus"
+            f" address {self.device}"
+        )

@@ -45,10 +45,10 @@ from drivers.roboclaw.status import StatusWords, describe_status
 from drivers.spindles import (
     NEEDED,
     QUANTITIES,
-    WATCHDOG,
     note_survived_silence,
     refuse_request,
     refuse_speed,
+    silenced,
     torque_Nm,
     whole_ramp,
 )
@@ -161,7 +161,7 @@ class RoboClaw:
             if speed and self._silence_s:
                 raise DeviceFault.at(
                     self,
-                    f"{WATCHDOG.format(self._silence_s)}; reset the fault before the next start.",
+                    f"{silenced(self._silence_s)}; reset the fault before the next start.",
                 )
             if link.hurry.is_set():
                 raise DeviceFault.at(self, "a stop came before the speed was set.")
@@ -293,7 +293,7 @@ class RoboClaw:
         words = describe_status(read.state, link.generation.status_bits)
         faults = words.faults
         if self._silence_s:
-            faults += (WATCHDOG.format(self._silence_s),)
+            faults += (silenced(self._silence_s),)
         target = self._target or 0
         setpoint = target if read.setpoint is None or self._target is None else read.setpoint
         scale = request.direction / request.counts_per_crank_revolution

@@ -367,8 +367,11 @@ def _of_zero(
     then, here = (
         "crank angle not known" if one is None else f"crank at {one:.0f} deg" for one in where
     )
-    text = "not compared: the crank is not known to stand as it stood, and a spring presses by its"
-    yield Compared("Load cell at rest", then, here, Fit.NOTED, f"{text} angle")
+    text = (
+        "not compared: the crank is not known to stand as it stood, and a spring presses by its"
+        " angle"
+    )
+    yield Compared("Load cell at rest", then, here, Fit.NOTED, text)
 
 
 def _same_angle(before: float | None, now: float | None) -> bool:

@@ -256,7 +256,7 @@ def test_a_mistake_that_makes_u_large_is_named_alone(folder: Path) -> None:
     assert done.returncode == 1
     problems = [one for one in json.loads(done.stdout)["problems"] if one["blocks"]]
     assert [one["code"] for one in problems] == ["axes_swapped"]
-    assert problems[0]["sentence"].startswith("From series 5 on the two signals are swapped")
+    assert problems[0]["sentence"].startswith("From series 5 on: the two signals are swapped")
 
 
 def test_a_step_number_twice_is_refused(folder: Path) -> None:

@@ -35,7 +35,8 @@ from rigapp.gui.language.catalogue import (
     speak_language,
     translations,
 )
-from rigapp.gui.language.collect import all_templates, all_texts, has_words, texts_of
+from rigapp.gui.language.collect import all_texts, texts_of
+from rigapp.gui.language.sentences import all_templates, has_words
 from rigapp.gui.language.told import retold, templates
 from rigapp.gui.language.words import speak, tr
 from rigapp.gui.plots.plotting import QuietPlot

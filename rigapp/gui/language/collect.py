@@ -9,11 +9,10 @@ from __future__ import annotations
 import ast
 import calendar
 import json
-import re
 import subprocess
 import tempfile
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
@@ -22,7 +21,7 @@ import PySide6
 
 from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, TOLD, WINDOW, catalogue_file
 from rigapp.gui.language.keys import column_texts, key_texts
-from rigapp.gui.language.told import EDGES, templates
+from rigapp.gui.language.sentences import all_sentences, all_templates, has_words
 from rigapp.gui.language.words import Text
 from rigapp.schema.columns import WEAR_MODELS
 from rigapp.schema.criteria import CRITERIA
@@ -34,34 +33,7 @@ from rigapp.service.preflight import Checked
 
 SOURCE: Final = Path(__file__).parents[1]
 
-SPEAKERS: Final = (
-    "rigapp/config/ranges", "rigapp/config/numbers", "rigapp/config/rules",
-    "rigapp/config/consistency", "rigapp/config/parameters", "rigapp/schema/criteria",
-    "rigapp/service/preflight", "rigapp/gui/testfile/prepare", "rigapp/gui/data/connection",
-    "rigapp/calibrating/records_in_use", "rigapp/engine/engine", "rigapp/engine/starting",
-    "rigapp/engine/resting",
-    "rigapp/study/kinds", "rigapp/study/folder",
-    "model/identification/words", "model/identification/errors", "model/identification/evidence",
-    "calibration/taking/procedure", "calibration/taking/level", "calibration/taking/pieces",
-    "calibration/taking/signals", "calibration/taking/stability", "calibration/load_cell/plans",
-    "calibration/load_cell/live", "calibration/load_cell/daily", "calibration/probes/plans",
-    "calibration/probes/live", "rigapp/calibrating/session", "rigapp/calibrating/probe_session",
-    "rigapp/calibrating/load_cell_session", "rigapp/calibrating/load_cell_result",
-    "rigapp/calibrating/probe_result", "rigapp/calibrating/run_out", "rigapp/calibrating/rolls",
-    "rigapp/calibrating/spindle",
-)  # fmt: skip
-"""Modules whose sentences the window shows; files and terminals have them in English."""
 MARK: Final = "Text"
-WORD: Final = re.compile(r"[^\W\d_]{2,}")
-NAMES: Final = {"rigapp", "rpm", "mm", "µm", "Hz", "kHz", "ms", "min", "px"}
-"""The program and units of measurement: the same in every language."""
-
-
-def has_words(text: str) -> bool:
-    """Tell whether a text says something; symbols, numbers, units and single letters do not."""
-    return any(word not in NAMES for word in WORD.findall(text))
-
-
 SHOWN_AS_IT_IS: Final = frozenset(
     {
         "QAction", "QCheckBox", "QGroupBox", "QLabel", "QPushButton", "QRadioButton",
@@ -281,76 +253,6 @@ def texts_of_tables() -> list[Text]:
     words += [one.title for one in CRITERIA.values()] + [*WEAR_MODELS, "True", "False"]
     words += [*key_texts(), *column_texts()]
     return [*words, *calendar.day_abbr, *calendar.month_abbr]
-
-
-def sentences_of(module: Path) -> Iterator[str]:
-    """Yield the sentences of a module, with braces where it puts values, without their edges.
-
-    They are its strings of several words, those that explain it and those of its journal of
-    messages (with per cent signs) excepted, and the arguments of ``Check`` of any length.
-    """
-    tree = ast.parse(module.read_text("utf-8"))
-    explained = {id(one.value) for one in ast.walk(tree) if isinstance(one, ast.Expr)}
-    pieces = {
-        id(piece)
-        for one in ast.walk(tree)
-        if isinstance(one, ast.JoinedStr)
-        for value in one.values
-        for piece in ([value] if isinstance(value, ast.Constant) else ast.walk(_spec(value)))
-    }
-    checked = {
-        id(part)
-        for one in ast.walk(tree)
-        if isinstance(one, ast.Call) and _names(one.func, "Check")
-        for value in one.args
-        for part in ([value] if isinstance(value, ast.Constant) else [])
-    }
-    for one in ast.walk(tree):
-        if id(one) in explained or id(one) in pieces:
-            continue
-        template = _template(one)
-        if has_words(_literal(template)) and (" " in template.strip(EDGES) or id(one) in checked):
-            yield template.strip(EDGES)
-
-
-def _spec(value: ast.expr) -> ast.expr:
-    spec = value.format_spec if isinstance(value, ast.FormattedValue) else None
-    return spec if spec is not None else ast.Constant(0)
-
-
-def _template(node: ast.AST) -> str:
-    """Return a string with braces where it puts values, empty where a node is none."""
-    match node:
-        case ast.Constant(value=str(text)) if not re.search(r"%[sd]", text):
-            return text if "{" not in text else ""
-        case ast.JoinedStr(values=values):
-            return "".join(_piece(one) for one in values)
-    return ""
-
-
-def _piece(value: ast.expr) -> str:
-    match value:
-        case ast.Constant(value=str(text)):
-            return text.replace("{", "{{").replace("}", "}}")
-        case ast.FormattedValue(format_spec=ast.JoinedStr(values=[ast.Constant(value=str(spec))])):
-            return f"{{:{spec}}}"
-    return "{}"
-
-
-def _literal(template: str) -> str:
-    return re.sub(r"\{[^{}]*\}", "", template)
-
-
-def all_sentences() -> list[Text]:
-    """Return what others than the window say, each once: plain texts, and templates with values."""
-    root = SOURCE.parents[1]
-    found = {one for name in SPEAKERS for one in sentences_of(root / f"{name}.py")}
-    return sorted(found | {one for one in templates() if has_words(_literal(one))})
-
-
-def all_templates() -> list[Text]:
-    """Return those of the sentences that have values; by them they are known again."""
-    return [one for one in all_sentences() if "{" in one]
 
 
 def all_texts() -> list[Text]:

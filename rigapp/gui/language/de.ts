@@ -1760,12 +1760,40 @@
         <translation>unter</translation>
     </message>
     <message>
+        <source>between the points</source>
+        <translation>zwischen den Punkten</translation>
+    </message>
+    <message>
         <source>beyond the model</source>
         <translation>jenseits des Modells</translation>
     </message>
     <message>
+        <source>beyond what the model computes, more likely than not</source>
+        <translation>eher jenseits dessen, was das Modell berechnet, als nicht</translation>
+    </message>
+    <message>
         <source>blocks</source>
         <translation>sperrt</translation>
+    </message>
+    <message>
+        <source>both signals read</source>
+        <translation>zeigen beide Signale</translation>
+    </message>
+    <message>
+        <source>bridge, 2.5 V excitation, 7 mV/V</source>
+        <translation>Brücke, 2.5 V Speisung, 7 mV/V</translation>
+    </message>
+    <message>
+        <source>bridge, 5 V excitation, 3.5 mV/V</source>
+        <translation>Brücke, 5 V Speisung, 3.5 mV/V</translation>
+    </message>
+    <message>
+        <source>bridge, 8.75 V excitation, 2 mV/V</source>
+        <translation>Brücke, 8.75 V Speisung, 2 mV/V</translation>
+    </message>
+    <message>
+        <source>by its line in the rig file</source>
+        <translation>nach seiner Zeile in der Prüfstandsdatei</translation>
     </message>
     <message>
         <source>change</source>
@@ -1776,8 +1804,52 @@
         <translation>nichts ändern</translation>
     </message>
     <message>
+        <source>change until the next calibration</source>
+        <translation>Änderung bis zur nächsten Kalibrierung</translation>
+    </message>
+    <message>
+        <source>check that the crank can turn freely</source>
+        <translation>prüfen, dass die Kurbel frei drehen kann</translation>
+    </message>
+    <message>
+        <source>check the lengths and radii</source>
+        <translation>Längen und Radien prüfen</translation>
+    </message>
+    <message>
+        <source>check the port in the rig file</source>
+        <translation>den Anschluss in der Prüfstandsdatei prüfen</translation>
+    </message>
+    <message>
+        <source>choose crank or wrist</source>
+        <translation>crank oder wrist wählen</translation>
+    </message>
+    <message>
+        <source>choose lankarani-nikravesh or flores</source>
+        <translation>lankarani-nikravesh oder flores wählen</translation>
+    </message>
+    <message>
+        <source>choose strain or stress</source>
+        <translation>strain oder stress wählen</translation>
+    </message>
+    <message>
+        <source>cm/s^2 (Gal)</source>
+        <translation>cm/s^2 (Gal)</translation>
+    </message>
+    <message>
+        <source>collision of COB-IDs</source>
+        <translation>COB-ID doppelt belegt</translation>
+    </message>
+    <message>
+        <source>command names no program</source>
+        <translation>command nennt kein Programm</translation>
+    </message>
+    <message>
         <source>comments only</source>
         <translation>nur Kommentare</translation>
+    </message>
+    <message>
+        <source>communication or monitoring</source>
+        <translation>Kommunikation oder Überwachung</translation>
     </message>
     <message>
         <source>compares with the model</source>
@@ -1788,40 +1860,148 @@
         <translation>konstant</translation>
     </message>
     <message>
+        <source>contact of separate bodies needs a bushing larger than its pin</source>
+        <translation>der Kontakt getrennter Körper braucht eine Buchse, die größer ist als ihr Bolzen</translation>
+    </message>
+    <message>
         <source>continuous</source>
         <translation>stetiger Kontakt</translation>
+    </message>
+    <message>
+        <source>counter or frequency</source>
+        <translation>Zähler oder Frequenz</translation>
+    </message>
+    <message>
+        <source>crank angle not known</source>
+        <translation>Kurbelwinkel nicht bekannt</translation>
+    </message>
+    <message>
+        <source>crank encoder</source>
+        <translation>Drehgeber der Kurbel</translation>
     </message>
     <message>
         <source>crank frame</source>
         <translation>Bezugssystem Kurbel</translation>
     </message>
     <message>
+        <source>crank positions</source>
+        <translation>Kurbelstellungen</translation>
+    </message>
+    <message>
+        <source>creep, measured</source>
+        <translation>Kriechen, gemessen</translation>
+    </message>
+    <message>
+        <source>current error M1</source>
+        <translation>Stromfehler M1</translation>
+    </message>
+    <message>
+        <source>current error M2</source>
+        <translation>Stromfehler M2</translation>
+    </message>
+    <message>
+        <source>cylindrical target, change of sensitivity</source>
+        <translation>zylindrisches Ziel, Änderung der Empfindlichkeit</translation>
+    </message>
+    <message>
         <source>daily check</source>
         <translation>tägliche Prüfung</translation>
+    </message>
+    <message>
+        <source>data source</source>
+        <translation>Messwertquelle</translation>
     </message>
     <message>
         <source>default {}</source>
         <translation>üblich {}</translation>
     </message>
     <message>
+        <source>degree 1</source>
+        <translation>Grad 1</translation>
+    </message>
+    <message>
+        <source>degree 1, zero drift</source>
+        <translation>Grad 1, Nullpunktdrift</translation>
+    </message>
+    <message>
+        <source>density of weights</source>
+        <translation>Dichte der Gewichte</translation>
+    </message>
+    <message>
         <source>deviation from the model</source>
         <translation>Abweichung vom Modell</translation>
+    </message>
+    <message>
+        <source>dh/ds = K p (p / reference pressure)^(exponent - 1), p the pressure at the spot</source>
+        <translation>dh/ds = K p (p / Bezugspressung)^(Exponent - 1), p die Pressung an der Stelle</translation>
     </message>
     <message>
         <source>diff.</source>
         <translation>Diff.</translation>
     </message>
     <message>
+        <source>digital lines</source>
+        <translation>Digitalleitungen</translation>
+    </message>
+    <message>
+        <source>direction of the probe</source>
+        <translation>Richtung des Wegsensors</translation>
+    </message>
+    <message>
         <source>do nothing</source>
         <translation>nichts tun</translation>
+    </message>
+    <message>
+        <source>does not follow the load: is its bridge connected and switched on?</source>
+        <translation>folgt der Last nicht: Ist seine Brücke angeschlossen und eingeschaltet?</translation>
+    </message>
+    <message>
+        <source>done, and other parameters changed with it</source>
+        <translation>erledigt, und andere Parameter änderten sich mit</translation>
+    </message>
+    <message>
+        <source>drift of the zero during the test and temperature beyond what the calibration states, response of filter and cell to fast changes; the largest of n samples reads high by their noise, about noise_N sqrt(2 ln n), and so does |F| where it is not larger than its uncertainty; the samples of a mean count as independent</source>
+        <translation>Drift des Nullpunkts während des Versuchs und Temperatur über das hinaus, was die Kalibrierung angibt, Verhalten von Filter und Kraftsensor bei schnellen Änderungen; der größte von n Messwerten ist durch ihr Rauschen zu hoch, etwa um noise_N sqrt(2 ln n), und |F| ebenso, wo es nicht größer als seine Unsicherheit ist; die Messwerte eines Mittels gelten als unabhängig</translation>
+    </message>
+    <message>
+        <source>drive and encoder</source>
+        <translation>Antrieb und Drehgeber</translation>
+    </message>
+    <message>
+        <source>driver fault M1</source>
+        <translation>Fehler der Endstufe M1</translation>
+    </message>
+    <message>
+        <source>driver fault M2</source>
+        <translation>Fehler der Endstufe M2</translation>
     </message>
     <message>
         <source>elapsed time</source>
         <translation>verstrichene Zeit</translation>
     </message>
     <message>
+        <source>emergency stop</source>
+        <translation>Not-Halt</translation>
+    </message>
+    <message>
+        <source>ends the test with them</source>
+        <translation>beendet den Versuch damit</translation>
+    </message>
+    <message>
+        <source>engine process</source>
+        <translation>Prozess der Steuerung</translation>
+    </message>
+    <message>
+        <source>error message = &apos;</source>
+        <translation>error message = &apos;</translation>
+    </message>
+    <message>
         <source>errors</source>
         <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>errors are gone</source>
+        <translation>die Fehler sind behoben</translation>
     </message>
     <message>
         <source>every</source>
@@ -1836,12 +2016,40 @@
         <translation>jeder {}.</translation>
     </message>
     <message>
+        <source>expanded uncertainty U of a measured force, of one component as of |F|, that is a mean of n samples (n = 1: one sample): U = sqrt((constant_N + relative |F|)^2 + (coverage_factor noise_N)^2 / n); of |F| with magnitude_constant_N and magnitude_relative it is as small as a line may state it. These lines bound U; by_load_along_N (that of |F|) and by_load_across_N are U of a mean of many at the loads by_load_N, linear between them, where the calibration states it. |F|: magnitude of the whole force, also for a component; for the largest of a revolution force_max, for a mean or RMS force_rms</source>
+        <translation>erweiterte Unsicherheit U einer gemessenen Kraft, einer Komponente wie |F|, die ein Mittel aus n Messwerten ist (n = 1: ein Messwert): U = sqrt((constant_N + relative |F|)^2 + (coverage_factor noise_N)^2 / n); von |F| ist sie mit magnitude_constant_N und magnitude_relative so klein, wie eine Gerade sie angeben darf. Diese Geraden sind Schranken von U; by_load_along_N (die von |F|) und by_load_across_N sind U eines Mittels aus vielen bei den Lasten by_load_N, dazwischen linear, wo die Kalibrierung sie angibt. |F|: Betrag der ganzen Kraft, auch für eine Komponente; für die größte einer Umdrehung force_max, für ein Mittel oder RMS force_rms</translation>
+    </message>
+    <message>
+        <source>external error</source>
+        <translation>externer Fehler</translation>
+    </message>
+    <message>
+        <source>external hardware is missing</source>
+        <translation>externe Hardware fehlt</translation>
+    </message>
+    <message>
         <source>extremes will be missed</source>
         <translation>Extremwerte werden verfehlt</translation>
     </message>
     <message>
+        <source>fault reaction active</source>
+        <translation>Störungsreaktion aktiv</translation>
+    </message>
+    <message>
+        <source>file exists</source>
+        <translation>Datei existiert</translation>
+    </message>
+    <message>
+        <source>float32 values are scaled in the device</source>
+        <translation>Werte in float32 sind im Gerät skaliert</translation>
+    </message>
+    <message>
         <source>follower frame</source>
         <translation>Bezugssystem Koppel</translation>
+    </message>
+    <message>
+        <source>following error</source>
+        <translation>Schleppfehler</translation>
     </message>
     <message>
         <source>force</source>
@@ -1852,12 +2060,28 @@
         <translation>Unsicherheit der Kraft</translation>
     </message>
     <message>
+        <source>forces kept while the surface wears</source>
+        <translation>Kräfte, die bei verschleißender Oberfläche beibehalten werden</translation>
+    </message>
+    <message>
+        <source>four-channel 96 kHz model</source>
+        <translation>Vierkanal-Modell mit 96 kHz</translation>
+    </message>
+    <message>
+        <source>frequency output</source>
+        <translation>Frequenzausgang</translation>
+    </message>
+    <message>
         <source>friction coefficient</source>
         <translation>Reibungszahl</translation>
     </message>
     <message>
         <source>friction coefficient uncertainty</source>
         <translation>Unsicherheit der Reibungszahl</translation>
+    </message>
+    <message>
+        <source>from force_1 and force_2</source>
+        <translation>aus force_1 und force_2</translation>
     </message>
     <message>
         <source>from {} on</source>
@@ -1868,12 +2092,212 @@
         <translation>gehalten</translation>
     </message>
     <message>
+        <source>generic error</source>
+        <translation>allgemeiner Fehler</translation>
+    </message>
+    <message>
+        <source>give (2 x sectors, 2) positions of surface nodes</source>
+        <translation>(2 x Sektoren, 2) Positionen der Oberflächenknoten angeben</translation>
+    </message>
+    <message>
+        <source>give (M, 2) forces and (M,) slips</source>
+        <translation>(M, 2) Kräfte und (M,) Gleitwege angeben</translation>
+    </message>
+    <message>
+        <source>give a finite force above 0</source>
+        <translation>eine endliche Kraft über 0 angeben</translation>
+    </message>
+    <message>
+        <source>give a finite force other than 0</source>
+        <translation>eine endliche Kraft ungleich 0 angeben</translation>
+    </message>
+    <message>
+        <source>give a finite number</source>
+        <translation>eine endliche Zahl angeben</translation>
+    </message>
+    <message>
+        <source>give an array of shape (n,)</source>
+        <translation>ein Feld der Form (n,) angeben</translation>
+    </message>
+    <message>
+        <source>give arrays of one shape, or scalars</source>
+        <translation>Felder einer Form oder einzelne Zahlen angeben</translation>
+    </message>
+    <message>
+        <source>give at least 1</source>
+        <translation>mindestens 1 angeben</translation>
+    </message>
+    <message>
+        <source>give at least 1 of them</source>
+        <translation>mindestens 1 davon angeben</translation>
+    </message>
+    <message>
+        <source>give at least 1 point, 1 revolution and 0 settling revolutions</source>
+        <translation>mindestens 1 Punkt, 1 Umdrehung und 0 Einschwingumdrehungen angeben</translation>
+    </message>
+    <message>
+        <source>give at least 8 of them</source>
+        <translation>mindestens 8 davon angeben</translation>
+    </message>
+    <message>
+        <source>give at least two increasing times</source>
+        <translation>mindestens zwei steigende Zeiten angeben</translation>
+    </message>
+    <message>
+        <source>give finite components</source>
+        <translation>endliche Komponenten angeben</translation>
+    </message>
+    <message>
+        <source>give finite numbers only</source>
+        <translation>nur endliche Zahlen angeben</translation>
+    </message>
+    <message>
+        <source>give increasing angles within one turn</source>
+        <translation>steigende Winkel innerhalb einer Umdrehung angeben</translation>
+    </message>
+    <message>
+        <source>give one depth for each of at least 8 angles</source>
+        <translation>eine Tiefe für jeden von mindestens 8 Winkeln angeben</translation>
+    </message>
+    <message>
+        <source>give one time for each angle</source>
+        <translation>für jeden Winkel eine Zeit angeben</translation>
+    </message>
+    <message>
+        <source>give pin radius &lt;= inner radius &lt; outer radius</source>
+        <translation>Bolzenradius &lt;= Innenradius &lt; Außenradius angeben</translation>
+    </message>
+    <message>
+        <source>give three rows at least of progress and depth</source>
+        <translation>mindestens drei Zeilen mit Fortschritt und Tiefe angeben</translation>
+    </message>
+    <message>
+        <source>give two components, along x and y</source>
+        <translation>zwei Komponenten angeben, längs x und y</translation>
+    </message>
+    <message>
+        <source>give up</source>
+        <translation>Aufgeben</translation>
+    </message>
+    <message>
         <source>global frame</source>
         <translation>festes Bezugssystem</translation>
     </message>
     <message>
+        <source>go on</source>
+        <translation>fortsetzen</translation>
+    </message>
+    <message>
+        <source>goes on after them</source>
+        <translation>setzt ihn danach fort</translation>
+    </message>
+    <message>
+        <source>gravity_m_s2 = 9.80665 is the standard value, not a local one (up to 0.27 % off); write the local value, or latitude and height</source>
+        <translation>gravity_m_s2 = 9.80665 ist der Normwert, kein örtlicher (bis zu 0.27 % daneben); den örtlichen Wert schreiben oder Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>hand: a weight hangs on the pin; take it off first</source>
+        <translation>hand: Am Bolzen hängt ein Gewicht; es erst abnehmen</translation>
+    </message>
+    <message>
+        <source>hand: the follower is on the pin; take_off_follower first</source>
+        <translation>hand: Die Koppel ist auf dem Bolzen; erst take_off_follower</translation>
+    </message>
+    <message>
+        <source>hand: the spindle turns; stop it first</source>
+        <translation>hand: Die Spindel dreht; sie erst stoppen</translation>
+    </message>
+    <message>
+        <source>hardly any revolution has been measured yet: wait</source>
+        <translation>noch ist kaum eine Umdrehung gemessen: warten</translation>
+    </message>
+    <message>
+        <source>has all of it and is written on</source>
+        <translation>hat alles davon und wird weitergeschrieben</translation>
+    </message>
+    <message>
+        <source>has it already</source>
+        <translation>hat ihn schon</translation>
+    </message>
+    <message>
+        <source>has the wrong sign: turn its plug, or exchange its two signal wires</source>
+        <translation>hat das falsche Vorzeichen: seinen Stecker umdrehen oder seine beiden Signaladern tauschen</translation>
+    </message>
+    <message>
+        <source>heartbeat of the host lost</source>
+        <translation>Heartbeat des Rechners ausgeblieben</translation>
+    </message>
+    <message>
+        <source>high first</source>
+        <translation>höherwertiges zuerst</translation>
+    </message>
+    <message>
+        <source>holder of command</source>
+        <translation>wer das Kommando hat</translation>
+    </message>
+    <message>
+        <source>holds no readings</source>
+        <translation>enthält keine Messungen</translation>
+    </message>
+    <message>
+        <source>home input M1 active</source>
+        <translation>Referenzeingang M1 aktiv</translation>
+    </message>
+    <message>
+        <source>home input M2 active</source>
+        <translation>Referenzeingang M2 aktiv</translation>
+    </message>
+    <message>
+        <source>how long an explicit step may be is known for wear in proportion to the pressure only; take implicit steps</source>
+        <translation>wie lang ein expliziter Schritt sein darf, ist nur für Verschleiß im Verhältnis zur Pressung bekannt; implizite Schritte nehmen</translation>
+    </message>
+    <message>
+        <source>illegal data address</source>
+        <translation>unzulässige Datenadresse</translation>
+    </message>
+    <message>
+        <source>illegal data value</source>
+        <translation>unzulässiger Datenwert</translation>
+    </message>
+    <message>
+        <source>illegal function</source>
+        <translation>unzulässige Funktion</translation>
+    </message>
+    <message>
         <source>in a row</source>
         <translation>in Folge</translation>
+    </message>
+    <message>
+        <source>input S4 active</source>
+        <translation>Eingang S4 aktiv</translation>
+    </message>
+    <message>
+        <source>input S5 active</source>
+        <translation>Eingang S5 aktiv</translation>
+    </message>
+    <message>
+        <source>input saturated</source>
+        <translation>Eingang übersteuert</translation>
+    </message>
+    <message>
+        <source>int24 or int16</source>
+        <translation>int24 oder int16</translation>
+    </message>
+    <message>
+        <source>internal fault of the device</source>
+        <translation>interner Fehler des Geräts</translation>
+    </message>
+    <message>
+        <source>internal software error</source>
+        <translation>interner Softwarefehler</translation>
+    </message>
+    <message>
+        <source>invalid enum value</source>
+        <translation>ungültiger Wert einer Auswahl</translation>
+    </message>
+    <message>
+        <source>is a channel of every rig</source>
+        <translation>ist ein Kanal jedes Prüfstands</translation>
     </message>
     <message>
         <source>is falling</source>
@@ -1884,12 +2308,140 @@
         <translation>wird neben dem Modell bestimmt</translation>
     </message>
     <message>
+        <source>is it still running?</source>
+        <translation>läuft sie noch?</translation>
+    </message>
+    <message>
+        <source>is its name now</source>
+        <translation>ist jetzt ihr Name</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>is not open</source>
+        <translation>ist nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>it answers stop no more; switch it off and on and check the cable</source>
+        <translation>es antwortet nicht mehr auf stop; es aus- und einschalten und das Kabel prüfen</translation>
+    </message>
+    <message>
+        <source>it does not answer</source>
+        <translation>er antwortet nicht</translation>
+    </message>
+    <message>
+        <source>it is inside the unworn bushing</source>
+        <translation>es liegt innerhalb der neuen Buchse</translation>
+    </message>
+    <message>
+        <source>it is not a calibration record</source>
+        <translation>es ist kein Kalibrierdatensatz</translation>
+    </message>
+    <message>
+        <source>it is not an Ed25519 key</source>
+        <translation>es ist kein Ed25519-Schlüssel</translation>
+    </message>
+    <message>
+        <source>it is not an Ed25519 key; make one with rigapp calibrate key</source>
+        <translation>es ist kein Ed25519-Schlüssel; einen mit rigapp calibrate key erzeugen</translation>
+    </message>
+    <message>
         <source>it is not the journal of a probe calibration</source>
         <translation>es ist nicht das Journal einer Kalibrierung von Wegsensoren</translation>
     </message>
     <message>
+        <source>it is outside the bushing</source>
+        <translation>es liegt außerhalb der Buchse</translation>
+    </message>
+    <message>
+        <source>it is rounder than the pin, which touches it at more than one place; use the elastic foundation</source>
+        <translation>es ist runder als der Bolzen, der es an mehr als einer Stelle berührt; die elastische Bettung nehmen</translation>
+    </message>
+    <message>
+        <source>it leaves no room for the pin</source>
+        <translation>es lässt dem Bolzen keinen Platz</translation>
+    </message>
+    <message>
+        <source>it leaves the follower too short</source>
+        <translation>es lässt die Koppel zu kurz</translation>
+    </message>
+    <message>
+        <source>it must be at least 0 and below 0.5</source>
+        <translation>es muss mindestens 0 und kleiner als 0.5 sein</translation>
+    </message>
+    <message>
+        <source>it must be at least 0 and below 0.5 (0.5 is incompressible; 0.499 comes close)</source>
+        <translation>es muss mindestens 0 und kleiner als 0.5 sein (0.5 ist inkompressibel; 0.499 kommt dem nahe)</translation>
+    </message>
+    <message>
+        <source>it must be greater than 0</source>
+        <translation>es muss größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>it must not be negative</source>
+        <translation>es darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>it must not exceed 1</source>
+        <translation>es darf 1 nicht überschreiten</translation>
+    </message>
+    <message>
+        <source>it was changed after it was made: its digest does not fit its content</source>
+        <translation>er wurde nach der Erstellung geändert: Seine Prüfsumme passt nicht zum Inhalt</translation>
+    </message>
+    <message>
+        <source>it was not configured before the start</source>
+        <translation>es wurde vor dem Start nicht konfiguriert</translation>
+    </message>
+    <message>
+        <source>it was started by another program</source>
+        <translation>sie wurde von einem anderen Programm gestartet</translation>
+    </message>
+    <message>
+        <source>its angles, times or forces are not all numbers</source>
+        <translation>ihre Winkel, Zeiten oder Kräfte sind nicht alle Zahlen</translation>
+    </message>
+    <message>
+        <source>its clock began again</source>
+        <translation>seine Uhr begann von vorn</translation>
+    </message>
+    <message>
+        <source>its forces are not all numbers</source>
+        <translation>ihre Kräfte sind nicht alle Zahlen</translation>
+    </message>
+    <message>
         <source>its matrix cannot be inverted</source>
         <translation>seine Matrix ist nicht umkehrbar</translation>
+    </message>
+    <message>
+        <source>its signature is incomplete</source>
+        <translation>seine Signatur ist unvollständig</translation>
+    </message>
+    <message>
+        <source>its test</source>
+        <translation>sein Versuch</translation>
+    </message>
+    <message>
+        <source>joint.bushing_radius_mm is smaller than joint.pin_radius_mm; the pin does not fit</source>
+        <translation>joint.bushing_radius_mm ist kleiner als joint.pin_radius_mm; der Bolzen passt nicht</translation>
+    </message>
+    <message>
+        <source>kg m2</source>
+        <translation>kg m2</translation>
+    </message>
+    <message>
+        <source>kg m^2</source>
+        <translation>kg m^2</translation>
+    </message>
+    <message>
+        <source>kg mm^2</source>
+        <translation>kg mm^2</translation>
+    </message>
+    <message>
+        <source>known here</source>
+        <translation>hier bekannt</translation>
     </message>
     <message>
         <source>last error: {}</source>
@@ -1900,6 +2452,10 @@
         <translation>letzte gute</translation>
     </message>
     <message>
+        <source>last point</source>
+        <translation>letzter Messwert</translation>
+    </message>
+    <message>
         <source>left out</source>
         <translation>ausgelassen</translation>
     </message>
@@ -1908,12 +2464,32 @@
         <translation>Grenze entfällt: {}</translation>
     </message>
     <message>
+        <source>line, at the end of its range</source>
+        <translation>Gerade, am Ende ihres Bereichs</translation>
+    </message>
+    <message>
         <source>load cell</source>
         <translation>Kraftsensor</translation>
     </message>
     <message>
+        <source>load_cell.matrix_N_per_mV_per_V is singular; no force could be told from the signals</source>
+        <translation>load_cell.matrix_N_per_mV_per_V ist singulär; aus den Signalen ließe sich keine Kraft bestimmen</translation>
+    </message>
+    <message>
+        <source>local gravity</source>
+        <translation>örtliche Schwere</translation>
+    </message>
+    <message>
         <source>logarithmic</source>
         <translation>logarithmisch</translation>
+    </message>
+    <message>
+        <source>logic voltage high</source>
+        <translation>Logikspannung zu hoch</translation>
+    </message>
+    <message>
+        <source>logic voltage low</source>
+        <translation>Logikspannung zu niedrig</translation>
     </message>
     <message>
         <source>looking for it, or starting it</source>
@@ -1928,6 +2504,30 @@
         <translation>verlorene Messwerte</translation>
     </message>
     <message>
+        <source>m in its smallest radius</source>
+        <translation>m im kleinsten Radius</translation>
+    </message>
+    <message>
+        <source>mV/V per N^2</source>
+        <translation>mV/V je N^2</translation>
+    </message>
+    <message>
+        <source>main voltage high</source>
+        <translation>Hauptspannung zu hoch</translation>
+    </message>
+    <message>
+        <source>main voltage high (until it has fallen again)</source>
+        <translation>Hauptspannung zu hoch (bis sie wieder gesunken ist)</translation>
+    </message>
+    <message>
+        <source>main voltage low</source>
+        <translation>Hauptspannung zu niedrig</translation>
+    </message>
+    <message>
+        <source>mass of the weights</source>
+        <translation>Masse der Gewichte</translation>
+    </message>
+    <message>
         <source>max</source>
         <translation>Max.</translation>
     </message>
@@ -1940,8 +2540,16 @@
         <translation>Maximum {}</translation>
     </message>
     <message>
+        <source>maxon EPOS4 or another CiA 402 drive (CANopen)</source>
+        <translation>maxon EPOS4 oder ein anderer CiA-402-Antrieb (CANopen)</translation>
+    </message>
+    <message>
         <source>mean</source>
         <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>mean of a point</source>
+        <translation>Mittel eines Punkts</translation>
     </message>
     <message>
         <source>mean speed</source>
@@ -1958,6 +2566,10 @@
     <message>
         <source>measured</source>
         <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>measured value beyond its maximum</source>
+        <translation>Messwert jenseits seines Höchstwerts</translation>
     </message>
     <message>
         <source>measured {}</source>
@@ -1984,12 +2596,24 @@
         <translation>gemessen: noch nicht bekannt, Zyklus {}</translation>
     </message>
     <message>
+        <source>mechanism.follower_length_mm must be greater than mechanism.crank_radius_mm (both above 0), or the crank cannot turn</source>
+        <translation>mechanism.follower_length_mm muss größer sein als mechanism.crank_radius_mm (beide über 0), sonst kann die Kurbel nicht drehen</translation>
+    </message>
+    <message>
         <source>minimum</source>
         <translation>Minimum</translation>
     </message>
     <message>
         <source>minimum {}</source>
         <translation>Minimum {}</translation>
+    </message>
+    <message>
+        <source>missing or short reply</source>
+        <translation>fehlende oder zu kurze Antwort</translation>
+    </message>
+    <message>
+        <source>mode (multi-axis, noise cut and auto-zero off; analog filter)</source>
+        <translation>Betriebsart (Mehrachs, Rauschunterdrückung und Auto-Null aus; Analogfilter)</translation>
     </message>
     <message>
         <source>model</source>
@@ -2008,12 +2632,40 @@
         <translation>Modell ± U</translation>
     </message>
     <message>
+        <source>model.bushing.wear_coefficient_mm3_per_Nm is 0: give its order of magnitude</source>
+        <translation>model.bushing.wear_coefficient_mm3_per_Nm ist 0: seine Größenordnung angeben</translation>
+    </message>
+    <message>
         <source>model: not known</source>
         <translation>Modell: nicht bekannt</translation>
     </message>
     <message>
+        <source>more slowly</source>
+        <translation>langsamer</translation>
+    </message>
+    <message>
+        <source>motion across the axis</source>
+        <translation>Bewegung quer zur Achse</translation>
+    </message>
+    <message>
+        <source>name may hold letters, digits, blanks and . _ - only, 40 at most</source>
+        <translation>name darf nur Buchstaben, Ziffern, Leerzeichen und . _ - enthalten, höchstens 40</translation>
+    </message>
+    <message>
+        <source>needs a reason</source>
+        <translation>braucht einen Grund</translation>
+    </message>
+    <message>
+        <source>needs either url or command</source>
+        <translation>braucht entweder url oder command</translation>
+    </message>
+    <message>
         <source>needs the model&apos;s elastic approach</source>
         <translation>braucht die elastische Annäherung des Modells</translation>
+    </message>
+    <message>
+        <source>never came</source>
+        <translation>kam nie</translation>
     </message>
     <message>
         <source>new limit: {}</source>
@@ -2024,8 +2676,44 @@
         <translation>neuester</translation>
     </message>
     <message>
+        <source>no bin of revolutions is complete yet: wait</source>
+        <translation>noch ist kein Abschnitt von Umdrehungen vollständig: warten</translation>
+    </message>
+    <message>
+        <source>no channel named</source>
+        <translation>kein Kanal genannt</translation>
+    </message>
+    <message>
         <source>no cycles</source>
         <translation>keine Zyklen</translation>
+    </message>
+    <message>
+        <source>no heartbeat heard</source>
+        <translation>kein Heartbeat gehört</translation>
+    </message>
+    <message>
+        <source>no input is asked for; name at least one</source>
+        <translation>kein Eingang ist verlangt; mindestens einen nennen</translation>
+    </message>
+    <message>
+        <source>no level</source>
+        <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>no measured value came</source>
+        <translation>kein Messwert kam</translation>
+    </message>
+    <message>
+        <source>no message</source>
+        <translation>keine Meldung</translation>
+    </message>
+    <message>
+        <source>no name</source>
+        <translation>kein Name</translation>
+    </message>
+    <message>
+        <source>no part of the bushing lies where the force points, so nothing can carry it</source>
+        <translation>wohin die Kraft zeigt, liegt kein Teil der Buchse, sodass nichts sie tragen kann</translation>
     </message>
     <message>
         <source>no profile is recorded: the pin&apos;s circle sunk in by the depth</source>
@@ -2040,8 +2728,16 @@
         <translation>kein Kalibrierdatensatz: es gelten die Zahlen der Prüfstandsdatei</translation>
     </message>
     <message>
+        <source>no test waits in the queue; add one: rigapp queue add</source>
+        <translation>in der Warteschlange wartet kein Versuch; einen hinzufügen: rigapp queue add</translation>
+    </message>
+    <message>
         <source>no word from the engine</source>
         <translation>keine Meldung der Steuerung</translation>
+    </message>
+    <message>
+        <source>nobody is</source>
+        <translation>niemand hat es</translation>
     </message>
     <message>
         <source>nominal pressure</source>
@@ -2054,6 +2750,26 @@
     <message>
         <source>none are coming</source>
         <translation>es kommen keine</translation>
+    </message>
+    <message>
+        <source>not a row of finite numbers</source>
+        <translation>keine Reihe endlicher Zahlen</translation>
+    </message>
+    <message>
+        <source>not acknowledged by FF</source>
+        <translation>nicht mit FF bestätigt</translation>
+    </message>
+    <message>
+        <source>not an object</source>
+        <translation>kein Objekt</translation>
+    </message>
+    <message>
+        <source>not compared: the crank is not known to stand as it stood, and a spring presses by its angle</source>
+        <translation>nicht verglichen: Ob die Kurbel steht, wie sie stand, ist nicht bekannt, und eine Feder drückt je nach ihrem Winkel</translation>
+    </message>
+    <message>
+        <source>not finite</source>
+        <translation>nicht endlich</translation>
     </message>
     <message>
         <source>not named</source>
@@ -2072,12 +2788,48 @@
         <translation>nicht erreichbar</translation>
     </message>
     <message>
+        <source>not ready to switch on</source>
+        <translation>nicht einschaltbereit</translation>
+    </message>
+    <message>
+        <source>not rising</source>
+        <translation>nicht steigend</translation>
+    </message>
+    <message>
+        <source>not stated: calibrate the load cell</source>
+        <translation>nicht angegeben: den Kraftsensor kalibrieren</translation>
+    </message>
+    <message>
         <source>not told, most likely {} ({:.0f} %)</source>
         <translation>nicht entschieden, am ehesten {} ({:.0f} %)</translation>
     </message>
     <message>
         <source>not usable yet</source>
         <translation>noch nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>nothing answers stop; check power and cable, and that the LED blinks yellow (CDC mode)</source>
+        <translation>auf stop antwortet nichts; Versorgung und Kabel prüfen, und dass die LED gelb blinkt (CDC-Modus)</translation>
+    </message>
+    <message>
+        <source>nothing of itself</source>
+        <translation>nichts von sich selbst</translation>
+    </message>
+    <message>
+        <source>nothing presses in the reference revolution</source>
+        <translation>in der Bezugsumdrehung drückt nichts</translation>
+    </message>
+    <message>
+        <source>nothing, wait</source>
+        <translation>nichts, warten</translation>
+    </message>
+    <message>
+        <source>number of objects in the frame</source>
+        <translation>Anzahl der Objekte im Rahmen</translation>
+    </message>
+    <message>
+        <source>numbers of the rig file</source>
+        <translation>Zahlen der Prüfstandsdatei</translation>
     </message>
     <message>
         <source>of either sign</source>
@@ -2092,20 +2844,76 @@
         <translation>aus</translation>
     </message>
     <message>
+        <source>offset-binary (assumed)</source>
+        <translation>Offset-Binär (angenommen)</translation>
+    </message>
+    <message>
         <source>on</source>
         <translation>ein</translation>
+    </message>
+    <message>
+        <source>on the wrong branch</source>
+        <translation>auf dem falschen Ast</translation>
+    </message>
+    <message>
+        <source>one is not a number</source>
+        <translation>eine ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>one without a name</source>
+        <translation>eine ohne Namen</translation>
     </message>
     <message>
         <source>opening {}</source>
         <translation>Öffnen von {}</translation>
     </message>
     <message>
+        <source>operation enabled</source>
+        <translation>Betrieb freigegeben</translation>
+    </message>
+    <message>
         <source>or a</source>
         <translation>oder ein</translation>
     </message>
     <message>
+        <source>or name another folder with RIGAPP_RUNTIME_DIR</source>
+        <translation>oder mit RIGAPP_RUNTIME_DIR einen anderen Ordner nennen</translation>
+    </message>
+    <message>
+        <source>out of order</source>
+        <translation>ungeordnet</translation>
+    </message>
+    <message>
+        <source>out of range</source>
+        <translation>außerhalb des Bereichs</translation>
+    </message>
+    <message>
         <source>over</source>
         <translation>über</translation>
+    </message>
+    <message>
+        <source>over-current M1</source>
+        <translation>Überstrom M1</translation>
+    </message>
+    <message>
+        <source>over-current M2</source>
+        <translation>Überstrom M2</translation>
+    </message>
+    <message>
+        <source>over-temperature 1</source>
+        <translation>Übertemperatur 1</translation>
+    </message>
+    <message>
+        <source>over-temperature 2</source>
+        <translation>Übertemperatur 2</translation>
+    </message>
+    <message>
+        <source>own registers</source>
+        <translation>eigene Register</translation>
+    </message>
+    <message>
+        <source>parameters is missing; name the parameter file</source>
+        <translation>parameters fehlt; die Parameterdatei nennen</translation>
     </message>
     <message>
         <source>perfect</source>
@@ -2120,8 +2928,48 @@
         <translation>Phasenverschiebung</translation>
     </message>
     <message>
+        <source>pin and bushing are separate bodies that may lose contact</source>
+        <translation>Bolzen und Buchse sind getrennte Körper, die den Kontakt verlieren können</translation>
+    </message>
+    <message>
+        <source>pin and bushing centres coincide</source>
+        <translation>die Mittelpunkte von Bolzen und Buchse fallen zusammen</translation>
+    </message>
+    <message>
+        <source>ping.url begins neither with http:// nor with https://</source>
+        <translation>ping.url beginnt weder mit http:// noch mit https://</translation>
+    </message>
+    <message>
+        <source>points and revolutions</source>
+        <translation>Punkte und Umdrehungen</translation>
+    </message>
+    <message>
+        <source>position error M1</source>
+        <translation>Lagefehler M1</translation>
+    </message>
+    <message>
+        <source>position error M2</source>
+        <translation>Lagefehler M2</translation>
+    </message>
+    <message>
+        <source>position sensor error</source>
+        <translation>Fehler des Lagesensors</translation>
+    </message>
+    <message>
+        <source>positions are approached from the wrong side</source>
+        <translation>Positionen werden von der falschen Seite angefahren</translation>
+    </message>
+    <message>
+        <source>power off</source>
+        <translation>Abschalten</translation>
+    </message>
+    <message>
         <source>pressed</source>
         <translation>gedrückt</translation>
+    </message>
+    <message>
+        <source>pressure and wear coefficient found no balance</source>
+        <translation>Pressung und Verschleißkoeffizient fanden kein Gleichgewicht</translation>
     </message>
     <message>
         <source>pressure velocity</source>
@@ -2140,8 +2988,44 @@
         <translation>probes.run_out_cos_um hat für einen Wegsensor andere Ordnungen als für den anderen; gleich viele angeben</translation>
     </message>
     <message>
+        <source>progress and depth must rise from row to row</source>
+        <translation>Fortschritt und Tiefe müssen von Zeile zu Zeile steigen</translation>
+    </message>
+    <message>
+        <source>pulse and direction</source>
+        <translation>Puls und Richtung</translation>
+    </message>
+    <message>
+        <source>pulse of the encoder; sample_rate_Hz is nominal</source>
+        <translation>Puls des Drehgebers; sample_rate_Hz ist der Nennwert</translation>
+    </message>
+    <message>
         <source>quality</source>
         <translation>Güte</translation>
+    </message>
+    <message>
+        <source>quick stop active</source>
+        <translation>Schnellhalt aktiv</translation>
+    </message>
+    <message>
+        <source>ramp down</source>
+        <translation>Abbremsen</translation>
+    </message>
+    <message>
+        <source>ready to switch on</source>
+        <translation>einschaltbereit</translation>
+    </message>
+    <message>
+        <source>release the emergency stop button first</source>
+        <translation>erst den Not-Halt-Taster entriegeln</translation>
+    </message>
+    <message>
+        <source>release the emergency stop button; if it is released, a reset by command is not available in this drive: switch the drive off and on, then connect again</source>
+        <translation>den Not-Halt-Taster entriegeln; ist er entriegelt, lässt sich dieser Antrieb nicht durch Befehl zurücksetzen: den Antrieb aus- und einschalten, dann neu verbinden</translation>
+    </message>
+    <message>
+        <source>released command</source>
+        <translation>gab das Kommando frei</translation>
     </message>
     <message>
         <source>remaining revolutions</source>
@@ -2156,20 +3040,56 @@
         <translation>restliche Umdrehungen, untere Grenze</translation>
     </message>
     <message>
+        <source>repeatability of a reading</source>
+        <translation>Wiederholbarkeit einer Messung</translation>
+    </message>
+    <message>
+        <source>reproducibility between series</source>
+        <translation>Vergleichbarkeit zwischen Reihen</translation>
+    </message>
+    <message>
+        <source>residual of the line</source>
+        <translation>Abweichung der Geraden</translation>
+    </message>
+    <message>
+        <source>resolution of the load cell</source>
+        <translation>Auflösung des Kraftsensors</translation>
+    </message>
+    <message>
         <source>rev</source>
         <translation>U</translation>
+    </message>
+    <message>
+        <source>reversibility and interpolation</source>
+        <translation>Umkehrspanne und Interpolation</translation>
     </message>
     <message>
         <source>rig file</source>
         <translation>Prüfstandsdatei</translation>
     </message>
     <message>
+        <source>rig file: load_cell.quadratic_mV_per_V_per_N2: the quadratic terms are so large that signals within the input range mean two forces; calibrate the load cell again over the range that is used</source>
+        <translation>Prüfstandsdatei: load_cell.quadratic_mV_per_V_per_N2: Die quadratischen Glieder sind so groß, dass Signale im Eingangsbereich zwei Kräfte bedeuten; den Kraftsensor über den verwendeten Bereich neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>rigapp has no driver for this model</source>
+        <translation>rigapp hat keinen Treiber für dieses Modell</translation>
+    </message>
+    <message>
         <source>rolls are missing</source>
         <translation>Umläufe fehlen</translation>
     </message>
     <message>
+        <source>rpm   known N   force_1 N   force_2 N   U (k = 2) N</source>
+        <translation>rpm   bekannt N   force_1 N   force_2 N   U (k = 2) N</translation>
+    </message>
+    <message>
         <source>run-out map</source>
         <translation>Rundlaufkarte</translation>
+    </message>
+    <message>
+        <source>running check</source>
+        <translation>Laufprüfung</translation>
     </message>
     <message>
         <source>running time</source>
@@ -2180,6 +3100,10 @@
         <translation>Einlauf</translation>
     </message>
     <message>
+        <source>safe torque off is active</source>
+        <translation>sicher abgeschaltetes Moment ist aktiv</translation>
+    </message>
+    <message>
         <source>samples</source>
         <translation>Messwerte</translation>
     </message>
@@ -2188,12 +3112,60 @@
         <translation>verlorene Messwerte</translation>
     </message>
     <message>
+        <source>sampling of revolutions with lost contact</source>
+        <translation>Stichproben von Umdrehungen mit Kontaktverlust</translation>
+    </message>
+    <message>
+        <source>scan of the internal clock</source>
+        <translation>Abtastung nach der internen Uhr</translation>
+    </message>
+    <message>
         <source>seen {:.0f}° to {:.0f}°, cycle {}</source>
         <translation>gesehen {:.0f}° bis {:.0f}°, Zyklus {}</translation>
     </message>
     <message>
+        <source>sensor broken</source>
+        <translation>Sensor defekt</translation>
+    </message>
+    <message>
+        <source>sensor or its cable is broken</source>
+        <translation>Sensor oder sein Kabel ist defekt</translation>
+    </message>
+    <message>
+        <source>sensor supervisor</source>
+        <translation>Sensorüberwachung</translation>
+    </message>
+    <message>
+        <source>server device busy</source>
+        <translation>Gerät (Server) beschäftigt</translation>
+    </message>
+    <message>
+        <source>server device failure</source>
+        <translation>Ausfall des Geräts (Server)</translation>
+    </message>
+    <message>
         <source>setting up</source>
         <translation>Einrichten</translation>
+    </message>
+    <message>
+        <source>short circuit of a digital line</source>
+        <translation>Kurzschluss einer Digitalleitung</translation>
+    </message>
+    <message>
+        <source>signals at rest before the start</source>
+        <translation>Signale in Ruhe vor dem Start</translation>
+    </message>
+    <message>
+        <source>simulation.speed =</source>
+        <translation>simulation.speed =</translation>
+    </message>
+    <message>
+        <source>single-ended, 10 V</source>
+        <translation>massebezogen, 10 V</translation>
+    </message>
+    <message>
+        <source>slcan CAN adapter</source>
+        <translation>CAN-Adapter (slcan)</translation>
     </message>
     <message>
         <source>sliding speed</source>
@@ -2208,12 +3180,56 @@
         <translation>langsamer Umlauf des Bolzens</translation>
     </message>
     <message>
+        <source>slow source</source>
+        <translation>langsame Quelle</translation>
+    </message>
+    <message>
+        <source>some bits of the value are not allowed</source>
+        <translation>einige Bits des Werts sind nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>something sends bytes, but does not answer stop as a DATAQ instrument does; check the port in the rig file, and switch the device off and on</source>
+        <translation>etwas sendet Bytes, antwortet aber auf stop nicht wie ein Gerät von DATAQ; den Anschluss in der Prüfstandsdatei prüfen und das Gerät aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>something slips slowly</source>
+        <translation>etwas rutscht langsam</translation>
+    </message>
+    <message>
+        <source>specific to the drive</source>
+        <translation>herstellerspezifisch</translation>
+    </message>
+    <message>
         <source>speed</source>
         <translation>Drehzahl</translation>
     </message>
     <message>
+        <source>speed error M1</source>
+        <translation>Drehzahlfehler M1</translation>
+    </message>
+    <message>
+        <source>speed error M2</source>
+        <translation>Drehzahlfehler M2</translation>
+    </message>
+    <message>
+        <source>stale data</source>
+        <translation>veraltete Daten</translation>
+    </message>
+    <message>
         <source>standard deviations</source>
         <translation>Standardabweichungen</translation>
+    </message>
+    <message>
+        <source>state: the spindle turns or is driven; stop it first</source>
+        <translation>state: Die Spindel dreht oder wird angetrieben; sie erst stoppen</translation>
+    </message>
+    <message>
+        <source>steel has 8000, brass 8400, aluminium 2700</source>
+        <translation>Stahl hat 8000, Messing 8400, Aluminium 2700</translation>
+    </message>
+    <message>
+        <source>steps of the display in a mean</source>
+        <translation>Ziffernschritte der Anzeige in einem Mittel</translation>
     </message>
     <message>
         <source>still changing</source>
@@ -2236,6 +3252,50 @@
         <translation>schwingt: warten, bis es ruhig hängt</translation>
     </message>
     <message>
+        <source>switch on disabled</source>
+        <translation>Einschalten gesperrt</translation>
+    </message>
+    <message>
+        <source>switch the drive off and on</source>
+        <translation>den Antrieb aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>switched on</source>
+        <translation>eingeschaltet</translation>
+    </message>
+    <message>
+        <source>take shorter explicit steps</source>
+        <translation>kürzere explizite Schritte nehmen</translation>
+    </message>
+    <message>
+        <source>temperature 1 high</source>
+        <translation>Temperatur 1 hoch</translation>
+    </message>
+    <message>
+        <source>temperature 2 high</source>
+        <translation>Temperatur 2 hoch</translation>
+    </message>
+    <message>
+        <source>temperature, gain</source>
+        <translation>Temperatur, Empfindlichkeit</translation>
+    </message>
+    <message>
+        <source>temperature, zero</source>
+        <translation>Temperatur, Nullpunkt</translation>
+    </message>
+    <message>
+        <source>the CAN bus is not open</source>
+        <translation>der CAN-Bus ist nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>the allowed number of executions is used up</source>
+        <translation>die erlaubte Anzahl von Ausführungen ist verbraucht</translation>
+    </message>
+    <message>
+        <source>the analog-to-digital converter is faulty</source>
+        <translation>der Analog-Digital-Wandler ist defekt</translation>
+    </message>
+    <message>
         <source>the angle is not known yet: turn the crank by hand once past the encoder&apos;s index</source>
         <translation>der Winkel ist noch nicht bekannt: die Kurbel von Hand einmal über den Index des Drehgebers drehen</translation>
     </message>
@@ -2248,8 +3308,56 @@
         <translation>der Winkelbezug sind zwei endliche Zahlen</translation>
     </message>
     <message>
+        <source>the bushing ahead does not wear where the pin bears</source>
+        <translation>die vorausgerechnete Buchse verschleißt nicht, wo der Bolzen anliegt</translation>
+    </message>
+    <message>
         <source>the calibration in use is not known; is the engine running?</source>
         <translation>die verwendete Kalibrierung ist nicht bekannt; läuft die Steuerung?</translation>
+    </message>
+    <message>
+        <source>the checksum of the request was wrong</source>
+        <translation>die Prüfsumme der Anfrage war falsch</translation>
+    </message>
+    <message>
+        <source>the columns of a cycle differ in length</source>
+        <translation>die Spalten eines Zyklus sind verschieden lang</translation>
+    </message>
+    <message>
+        <source>the command before it is not done</source>
+        <translation>der vorige Befehl ist nicht fertig</translation>
+    </message>
+    <message>
+        <source>the compressed copy</source>
+        <translation>die komprimierte Kopie</translation>
+    </message>
+    <message>
+        <source>the computer or the program ended while it ran</source>
+        <translation>der Rechner oder das Programm endete, während er lief</translation>
+    </message>
+    <message>
+        <source>the contact found no balance; the load is too high for this bushing or the profile is not smooth</source>
+        <translation>der Kontakt fand kein Gleichgewicht; die Last ist zu hoch für diese Buchse, oder das Profil ist nicht glatt</translation>
+    </message>
+    <message>
+        <source>the contact of the worn bushing found no balance; the load is too high for it</source>
+        <translation>der Kontakt der verschlissenen Buchse fand kein Gleichgewicht; die Last ist zu hoch für sie</translation>
+    </message>
+    <message>
+        <source>the contact reaches beyond the arc</source>
+        <translation>der Kontakt reicht über den Bogen hinaus</translation>
+    </message>
+    <message>
+        <source>the contact reaches beyond the arc of nodes that may touch; lower the force</source>
+        <translation>der Kontakt reicht über den Bogen der Knoten hinaus, die berühren dürfen; die Kraft senken</translation>
+    </message>
+    <message>
+        <source>the crank did not turn forward in it</source>
+        <translation>die Kurbel drehte darin nicht vorwärts</translation>
+    </message>
+    <message>
+        <source>the crank moves, or no samples come while it stands</source>
+        <translation>die Kurbel bewegt sich, oder es kommen keine Messwerte, während sie steht</translation>
     </message>
     <message>
         <source>the crank stands</source>
@@ -2268,8 +3376,196 @@
         <translation>die Kurbel dreht sich; sie stehen lassen</translation>
     </message>
     <message>
+        <source>the data rate is too high for the other settings</source>
+        <translation>die Datenrate ist zu hoch für die übrigen Einstellungen</translation>
+    </message>
+    <message>
+        <source>the depth grows with pressure and slip, dh/ds = K p</source>
+        <translation>die Tiefe wächst mit Pressung und Gleitweg, dh/ds = K p</translation>
+    </message>
+    <message>
+        <source>the device did not take the setting data_checksum</source>
+        <translation>das Gerät hat die Einstellung data_checksum nicht angenommen</translation>
+    </message>
+    <message>
+        <source>the device does not know this command</source>
+        <translation>das Gerät kennt diesen Befehl nicht</translation>
+    </message>
+    <message>
+        <source>the device does not support it</source>
+        <translation>das Gerät unterstützt es nicht</translation>
+    </message>
+    <message>
+        <source>the device dropped measured values because they were not read in time; lower sample_rate_Hz or free the computer</source>
+        <translation>das Gerät verwarf Messwerte, weil sie nicht rechtzeitig gelesen wurden; sample_rate_Hz senken oder den Rechner entlasten</translation>
+    </message>
+    <message>
+        <source>the device is busy</source>
+        <translation>das Gerät ist beschäftigt</translation>
+    </message>
+    <message>
+        <source>the device is in the wrong state for it</source>
+        <translation>das Gerät ist dafür im falschen Zustand</translation>
+    </message>
+    <message>
+        <source>the device takes no more bytes (write time-out); check the cable and switch the device off and on</source>
+        <translation>das Gerät nimmt keine Bytes mehr an (Zeitüberschreitung beim Schreiben); das Kabel prüfen und das Gerät aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>the drive does not answer</source>
+        <translation>der Antrieb antwortet nicht</translation>
+    </message>
+    <message>
+        <source>the drive has no profile velocity mode (6502)</source>
+        <translation>der Antrieb hat keine Betriebsart „Profile Velocity“ (6502)</translation>
+    </message>
+    <message>
+        <source>the drive has restarted (boot-up message) and its motor is off; check its supply</source>
+        <translation>der Antrieb ist neu gestartet (Boot-up-Meldung), und sein Motor ist aus; die Versorgung prüfen</translation>
+    </message>
+    <message>
+        <source>the drive is not open</source>
+        <translation>der Antrieb ist nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>the drive is not supervised yet; configure the drive first</source>
+        <translation>der Antrieb ist noch nicht überwacht; ihn erst konfigurieren</translation>
+    </message>
+    <message>
+        <source>the drive only</source>
+        <translation>nur der Antrieb</translation>
+    </message>
+    <message>
+        <source>the drive warns (bit 7 of the status word)</source>
+        <translation>der Antrieb warnt (Bit 7 des Statusworts)</translation>
+    </message>
+    <message>
+        <source>the drive&apos;s watchdog is not set; configure the drive first</source>
+        <translation>die Überwachungszeit des Antriebs ist nicht gesetzt; ihn erst konfigurieren</translation>
+    </message>
+    <message>
+        <source>the encoder input</source>
+        <translation>der Eingang des Drehgebers</translation>
+    </message>
+    <message>
+        <source>the encoder only</source>
+        <translation>nur der Drehgeber</translation>
+    </message>
+    <message>
+        <source>the end must exceed the start</source>
+        <translation>das Ende muss über dem Anfang liegen</translation>
+    </message>
+    <message>
+        <source>the engine ends</source>
+        <translation>die Steuerung endet</translation>
+    </message>
+    <message>
+        <source>the extension</source>
+        <translation>die Verlängerung</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>die Datei</translation>
+    </message>
+    <message>
+        <source>the file does not tell them</source>
+        <translation>die Datei nennt sie nicht</translation>
+    </message>
+    <message>
+        <source>the file of the running test</source>
+        <translation>die Datei des laufenden Versuchs</translation>
+    </message>
+    <message>
+        <source>the file tells no wear depth: the simulated rig has an unworn bushing</source>
+        <translation>die Datei nennt keine Verschleißtiefe: Der simulierte Prüfstand hat eine neue Buchse</translation>
+    </message>
+    <message>
+        <source>the file was recorded without a prediction, or by a version that did not ask for it</source>
+        <translation>die Datei entstand ohne Vorhersage oder mit einer Version, die nicht danach fragte</translation>
+    </message>
+    <message>
+        <source>the file&apos;s own rig cannot be read; the devices are not compared</source>
+        <translation>der Prüfstand, den die Datei nennt, ist nicht lesbar; die Geräte werden nicht verglichen</translation>
+    </message>
+    <message>
+        <source>the firmware text is empty</source>
+        <translation>der Text der Firmware ist leer</translation>
+    </message>
+    <message>
+        <source>the half-scale check needs the stream stopped first</source>
+        <translation>die Prüfung bei halbem Endwert verlangt, dass der Datenstrom vorher angehalten ist</translation>
+    </message>
+    <message>
+        <source>the index, channel or address does not exist</source>
+        <translation>Index, Kanal oder Adresse gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the joint locks: the friction circle is larger than the follower&apos;s lever</source>
+        <translation>das Gelenk klemmt: Der Reibkreis ist größer als der Hebelarm der Koppel</translation>
+    </message>
+    <message>
         <source>the journal is empty</source>
         <translation>das Journal ist leer</translation>
+    </message>
+    <message>
+        <source>the last revolution</source>
+        <translation>die letzte Umdrehung</translation>
+    </message>
+    <message>
+        <source>the last window has gone</source>
+        <translation>das letzte Fenster ist fort</translation>
+    </message>
+    <message>
+        <source>the loads do not span both axes</source>
+        <translation>die Lasten spannen nicht beide Achsen auf</translation>
+    </message>
+    <message>
+        <source>the mass of the pin outboard of its gauges is not known; write load_cell.outboard_mass_kg and outboard_radius_mm, or give --mass-kg and --radius-mm</source>
+        <translation>die Masse des Bolzens außerhalb seiner Dehnungsmessstreifen ist nicht bekannt; load_cell.outboard_mass_kg und outboard_radius_mm schreiben oder --mass-kg und --radius-mm angeben</translation>
+    </message>
+    <message>
+        <source>the measured value is not suitable for it</source>
+        <translation>der Messwert ist dafür nicht geeignet</translation>
+    </message>
+    <message>
+        <source>the measured values have another number of objects or another format than the device was set to; stop the test, configure again and check the object map</source>
+        <translation>die Messwerte haben eine andere Anzahl von Objekten oder ein anderes Format, als im Gerät eingestellt wurde; den Versuch stoppen, neu konfigurieren und die Objektzuordnung prüfen</translation>
+    </message>
+    <message>
+        <source>the mechanism is at a dead point</source>
+        <translation>der Mechanismus steht in einem Totpunkt</translation>
+    </message>
+    <message>
+        <source>the memory card is missing or faulty</source>
+        <translation>die Speicherkarte fehlt oder ist defekt</translation>
+    </message>
+    <message>
+        <source>the memory card refused the access</source>
+        <translation>die Speicherkarte verweigerte den Zugriff</translation>
+    </message>
+    <message>
+        <source>the memory denies access</source>
+        <translation>der Speicher verweigert den Zugriff</translation>
+    </message>
+    <message>
+        <source>the micrometer is set wrong once</source>
+        <translation>die Messschraube ist einmal falsch eingestellt</translation>
+    </message>
+    <message>
+        <source>the micrometer is turned the other way</source>
+        <translation>die Messschraube wird anders herum gedreht</translation>
+    </message>
+    <message>
+        <source>the micrometer is turned too far</source>
+        <translation>die Messschraube wird zu weit gedreht</translation>
+    </message>
+    <message>
+        <source>the model cannot tell how far the force presses the pin in</source>
+        <translation>das Modell kann nicht sagen, wie weit die Kraft den Bolzen eindrückt</translation>
+    </message>
+    <message>
+        <source>the number of parameters is wrong</source>
+        <translation>die Anzahl der Parameter ist falsch</translation>
     </message>
     <message>
         <source>the order of the limits</source>
@@ -2280,28 +3576,200 @@
         <translation>die Größenordnung der Parameterdatei, eine Dekade nach beiden Seiten</translation>
     </message>
     <message>
+        <source>the parameters came too late (more than 200 ms)</source>
+        <translation>die Parameter kamen zu spät (mehr als 200 ms)</translation>
+    </message>
+    <message>
+        <source>the pin always touches the bushing, and the clearance grows with the wear</source>
+        <translation>der Bolzen berührt stets die Buchse, und das Spiel wächst mit dem Verschleiß</translation>
+    </message>
+    <message>
+        <source>the point</source>
+        <translation>der Punkt</translation>
+    </message>
+    <message>
+        <source>the port is in use by another program; close that program</source>
+        <translation>ein anderes Programm benutzt den Anschluss; dieses Programm schließen</translation>
+    </message>
+    <message>
         <source>the probes are 1, 2, or both</source>
         <translation>die Wegsensoren sind 1, 2 oder beide</translation>
+    </message>
+    <message>
+        <source>the queue</source>
+        <translation>die Warteschlange</translation>
+    </message>
+    <message>
+        <source>the radio link failed</source>
+        <translation>die Funkverbindung ist ausgefallen</translation>
     </message>
     <message>
         <source>the reach of the micrometer is a length above 0</source>
         <translation>der Weg der Messschraube ist eine Länge über 0</translation>
     </message>
     <message>
+        <source>the readings say hardly more of the wear coefficient than what was assumed before the test: let it run longer</source>
+        <translation>die Messungen sagen über den Verschleißkoeffizienten kaum mehr, als vor dem Versuch angenommen war: ihn länger laufen lassen</translation>
+    </message>
+    <message>
+        <source>the receive buffer of the device is full</source>
+        <translation>der Empfangspuffer des Geräts ist voll</translation>
+    </message>
+    <message>
+        <source>the record&apos;s settings</source>
+        <translation>die Einstellungen des Datensatzes</translation>
+    </message>
+    <message>
+        <source>the request ended wrongly</source>
+        <translation>die Anfrage endete falsch</translation>
+    </message>
+    <message>
+        <source>the rest of the test</source>
+        <translation>der Rest des Versuchs</translation>
+    </message>
+    <message>
+        <source>the room for whole cycles around alarms, limits and notes is used up: from here on only those of the schedule are kept, and those around critical alarms while room lasts</source>
+        <translation>der Platz für ganze Zyklen um Alarme, Grenzen und Notizen ist verbraucht: Von hier an werden nur noch die des Plans behalten, und die um kritische Alarme, solange Platz ist</translation>
+    </message>
+    <message>
+        <source>the setting can only be read</source>
+        <translation>die Einstellung lässt sich nur lesen</translation>
+    </message>
+    <message>
+        <source>the settings memory (EEPROM) is faulty</source>
+        <translation>der Einstellungsspeicher (EEPROM) ist defekt</translation>
+    </message>
+    <message>
         <source>the signal is not a number</source>
         <translation>das Signal ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the simulated rig&apos;s output ended</source>
+        <translation>die Ausgabe des simulierten Prüfstands endete</translation>
     </message>
     <message>
         <source>the speed changes faster than the prediction can follow</source>
         <translation>die Drehzahl ändert sich schneller, als die Vorhersage folgen kann</translation>
     </message>
     <message>
+        <source>the stated error is a bound</source>
+        <translation>der angegebene Fehler ist eine Schranke</translation>
+    </message>
+    <message>
+        <source>the stated error is a bound, as for Archard&apos;s law</source>
+        <translation>der angegebene Fehler ist eine Schranke, wie beim Archardschen Gesetz</translation>
+    </message>
+    <message>
+        <source>the stored data are inconsistent</source>
+        <translation>die gespeicherten Daten widersprechen sich</translation>
+    </message>
+    <message>
+        <source>the target stands before the other probe</source>
+        <translation>das Ziel steht vor dem anderen Wegsensor</translation>
+    </message>
+    <message>
+        <source>the terminal</source>
+        <translation>das Terminal</translation>
+    </message>
+    <message>
+        <source>the test</source>
+        <translation>der Versuch</translation>
+    </message>
+    <message>
+        <source>the test ended by itself</source>
+        <translation>der Versuch endete von selbst</translation>
+    </message>
+    <message>
+        <source>the test file</source>
+        <translation>die Versuchsdatei</translation>
+    </message>
+    <message>
+        <source>the test is over before a bin of revolutions is complete</source>
+        <translation>der Versuch ist vorbei, bevor ein Abschnitt von Umdrehungen vollständig ist</translation>
+    </message>
+    <message>
+        <source>the time of a rig that is not in real time needs the pulse rate</source>
+        <translation>die Zeit eines Prüfstands, der nicht in Echtzeit läuft, braucht die Pulsfrequenz</translation>
+    </message>
+    <message>
+        <source>the transmit buffer overran: measured values were lost</source>
+        <translation>der Sendepuffer lief über: Messwerte gingen verloren</translation>
+    </message>
+    <message>
+        <source>the twin could not keep up</source>
+        <translation>die Vorhersage kam nicht nach</translation>
+    </message>
+    <message>
+        <source>the twin did not ask for it</source>
+        <translation>die Vorhersage fragte nicht danach</translation>
+    </message>
+    <message>
+        <source>the twin died</source>
+        <translation>die Vorhersage ist ausgefallen</translation>
+    </message>
+    <message>
+        <source>the twin had followed no revolution of it when the test ended</source>
+        <translation>die Vorhersage war noch keiner seiner Umdrehungen gefolgt, als der Versuch endete</translation>
+    </message>
+    <message>
+        <source>the two plugs are exchanged</source>
+        <translation>die beiden Stecker sind vertauscht</translation>
+    </message>
+    <message>
+        <source>the two signals are swapped: exchange the two bridges&apos; plugs</source>
+        <translation>die beiden Signale sind vertauscht: die Stecker der beiden Brücken tauschen</translation>
+    </message>
+    <message>
+        <source>the value does not fit the other settings</source>
+        <translation>der Wert passt nicht zu den übrigen Einstellungen</translation>
+    </message>
+    <message>
+        <source>the value is not one of those allowed</source>
+        <translation>der Wert ist keiner der erlaubten</translation>
+    </message>
+    <message>
+        <source>the value is too big</source>
+        <translation>der Wert ist zu groß</translation>
+    </message>
+    <message>
+        <source>the value is too big for the other settings</source>
+        <translation>der Wert ist zu groß für die übrigen Einstellungen</translation>
+    </message>
+    <message>
+        <source>the value is too small</source>
+        <translation>der Wert ist zu klein</translation>
+    </message>
+    <message>
+        <source>the value is too small for the other settings</source>
+        <translation>der Wert ist zu klein für die übrigen Einstellungen</translation>
+    </message>
+    <message>
+        <source>the wear would leave its range</source>
+        <translation>der Verschleiß würde seinen Bereich verlassen</translation>
+    </message>
+    <message>
         <source>the weight hung along one axis only; hang it at angles of both</source>
         <translation>das Gewicht hing nur längs einer Achse; es bei Winkeln beider anhängen</translation>
     </message>
     <message>
+        <source>the weight swings</source>
+        <translation>das Gewicht schwingt</translation>
+    </message>
+    <message>
+        <source>the window is a number of seconds above 0</source>
+        <translation>das Fenster ist eine Anzahl von Sekunden über 0</translation>
+    </message>
+    <message>
         <source>the zero needs samples, and none came; check the device</source>
         <translation>der Nullpunkt braucht Messwerte, und es kamen keine; das Gerät prüfen</translation>
+    </message>
+    <message>
+        <source>the zero of the load cell differs</source>
+        <translation>der Nullpunkt des Kraftsensors weicht ab</translation>
+    </message>
+    <message>
+        <source>there are no data</source>
+        <translation>es gibt keine Daten</translation>
     </message>
     <message>
         <source>there are no readings to take up; begin a calibration</source>
@@ -2312,8 +3780,56 @@
         <translation>es gibt keine Umläufe fortzusetzen; eine Karte beginnen</translation>
     </message>
     <message>
+        <source>there is a header but no reading</source>
+        <translation>es gibt eine Kopfzeile, aber keine Messung</translation>
+    </message>
+    <message>
         <source>there is no daily check to keep</source>
         <translation>es gibt keine tägliche Prüfung aufzubewahren</translation>
+    </message>
+    <message>
+        <source>there is no roll</source>
+        <translation>es gibt keinen Umlauf</translation>
+    </message>
+    <message>
+        <source>there is no such port; check the cable, the power and the port&apos;s name</source>
+        <translation>einen solchen Anschluss gibt es nicht; Kabel, Versorgung und Namen des Anschlusses prüfen</translation>
+    </message>
+    <message>
+        <source>there is no test whose wear coefficient is known</source>
+        <translation>es gibt keinen Versuch, dessen Verschleißkoeffizient bekannt ist</translation>
+    </message>
+    <message>
+        <source>thermocouple K, absolute</source>
+        <translation>Thermoelement K, absolut</translation>
+    </message>
+    <message>
+        <source>thermocouple K, relative</source>
+        <translation>Thermoelement K, relativ</translation>
+    </message>
+    <message>
+        <source>they are not of one load</source>
+        <translation>sie sind nicht von einer Last</translation>
+    </message>
+    <message>
+        <source>they do not wear the contact point</source>
+        <translation>sie verschleißen den Berührpunkt nicht</translation>
+    </message>
+    <message>
+        <source>they wear no depth</source>
+        <translation>sie verschleißen keine Tiefe</translation>
+    </message>
+    <message>
+        <source>this combination of parameters is not allowed</source>
+        <translation>diese Kombination von Parametern ist nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>this device does not have this command</source>
+        <translation>dieses Gerät hat diesen Befehl nicht</translation>
+    </message>
+    <message>
+        <source>this function of the parameter is not available</source>
+        <translation>diese Funktion des Parameters ist nicht verfügbar</translation>
     </message>
     <message>
         <source>this reading is rejected already</source>
@@ -2324,6 +3840,22 @@
         <translation>dieser Schritt kann nicht ausgelassen werden</translation>
     </message>
     <message>
+        <source>this user may not open the port; add the user to the group that owns it (often dialout or uucp) and log in again</source>
+        <translation>dieser Benutzer darf den Anschluss nicht öffnen; den Benutzer in die Gruppe aufnehmen, der er gehört (oft dialout oder uucp), und neu anmelden</translation>
+    </message>
+    <message>
+        <source>this window</source>
+        <translation>dieses Fenster</translation>
+    </message>
+    <message>
+        <source>though the drive accepted no command</source>
+        <translation>obwohl der Antrieb keinen Befehl annahm</translation>
+    </message>
+    <message>
+        <source>time steps</source>
+        <translation>Zeitschritte</translation>
+    </message>
+    <message>
         <source>too few</source>
         <translation>zu wenige</translation>
     </message>
@@ -2332,8 +3864,36 @@
         <translation>zu viel</translation>
     </message>
     <message>
+        <source>too small</source>
+        <translation>zu klein</translation>
+    </message>
+    <message>
+        <source>took command</source>
+        <translation>übernahm das Kommando</translation>
+    </message>
+    <message>
+        <source>transmission (always off, maxima or minima in the frame)</source>
+        <translation>Übertragung (immer aus, Maxima oder Minima im Rahmen)</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>two speeds are the least: the slowest is the zero</source>
+        <translation>zwei Drehzahlen sind das Mindeste: Die langsamste ist der Nullpunkt</translation>
+    </message>
+    <message>
+        <source>two&apos;s complement</source>
+        <translation>Zweierkomplement</translation>
+    </message>
+    <message>
         <source>two-regimes</source>
         <translation>zwei Bereiche</translation>
+    </message>
+    <message>
+        <source>um per 1000 revolutions</source>
+        <translation>um je 1000 Umdrehungen</translation>
     </message>
     <message>
         <source>uncertainty of the reference</source>
@@ -2352,8 +3912,24 @@
         <translation>nicht gefolgte Beschleunigung</translation>
     </message>
     <message>
+        <source>units of 9.80665 m/s^2</source>
+        <translation>Einheiten von 9.80665 m/s^2</translation>
+    </message>
+    <message>
+        <source>unknown state</source>
+        <translation>unbekannter Zustand</translation>
+    </message>
+    <message>
+        <source>url begins with no scheme, as in mailtos:// or json://</source>
+        <translation>url beginnt mit keinem Schema, wie in mailtos:// oder json://</translation>
+    </message>
+    <message>
         <source>usual {:.4g} to {:.4g} {}</source>
         <translation>üblich {:.4g} bis {:.4g} {}</translation>
+    </message>
+    <message>
+        <source>vertical bars</source>
+        <translation>senkrechte Striche</translation>
     </message>
     <message>
         <source>waiting for samples</source>
@@ -2362,6 +3938,42 @@
     <message>
         <source>warn</source>
         <translation>warnen</translation>
+    </message>
+    <message>
+        <source>warning bit 24 (speed)</source>
+        <translation>Warnbit 24 (Drehzahl)</translation>
+    </message>
+    <message>
+        <source>warning bit 25 (position, or speed M2)</source>
+        <translation>Warnbit 25 (Lage, oder Drehzahl M2)</translation>
+    </message>
+    <message>
+        <source>warning bit 26 (position M1)</source>
+        <translation>Warnbit 26 (Lage M1)</translation>
+    </message>
+    <message>
+        <source>warning bit 27 (position M2)</source>
+        <translation>Warnbit 27 (Lage M2)</translation>
+    </message>
+    <message>
+        <source>warning bit 28 (CAN)</source>
+        <translation>Warnbit 28 (CAN)</translation>
+    </message>
+    <message>
+        <source>warning bit 29 (boot)</source>
+        <translation>Warnbit 29 (Boot)</translation>
+    </message>
+    <message>
+        <source>warning bit 30 (over-regeneration M1)</source>
+        <translation>Warnbit 30 (zu viel Rückspeisung M1)</translation>
+    </message>
+    <message>
+        <source>warning bit 31 (over-regeneration M2)</source>
+        <translation>Warnbit 31 (zu viel Rückspeisung M2)</translation>
+    </message>
+    <message>
+        <source>was closed</source>
+        <translation>wurde geschlossen</translation>
     </message>
     <message>
         <source>wear change revolution</source>
@@ -2416,12 +4028,76 @@
         <translation>Gewichte: keine genannt; zum Beispiel 5x8, 2, 2, 1, 0.5 schreiben</translation>
     </message>
     <message>
+        <source>what is applied to the samples was compared, the uncertainty cannot be verified</source>
+        <translation>verglichen wurde, was auf die Messwerte angewandt wird; die Unsicherheit lässt sich nicht nachprüfen</translation>
+    </message>
+    <message>
+        <source>what is found on the ground</source>
+        <translation>was am Erdboden vorkommt</translation>
+    </message>
+    <message>
         <source>what is known of the wear coefficient is drawn here.</source>
         <translation>Hier wird gezeichnet, was vom Verschleißkoeffizienten bekannt ist.</translation>
     </message>
     <message>
+        <source>what was still open could not be closed in time and was left</source>
+        <translation>was noch offen war, ließ sich nicht rechtzeitig schließen und blieb zurück</translation>
+    </message>
+    <message>
+        <source>whatever hangs there: is a cable or the slip ring loose?</source>
+        <translation>was auch immer dort hängt: Ist ein Kabel oder der Schleifring lose?</translation>
+    </message>
+    <message>
+        <source>when (UTC)         sensitivity  cross-talk   largest N  verdict  operator</source>
+        <translation>Zeitpunkt (UTC)  Empfindlichkeit  Übersprechen  größte N  Urteil  Bediener</translation>
+    </message>
+    <message>
+        <source>with the crank at rest the load cell shows a force that differs</source>
+        <translation>bei ruhender Kurbel weicht die Kraft ab, die der Kraftsensor zeigt,</translation>
+    </message>
+    <message>
+        <source>without a force there is no contact to solve</source>
+        <translation>ohne Kraft ist kein Kontakt zu berechnen</translation>
+    </message>
+    <message>
+        <source>without convergence</source>
+        <translation>ohne Konvergenz</translation>
+    </message>
+    <message>
+        <source>without force or slip nothing wears</source>
+        <translation>ohne Kraft oder Gleitweg verschleißt nichts</translation>
+    </message>
+    <message>
+        <source>without power</source>
+        <translation>ohne Leistung</translation>
+    </message>
+    <message>
+        <source>writing is locked in the device; unlock it with the maker&apos;s program</source>
+        <translation>das Schreiben ist im Gerät gesperrt; es mit dem Programm des Herstellers freigeben</translation>
+    </message>
+    <message>
         <source>wrong</source>
         <translation>falsch</translation>
+    </message>
+    <message>
+        <source>wrong CRC</source>
+        <translation>falsche CRC</translation>
+    </message>
+    <message>
+        <source>wrong length of a PDO</source>
+        <translation>falsche Länge eines PDO</translation>
+    </message>
+    <message>
+        <source>wrong parameter</source>
+        <translation>falscher Parameter</translation>
+    </message>
+    <message>
+        <source>zero between series</source>
+        <translation>Nullpunkt zwischen Reihen</translation>
+    </message>
+    <message>
+        <source>zero drift during the calibration</source>
+        <translation>Nullpunktdrift während der Kalibrierung</translation>
     </message>
     <message>
         <source>{:.1f} N at {:.0f}°</source>
@@ -2574,6 +4250,10 @@
     <message>
         <source>{}: no whole cycle is saved yet</source>
         <translation>{}: noch kein ganzer Zyklus gespeichert</translation>
+    </message>
+    <message>
+        <source>| null</source>
+        <translation>| null</translation>
     </message>
     <message>
         <source>|F|, any sample</source>
@@ -2778,8 +4458,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>&amp;Ja, eintragen</translation>
     </message>
     <message>
+        <source>(assumed)</source>
+        <translation>(angenommen)</translation>
+    </message>
+    <message>
         <source>, in step {}</source>
         <translation>, in Schritt {}</translation>
+    </message>
+    <message>
+        <source>- at `$</source>
+        <translation>- at `$</translation>
+    </message>
+    <message>
+        <source>1 draft</source>
+        <translation>1 Entwurf</translation>
+    </message>
+    <message>
+        <source>1.2 near the sea, 0.7 at 5000 m</source>
+        <translation>1.2 nahe dem Meer, 0.7 in 5000 m</translation>
+    </message>
+    <message>
+        <source>16 bit, pulses of one input edge</source>
+        <translation>16 bit, Pulse an einer Flanke des Eingangs</translation>
     </message>
     <message>
         <source>1: the error is within the tolerance</source>
@@ -2788,6 +4488,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>1: the true coefficient lies within its limits</source>
         <translation>1: der wahre Koeffizient liegt in seinen Grenzen</translation>
+    </message>
+    <message>
+        <source>5 V supply low</source>
+        <translation>5-V-Versorgung zu niedrig</translation>
     </message>
     <message>
         <source>; and {} more</source>
@@ -2800,6 +4504,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>A complete test is over; prepare another one with New specimen</source>
         <translation>Ein vollständiger Versuch ist zu Ende; mit Neue Probe wird der nächste vorbereitet</translation>
+    </message>
+    <message>
+        <source>A mass is negative; masses are written in kg, from 0 up</source>
+        <translation>Eine Masse ist negativ; Massen werden in kg geschrieben, von 0 aufwärts</translation>
     </message>
     <message>
         <source>A micrometer moves the target in equal steps, up and down; the voltage is read at each step. Every reading is saved at once: close at any time and take it up again.</source>
@@ -2816,6 +4524,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>A short test on a rig of software.</source>
         <translation>Ein kurzer Versuch, alles nur simuliert.</translation>
+    </message>
+    <message>
+        <source>A study</source>
+        <translation>Eine Studie</translation>
     </message>
     <message>
         <source>A test was cut off</source>
@@ -2838,6 +4550,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Angenommen</translation>
     </message>
     <message>
+        <source>Access failed due to a hardware error</source>
+        <translation>Zugriff wegen eines Hardwarefehlers fehlgeschlagen</translation>
+    </message>
+    <message>
         <source>Acknowledge the alarm that is told in full</source>
         <translation>Den Alarm quittieren, der ganz zu lesen ist</translation>
     </message>
@@ -2854,12 +4570,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Schritt hinzufügen</translation>
     </message>
     <message>
+        <source>Address already in use</source>
+        <translation>Adresse schon in Gebrauch</translation>
+    </message>
+    <message>
         <source>After how many revolutions it is seen</source>
         <translation>Nach wie vielen Umdrehungen man es sieht</translation>
     </message>
     <message>
         <source>All</source>
         <translation>Alle</translation>
+    </message>
+    <message>
+        <source>All pin angles lie between 0 and 6.3; they look like radians, write degrees</source>
+        <translation>Alle Bolzenwinkel liegen zwischen 0 und 6.3; sie sehen nach Radiant aus, Grad schreiben</translation>
     </message>
     <message>
         <source>All results</source>
@@ -2876,6 +4600,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>All {} results</source>
         <translation>Alle {} Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Allow several samples in one frame from 12000 /s on (USB, firmware 1.54)</source>
+        <translation>Ab 12000 /s mehrere Messwerte in einem Rahmen erlauben (USB, Firmware 1.54)</translation>
     </message>
     <message>
         <source>Alone</source>
@@ -2902,12 +4630,32 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Winkel, den der Drehgeber zeigt</translation>
     </message>
     <message>
+        <source>As in the file</source>
+        <translation>Wie in der Datei</translation>
+    </message>
+    <message>
         <source>As in the file.</source>
         <translation>Wie in der Datei.</translation>
     </message>
     <message>
+        <source>Attempt to read a write only object</source>
+        <translation>Lesen eines nur schreibbaren Objekts</translation>
+    </message>
+    <message>
+        <source>Attempt to write a read only object</source>
+        <translation>Schreiben eines nur lesbaren Objekts</translation>
+    </message>
+    <message>
         <source>Back</source>
         <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Basicmicro RoboClaw</source>
+        <translation>Basicmicro RoboClaw</translation>
+    </message>
+    <message>
+        <source>Baud rate of the drive&apos;s UART; USB ignores it</source>
+        <translation>Baudrate des UART des Antriebs; an USB ohne Bedeutung</translation>
     </message>
     <message>
         <source>Began</source>
@@ -2930,12 +4678,60 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Den nächsten Versuch beginnen oder den stehen gebliebenen fortsetzen</translation>
     </message>
     <message>
+        <source>Bit rate of the CAN bus</source>
+        <translation>Bitrate des CAN-Busses</translation>
+    </message>
+    <message>
+        <source>Bits of object 3202:1 that are set while safe torque off is not active (assumed); 0 does not look</source>
+        <translation>Bits von Objekt 3202:1, die gesetzt sind, solange sicher abgeschaltetes Moment nicht aktiv ist (angenommen); bei 0 wird nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Bits of the status word; &quot;auto&quot; decides by the firmware and checks it</source>
+        <translation>Bits des Statusworts; &quot;auto&quot; entscheidet nach der Firmware und prüft es</translation>
+    </message>
+    <message>
         <source>Both probes, and how they stand to each other</source>
         <translation>Beide Wegsensoren, und wie sie zueinander stehen</translation>
     </message>
     <message>
+        <source>Both signals have the wrong sign: the pin stands half a turn off, or both bridges are reversed; check the angle reference</source>
+        <translation>Beide Signale haben das falsche Vorzeichen: Der Bolzen steht um eine halbe Umdrehung falsch, oder beide Brücken sind verpolt; den Winkelbezug prüfen</translation>
+    </message>
+    <message>
+        <source>Broken pipe</source>
+        <translation>Verbindung von der Gegenseite geschlossen</translation>
+    </message>
+    <message>
         <source>Bushing</source>
         <translation>Buchse</translation>
+    </message>
+    <message>
+        <source>CAN adapter; the port is its channel</source>
+        <translation>CAN-Adapter; der Anschluss ist sein Kanal</translation>
+    </message>
+    <message>
+        <source>CAN bus off</source>
+        <translation>CAN im Zustand „bus off“</translation>
+    </message>
+    <message>
+        <source>CAN error passive</source>
+        <translation>CAN im Zustand „error passive“</translation>
+    </message>
+    <message>
+        <source>CAN overrun</source>
+        <translation>CAN-Überlauf</translation>
+    </message>
+    <message>
+        <source>CAN receive queue overrun</source>
+        <translation>Überlauf der CAN-Empfangswarteschlange</translation>
+    </message>
+    <message>
+        <source>CAN transmit queue overrun</source>
+        <translation>Überlauf der CAN-Sendewarteschlange</translation>
+    </message>
+    <message>
+        <source>CRC error</source>
+        <translation>CRC-Fehler</translation>
     </message>
     <message>
         <source>Calculating …</source>
@@ -2954,12 +4750,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kalibrierung</translation>
     </message>
     <message>
+        <source>Calibration of the load cell</source>
+        <translation>Kalibrierung des Kraftsensors</translation>
+    </message>
+    <message>
+        <source>Calibration of the probes</source>
+        <translation>Kalibrierung der Wegsensoren</translation>
+    </message>
+    <message>
         <source>Calibration of {}</source>
         <translation>Kalibrierung: {}</translation>
     </message>
     <message>
+        <source>Cannot assign requested address</source>
+        <translation>Adresse nicht zuteilbar</translation>
+    </message>
+    <message>
         <source>Cannot be read</source>
         <translation>Nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Cannot overwrite a value</source>
+        <translation>ein Wert lässt sich nicht überschreiben</translation>
     </message>
     <message>
         <source>Certificate</source>
@@ -3046,6 +4858,30 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Verbindung des Prüfstands</translation>
     </message>
     <message>
+        <source>Connection refused</source>
+        <translation>Verbindung abgelehnt</translation>
+    </message>
+    <message>
+        <source>Connection reset by peer</source>
+        <translation>Verbindung von der Gegenseite abgebrochen</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>Zeitüberschreitung der Verbindung</translation>
+    </message>
+    <message>
+        <source>Could not write to serial device</source>
+        <translation>Schreiben auf den seriellen Anschluss nicht möglich</translation>
+    </message>
+    <message>
+        <source>Count that the index sets</source>
+        <translation>Zählerstand, den der Index setzt</translation>
+    </message>
+    <message>
+        <source>Counts of the encoder for one unit of the counter&apos;s value; 1 is assumed until one turn by hand has confirmed it</source>
+        <translation>Schritte des Drehgebers für eine Einheit des Zählerwerts; 1 ist angenommen, bis eine Umdrehung von Hand es bestätigt hat</translation>
+    </message>
+    <message>
         <source>Crank angle (degrees)</source>
         <translation>Kurbelwinkel (Grad)</translation>
     </message>
@@ -3058,16 +4894,60 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kritisch unter</translation>
     </message>
     <message>
+        <source>Cross-talk of axis 1 by a force along 2</source>
+        <translation>Übersprechen auf Achse 1 durch eine Kraft längs 2</translation>
+    </message>
+    <message>
+        <source>Cross-talk of axis 2 by a force along 1</source>
+        <translation>Übersprechen auf Achse 2 durch eine Kraft längs 1</translation>
+    </message>
+    <message>
         <source>Cycles</source>
         <translation>Zyklen</translation>
+    </message>
+    <message>
+        <source>DATAQ DI-2108 or DI-4108 data acquisition</source>
+        <translation>DATAQ DI-2108 oder DI-4108 Messwerterfassung</translation>
+    </message>
+    <message>
+        <source>DATAQ Instruments</source>
+        <translation>DATAQ Instruments</translation>
     </message>
     <message>
         <source>Daily check: one weight at 4 pin angles</source>
         <translation>Tägliche Prüfung: ein Gewicht bei 4 Bolzenwinkeln</translation>
     </message>
     <message>
+        <source>Data acquisition</source>
+        <translation>Messwerterfassung</translation>
+    </message>
+    <message>
         <source>Data are missing or doubtful</source>
         <translation>Daten fehlen oder sind zweifelhaft</translation>
+    </message>
+    <message>
+        <source>Data can not be transferred or stored to the application because of local control</source>
+        <translation>die Daten lassen sich wegen örtlicher Steuerung nicht übertragen oder speichern</translation>
+    </message>
+    <message>
+        <source>Data can not be transferred or stored to the application because of the present device state</source>
+        <translation>die Daten lassen sich im gegenwärtigen Zustand des Geräts nicht übertragen oder speichern</translation>
+    </message>
+    <message>
+        <source>Data cannot be transferred or stored to the application</source>
+        <translation>die Daten lassen sich nicht übertragen oder speichern</translation>
+    </message>
+    <message>
+        <source>Data type and length code do not match</source>
+        <translation>Datentyp und Länge passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>Data type does not match, length of service parameter too high</source>
+        <translation>der Datentyp passt nicht, der Parameter ist zu lang</translation>
+    </message>
+    <message>
+        <source>Data type does not match, length of service parameter too low</source>
+        <translation>der Datentyp passt nicht, der Parameter ist zu kurz</translation>
     </message>
     <message>
         <source>Delay</source>
@@ -3090,12 +4970,32 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Gerät</translation>
     </message>
     <message>
+        <source>Device or resource busy</source>
+        <translation>Gerät oder Mittel belegt</translation>
+    </message>
+    <message>
+        <source>Digital line with line B of the encoder, for the direction; with the encoder clock</source>
+        <translation>Digitalleitung mit Spur B des Drehgebers, für die Drehrichtung; mit dem Takt des Drehgebers</translation>
+    </message>
+    <message>
+        <source>Digital line with the index Z of the encoder, for the angle; with the encoder clock</source>
+        <translation>Digitalleitung mit dem Index Z des Drehgebers, für den Winkel; mit dem Takt des Drehgebers</translation>
+    </message>
+    <message>
+        <source>Directory not empty</source>
+        <translation>Ordner nicht leer</translation>
+    </message>
+    <message>
         <source>Discard 1 change</source>
         <translation>1 Änderung verwerfen</translation>
     </message>
     <message>
         <source>Discard {} changes</source>
         <translation>{} Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Plattenkontingent überschritten</translation>
     </message>
     <message>
         <source>Do and record all further steps</source>
@@ -3134,12 +5034,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Dauer, leer: bis zum Beenden</translation>
     </message>
     <message>
+        <source>Each reference was read once, which does not tell how well a reading repeats; take a second series</source>
+        <translation>Jeder Referenzwert wurde einmal gelesen, was nicht zeigt, wie gut sich eine Messung wiederholt; eine zweite Reihe aufnehmen</translation>
+    </message>
+    <message>
         <source>Each roll is a test with all guards, and a file of its own. You can close the wizard: the roll under way goes on to its end, and the map can be taken up again.</source>
         <translation>Jeder Umlauf ist ein Versuch mit allen Wächtern und einer eigenen Datei. Der Assistent kann geschlossen werden: Der laufende Umlauf geht zu Ende, und die Karte kann später fortgesetzt werden.</translation>
     </message>
     <message>
         <source>Earlier</source>
         <translation>Früher</translation>
+    </message>
+    <message>
+        <source>Edges of A and B that count for each encoder line</source>
+        <translation>Flanken von A und B, die je Strich des Drehgebers zählen</translation>
+    </message>
+    <message>
+        <source>Encoder and drive show the crank turning backwards, though forwards was commanded: check the motor&apos;s leads, and A and B of the drive&apos;s encoder</source>
+        <translation>Drehgeber und Antrieb zeigen, dass die Kurbel rückwärts dreht, obwohl vorwärts befohlen war: die Motorleitungen prüfen, und A und B des Drehgebers am Antrieb</translation>
+    </message>
+    <message>
+        <source>End the scan list by slist n 65535, in case a longer one is in the device</source>
+        <translation>Die Abtastliste mit slist n 65535 beenden, falls eine längere im Gerät ist</translation>
     </message>
     <message>
         <source>Ended</source>
@@ -3154,6 +5070,26 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Jede Messung ist sofort gespeichert. Der Assistent kann jederzeit geschlossen und die Kalibrierung später fortgesetzt werden.</translation>
     </message>
     <message>
+        <source>Expected &apos;=&apos; after a key in a key/value pair</source>
+        <translation>nach einem Schlüssel wird &apos;=&apos; erwartet</translation>
+    </message>
+    <message>
+        <source>Expected &apos;]&apos; at the end of a table declaration</source>
+        <translation>am Ende eines Tabellenkopfs wird &apos;]&apos; erwartet</translation>
+    </message>
+    <message>
+        <source>Expected &apos;]]&apos; at the end of an array declaration</source>
+        <translation>am Ende eines Listenkopfs wird &apos;]]&apos; erwartet</translation>
+    </message>
+    <message>
+        <source>Expected newline or end of document after a statement</source>
+        <translation>nach einer Anweisung wird eine neue Zeile oder das Ende erwartet</translation>
+    </message>
+    <message>
+        <source>External bridge amplifiers: their output in V for 1 mV/V of the bridge, by input, for example analog_1 = 2.5</source>
+        <translation>Externe Brückenverstärker: ihr Ausgang in V je 1 mV/V der Brücke, nach Eingang, zum Beispiel analog_1 = 2.5</translation>
+    </message>
+    <message>
         <source>F on the follower, across the crank, counter-clockwise (the cell: the opposite)</source>
         <translation>F auf die Koppel, quer zur Kurbel, gegen den Uhrzeigersinn (Kraftsensor: umgekehrt)</translation>
     </message>
@@ -3166,6 +5102,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Faktor</translation>
     </message>
     <message>
+        <source>Faster than this the shaft never changes speed; a larger change is taken as lost bytes</source>
+        <translation>Schneller ändert die Welle ihre Drehzahl nie; eine größere Änderung gilt als verlorene Bytes</translation>
+    </message>
+    <message>
+        <source>Faster than this the shaft never turns; a larger counter step is taken as lost bytes</source>
+        <translation>Schneller dreht die Welle nie; ein größerer Schritt des Zählers gilt als verlorene Bytes</translation>
+    </message>
+    <message>
         <source>Faults</source>
         <translation>Fehler</translation>
     </message>
@@ -3174,8 +5118,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Gefühlte / aufgebrachte Kraft</translation>
     </message>
     <message>
+        <source>File exists</source>
+        <translation>Datei existiert</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname zu lang</translation>
+    </message>
+    <message>
         <source>File of the test</source>
         <translation>Datei des Versuchs</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
+    </message>
+    <message>
+        <source>Filter noise on the encoder inputs</source>
+        <translation>Störungen an den Eingängen des Drehgebers filtern</translation>
     </message>
     <message>
         <source>Find</source>
@@ -3214,6 +5174,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Fr</translation>
     </message>
     <message>
+        <source>From the eighth check on the history has limits of its own</source>
+        <translation>Ab der achten Prüfung hat der Verlauf eigene Grenzen</translation>
+    </message>
+    <message>
         <source>From the start</source>
         <translation>Von Anfang an</translation>
     </message>
@@ -3232,6 +5196,26 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Full: three times up and down</source>
         <translation>Voll: dreimal auf und ab</translation>
+    </message>
+    <message>
+        <source>Gain of axis 1</source>
+        <translation>Empfindlichkeit von Achse 1</translation>
+    </message>
+    <message>
+        <source>Gain of axis 2</source>
+        <translation>Empfindlichkeit von Achse 2</translation>
+    </message>
+    <message>
+        <source>General error</source>
+        <translation>allgemeiner Fehler</translation>
+    </message>
+    <message>
+        <source>General internal incompatibility in the device</source>
+        <translation>allgemeine interne Unverträglichkeit im Gerät</translation>
+    </message>
+    <message>
+        <source>General parameter incompatibility reason</source>
+        <translation>allgemeine Unverträglichkeit der Parameter</translation>
     </message>
     <message>
         <source>Go a&amp;head</source>
@@ -3286,8 +5270,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Hilfe F1</translation>
     </message>
     <message>
+        <source>Hold the count at the end of its range instead of wrapping</source>
+        <translation>Den Zähler am Ende seines Bereichs anhalten, statt ihn überlaufen zu lassen</translation>
+    </message>
+    <message>
         <source>Hold the picture</source>
         <translation>Das Bild festhalten</translation>
+    </message>
+    <message>
+        <source>Host is down</source>
+        <translation>Rechner außer Betrieb</translation>
     </message>
     <message>
         <source>How far it is</source>
@@ -3306,8 +5298,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wie lang Schritt {} ist</translation>
     </message>
     <message>
+        <source>How long to wait for the answer to a command</source>
+        <translation>Wie lange auf die Antwort zu einem Befehl gewartet wird</translation>
+    </message>
+    <message>
+        <source>How long to wait for the answer to a request</source>
+        <translation>Wie lange auf die Antwort zu einer Anfrage gewartet wird</translation>
+    </message>
+    <message>
         <source>How many checks are good</source>
         <translation>Wie viele Prüfungen gut sind</translation>
+    </message>
+    <message>
+        <source>How often the device is asked for lost data while it streams</source>
+        <translation>Wie oft das Gerät während der Messung nach verlorenen Daten gefragt wird</translation>
     </message>
     <message>
         <source>How the test ended</source>
@@ -3330,12 +5334,56 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Eingang übersteuert</translation>
     </message>
     <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>Inputs in the order of the frame&apos;s objects, for example [&quot;analog_1&quot;, &quot;analog_2&quot;, &quot;counter_1&quot;]; empty: analog inputs first, counters last</source>
+        <translation>Eingänge in der Reihenfolge der Objekte des Rahmens, zum Beispiel [&quot;analog_1&quot;, &quot;analog_2&quot;, &quot;counter_1&quot;]; leer: erst analoge Eingänge, zuletzt Zähler</translation>
+    </message>
+    <message>
         <source>Internal failure</source>
         <translation>Interner Fehler</translation>
     </message>
     <message>
         <source>Interrupted</source>
         <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>Invalid argument</source>
+        <translation>ungültiges Argument</translation>
+    </message>
+    <message>
+        <source>Invalid block size</source>
+        <translation>ungültige Blockgröße</translation>
+    </message>
+    <message>
+        <source>Invalid date or datetime</source>
+        <translation>ungültiges Datum</translation>
+    </message>
+    <message>
+        <source>Invalid hex value</source>
+        <translation>ungültiger Hexadezimalwert</translation>
+    </message>
+    <message>
+        <source>Invalid initial character for a key part</source>
+        <translation>ungültiges erstes Zeichen eines Schlüssels</translation>
+    </message>
+    <message>
+        <source>Invalid sequence number</source>
+        <translation>ungültige Folgenummer</translation>
+    </message>
+    <message>
+        <source>Invalid statement</source>
+        <translation>ungültige Anweisung</translation>
+    </message>
+    <message>
+        <source>Invalid value</source>
+        <translation>ungültiger Wert</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Ordner</translation>
     </message>
     <message>
         <source>Is the follower on the pin, the bushing unworn, every hand away? Then begin.</source>
@@ -3348,6 +5396,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Its own watchdog stops the motor.</source>
         <translation>Sein eigener Wächter hält den Motor an.</translation>
+    </message>
+    <message>
+        <source>Its signature does not hold: it was not made by the key that it names</source>
+        <translation>Seine Signatur gilt nicht: Sie wurde nicht mit dem Schlüssel gemacht, den sie nennt</translation>
     </message>
     <message>
         <source>Jan</source>
@@ -3370,6 +5422,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Jun</translation>
     </message>
     <message>
+        <source>K falls from its first to its steady value as exp(-revolutions / running-in)</source>
+        <translation>K fällt vom ersten auf den stationären Wert wie exp(-Umdrehungen / Einlauf)</translation>
+    </message>
+    <message>
+        <source>K is another one where nominal pressure times sliding speed is above the transition</source>
+        <translation>K ist ein anderes, wo nominelle Pressung mal Gleitgeschwindigkeit über dem Übergang liegt</translation>
+    </message>
+    <message>
         <source>Keep clear of the crank; check the drive&apos;s holding torque and the spring.</source>
         <translation>Abstand zur Kurbel halten; Haltemoment des Antriebs und Feder prüfen.</translation>
     </message>
@@ -3380,6 +5440,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Keys</source>
         <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Kind of rig</source>
+        <translation>Art des Prüfstands</translation>
     </message>
     <message>
         <source>Largest force</source>
@@ -3410,6 +5474,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wieder jedes Fenster den Prüfstand bedienen lassen</translation>
     </message>
     <message>
+        <source>Let the encoder&apos;s index set the counter</source>
+        <translation>Der Index des Drehgebers setzt den Zähler</translation>
+    </message>
+    <message>
         <source>Let the simulated hands do this step</source>
         <translation>Die simulierten Hände diesen Schritt tun lassen</translation>
     </message>
@@ -3424,6 +5492,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Limit</source>
         <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Limit of the analog filter; automatic follows the rate</source>
+        <translation>Grenze des Analogfilters; automatic folgt der Rate</translation>
     </message>
     <message>
         <source>Limited quantity</source>
@@ -3466,6 +5538,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Liste der Studien</translation>
     </message>
     <message>
+        <source>Load cell at rest</source>
+        <translation>Kraftsensor in Ruhe</translation>
+    </message>
+    <message>
         <source>Load cell broken</source>
         <translation>Kraftsensor defekt</translation>
     </message>
@@ -3492,6 +5568,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Log of the test, newest first</source>
         <translation>Protokoll des Versuchs, Neuestes zuerst</translation>
+    </message>
+    <message>
+        <source>Longest wait for a reply, besides its time on the wire</source>
+        <translation>Längste Wartezeit auf eine Antwort, neben ihrer Zeit auf der Leitung</translation>
+    </message>
+    <message>
+        <source>Longest wait for speed and position after a SYNC</source>
+        <translation>Längste Wartezeit auf Drehzahl und Lage nach einem SYNC</translation>
+    </message>
+    <message>
+        <source>Longest wait for the answer to one request</source>
+        <translation>Längste Wartezeit auf die Antwort zu einer Anfrage</translation>
     </message>
     <message>
         <source>Look at force, temperature and speed about that revolution, at lubrication and debris; note what was done.</source>
@@ -3522,6 +5610,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Verlauf und Gelenk ansehen; den Versuch in seiner Datei fortsetzen oder hier beenden.</translation>
     </message>
     <message>
+        <source>Look at the trend of this quantity; acknowledge, or change the limit with reason</source>
+        <translation>Den Verlauf dieser Größe ansehen; quittieren oder die Grenze mit Grund ändern</translation>
+    </message>
+    <message>
         <source>Look at the trend of this quantity; acknowledge, or change the limit with reason.</source>
         <translation>Den Verlauf dieser Größe ansehen; quittieren oder die Grenze mit Begründung ändern.</translation>
     </message>
@@ -3536,6 +5628,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Lower speed or load, or note that this test ran beyond the range of its materials.</source>
         <translation>Drehzahl oder Last senken, oder notieren, dass dieser Versuch außerhalb des Bereichs seiner Werkstoffe lief.</translation>
+    </message>
+    <message>
+        <source>ME-Systeme GSV-8 measuring amplifier</source>
+        <translation>ME-Systeme GSV-8 Messverstärker</translation>
+    </message>
+    <message>
+        <source>MPa m/s</source>
+        <translation>MPa m/s</translation>
     </message>
     <message>
         <source>Make room, or bring the folder back. Do not end the program before.</source>
@@ -3564,6 +5664,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Matrix and zero</source>
         <translation>Matrix und Nullpunkt</translation>
+    </message>
+    <message>
+        <source>Maximum value is less than minimum value</source>
+        <translation>Höchstwert kleiner als Mindestwert</translation>
     </message>
     <message>
         <source>May</source>
@@ -3606,6 +5710,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Fehler zum Üben</translation>
     </message>
     <message>
+        <source>Modbus RTU device</source>
+        <translation>Modbus-RTU-Gerät</translation>
+    </message>
+    <message>
+        <source>Modbus RTU transmitter</source>
+        <translation>Modbus-RTU-Messumformer</translation>
+    </message>
+    <message>
+        <source>Modbus address of the device</source>
+        <translation>Modbus-Adresse des Geräts</translation>
+    </message>
+    <message>
         <source>Model</source>
         <translation>Modell</translation>
     </message>
@@ -3614,8 +5730,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Modell neben den Daten</translation>
     </message>
     <message>
+        <source>Model number of the instrument</source>
+        <translation>Modellnummer des Geräts</translation>
+    </message>
+    <message>
         <source>Mon</source>
         <translation>Mo</translation>
+    </message>
+    <message>
+        <source>Motor output that drives the spindle</source>
+        <translation>Motorausgang, der die Spindel antreibt</translation>
+    </message>
+    <message>
+        <source>N per mV/V</source>
+        <translation>N je mV/V</translation>
+    </message>
+    <message>
+        <source>N per metre of width</source>
+        <translation>N je Meter Breite</translation>
     </message>
     <message>
         <source>N&amp;ame</source>
@@ -3648,6 +5780,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Name of the probe</source>
         <translation>Name des Wegsensors</translation>
+    </message>
+    <message>
+        <source>Name or service not known</source>
+        <translation>Name oder Dienst nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Network is unreachable</source>
+        <translation>Netz nicht erreichbar</translation>
     </message>
     <message>
         <source>New</source>
@@ -3698,6 +5838,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Keine Daten</translation>
     </message>
     <message>
+        <source>No data available</source>
+        <translation>keine Daten verfügbar</translation>
+    </message>
+    <message>
         <source>No engine</source>
         <translation>Getrennt</translation>
     </message>
@@ -3710,6 +5854,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Keine Grenzen</translation>
     </message>
     <message>
+        <source>No load was read both going up and going down, so hysteresis is unknown; add a descending series</source>
+        <translation>Keine Last wurde sowohl aufwärts als auch abwärts gelesen, sodass die Hysterese unbekannt ist; eine fallende Reihe hinzufügen</translation>
+    </message>
+    <message>
         <source>No other test of the queue begins.</source>
         <translation>Kein weiterer Versuch der Warteschlange beginnt.</translation>
     </message>
@@ -3718,8 +5866,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kein Punkt hat dieses Ergebnis.</translation>
     </message>
     <message>
+        <source>No position was read both going out and coming back; backlash is unknown</source>
+        <translation>Keine Position wurde sowohl auf dem Hinweg als auch auf dem Rückweg gelesen; das Umkehrspiel ist unbekannt</translation>
+    </message>
+    <message>
         <source>No results yet</source>
         <translation>Noch keine Ergebnisse</translation>
+    </message>
+    <message>
+        <source>No revolution was made, so no file is left</source>
+        <translation>Es wurde keine Umdrehung gemacht, daher bleibt keine Datei</translation>
+    </message>
+    <message>
+        <source>No route to host</source>
+        <translation>kein Weg zum Rechner</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf dem Datenträger</translation>
     </message>
     <message>
         <source>No steps</source>
@@ -3728,6 +5892,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>No study is in {}. `rigapp study STUDY.toml --to FOLDER` computes one; open its folder here.</source>
         <translation>In {} ist keine Studie. `rigapp study STUDIE.toml --to ORDNER` berechnet eine; hier ihren Ordner öffnen.</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>kein solches Gerät</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>kein solches Gerät und keine solche Adresse</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
     </message>
     <message>
         <source>No test is armed. Choose a test file, or save the new one in Prepare.</source>
@@ -3746,16 +5922,36 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Niemand hat das Kommando</translation>
     </message>
     <message>
+        <source>Node id of the drive</source>
+        <translation>Knotennummer des Antriebs</translation>
+    </message>
+    <message>
+        <source>Node id under which this computer sends its heartbeat</source>
+        <translation>Knotennummer, unter der dieser Rechner seinen Heartbeat sendet</translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>Keine</translation>
+    </message>
+    <message>
+        <source>None yet: a limit tells when the joint changes</source>
+        <translation>Noch keine: Eine Grenze meldet, wenn sich das Gelenk ändert</translation>
     </message>
     <message>
         <source>None yet: a limit tells when the joint changes.</source>
         <translation>Noch keine: Eine Grenze sagt, wann sich das Gelenk ändert.</translation>
     </message>
     <message>
+        <source>None: the test runs at one speed from its first revolution to its last</source>
+        <translation>Keine: Der Versuch läuft von der ersten bis zur letzten Umdrehung mit einer Drehzahl</translation>
+    </message>
+    <message>
         <source>None: the test runs at one speed from its first revolution to its last.</source>
         <translation>Keine: der Versuch läuft von der ersten bis zur letzten Umdrehung mit einer Drehzahl.</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>kein Ordner</translation>
     </message>
     <message>
         <source>Not closed</source>
@@ -3798,6 +5994,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Nichts dreht sich von selbst; was in der Datei steht, ist sicher.</translation>
     </message>
     <message>
+        <source>Nothing was done</source>
+        <translation>Nichts wurde unternommen</translation>
+    </message>
+    <message>
         <source>Nothing was done.</source>
         <translation>Es wurde nichts getan.</translation>
     </message>
@@ -3814,6 +6014,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Nummer</translation>
     </message>
     <message>
+        <source>Number format on the wire: float32 to 12000 /s, int24 to 24000 /s, int16 to 48000 /s; with a counter to 16000 /s</source>
+        <translation>Zahlenformat auf der Leitung: float32 bis 12000 /s, int24 bis 24000 /s, int16 bis 48000 /s; mit einem Zähler bis 16000 /s</translation>
+    </message>
+    <message>
         <source>Number of the reading</source>
         <translation>Nummer der Messung</translation>
     </message>
@@ -3826,6 +6030,22 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zahlen und Unsicherheit</translation>
     </message>
     <message>
+        <source>Object cannot be mapped to the PDO</source>
+        <translation>das Objekt lässt sich nicht auf das PDO abbilden</translation>
+    </message>
+    <message>
+        <source>Object dictionary dynamic generation fails or no object dictionary is present</source>
+        <translation>das Objektverzeichnis lässt sich nicht erzeugen oder fehlt</translation>
+    </message>
+    <message>
+        <source>Object does not exist</source>
+        <translation>das Objekt gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Objects to use: &quot;auto&quot; takes the EPOS4&apos;s own when the maker is maxon</source>
+        <translation>Zu verwendende Objekte: &quot;auto&quot; nimmt die des EPOS4, wenn der Hersteller maxon ist</translation>
+    </message>
+    <message>
         <source>Oct</source>
         <translation>Okt</translation>
     </message>
@@ -3834,8 +6054,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Von</translation>
     </message>
     <message>
+        <source>One draft limit is not part of it</source>
+        <translation>Ein Entwurf einer Grenze gehört nicht dazu</translation>
+    </message>
+    <message>
         <source>One revolution</source>
         <translation>Eine Umdrehung</translation>
+    </message>
+    <message>
+        <source>One table a quantity: quantity (its name with the unit at the end), function (3 or 4), address, type (i16, u16, i32, f32), scale, offset, words, invalid</source>
+        <translation>Je Größe eine Tabelle: quantity (ihr Name mit der Einheit am Ende), function (3 oder 4), address, type (i16, u16, i32, f32), scale, offset, words, invalid</translation>
     </message>
     <message>
         <source>Op&amp;en…</source>
@@ -3870,8 +6098,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} öffnen</translation>
     </message>
     <message>
+        <source>Operation not permitted</source>
+        <translation>Vorgang nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>Or the pin angle counts the wrong way</source>
+        <translation>Oder der Bolzenwinkel zählt falsch herum</translation>
+    </message>
+    <message>
         <source>Or&amp;ders of the map</source>
         <translation>&amp;Ordnungen der Karte</translation>
+    </message>
+    <message>
+        <source>Out of memory</source>
+        <translation>kein Speicher mehr</translation>
     </message>
     <message>
         <source>Overload</source>
@@ -3888,6 +6128,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>P&amp;lan</source>
         <translation>P&amp;lan</translation>
+    </message>
+    <message>
+        <source>PDO length exceeded</source>
+        <translation>Länge des PDO überschritten</translation>
+    </message>
+    <message>
+        <source>Pa m/s</source>
+        <translation>Pa m/s</translation>
+    </message>
+    <message>
+        <source>Packet serial address of the drive</source>
+        <translation>Adresse des Antriebs (Packet Serial)</translation>
     </message>
     <message>
         <source>Pages</source>
@@ -3910,8 +6162,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Parameter, gegen den gezeichnet wird</translation>
     </message>
     <message>
+        <source>Parity of the line</source>
+        <translation>Parität der Leitung</translation>
+    </message>
+    <message>
         <source>Pause  F6</source>
         <translation>Pause  F6</translation>
+    </message>
+    <message>
+        <source>Pause after each command of the set-up</source>
+        <translation>Pause nach jedem Befehl der Einrichtung</translation>
     </message>
     <message>
         <source>Pause not reached</source>
@@ -3924,6 +6184,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Pausing</source>
         <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Period of the drive&apos;s heartbeat, which is supervised</source>
+        <translation>Periode des Heartbeats des Antriebs, der überwacht wird</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
     </message>
     <message>
         <source>Pin</source>
@@ -4042,6 +6310,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Fortschritt des Versuchs</translation>
     </message>
     <message>
+        <source>Protect commands and answers by a CRC-8 (firmware 1.56 or newer)</source>
+        <translation>Befehle und Antworten mit einer CRC-8 schützen (Firmware 1.56 oder neuer)</translation>
+    </message>
+    <message>
+        <source>Protect measured values by a CRC-16 (firmware 1.56 or newer); auto does it where firmware and line can. Without it a sample waits for the next one</source>
+        <translation>Messwerte mit einer CRC-16 schützen (Firmware 1.56 oder neuer); auto tut es, wo Firmware und Leitung es können. Ohne sie wartet ein Messwert auf den nächsten</translation>
+    </message>
+    <message>
         <source>Put it right; rigapp queue start goes on with this test, rigapp queue remove leaves it out.</source>
         <translation>In Ordnung bringen; rigapp queue start setzt diesen Versuch fort, rigapp queue remove lässt ihn aus.</translation>
     </message>
@@ -4130,6 +6406,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>&amp;Grund</translation>
     </message>
     <message>
+        <source>Read everything in one packet (command 73); &quot;auto&quot; asks the drive once whether it can</source>
+        <translation>Alles in einem Paket lesen (Befehl 73); &quot;auto&quot; fragt den Antrieb einmal, ob er es kann</translation>
+    </message>
+    <message>
         <source>Read it again</source>
         <translation>Neu lesen</translation>
     </message>
@@ -4140,6 +6420,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Read the folders again</source>
         <translation>Die Ordner noch einmal lesen</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Dateisystem nur lesbar</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -4194,6 +6478,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Aufzeichnung</translation>
     </message>
     <message>
+        <source>Record the digital lines D0 to D6 as another row (an encoder index, say)</source>
+        <translation>Die Digitalleitungen D0 bis D6 als weitere Reihe aufzeichnen (zum Beispiel den Index eines Drehgebers)</translation>
+    </message>
+    <message>
+        <source>Record the rate input with this range as another row; 0 does not</source>
+        <translation>Den Frequenzeingang mit diesem Bereich als weitere Reihe aufzeichnen; bei 0 nicht</translation>
+    </message>
+    <message>
         <source>Record to make</source>
         <translation>Anzulegender Kalibrierdatensatz</translation>
     </message>
@@ -4212,6 +6504,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Refused</source>
         <translation>Abgelehnt</translation>
+    </message>
+    <message>
+        <source>Registers of a usual transmitter (temperature_C and humidity_percent), or one&apos;s own</source>
+        <translation>Register eines üblichen Messumformers (temperature_C und humidity_percent) oder eigene</translation>
     </message>
     <message>
         <source>Reject the selected reading and repeat its series</source>
@@ -4242,6 +6538,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Ursache nach dem Handbuch des Antriebs beheben, dann zurücksetzen.</translation>
     </message>
     <message>
+        <source>Remove the cause, then connect the devices</source>
+        <translation>Die Ursache beheben, dann die Geräte verbinden</translation>
+    </message>
+    <message>
         <source>Remove the cause, then connect the devices.</source>
         <translation>Die Ursache beheben, dann die Geräte verbinden.</translation>
     </message>
@@ -4270,6 +6570,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zurücksetzen nach Abschaltung</translation>
     </message>
     <message>
+        <source>Reset: the deliberate step before another start. Nothing moves</source>
+        <translation>Zurücksetzen: der bewusste Schritt vor einem weiteren Start. Nichts bewegt sich</translation>
+    </message>
+    <message>
         <source>Reset: the deliberate step before another start. Nothing moves.</source>
         <translation>Zurücksetzen: der bewusste Schritt vor einem neuen Start. Nichts bewegt sich.</translation>
     </message>
@@ -4288,6 +6592,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Residuals so far, micrometres</source>
         <translation>Bisherige Abweichungen, Mikrometer</translation>
+    </message>
+    <message>
+        <source>Resource not available</source>
+        <translation>Mittel nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>Resource temporarily unavailable</source>
+        <translation>Mittel vorübergehend nicht verfügbar</translation>
     </message>
     <message>
         <source>Rest</source>
@@ -4316,6 +6628,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Results</source>
         <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Resume the paused test</source>
+        <translation>Den angehaltenen Versuch fortsetzen</translation>
     </message>
     <message>
         <source>Resume the paused test.</source>
@@ -4394,6 +6710,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>S&amp;topp</translation>
     </message>
     <message>
+        <source>SDO toggle bit error</source>
+        <translation>Fehler des SDO-Toggle-Bits</translation>
+    </message>
+    <message>
         <source>SIMULATED</source>
         <translation>SIMULIERT</translation>
     </message>
@@ -4402,12 +6722,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>RUHIG</translation>
     </message>
     <message>
+        <source>Sample clock</source>
+        <translation>Abtasttakt</translation>
+    </message>
+    <message>
         <source>Samples lost</source>
         <translation>Messwerte verloren</translation>
     </message>
     <message>
         <source>Samples may have been lost unseen; the revolution is flagged.</source>
         <translation>Messwerte können unbemerkt verloren sein; die Umdrehung ist gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>Samples per second: a divisor of 48000 from the device&apos;s list</source>
+        <translation>Messwerte je Sekunde: ein Teiler von 48000 aus der Liste des Geräts</translation>
     </message>
     <message>
         <source>Sat</source>
@@ -4448,6 +6776,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Save the test file</source>
         <translation>Die Versuchsdatei speichern</translation>
+    </message>
+    <message>
+        <source>Scans per second of the internal clock: 60e6 / (srate dec deca). With the encoder clock the nominal rate: encoder lines times the usual revolutions per second</source>
+        <translation>Abtastungen je Sekunde der internen Uhr: 60e6 / (srate dec deca). Mit dem Takt des Drehgebers die Nennrate: Striche des Drehgebers mal übliche Umdrehungen je Sekunde</translation>
     </message>
     <message>
         <source>Schema</source>
@@ -4546,6 +6878,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Signale jetzt</translation>
     </message>
     <message>
+        <source>Silence of an encoder-clocked stream after which the device is asked whether it lives</source>
+        <translation>Stille eines vom Drehgeber getakteten Stroms, nach der das Gerät gefragt wird, ob es lebt</translation>
+    </message>
+    <message>
+        <source>Silence of an internally clocked stream that means a fault</source>
+        <translation>Stille eines intern getakteten Stroms, die eine Störung bedeutet</translation>
+    </message>
+    <message>
         <source>Silent</source>
         <translation>Stumm</translation>
     </message>
@@ -4574,6 +6914,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Langsame Umläufe</translation>
     </message>
     <message>
+        <source>Slowly</source>
+        <translation>Langsam</translation>
+    </message>
+    <message>
         <source>Sp&amp;eeds (rpm)</source>
         <translation>&amp;Drehzahlen (rpm)</translation>
     </message>
@@ -4594,8 +6938,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Drehzahl</translation>
     </message>
     <message>
+        <source>Speed of a UART or RS-422 line; without meaning on USB</source>
+        <translation>Baudrate einer UART- oder RS-422-Leitung; an USB ohne Bedeutung</translation>
+    </message>
+    <message>
         <source>Speed of step {}</source>
         <translation>Drehzahl von Schritt {}</translation>
+    </message>
+    <message>
+        <source>Speed of the RS-485 line</source>
+        <translation>Baudrate der RS-485-Leitung</translation>
     </message>
     <message>
         <source>Speed of the replay</source>
@@ -4624,6 +6976,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Stability of the signal</source>
         <translation>Ruhe des Signals</translation>
+    </message>
+    <message>
+        <source>Stale file handle</source>
+        <translation>Datei auf dem Server nicht mehr gültig</translation>
     </message>
     <message>
         <source>Standard &amp;uncertainty of the level</source>
@@ -4710,6 +7066,22 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Schritt davor</translation>
     </message>
     <message>
+        <source>Step of object 2200:1 (assumed)</source>
+        <translation>Schrittweite von Objekt 2200:1 (angenommen)</translation>
+    </message>
+    <message>
+        <source>Step of object 30D1:1 (assumed)</source>
+        <translation>Schrittweite von Objekt 30D1:1 (angenommen)</translation>
+    </message>
+    <message>
+        <source>Step of object 3201:1 (assumed)</source>
+        <translation>Schrittweite von Objekt 3201:1 (angenommen)</translation>
+    </message>
+    <message>
+        <source>Step of the drive&apos;s accelerations (assumed; see its manual)</source>
+        <translation>Schrittweite der Beschleunigungen des Antriebs (angenommen; siehe sein Handbuch)</translation>
+    </message>
+    <message>
         <source>Step {}, {}: {}</source>
         <translation>Schritt {}, {}: {}</translation>
     </message>
@@ -4748,6 +7120,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Stop at the safe angle; the test can be resumed</source>
         <translation>Am sicheren Winkel anhalten; der Versuch kann fortgesetzt werden</translation>
+    </message>
+    <message>
+        <source>Stop bits of the line</source>
+        <translation>Stoppbits der Leitung</translation>
     </message>
     <message>
         <source>Stop other programs that write to this disk; look at its health and its network.</source>
@@ -4800,6 +7176,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Study</source>
         <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Subindex does not exist</source>
+        <translation>den Subindex gibt es nicht</translation>
     </message>
     <message>
         <source>Sun</source>
@@ -4922,6 +7302,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Winkelbezug ist schon genommen.</translation>
     </message>
     <message>
+        <source>The assumption of tension does not hold: the follower is in compression at all crank angles. The pin bears on the wall away from the crank all the time; the same equations with minus the clearance were solved</source>
+        <translation>Die Annahme von Zug gilt nicht: Die Koppel steht bei allen Kurbelwinkeln unter Druck. Der Bolzen liegt stets an der Wand an, die von der Kurbel abgewandt ist; gelöst wurden dieselben Gleichungen mit negativem Spiel</translation>
+    </message>
+    <message>
         <source>The calibration is being opened.</source>
         <translation>Die Kalibrierung wird geöffnet.</translation>
     </message>
@@ -4970,6 +7354,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Antrieb könnte bald selbst abschalten.</translation>
     </message>
     <message>
+        <source>The drive reports that it turns backwards, while the encoder shows forwards: exchange A and B of the drive&apos;s own encoder</source>
+        <translation>Der Antrieb meldet, dass er rückwärts dreht, während der Drehgeber vorwärts zeigt: A und B des eigenen Drehgebers des Antriebs tauschen</translation>
+    </message>
+    <message>
+        <source>The drive was switched off</source>
+        <translation>Der Antrieb wurde abgeschaltet</translation>
+    </message>
+    <message>
         <source>The drive was switched off and the test ended.</source>
         <translation>Der Antrieb wurde abgeschaltet und der Versuch beendet.</translation>
     </message>
@@ -5006,12 +7398,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Fehler des simulierten Prüfstands sind nicht bekannt: {}</translation>
     </message>
     <message>
+        <source>The file is still being read; try again</source>
+        <translation>Die Datei wird noch gelesen; es noch einmal versuchen</translation>
+    </message>
+    <message>
         <source>The first angle</source>
         <translation>Der erste Winkel</translation>
     </message>
     <message>
         <source>The first that is met ends the test; what is empty is off</source>
         <translation>Das erste erfüllte beendet den Versuch; was leer ist, ist aus</translation>
+    </message>
+    <message>
+        <source>The follower frame needs the mechanism of the test, which is unknown</source>
+        <translation>Das Bezugssystem der Koppel braucht den Mechanismus des Versuchs, der unbekannt ist</translation>
     </message>
     <message>
         <source>The force is not known, an overload would not be seen: the test was ended and the spindle stopped. The samples since then are flagged.</source>
@@ -5022,6 +7422,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Kraft ist nicht bekannt; der Antrieb wurde abgeschaltet.</translation>
     </message>
     <message>
+        <source>The index pulse is low, not high</source>
+        <translation>Der Indexpuls ist low, nicht high</translation>
+    </message>
+    <message>
         <source>The joint wears otherwise than before</source>
         <translation>Das Gelenk verschleißt anders als zuvor</translation>
     </message>
@@ -5030,12 +7434,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Kraftsensor sandte einen Wert, der keine Zahl ist.</translation>
     </message>
     <message>
+        <source>The loads do not tell the two axes apart; take more pin angles and loads</source>
+        <translation>Die Lasten unterscheiden die beiden Achsen nicht; mehr Bolzenwinkel und Lasten nehmen</translation>
+    </message>
+    <message>
         <source>The motor has no power; the test was ended.</source>
         <translation>Der Motor ist stromlos; der Versuch wurde beendet.</translation>
     </message>
     <message>
         <source>The open step</source>
         <translation>Der offene Schritt</translation>
+    </message>
+    <message>
+        <source>The other probe was not read; the alignment is unknown</source>
+        <translation>Der andere Wegsensor wurde nicht gelesen; die Ausrichtung ist unbekannt</translation>
     </message>
     <message>
         <source>The pin is &amp;turned</source>
@@ -5086,6 +7498,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Prüfstand</translation>
     </message>
     <message>
+        <source>The running check failed: the turning cell does not show the known inertia</source>
+        <translation>Die Laufprüfung ist nicht bestanden: Der drehende Kraftsensor zeigt die bekannte Trägheit nicht</translation>
+    </message>
+    <message>
+        <source>The signal at full scale</source>
+        <translation>Das Signal bei Nennkraft</translation>
+    </message>
+    <message>
         <source>The spindle did not come to rest for the pause.</source>
         <translation>Die Spindel kam für die Pause nicht zur Ruhe.</translation>
     </message>
@@ -5102,8 +7522,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Spindel dreht sich. Hände weg.</translation>
     </message>
     <message>
+        <source>The stop was commanded, but the drive could not be asked</source>
+        <translation>Der Stopp wurde befohlen, aber der Antrieb ließ sich nicht fragen</translation>
+    </message>
+    <message>
         <source>The study has no table yet: it is under way, or was killed. What is done is safe, and the same command goes on with it</source>
         <translation>Die Studie hat noch keine Tabelle: sie läuft, oder wurde abgebrochen. Was fertig ist, ist sicher, und derselbe Befehl macht damit weiter</translation>
+    </message>
+    <message>
+        <source>The test goes on</source>
+        <translation>Der Versuch läuft weiter</translation>
     </message>
     <message>
         <source>The test goes on and is recorded; windows may show nothing and cannot command it.</source>
@@ -5138,6 +7566,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Versuch geht weiter; wer nicht da ist, erfährt vielleicht nicht, was geschieht.</translation>
     </message>
     <message>
+        <source>The test pauses at the safe angle</source>
+        <translation>Der Versuch hält am sicheren Winkel an</translation>
+    </message>
+    <message>
         <source>The test pauses at the safe angle.</source>
         <translation>Der Versuch hält am sicheren Winkel an.</translation>
     </message>
@@ -5166,6 +7598,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Versuch wurde nicht gestartet: Die Geräte sind nicht bereit.</translation>
     </message>
     <message>
+        <source>The test was stopped</source>
+        <translation>Der Versuch wurde gestoppt</translation>
+    </message>
+    <message>
         <source>The test was stopped, as its test file says.</source>
         <translation>Der Versuch wurde gestoppt, wie seine Versuchsdatei es verlangt.</translation>
     </message>
@@ -5174,8 +7610,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Versuch wurde gestoppt.</translation>
     </message>
     <message>
+        <source>The two signals are swapped and one of them is reversed, or every pin angle is a quarter of a turn off; check the inputs, the wires and the angle reference</source>
+        <translation>Die beiden Signale sind vertauscht, und eines ist verpolt, oder jeder Bolzenwinkel ist um eine Vierteldrehung falsch; Eingänge, Adern und Winkelbezug prüfen</translation>
+    </message>
+    <message>
+        <source>The two signals are swapped: signal_1 follows the force across the crank; exchange the two bridges&apos; inputs</source>
+        <translation>Die beiden Signale sind vertauscht: signal_1 folgt der Kraft quer zur Kurbel; die Eingänge der beiden Brücken tauschen</translation>
+    </message>
+    <message>
         <source>The value</source>
         <translation>Der Wert</translation>
+    </message>
+    <message>
+        <source>The voltage does not change with the position</source>
+        <translation>Die Spannung ändert sich nicht mit der Position</translation>
+    </message>
+    <message>
+        <source>The voltage does not change with the position; is the probe connected and the target grounded?</source>
+        <translation>Die Spannung ändert sich nicht mit der Position; ist der Wegsensor angeschlossen und das Ziel geerdet?</translation>
+    </message>
+    <message>
+        <source>The voltage does not follow the reference; is the channel connected?</source>
+        <translation>Die Spannung folgt dem Referenzwert nicht; ist der Kanal angeschlossen?</translation>
     </message>
     <message>
         <source>Their statistics are kept, their samples are not.</source>
@@ -5186,8 +7642,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Danach</translation>
     </message>
     <message>
+        <source>There is no reading without weights; take a zero in each series</source>
+        <translation>Es gibt keine Messung ohne Gewichte; in jeder Reihe einen Nullpunkt nehmen</translation>
+    </message>
+    <message>
+        <source>There is no simulated rig running; connect it first</source>
+        <translation>Es läuft kein simulierter Prüfstand; ihn erst verbinden</translation>
+    </message>
+    <message>
         <source>There is no study in {}.</source>
         <translation>In {} ist keine Studie.</translation>
+    </message>
+    <message>
+        <source>There is no test, so no stored revolution either</source>
+        <translation>Es gibt keinen Versuch, also auch keine gespeicherte Umdrehung</translation>
+    </message>
+    <message>
+        <source>There is such a limit already; change that one</source>
+        <translation>Eine solche Grenze gibt es schon; diese ändern</translation>
     </message>
     <message>
         <source>These faults happen in the simulated devices, on the wire or on the signals, not in the program: what you see is what a real fault would show.</source>
@@ -5210,12 +7682,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zeit</translation>
     </message>
     <message>
+        <source>Time of the samples that are handed over together</source>
+        <translation>Dauer der Messwerte, die zusammen übergeben werden</translation>
+    </message>
+    <message>
+        <source>Timeout of transfer communication detected</source>
+        <translation>Zeitüberschreitung bei der Übertragung</translation>
+    </message>
+    <message>
         <source>Title, specimen, file, operator, reason</source>
         <translation>Titel, Probe, Datei, Bediener, Grund</translation>
     </message>
     <message>
         <source>To do</source>
         <translation>Zu tun</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>Torque of the motor for 1 A, from its data sheet, for the channel torque_Nm; 0: not known</source>
+        <translation>Drehmoment des Motors für 1 A, aus seinem Datenblatt, für den Kanal torque_Nm; 0: nicht bekannt</translation>
     </message>
     <message>
         <source>Trends</source>
@@ -5238,20 +7726,64 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Di</translation>
     </message>
     <message>
+        <source>Type how many revolutions the step has, or how many seconds</source>
+        <translation>Eingeben, wie viele Umdrehungen der Schritt hat oder wie viele Sekunden</translation>
+    </message>
+    <message>
         <source>Type how many revolutions the step has, or how many seconds.</source>
         <translation>Geben Sie ein, wie viele Umdrehungen der Schritt hat oder wie viele Sekunden.</translation>
+    </message>
+    <message>
+        <source>Type the value of the limit</source>
+        <translation>Den Wert der Grenze eingeben</translation>
+    </message>
+    <message>
+        <source>UART 3.3 V</source>
+        <translation>UART 3.3 V</translation>
     </message>
     <message>
         <source>Uncertainty</source>
         <translation>Unsicherheit</translation>
     </message>
     <message>
+        <source>Unclosed array</source>
+        <translation>nicht geschlossene Liste</translation>
+    </message>
+    <message>
+        <source>Unclosed inline table</source>
+        <translation>nicht geschlossene Tabelle</translation>
+    </message>
+    <message>
         <source>Understood</source>
         <translation>Verstanden</translation>
     </message>
     <message>
+        <source>Unescaped &apos;\&apos; in a string</source>
+        <translation>einzelnes &apos;\&apos; in einem Text</translation>
+    </message>
+    <message>
         <source>Unit of how long step {} is</source>
         <translation>Einheit der Länge von Schritt {}</translation>
+    </message>
+    <message>
+        <source>Unit to set in the drive; milli-rpm is finer, and not every drive has it</source>
+        <translation>Im Antrieb einzustellende Einheit; milli-rpm ist feiner, und nicht jeder Antrieb hat sie</translation>
+    </message>
+    <message>
+        <source>Unknown SDO command specified</source>
+        <translation>unbekannter SDO-Befehl</translation>
+    </message>
+    <message>
+        <source>Unsupported access to an object</source>
+        <translation>nicht unterstützter Zugriff auf ein Objekt</translation>
+    </message>
+    <message>
+        <source>Unterminated string</source>
+        <translation>nicht beendeter Text</translation>
+    </message>
+    <message>
+        <source>Usable. Save it to arm it for a start</source>
+        <translation>Brauchbar. Speichern, um sie für einen Start bereitzustellen</translation>
     </message>
     <message>
         <source>Usable. Save it to arm it for a start.</source>
@@ -5260,6 +7792,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Usable. {}{}</source>
         <translation>Brauchbar. {}{}</translation>
+    </message>
+    <message>
+        <source>Use the 10 kohm pull-ups of the encoder inputs</source>
+        <translation>Die Pull-up-Widerstände (10 kohm) der Drehgebereingänge verwenden</translation>
     </message>
     <message>
         <source>VIEWING ONLY: {name} is in command of this rig. Stopping a test and acknowledging alarms are possible all the same.</source>
@@ -5274,8 +7810,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wert und Grenze</translation>
     </message>
     <message>
+        <source>Value of parameter written too high</source>
+        <translation>geschriebener Wert des Parameters zu groß</translation>
+    </message>
+    <message>
+        <source>Value of parameter written too low</source>
+        <translation>geschriebener Wert des Parameters zu klein</translation>
+    </message>
+    <message>
         <source>Value of the fault, empty: its default</source>
         <translation>Wert des Fehlers, leer: der übliche</translation>
+    </message>
+    <message>
+        <source>Value range of parameter exceeded</source>
+        <translation>Wertebereich des Parameters überschritten</translation>
     </message>
     <message>
         <source>Value, empty: default</source>
@@ -5314,16 +7862,32 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Warten</translation>
     </message>
     <message>
+        <source>Wait after opening an slcan adapter; one that resets needs 2 s</source>
+        <translation>Wartezeit nach dem Öffnen eines slcan-Adapters; einer, der neu startet, braucht 2 s</translation>
+    </message>
+    <message>
         <source>Wait for the engine: which rig it drives is not known yet.</source>
         <translation>Auf die Steuerung warten: ihr Prüfstand ist noch nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Wait: the crank comes to rest at the pause angle</source>
+        <translation>Warten: Die Kurbel kommt am Pausenwinkel zur Ruhe</translation>
     </message>
     <message>
         <source>Wait: the crank comes to rest at the pause angle.</source>
         <translation>Warten: Die Kurbel kommt am Pausenwinkel zur Ruhe.</translation>
     </message>
     <message>
+        <source>Wait: the devices are being connected</source>
+        <translation>Warten: Die Geräte werden verbunden</translation>
+    </message>
+    <message>
         <source>Wait: the devices are being connected.</source>
         <translation>Warten: Die Geräte werden verbunden.</translation>
+    </message>
+    <message>
+        <source>Wait: the spindle is brought to a stand and the file is finished</source>
+        <translation>Warten: Die Spindel wird zum Stehen gebracht und die Datei abgeschlossen</translation>
     </message>
     <message>
         <source>Wait: the spindle is brought to a stand and the file is finished.</source>
@@ -5386,6 +7950,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Gewichte in Kilogramm; 5x8 sind acht von 5 kg</translation>
     </message>
     <message>
+        <source>What becomes of the readings between two scans; average delays by an unknown time</source>
+        <translation>Was mit den Messungen zwischen zwei Abtastungen geschieht; average verzögert um eine unbekannte Zeit</translation>
+    </message>
+    <message>
         <source>What happened</source>
         <translation>Was geschehen ist</translation>
     </message>
@@ -5420,6 +7988,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>What it tells is not recorded until it answers; the test goes on.</source>
         <translation>Was es meldet, wird erst aufgezeichnet, wenn es antwortet; der Versuch geht weiter.</translation>
+    </message>
+    <message>
+        <source>What makes the device scan: its own clock, or each pulse of the encoder on input D6</source>
+        <translation>Was das Gerät abtasten lässt: die eigene Uhr oder jeder Puls des Drehgebers an Eingang D6</translation>
     </message>
     <message>
         <source>What shall be calibrated?</source>
@@ -5500,6 +8072,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>What was looked at</source>
         <translation>Was geprüft wurde</translation>
+    </message>
+    <message>
+        <source>When the device reports that it lost data: flag the samples, or stop the test</source>
+        <translation>Wenn das Gerät Datenverlust meldet: die Messwerte kennzeichnen oder den Versuch stoppen</translation>
     </message>
     <message>
         <source>Where</source>
@@ -5594,6 +8170,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Mit allen anderen</translation>
     </message>
     <message>
+        <source>With friction the force ripples with a frequency that depends on how Coulomb&apos;s law is smoothed; it is no measurement of the real joint</source>
+        <translation>Mit Reibung schwankt die Kraft mit einer Frequenz, die davon abhängt, wie das Coulombsche Gesetz geglättet ist; sie ist keine Messung am wirklichen Gelenk</translation>
+    </message>
+    <message>
         <source>Write</source>
         <translation>Schreiben</translation>
     </message>
@@ -5654,6 +8234,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Sie haben das Kommando</translation>
     </message>
     <message>
+        <source>Zero of axis 1</source>
+        <translation>Nullpunkt von Achse 1</translation>
+    </message>
+    <message>
+        <source>Zero of axis 2</source>
+        <translation>Nullpunkt von Achse 2</translation>
+    </message>
+    <message>
+        <source>Zero of the load cell</source>
+        <translation>Nullpunkt des Kraftsensors</translation>
+    </message>
+    <message>
         <source>Zero the load cell</source>
         <translation>Den Kraftsensor nullen</translation>
     </message>
@@ -5662,12 +8254,88 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Nullpunkt, mit Grund</translation>
     </message>
     <message>
+        <source>a condition for the memory is not met</source>
+        <translation>eine Bedingung für den Speicher ist nicht erfüllt</translation>
+    </message>
+    <message>
+        <source>a crank that stands still wears nothing</source>
+        <translation>eine stehende Kurbel verschleißt nichts</translation>
+    </message>
+    <message>
         <source>a critical alarm whose condition is over; it forbids a start until it is acknowledged and reset</source>
         <translation>ein kritischer Alarm, dessen Bedingung vorbei ist; er verbietet einen Start, bis er quittiert und zurückgesetzt ist</translation>
     </message>
     <message>
+        <source>a cycle needs samples at two angles at least</source>
+        <translation>ein Zyklus braucht Messwerte an mindestens zwei Winkeln</translation>
+    </message>
+    <message>
+        <source>a firmware text with bytes that are not ASCII</source>
+        <translation>ein Text der Firmware mit Bytes, die nicht ASCII sind</translation>
+    </message>
+    <message>
+        <source>a full bridge of foil gauges gives its gauge factor, 2, times the strain: 4 at the 0.2 % that hardened steel bears, about 2 in most cells</source>
+        <translation>eine Vollbrücke aus Folien-DMS ergibt ihren k-Faktor, 2, mal die Dehnung: 4 bei den 0.2 %, die gehärteter Stahl erträgt, etwa 2 bei den meisten Kraftsensoren</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a load begins after the one before it</source>
+        <translation>eine Belastung beginnt nach der vorigen</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a parameter is wrong</source>
+        <translation>ein Parameter ist falsch</translation>
+    </message>
+    <message>
+        <source>a password is missing; unlock the device with the maker&apos;s program</source>
+        <translation>ein Passwort fehlt; das Gerät mit dem Programm des Herstellers freigeben</translation>
+    </message>
+    <message>
+        <source>a position is skipped</source>
+        <translation>eine Position wird übersprungen</translation>
+    </message>
+    <message>
+        <source>a request holds at most 15 parameter bytes</source>
+        <translation>eine Anfrage fasst höchstens 15 Parameterbytes</translation>
+    </message>
+    <message>
+        <source>a revolution needs a crank that turns</source>
+        <translation>eine Umdrehung braucht eine Kurbel, die dreht</translation>
+    </message>
+    <message>
         <source>a share of 1</source>
         <translation>ein Anteil von 1</translation>
+    </message>
+    <message>
+        <source>a short response holds at most 14 bytes</source>
+        <translation>eine kurze Antwort fasst höchstens 14 Bytes</translation>
+    </message>
+    <message>
+        <source>a status that this program does not know</source>
+        <translation>ein Status, den dieses Programm nicht kennt</translation>
+    </message>
+    <message>
+        <source>a step was skipped there: each reading belongs to the next load</source>
+        <translation>dort wurde ein Schritt übersprungen: Jede Messung gehört zur nächsten Last</translation>
+    </message>
+    <message>
+        <source>a step was taken twice there: each reading belongs to the last one</source>
+        <translation>dort wurde ein Schritt zweimal genommen: Jede Messung gehört zur vorigen</translation>
+    </message>
+    <message>
+        <source>a stop came before the speed was set</source>
+        <translation>ein Stopp kam, bevor die Drehzahl gesetzt war</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>eine Tabelle</translation>
     </message>
     <message>
         <source>a test</source>
@@ -5678,16 +8346,52 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>ein Versuch ist im Gang; ihn erst stoppen</translation>
     </message>
     <message>
+        <source>a text in quotation marks</source>
+        <translation>ein Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>a viewer without an identity cannot take command</source>
+        <translation>ein Betrachter ohne Kennung kann das Kommando nicht übernehmen</translation>
+    </message>
+    <message>
         <source>a warning whose condition is over before anybody has acknowledged it; acknowledging takes it off the list</source>
         <translation>eine Warnung, deren Bedingung vorbei ist, bevor jemand sie quittiert hat; das Quittieren nimmt sie von der Liste</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a window looks on</source>
+        <translation>ein Fenster schaut zu</translation>
+    </message>
+    <message>
+        <source>a wrong checksum</source>
+        <translation>einer falschen Prüfsumme</translation>
+    </message>
+    <message>
+        <source>a wrong weight hangs</source>
+        <translation>ein falsches Gewicht hängt</translation>
+    </message>
+    <message>
+        <source>access denied</source>
+        <translation>Zugriff verweigert</translation>
     </message>
     <message>
         <source>acknowledge</source>
         <translation>quittieren</translation>
     </message>
     <message>
+        <source>acknowledge, still at work</source>
+        <translation>angenommen, noch in Arbeit</translation>
+    </message>
+    <message>
         <source>acknowledged</source>
         <translation>quittiert</translation>
+    </message>
+    <message>
+        <source>additional modules or sensors</source>
+        <translation>Zusatzmodule oder Sensoren</translation>
     </message>
     <message>
         <source>after the devices</source>
@@ -5698,8 +8402,68 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>nach der Steuerung</translation>
     </message>
     <message>
+        <source>after the power had to be cut</source>
+        <translation>nachdem die Leistung abgeschaltet werden musste</translation>
+    </message>
+    <message>
+        <source>air density</source>
+        <translation>Dichte der Luft</translation>
+    </message>
+    <message>
         <source>all {} cycles are in the file</source>
         <translation>alle {} Zyklen stehen in der Datei</translation>
+    </message>
+    <message>
+        <source>an alarm is shelved only with a reason; say why</source>
+        <translation>ein Alarm wird nur mit einem Grund zurückgestellt; den Grund nennen</translation>
+    </message>
+    <message>
+        <source>an element has no area; the profile is too deep for the mesh</source>
+        <translation>ein Element hat keine Fläche; das Profil ist zu tief für das Netz</translation>
+    </message>
+    <message>
+        <source>an internal limit of the drive is active</source>
+        <translation>eine interne Grenze des Antriebs ist aktiv</translation>
+    </message>
+    <message>
+        <source>an open file can get no second name here</source>
+        <translation>eine offene Datei kann hier keinen zweiten Namen bekommen</translation>
+    </message>
+    <message>
+        <source>an unworn bushing is in the simulated rig</source>
+        <translation>im simulierten Prüfstand ist eine neue Buchse</translation>
+    </message>
+    <message>
+        <source>analog output</source>
+        <translation>Analogausgang</translation>
+    </message>
+    <message>
+        <source>analog outputs</source>
+        <translation>Analogausgänge</translation>
+    </message>
+    <message>
+        <source>angle history</source>
+        <translation>Winkelverlauf</translation>
+    </message>
+    <message>
+        <source>another function uses this hardware</source>
+        <translation>eine andere Funktion benutzt diese Hardware</translation>
+    </message>
+    <message>
+        <source>another port (a field bus or a second program) has write access; release it there</source>
+        <translation>ein anderer Anschluss (ein Feldbus oder ein zweites Programm) hat den Schreibzugriff; ihn dort freigeben</translation>
+    </message>
+    <message>
+        <source>another viewer</source>
+        <translation>ein anderer Betrachter</translation>
+    </message>
+    <message>
+        <source>applied force (mass, gravity, buoyancy)</source>
+        <translation>aufgebrachte Kraft (Masse, Schwere, Auftrieb)</translation>
+    </message>
+    <message>
+        <source>arithmetic fault in the device</source>
+        <translation>Rechenfehler im Gerät</translation>
     </message>
     <message>
         <source>arrows</source>
@@ -5710,12 +8474,36 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>wie verlangt</translation>
     </message>
     <message>
+        <source>as before</source>
+        <translation>wie zuvor</translation>
+    </message>
+    <message>
         <source>as in the test</source>
         <translation>wie im Versuch</translation>
     </message>
     <message>
+        <source>as set</source>
+        <translation>wie eingestellt</translation>
+    </message>
+    <message>
         <source>asked by the operator</source>
         <translation>vom Bediener verlangt</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>at an unknown angle</source>
+        <translation>bei unbekanntem Winkel</translation>
+    </message>
+    <message>
+        <source>at least one try</source>
+        <translation>mindestens ein Versuch</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation>auf Drehzahl</translation>
     </message>
     <message>
         <source>bars</source>
@@ -5728,6 +8516,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>bound of the computed depth&apos;s error</source>
         <translation>Schranke für den Fehler der berechneten Tiefe</translation>
+    </message>
+    <message>
+        <source>bridge</source>
+        <translation>Brücke</translation>
     </message>
     <message>
         <source>broken</source>
@@ -5750,6 +8542,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Fehler beenden</translation>
     </message>
     <message>
+        <source>clearance</source>
+        <translation>Spiel</translation>
+    </message>
+    <message>
         <source>complete</source>
         <translation>vollständig</translation>
     </message>
@@ -5770,6 +8566,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>kritisch</translation>
     </message>
     <message>
+        <source>current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
         <source>cycle {} at {:.0f}°</source>
         <translation>Zyklus {} bei {:.0f}°</translation>
     </message>
@@ -5780,6 +8580,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>default</source>
         <translation>üblicher Wert</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>device reports readiness to read but returned no data (device disconnected or multiple access on port?)</source>
+        <translation>das Gerät meldet Daten, liefert aber keine (getrennt, oder mehrere Programme am Anschluss?)</translation>
     </message>
     <message>
         <source>diamond</source>
@@ -5818,12 +8626,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Datei prüfen</translation>
     </message>
     <message>
+        <source>exponent</source>
+        <translation>Exponent</translation>
+    </message>
+    <message>
         <source>extend</source>
         <translation>verlängern</translation>
     </message>
     <message>
+        <source>faster</source>
+        <translation>schneller</translation>
+    </message>
+    <message>
         <source>fault</source>
         <translation>Störung</translation>
+    </message>
+    <message>
+        <source>fell</source>
+        <translation>fiel</translation>
     </message>
     <message>
         <source>find, e.g. cable, spikes, daq</source>
@@ -5836,6 +8656,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>first</source>
         <translation>zuerst</translation>
+    </message>
+    <message>
+        <source>follower angle</source>
+        <translation>Winkel der Koppel</translation>
+    </message>
+    <message>
+        <source>follower speed</source>
+        <translation>Drehgeschwindigkeit der Koppel</translation>
+    </message>
+    <message>
+        <source>friction ramp</source>
+        <translation>Rampe der Reibung</translation>
     </message>
     <message>
         <source>from the calibration in the file</source>
@@ -5854,6 +8686,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>gut, nichts verloren</translation>
     </message>
     <message>
+        <source>gravity</source>
+        <translation>Fallbeschleunigung</translation>
+    </message>
+    <message>
+        <source>grew</source>
+        <translation>wuchs</translation>
+    </message>
+    <message>
         <source>half angle of the contact</source>
         <translation>halber Kontaktwinkel</translation>
     </message>
@@ -5866,6 +8706,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Hand</translation>
     </message>
     <message>
+        <source>hardware</source>
+        <translation>Hardware</translation>
+    </message>
+    <message>
+        <source>heavier</source>
+        <translation>schwerer</translation>
+    </message>
+    <message>
         <source>hello</source>
         <translation>Anmeldung</translation>
     </message>
@@ -5874,8 +8722,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>für begrenzte Zeit verborgen, mit einem Grund; Grenzen wirken trotzdem</translation>
     </message>
     <message>
+        <source>holding register</source>
+        <translation>Holding-Register</translation>
+    </message>
+    <message>
+        <source>holding registers</source>
+        <translation>Holding-Register</translation>
+    </message>
+    <message>
         <source>idle</source>
         <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>impact speed floor</source>
+        <translation>Mindestgeschwindigkeit eines Stoßes</translation>
     </message>
     <message>
         <source>in step {} only</source>
@@ -5884,6 +8744,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>inject fault</source>
         <translation>Fehler auslösen</translation>
+    </message>
+    <message>
+        <source>input register</source>
+        <translation>Input-Register</translation>
+    </message>
+    <message>
+        <source>input registers</source>
+        <translation>Input-Register</translation>
     </message>
     <message>
         <source>interrupted</source>
@@ -5926,8 +8794,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>später</translation>
     </message>
     <message>
+        <source>layers</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
         <source>least margin {:.0f} %, {}</source>
         <translation>kleinster Abstand {:.0f} %, {}</translation>
+    </message>
+    <message>
+        <source>less</source>
+        <translation>weniger</translation>
+    </message>
+    <message>
+        <source>lighter</source>
+        <translation>leichter</translation>
     </message>
     <message>
         <source>limit of the history</source>
@@ -5936,6 +8816,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>limits are changed in the test file while no test is under way</source>
         <translation>ohne laufenden Versuch werden Grenzen in der Versuchsdatei geändert</translation>
+    </message>
+    <message>
+        <source>loads</source>
+        <translation>Belastungen</translation>
     </message>
     <message>
         <source>lower 95 % limit of it</source>
@@ -5982,6 +8866,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>beachten</translation>
     </message>
     <message>
+        <source>more</source>
+        <translation>mehr</translation>
+    </message>
+    <message>
+        <source>moving mass</source>
+        <translation>bewegte Masse</translation>
+    </message>
+    <message>
         <source>name</source>
         <translation>Name</translation>
     </message>
@@ -6024,6 +8916,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>no warning</source>
         <translation>keine Warnung</translation>
+    </message>
+    <message>
+        <source>node spacing</source>
+        <translation>Knotenabstand</translation>
     </message>
     <message>
         <source>none: the fields below are enough</source>
@@ -6070,12 +8966,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Notiz</translation>
     </message>
     <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
         <source>nothing judged yet</source>
         <translation>noch nichts beurteilt</translation>
     </message>
     <message>
         <source>now</source>
         <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>over-current</source>
+        <translation>Überstrom</translation>
+    </message>
+    <message>
+        <source>over-temperature</source>
+        <translation>Übertemperatur</translation>
+    </message>
+    <message>
+        <source>over-voltage</source>
+        <translation>Überspannung</translation>
     </message>
     <message>
         <source>overload</source>
@@ -6098,8 +9010,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Anhalten</translation>
     </message>
     <message>
+        <source>poissons ratio</source>
+        <translation>Querdehnzahl</translation>
+    </message>
+    <message>
+        <source>predictive band</source>
+        <translation>Vorhersageband</translation>
+    </message>
+    <message>
         <source>present</source>
         <translation>vorhanden</translation>
+    </message>
+    <message>
+        <source>probe errors</source>
+        <translation>Fehler der Wegsensoren</translation>
     </message>
     <message>
         <source>probes, k = 2</source>
@@ -6120,6 +9044,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>queue stop</source>
         <translation>Warteschlange anhalten</translation>
+    </message>
+    <message>
+        <source>radii</source>
+        <translation>Radien</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>Lesen</translation>
     </message>
     <message>
         <source>ready</source>
@@ -6150,6 +9082,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>verworfen: {}</translation>
     </message>
     <message>
+        <source>relative error</source>
+        <translation>relativer Fehler</translation>
+    </message>
+    <message>
         <source>release command</source>
         <translation>Kommando abgeben</translation>
     </message>
@@ -6168,6 +9104,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>residual 2</source>
         <translation>Abweichung 2</translation>
+    </message>
+    <message>
+        <source>restitution</source>
+        <translation>Stoßzahl</translation>
     </message>
     <message>
         <source>resume</source>
@@ -6206,12 +9146,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Umdrehungen/s</translation>
     </message>
     <message>
+        <source>rose</source>
+        <translation>stieg</translation>
+    </message>
+    <message>
         <source>run.rpm = 0: give a speed other than 0</source>
         <translation>run.rpm = 0: eine andere Drehzahl als 0 angeben</translation>
     </message>
     <message>
         <source>running</source>
         <translation>läuft</translation>
+    </message>
+    <message>
+        <source>running in revolutions</source>
+        <translation>Umdrehungen des Einlaufs</translation>
+    </message>
+    <message>
+        <source>sectors</source>
+        <translation>Sektoren</translation>
     </message>
     <message>
         <source>set limit</source>
@@ -6246,12 +9198,32 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Stand der Simulation</translation>
     </message>
     <message>
+        <source>slider position</source>
+        <translation>Lage des Schiebers</translation>
+    </message>
+    <message>
+        <source>slider velocity</source>
+        <translation>Geschwindigkeit des Schiebers</translation>
+    </message>
+    <message>
         <source>slip of a cycle</source>
         <translation>Gleitweg eines Umlaufs</translation>
     </message>
     <message>
+        <source>slower</source>
+        <translation>langsamer</translation>
+    </message>
+    <message>
         <source>smallest |F| of the joint</source>
         <translation>kleinstes |F| des Gelenks</translation>
+    </message>
+    <message>
+        <source>socket disconnected</source>
+        <translation>Verbindung getrennt</translation>
+    </message>
+    <message>
+        <source>software</source>
+        <translation>Software</translation>
     </message>
     <message>
         <source>square</source>
@@ -6270,6 +9242,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>starten</translation>
     </message>
     <message>
+        <source>start angle</source>
+        <translation>Anfangswinkel</translation>
+    </message>
+    <message>
         <source>start: waiting for the devices …</source>
         <translation>Start: warte auf die Geräte …</translation>
     </message>
@@ -6284,6 +9260,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>step {} of {}</source>
         <translation>Schritt {} von {}</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>Steifigkeit</translation>
     </message>
     <message>
         <source>stop</source>
@@ -6312,6 +9292,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>take command</source>
         <translation>Kommando nehmen</translation>
+    </message>
+    <message>
+        <source>technique</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
     </message>
     <message>
         <source>the condition holds, and nobody has acknowledged it</source>
@@ -6402,8 +9394,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>dieser Datensatz</translation>
     </message>
     <message>
+        <source>timed out</source>
+        <translation>Zeitüberschreitung</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>Zeiten</translation>
+    </message>
+    <message>
         <source>to do</source>
         <translation>zu tun</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>Toleranz</translation>
     </message>
     <message>
         <source>triangle</source>
@@ -6414,12 +9418,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>ausgelöst</translation>
     </message>
     <message>
+        <source>typical force</source>
+        <translation>typische Kraft</translation>
+    </message>
+    <message>
         <source>u of the &amp;micrometer</source>
         <translation>u der &amp;Messschraube</translation>
     </message>
     <message>
         <source>unacknowledged</source>
         <translation>unquittiert</translation>
+    </message>
+    <message>
+        <source>under-voltage</source>
+        <translation>Unterspannung</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
     </message>
     <message>
         <source>until ended</source>
@@ -6436,6 +9452,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>use records</source>
         <translation>Kalibrierung verwenden</translation>
+    </message>
+    <message>
+        <source>voltage</source>
+        <translation>Spannung</translation>
     </message>
     <message>
         <source>waiting</source>
@@ -6488,6 +9508,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>worn mass at the end</source>
         <translation>verschlissene Masse am Ende</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>youngs modulus</source>
+        <translation>Elastizitätsmodul</translation>
     </message>
     <message>
         <source>zero</source>
@@ -6889,6 +9917,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Keine Antwort von {}</translation>
     </message>
     <message>
+        <source>No module named {}</source>
+        <translation>kein Modul namens {}</translation>
+    </message>
+    <message>
+        <source>Not classifiable: with a resolution of {:g} N, ASTM E74 class A needs forces of at least {:g} N and ISO 376 class 2 of at least {:g} N, above the full scale of {:g} N. The expanded uncertainty is stated instead of a class. For forces from {:g} N upward, class 2 would need a resolution of {:.2f} N and class 1 of {:.2f} N{}</source>
+        <translation>Nicht klassierbar: Bei einer Auflösung von {} N verlangt ASTM E74 Klasse A Kräfte von mindestens {} N und ISO 376 Klasse 2 von mindestens {} N, über der Nennkraft von {} N. Statt einer Klasse wird die erweiterte Unsicherheit angegeben. Für Kräfte ab {} N würde Klasse 2 eine Auflösung von {} N verlangen und Klasse 1 von {} N{}</translation>
+    </message>
+    <message>
         <source>Nothing has been measured or predicted for stop.{} in many revolutions.</source>
         <translation>Für stop.{} wurde seit vielen Umdrehungen nichts gemessen oder vorhergesagt.</translation>
     </message>
@@ -7161,6 +10197,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>limits.rule ({}): steps nennt Schritt {}, aber run.step steht {}-mal da</translation>
     </message>
     <message>
+        <source>signal_{} has the wrong sign: that bridge is reversed; exchange its two signal wires{}</source>
+        <translation>signal_{} hat das falsche Vorzeichen: Diese Brücke ist verpolt; ihre beiden Signaladern tauschen{}</translation>
+    </message>
+    <message>
         <source>the load cell shows {} mV/V at rest {}</source>
         <translation>der Kraftsensor zeigt in Ruhe {} mV/V {}</translation>
     </message>
@@ -7177,28 +10217,1164 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kabel und Versorgung von {} prüfen oder ohne seine Kanäle fortfahren</translation>
     </message>
     <message>
+        <source>&quot;{}&quot; is not acknowledged; do that first</source>
+        <translation>„{}“ ist nicht quittiert; das zuerst tun</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not possible while {}; possible now: {}</source>
+        <translation>„{}“ ist nicht möglich im Zustand {}; möglich sind jetzt: {}</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is still active: {}</source>
+        <translation>„{}“ ist noch aktiv: {}</translation>
+    </message>
+    <message>
+        <source>(and at {} more)</source>
+        <translation>(und bei {} weiteren)</translation>
+    </message>
+    <message>
+        <source>(and {} more)</source>
+        <translation>(und {} weitere)</translation>
+    </message>
+    <message>
+        <source>(did you mean &quot;{}&quot;?)</source>
+        <translation>(war &quot;{}&quot; gemeint?)</translation>
+    </message>
+    <message>
+        <source>({} more like it)</source>
+        <translation>({} weitere dieser Art)</translation>
+    </message>
+    <message>
+        <source>--bind {}: beyond this computer only authorised viewers may attach, and there is none; put the public key of each (its keys/viewer.key) into {}</source>
+        <translation>--bind {}: Von außerhalb dieses Rechners dürfen sich nur zugelassene Betrachter verbinden, und es gibt keinen; den öffentlichen Schlüssel eines jeden (sein keys/viewer.key) in {} legen</translation>
+    </message>
+    <message>
+        <source>--bind {}: give tcp://ADDRESS:PORT</source>
+        <translation>--bind {}: tcp://ADDRESS:PORT angeben</translation>
+    </message>
+    <message>
+        <source>--bind {}: the port and the next one are used; give at most 65534</source>
+        <translation>--bind {}: Dieser Port und der nächste werden verwendet; höchstens 65534 angeben</translation>
+    </message>
+    <message>
+        <source>--issued {}: the calibration is of {}</source>
+        <translation>--issued {}: Die Kalibrierung ist vom {}</translation>
+    </message>
+    <message>
+        <source>--issued {}: this is in the future</source>
+        <translation>--issued {}: Dies liegt in der Zukunft</translation>
+    </message>
+    <message>
+        <source>--log-level {}: choose {} or {}</source>
+        <translation>--log-level {}: {} oder {} wählen</translation>
+    </message>
+    <message>
+        <source>--points {}: give {} or more, for whole cycles (--cycles)</source>
+        <translation>--points {}: für ganze Zyklen (--cycles) {} oder mehr angeben</translation>
+    </message>
+    <message>
+        <source>--scheduler {}: no Dask scheduler answers there ({})</source>
+        <translation>--scheduler {}: Dort antwortet kein Dask-Scheduler ({})</translation>
+    </message>
+    <message>
+        <source>--speed {} is not usable; give a number above 0, or max</source>
+        <translation>--speed {} ist nicht brauchbar; eine Zahl über 0 angeben oder max</translation>
+    </message>
+    <message>
+        <source>--speed {}: give a number of times real time, or max</source>
+        <translation>--speed {}: ein Vielfaches der Echtzeit angeben oder max</translation>
+    </message>
+    <message>
+        <source>--speed {}: {} is not a simulated rig; leave --speed out</source>
+        <translation>--speed {}: {} ist kein simulierter Prüfstand; --speed weglassen</translation>
+    </message>
+    <message>
+        <source>--speed {}; or give max</source>
+        <translation>--speed {}; oder max angeben</translation>
+    </message>
+    <message>
+        <source>--to {}: another process works on this study</source>
+        <translation>--to {}: Ein anderer Prozess arbeitet an dieser Studie</translation>
+    </message>
+    <message>
+        <source>--to {}: cannot be made ({})</source>
+        <translation>--to {}: lässt sich nicht anlegen ({})</translation>
+    </message>
+    <message>
+        <source>--to {}: cannot be written ({})</source>
+        <translation>--to {}: lässt sich nicht schreiben ({})</translation>
+    </message>
+    <message>
+        <source>--to {}: holds another study, or another parameter file; give a new folder</source>
+        <translation>--to {}: enthält eine andere Studie oder eine andere Parameterdatei; einen neuen Ordner angeben</translation>
+    </message>
+    <message>
+        <source>--to {}: was begun by rigapp {}; go on with that, or give a new folder</source>
+        <translation>--to {}: wurde mit rigapp {} begonnen; damit fortfahren oder einen neuen Ordner angeben</translation>
+    </message>
+    <message>
+        <source>A mass of {:g} kg is written; was it meant in grams? Write kilograms</source>
+        <translation>Geschrieben ist eine Masse von {} kg; waren Gramm gemeint? Kilogramm schreiben</translation>
+    </message>
+    <message>
+        <source>A probe stands {:.1f} degrees off its axis; mount it again</source>
+        <translation>Ein Wegsensor steht {} Grad neben seiner Achse; ihn neu einbauen</translation>
+    </message>
+    <message>
+        <source>A queue holds {} tests at most; {} are in it</source>
+        <translation>Eine Warteschlange fasst höchstens {} Versuche; {} sind darin</translation>
+    </message>
+    <message>
+        <source>A reading scatters by {:.2f} N: the mean of about {} readings at each load would reach class 2</source>
+        <translation>Eine Messung streut um {} N: Das Mittel aus etwa {} Messungen je Last würde Klasse 2 erreichen</translation>
+    </message>
+    <message>
+        <source>A step number is left out before {}{}: a reading that does not count is better kept as a comment with its reason</source>
+        <translation>Vor {} fehlt eine Schrittnummer{}: Eine Messung, die nicht gilt, bleibt besser als Kommentar mit ihrem Grund stehen</translation>
+    </message>
+    <message>
+        <source>A viewer could not be taken note of: {}</source>
+        <translation>Ein Betrachter ließ sich nicht vermerken: {}</translation>
+    </message>
+    <message>
+        <source>Acknowledge &quot;{}&quot;{}: say that you have seen it</source>
+        <translation>„{}“{} quittieren: bestätigen, dass es gesehen wurde</translation>
+    </message>
+    <message>
+        <source>As the load shows, {}</source>
+        <translation>Wie die Last zeigt: {}</translation>
+    </message>
+    <message>
+        <source>At the fastest speed the known term is {:.2f} N, less than the uncertainty of {:.2f} N: this tells little; run faster</source>
+        <translation>Bei der schnellsten Drehzahl ist das bekannte Glied {} N, weniger als die Unsicherheit von {} N: Das sagt wenig; schneller drehen</translation>
+    </message>
+    <message>
+        <source>At the pin angle of {:.1f} degrees (series {}) every load seems turned by {:+.2f} degrees: the angle written there, or at the opposite position, is off; take it from the encoder</source>
+        <translation>Beim Bolzenwinkel von {} Grad (Reihe {}) scheint jede Last um {} Grad gedreht: Der dort angeschriebene Winkel oder der an der gegenüberliegenden Stellung ist falsch; ihn vom Drehgeber nehmen</translation>
+    </message>
+    <message>
+        <source>At {:.0f} rpm force_1 changes by {:+.2f} N instead of {:+.2f} N, {:+.2f} N off (uncertainty {:.2f} N), as if mass times radius were {:.3f} kg mm: check that mass, the sign of force_1, and that the follower is off</source>
+        <translation>Bei {} rpm ändert sich force_1 um {} N statt um {} N, {} N daneben (Unsicherheit {} N), als wäre Masse mal Radius {} kg mm: diese Masse und das Vorzeichen von force_1 prüfen, und dass die Koppel ab ist</translation>
+    </message>
+    <message>
+        <source>At {:.0f} rpm the force across the crank changes by {:+.2f} N, which inertia cannot do (uncertainty {:.2f} N): are the axes and the angle reference right, and is the follower off?</source>
+        <translation>Bei {} rpm ändert sich die Kraft quer zur Kurbel um {} N, was Trägheit nicht kann (Unsicherheit {} N): Stimmen Achsen und Winkelbezug, und ist die Koppel ab?</translation>
+    </message>
+    <message>
+        <source>At {:.3g} kg the load</source>
+        <translation>Die Last bei {} kg</translation>
+    </message>
+    <message>
+        <source>At {} and the step after it each voltage belongs to the other one&apos;s position: the two readings were exchanged</source>
+        <translation>Bei {} und dem Schritt danach gehört jede Spannung zur Position der anderen: Die beiden Messungen wurden vertauscht</translation>
+    </message>
+    <message>
+        <source>At {} the cell felt {:.2f} kg, but {:g} kg is written; check the weights that hung there</source>
+        <translation>Bei {} spürte der Kraftsensor {} kg, angeschrieben sind aber {} kg; die Gewichte prüfen, die dort hingen</translation>
+    </message>
+    <message>
+        <source>At {} the micrometer was not turned on: the voltage is that of the step before. {:g} um is written</source>
+        <translation>Bei {} wurde die Messschraube nicht weitergedreht: Die Spannung ist die des vorigen Schritts. Angeschrieben sind {} um</translation>
+    </message>
+    <message>
+        <source>At {} the other probe moved by {:.3f} V and this one stayed behind: the wrong micrometer was turned</source>
+        <translation>Bei {} bewegte sich der andere Wegsensor um {} V, und dieser blieb zurück: Es wurde die falsche Messschraube gedreht</translation>
+    </message>
+    <message>
+        <source>At {} the voltage belongs to {:.1f} um, but {:.1f} um is written; check the micrometer</source>
+        <translation>Bei {} gehört die Spannung zu {} um, angeschrieben sind aber {} um; die Messschraube prüfen</translation>
+    </message>
+    <message>
+        <source>Between {:.0f} s and {:.0f} s under {:.1f} N the indication changes by {:+.2f} N, {:.1f} % of the load. No cell creeps so far: was the load touched? Take the creep again, or leave it out</source>
+        <translation>Zwischen {} s und {} s unter {} N ändert sich die Anzeige um {} N, {} % der Last. So weit kriecht kein Kraftsensor: Wurde die Last berührt? Das Kriechen neu aufnehmen oder weglassen</translation>
+    </message>
+    <message>
+        <source>CRC {:04X} instead of {:04X}</source>
+        <translation>CRC {} statt {}</translation>
+    </message>
+    <message>
+        <source>Cannot declare {} twice</source>
+        <translation>{} lässt sich nicht zweimal anlegen</translation>
+    </message>
+    <message>
+        <source>Cannot mutate immutable namespace {}</source>
+        <translation>die feste Tabelle {} lässt sich nicht ändern</translation>
+    </message>
+    <message>
         <source>Check cable and power of {}, reconnect</source>
         <translation>Kabel und Versorgung von {} prüfen, neu verbinden</translation>
+    </message>
+    <message>
+        <source>Code {}, {}</source>
+        <translation>Code {}, {}</translation>
+    </message>
+    <message>
+        <source>Coming back reads {:+.2f} um against going out: approach every position from one side</source>
+        <translation>Der Rückweg zeigt {} um gegenüber dem Hinweg: jede Position von derselben Seite anfahren</translation>
+    </message>
+    <message>
+        <source>Contact winkler: the bushing is a bed of springs. Unworn, its peak pressure of {:.4g} MPa is {:.0%} {} the {:.4g} MPa of an elastic bushing; the stated errors are those of the computation, not of this simplification</source>
+        <translation>Kontakt winkler: Die Buchse ist ein Bett aus Federn. Neu liegt ihre höchste Pressung von {} MPa {} {} den {} MPa einer elastischen Buchse; die angegebenen Fehler sind die der Rechnung, nicht die dieser Vereinfachung</translation>
+    </message>
+    <message>
+        <source>Continuous contact does not hold: at crank angles {} the follower is in compression, the pin crosses to the other wall of the bushing and contact is lost on the way; use the contact joint, or a spring that keeps the follower in tension</source>
+        <translation>Ständiger Kontakt ist nicht gegeben: Bei den Kurbelwinkeln {} steht die Koppel unter Druck, der Bolzen wechselt an die andere Wand der Buchse, und der Kontakt geht dabei verloren; das Kontaktgelenk nehmen oder eine Feder, die die Koppel unter Zug hält</translation>
+    </message>
+    <message>
+        <source>Creep at {:.1f} N, from {:.0f} s to {:.0f} s after loading: {:+.3f} N; U has {:.3f} %, the scatter of the two readings included</source>
+        <translation>Kriechen bei {} N, von {} s bis {} s nach dem Belasten: {} N; U enthält {} %, die Streuung der beiden Messungen eingeschlossen</translation>
+    </message>
+    <message>
+        <source>Creep: not measured; U has the {:g} % that the settings state</source>
+        <translation>Kriechen: nicht gemessen; U enthält die {} %, die die Einstellungen angeben</translation>
+    </message>
+    <message>
+        <source>DIO {}</source>
+        <translation>DIO {}</translation>
+    </message>
+    <message>
+        <source>Dask&apos;s dashboard is at {}</source>
+        <translation>Die Übersichtsseite von Dask ist unter {}</translation>
+    </message>
+    <message>
+        <source>Duplicate inline table key {}</source>
+        <translation>doppelter Schlüssel {} in einer Tabelle</translation>
+    </message>
+    <message>
+        <source>Each signal sees up to {:.0f} % of the other axis, as if every pin angle were {:.1f} degrees off; repeat the angle reference step</source>
+        <translation>Jedes Signal sieht bis {} % der anderen Achse, als wäre jeder Bolzenwinkel um {} Grad falsch; den Schritt des Winkelbezugs wiederholen</translation>
+    </message>
+    <message>
+        <source>Eight checks in a row lie {} the mean: the cell has shifted; plan a new calibration</source>
+        <translation>Acht Prüfungen in Folge liegen {} dem Mittel: Der Kraftsensor hat sich verschoben; eine neue Kalibrierung planen</translation>
+    </message>
+    <message>
+        <source>Every load seems {}, while the zeros are right: is hanger_mass_kg what hangs beside the pieces at every load, and is the first piece what its mark says?</source>
+        <translation>Jede Last scheint {}, während die Nullpunkte stimmen: Ist hanger_mass_kg das, was bei jeder Last neben den Stücken hängt, und ist das erste Stück, was seine Aufschrift sagt?</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty of a value {:.3g} {} (k = {:.2f})</source>
+        <translation>Erweiterte Unsicherheit eines Werts {} {} (k = {})</translation>
+    </message>
+    <message>
+        <source>Expected {}</source>
+        <translation>erwartet wird {}</translation>
+    </message>
+    <message>
+        <source>Fewer than {} positions; linearity is known only roughly</source>
+        <translation>Weniger als {} Positionen; die Linearität ist nur grob bekannt</translation>
+    </message>
+    <message>
+        <source>Found invalid character {}</source>
+        <translation>ungültiges Zeichen {}</translation>
+    </message>
+    <message>
+        <source>From series {} on</source>
+        <translation>Ab Reihe {}</translation>
+    </message>
+    <message>
+        <source>From step {} to {} of series {} the load {} but the reading went the other way; check what hung there</source>
+        <translation>Von Schritt {} zu {} der Reihe {} {} die Last, aber die Messung ging in die andere Richtung; prüfen, was dort hing</translation>
+    </message>
+    <message>
+        <source>From step {} to {} of series {} the voltage went the wrong way</source>
+        <translation>Von Schritt {} zu {} der Reihe {} ging die Spannung in die falsche Richtung</translation>
+    </message>
+    <message>
+        <source>From the first to the last reading the voltage wanders by {:+.2f} um: let probe, electronics and micrometer warm up, and clamp everything</source>
+        <translation>Von der ersten zur letzten Messung wandert die Spannung um {} um: Wegsensor, Elektronik und Messschraube warmlaufen lassen und alles festklemmen</translation>
+    </message>
+    <message>
+        <source>From {:.3g} kg on every load</source>
+        <translation>Jede Last ab {} kg</translation>
+    </message>
+    <message>
+        <source>From {} on</source>
+        <translation>Ab {}</translation>
+    </message>
+    <message>
+        <source>From {} on every voltage belongs to the next position: a position was skipped. {:g} um is written, the voltage belongs to {:.0f} um</source>
+        <translation>Ab {} gehört jede Spannung zur nächsten Position: Eine Position wurde übersprungen. Angeschrieben sind {} um, die Spannung gehört zu {} um</translation>
+    </message>
+    <message>
+        <source>From {} on, {}</source>
+        <translation>Ab {}: {}</translation>
+    </message>
+    <message>
+        <source>GSV, model {:02X}</source>
+        <translation>GSV, Modell {}</translation>
+    </message>
+    <message>
+        <source>Go on with the test in {}, or start another one</source>
+        <translation>Den Versuch in {} fortsetzen oder einen anderen starten</translation>
+    </message>
+    <message>
+        <source>Going down the cell reads {:+.1f} N against going up, more than 1 % of full scale: something rubs, slips or was overloaded; find it before calibrating</source>
+        <translation>Abwärts zeigt der Kraftsensor {} N gegenüber aufwärts, mehr als 1 % der Nennkraft: Etwas reibt, rutscht oder wurde überlastet; es vor dem Kalibrieren finden</translation>
+    </message>
+    <message>
+        <source>Illegal character {}</source>
+        <translation>unzulässiges Zeichen {}</translation>
+    </message>
+    <message>
+        <source>In series {}</source>
+        <translation>In Reihe {}</translation>
+    </message>
+    <message>
+        <source>In series {} the readings of steps {} and {} are swapped</source>
+        <translation>In Reihe {} sind die Messungen der Schritte {} und {} vertauscht</translation>
+    </message>
+    <message>
+        <source>In series {} to {}</source>
+        <translation>In Reihe {} bis {}</translation>
+    </message>
+    <message>
+        <source>Invalid enum value {}</source>
+        <translation>ungültiger Wert {}</translation>
+    </message>
+    <message>
+        <source>It was made by evaluation {}, this program has {}{}</source>
+        <translation>Er entstand mit Auswertung {}, dieses Programm hat {}{}</translation>
+    </message>
+    <message>
+        <source>Its readings are refused: {}</source>
+        <translation>Seine Messungen werden abgelehnt: {}</translation>
+    </message>
+    <message>
+        <source>Its readings cannot be fitted by this version: {}</source>
+        <translation>Seine Messungen lassen sich mit dieser Version nicht auswerten: {}</translation>
+    </message>
+    <message>
+        <source>Limits of the history for the sensitivity: {:.5f} to {:.5f}</source>
+        <translation>Grenzen des Verlaufs für die Empfindlichkeit: {} bis {}</translation>
+    </message>
+    <message>
+        <source>Line of {}</source>
+        <translation>Zeile von {}</translation>
+    </message>
+    <message>
+        <source>Modbus RTU device, {}</source>
+        <translation>Modbus-RTU-Gerät, {}</translation>
+    </message>
+    <message>
+        <source>No angle reference is stated: an error that all pin angles have in common leaves no trace in the readings (1 degree turns every force by {:.1f} N at {:g} N), and U does not hold it. Take it with a level on the flat of the crank, and write [angle] offset_deg</source>
+        <translation>Es ist kein Winkelbezug angegeben: Ein Fehler, den alle Bolzenwinkel gemeinsam haben, hinterlässt in den Messungen keine Spur (1 Grad dreht jede Kraft um {} N bei {} N), und U enthält ihn nicht. Ihn mit einer Wasserwaage auf der Fläche der Kurbel aufnehmen und [angle] offset_deg schreiben</translation>
+    </message>
+    <message>
+        <source>No pin angle within {:.0f} degrees of the turn; spread the angles evenly</source>
+        <translation>Kein Bolzenwinkel innerhalb von {} Grad der Umdrehung; die Winkel gleichmäßig verteilen</translation>
+    </message>
+    <message>
+        <source>No snapshot could be made for windows: {}</source>
+        <translation>Für die Fenster ließ sich kein Abbild machen: {}</translation>
+    </message>
+    <message>
+        <source>Only {} micrometer positions; take at least {}, better {}, up and down</source>
+        <translation>Nur {} Positionen der Messschraube; mindestens {} nehmen, besser {}, auf und ab</translation>
+    </message>
+    <message>
+        <source>Only {} pin angle{}: the two axes cannot be told apart; take at least {}, evenly round the turn</source>
+        <translation>Nur {} Bolzenwinkel{}: Die beiden Achsen lassen sich nicht unterscheiden; mindestens {} nehmen, gleichmäßig über die Umdrehung</translation>
+    </message>
+    <message>
+        <source>Only {} readings with weights; take at least {}, better 40 (4 pin angles, 5 loads up and down)</source>
+        <translation>Nur {} Messungen mit Gewichten; mindestens {} nehmen, besser 40 (4 Bolzenwinkel, 5 Lasten auf und ab)</translation>
+    </message>
+    <message>
+        <source>Only {} revolutions at a steady speed; take at least {}</source>
+        <translation>Nur {} Umdrehungen bei stetiger Drehzahl; mindestens {} nehmen</translation>
+    </message>
+    <message>
+        <source>Pin and bushing touch only {:.1%} of the time at the least; forces are means of {} revolutions, which differ from one another</source>
+        <translation>Bolzen und Buchse berühren sich im ungünstigsten Fall nur {} der Zeit; Kräfte sind Mittel über {} Umdrehungen, die sich voneinander unterscheiden</translation>
+    </message>
+    <message>
+        <source>Probe {}</source>
+        <translation>Wegsensor {}</translation>
+    </message>
+    <message>
+        <source>Replay of {}</source>
+        <translation>Wiedergabe von {}</translation>
+    </message>
+    <message>
+        <source>Samples of {} were lost; how many is not known</source>
+        <translation>Messwerte von {} gingen verloren; wie viele, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Series {} repeats series {} digit for digit; take it again</source>
+        <translation>Reihe {} wiederholt Reihe {} Ziffer für Ziffer; sie neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Series {} repeats series {} digit for digit{}; was it copied instead of taken?</source>
+        <translation>Reihe {} wiederholt Reihe {} Ziffer für Ziffer{}; wurde sie kopiert statt aufgenommen?</translation>
+    </message>
+    <message>
+        <source>Settings of {}</source>
+        <translation>Einstellungen von {}</translation>
+    </message>
+    <message>
+        <source>Table of {} points, {:.4g} V to {:.4g} V</source>
+        <translation>Tabelle mit {} Punkten, {} V bis {} V</translation>
+    </message>
+    <message>
+        <source>Test {} runs; stop it first</source>
+        <translation>Versuch {} läuft; ihn erst stoppen</translation>
+    </message>
+    <message>
+        <source>The arguments of {} are not usable: {}</source>
+        <translation>Die Argumente von {} sind nicht brauchbar: {}</translation>
+    </message>
+    <message>
+        <source>The axes stand as if every pin angle were {:.1f} degrees off. It can be the cell&apos;s own cross-talk; only the angle reference step can tell</source>
+        <translation>Die Achsen stehen, als wäre jeder Bolzenwinkel um {} Grad falsch. Es kann das eigene Übersprechen des Kraftsensors sein; nur der Schritt des Winkelbezugs kann es zeigen</translation>
+    </message>
+    <message>
+        <source>The driver &quot;{}&quot; ({}) cannot be loaded: {}; reinstall the package that brings it</source>
+        <translation>Der Treiber &quot;{}&quot; ({}) lässt sich nicht laden: {}; das Paket, das ihn mitbringt, neu installieren</translation>
+    </message>
+    <message>
+        <source>The driver &quot;{}&quot; ({}) is a {}, not a DriverInfo; report it to the author of that package</source>
+        <translation>Der Treiber &quot;{}&quot; ({}) ist {}, kein DriverInfo; dies dem Autor des Pakets melden</translation>
+    </message>
+    <message>
+        <source>The driver &quot;{}&quot; has no simulator; give the device a real port</source>
+        <translation>Der Treiber &quot;{}&quot; hat keine Simulation; dem Gerät einen echten Anschluss geben</translation>
+    </message>
+    <message>
+        <source>The encoder shows the crank turning backwards, while the drive turns forwards. If the crank turned counter-clockwise, exchange A and B of the crank encoder or set encoder.direction = {} in the rig file; if it did not, set spindle.direction = {}</source>
+        <translation>Der Drehgeber zeigt, dass die Kurbel rückwärts dreht, während der Antrieb vorwärts dreht. Drehte die Kurbel gegen den Uhrzeigersinn, A und B des Drehgebers der Kurbel tauschen oder encoder.direction = {} in der Prüfstandsdatei setzen; sonst spindle.direction = {} setzen</translation>
+    </message>
+    <message>
+        <source>The engine (process {}) cannot be reached for {}: {}</source>
+        <translation>Die Steuerung (Prozess {}) ist für {} nicht zu erreichen: {}</translation>
+    </message>
+    <message>
+        <source>The engine (process {}) could not be reached within {:g} s for {}{}</source>
+        <translation>Die Steuerung (Prozess {}) war innerhalb von {} s für {} nicht zu erreichen{}</translation>
+    </message>
+    <message>
+        <source>The engine (process {}) did not answer {} within {:g} s; is it still running?</source>
+        <translation>Die Steuerung (Prozess {}) antwortete auf {} nicht innerhalb von {} s; läuft sie noch?</translation>
+    </message>
+    <message>
+        <source>The engine cannot listen at {}: {}; choose another address or port</source>
+        <translation>Die Steuerung kann an {} nicht lauschen: {}; eine andere Adresse oder einen anderen Port wählen</translation>
+    </message>
+    <message>
+        <source>The engine for {} (process {}) is still starting after {:g} s; wait for it{}</source>
+        <translation>Die Steuerung für {} (Prozess {}) startet nach {} s noch immer; darauf warten{}</translation>
+    </message>
+    <message>
+        <source>The engine for {} ended at once: {}</source>
+        <translation>Die Steuerung für {} endete sofort: {}</translation>
+    </message>
+    <message>
+        <source>The engine has no thread left for this request ({}); ask again</source>
+        <translation>Die Steuerung hat für diese Anfrage keinen Faden frei ({}); noch einmal fragen</translation>
+    </message>
+    <message>
+        <source>The engine is busy with {} requests of this kind; ask again</source>
+        <translation>Die Steuerung ist mit {} Anfragen dieser Art beschäftigt; noch einmal fragen</translation>
+    </message>
+    <message>
+        <source>The engine uses it from now on ({})</source>
+        <translation>Die Steuerung verwendet ihn von jetzt an ({})</translation>
+    </message>
+    <message>
+        <source>The estimated error of the depth, {:.2g} of it, exceeds the tolerance of {:g}; most of it is by the {}{}</source>
+        <translation>Der geschätzte Fehler der Tiefe, ein Anteil von {}, überschreitet die Toleranz von {}; den größten Teil davon haben die {}{}</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty {:.3g} is more than {:g} % of the span {:.4g}; its largest part is {}</source>
+        <translation>Die erweiterte Unsicherheit {} ist mehr als {} % der Spanne {}; ihr größter Anteil ist {}</translation>
+    </message>
+    <message>
+        <source>The heaviest mass is {:g} kg, the cell may bear {:.1f} kg: nothing can be told from so little; write kilograms, not tonnes</source>
+        <translation>Die schwerste Masse ist {} kg, der Kraftsensor darf {} kg tragen: Aus so wenig lässt sich nichts sagen; Kilogramm schreiben, nicht Tonnen</translation>
+    </message>
+    <message>
+        <source>The largest load is {:.0f} N of {:.0f} N; above it the calibration is extrapolated</source>
+        <translation>Die größte Last ist {} N von {} N; darüber ist die Kalibrierung extrapoliert</translation>
+    </message>
+    <message>
+        <source>The largest {} of a revolution is {:.4g} {}; model.pairing.{} is {:g}</source>
+        <translation>{}: Der größte Wert einer Umdrehung ist {} {}; model.pairing.{} ist {}</translation>
+    </message>
+    <message>
+        <source>The last check failed: {}</source>
+        <translation>Die letzte Prüfung ist nicht bestanden: {}</translation>
+    </message>
+    <message>
+        <source>The last check is {:+.5f} off what the calibration says, more than its uncertainty of {:.5f}: calibrate again</source>
+        <translation>Die letzte Prüfung liegt {} neben dem, was die Kalibrierung sagt, mehr als ihre Unsicherheit von {}: neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>The last check lies {:.1f} standard deviations {} the mean of all before: repeat it; if it stays, look for the cause before testing</source>
+        <translation>Die letzte Prüfung liegt {} Standardabweichungen {} dem Mittel aller vorigen: sie wiederholen; bleibt es dabei, vor dem Versuch die Ursache suchen</translation>
+    </message>
+    <message>
+        <source>The other probe moved by {:.3f} V, this one by {:.3f} V: the target stands before the wrong probe, or the two plugs are exchanged</source>
+        <translation>Der andere Wegsensor bewegte sich um {} V, dieser um {} V: Das Ziel steht vor dem falschen Wegsensor, oder die beiden Stecker sind vertauscht</translation>
+    </message>
+    <message>
+        <source>The other probe shows {:.0f} % of the motion: the micrometer does not move along this probe&apos;s axis; set it up again</source>
+        <translation>Der andere Wegsensor zeigt {} % der Bewegung: Die Messschraube bewegt sich nicht längs der Achse dieses Wegsensors; sie neu einrichten</translation>
+    </message>
+    <message>
+        <source>The part that serves windows has died: {}</source>
+        <translation>Der Teil, der die Fenster bedient, ist ausgefallen: {}</translation>
+    </message>
+    <message>
+        <source>The pin angle of {:.1f} degrees at {} is off by about {:.1f} degrees; take it from the encoder</source>
+        <translation>Der Bolzenwinkel von {} Grad bei {} ist um etwa {} Grad falsch; ihn vom Drehgeber nehmen</translation>
+    </message>
+    <message>
+        <source>The planned {} revolutions are made and recorded</source>
+        <translation>Die geplanten {} Umdrehungen sind gemacht und aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>The planned {} revolutions are made; {} of them are recorded</source>
+        <translation>Die geplanten {} Umdrehungen sind gemacht; {} davon sind aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>The positions span {:g} um and the sensitivity would be {:.4g} um/V: positions are written in micrometres, not in millimetres (1 mm = 1000 um)</source>
+        <translation>Die Positionen überspannen {} um, und die Empfindlichkeit wäre {} um/V: Positionen werden in Mikrometern geschrieben, nicht in Millimetern (1 mm = 1000 um)</translation>
+    </message>
+    <message>
+        <source>The queue has no test {}; look at rigapp queue list</source>
+        <translation>Die Warteschlange hat keinen Versuch {}; siehe rigapp queue list</translation>
+    </message>
+    <message>
+        <source>The reading at {} is not a number{}</source>
+        <translation>Die Messung bei {} ist keine Zahl{}</translation>
+    </message>
+    <message>
+        <source>The reading at {} is {:.1f} N off, not only along its load: was the weight still swinging? Take it again</source>
+        <translation>Die Messung bei {} liegt {} N daneben, nicht nur längs ihrer Last: Schwang das Gewicht noch? Sie wiederholen</translation>
+    </message>
+    <message>
+        <source>The reading at {} stands twice in the table{}; remove what was pasted twice. A second run has series of its own</source>
+        <translation>Die Messung bei {} steht zweimal in der Tabelle{}; entfernen, was doppelt eingefügt wurde. Ein zweiter Durchgang hat eigene Reihen</translation>
+    </message>
+    <message>
+        <source>The readings of series {} scatter by {:.1f} N: was the weight still swinging? Wait until it hangs still</source>
+        <translation>Die Messungen der Reihe {} streuen um {} N: Schwang das Gewicht noch? Warten, bis es ruhig hängt</translation>
+    </message>
+    <message>
+        <source>The readings of the creep are passed over, {}: the creep that the settings state counts</source>
+        <translation>Die Messungen des Kriechens bleiben außer Betracht, {}: Es gilt das Kriechen, das die Einstellungen angeben</translation>
+    </message>
+    <message>
+        <source>The readings of this calibration scatter by {:.3f} N: if they are means of many, such means would reach class 2; a single reading does not</source>
+        <translation>Die Messungen dieser Kalibrierung streuen um {} N: Sind es Mittel aus vielen, so würden solche Mittel Klasse 2 erreichen; eine einzelne Messung tut es nicht</translation>
+    </message>
+    <message>
+        <source>The record {}: its result cannot be verified</source>
+        <translation>Der Datensatz {}: Sein Ergebnis lässt sich nicht nachprüfen</translation>
+    </message>
+    <message>
+        <source>The request is not readable: {}</source>
+        <translation>Die Anfrage ist nicht lesbar: {}</translation>
+    </message>
+    <message>
+        <source>The running check is passed: at {:.0f} rpm force_1 changes by {:+.2f} N, {:+.2f} N are known, the uncertainty is {:.2f} N. The cell tells mass times radius as {:.3f} kg mm, +- {:.3f}</source>
+        <translation>Die Laufprüfung ist bestanden: Bei {} rpm ändert sich force_1 um {} N, bekannt sind {} N, die Unsicherheit ist {} N. Der Kraftsensor zeigt Masse mal Radius als {} kg mm, +- {}</translation>
+    </message>
+    <message>
+        <source>The sensitivity is {:+.2f} um/V where {:+.2f} is expected: the micrometer was turned the other way, or its scale counts the other way. Positive is along the axis of the follower (probe 1) or across it (probe 2)</source>
+        <translation>Die Empfindlichkeit ist {} um/V, wo {} erwartet wird: Die Messschraube wurde anders herum gedreht, oder ihre Skale zählt anders herum. Positiv ist längs der Achse der Koppel (Wegsensor 1) oder quer dazu (Wegsensor 2)</translation>
+    </message>
+    <message>
+        <source>The sensitivity is {:.2f} um/V where {:.2f} is expected: another range of the probe&apos;s electronics, or another micrometer screw?</source>
+        <translation>Die Empfindlichkeit ist {} um/V, wo {} erwartet wird: ein anderer Bereich der Elektronik des Wegsensors oder eine andere Messschraube?</translation>
+    </message>
+    <message>
+        <source>The shipped {} are neither in {} nor where rigapp is installed; install it again, or name files of your own</source>
+        <translation>Die mitgelieferten {} sind weder in {} noch dort, wo rigapp installiert ist; es neu installieren oder eigene Dateien nennen</translation>
+    </message>
+    <message>
+        <source>The simulator of driver &quot;{}&quot; ({}) cannot be loaded: {}; reinstall the package that brings it</source>
+        <translation>Die Simulation des Treibers &quot;{}&quot; ({}) lässt sich nicht laden: {}; das Paket, das sie mitbringt, neu installieren</translation>
+    </message>
+    <message>
+        <source>The simulator of driver &quot;{}&quot; ({}) is not a class; report it to the author of that package</source>
+        <translation>Die Simulation des Treibers &quot;{}&quot; ({}) ist keine Klasse; dies dem Autor des Pakets melden</translation>
+    </message>
+    <message>
+        <source>The step number of {} stands twice in its series at this place; give each reading of a series a number of its own, in the order taken</source>
+        <translation>Die Schrittnummer von {} steht in ihrer Reihe zweimal an dieser Stelle; jeder Messung einer Reihe eine eigene Nummer geben, in der Reihenfolge der Aufnahme</translation>
+    </message>
+    <message>
+        <source>The step numbers go back at {}; write the readings in the order taken (sorted as text, 11 stands before 2)</source>
+        <translation>Die Schrittnummern gehen bei {} zurück; die Messungen in der Reihenfolge der Aufnahme schreiben (als Text sortiert steht 11 vor 2)</translation>
+    </message>
+    <message>
+        <source>The stop was commanded, the power was cut, and still the spindle is not seen to stand (asked: {})</source>
+        <translation>Der Stopp wurde befohlen und die Leistung abgeschaltet, und doch ist nicht zu sehen, dass die Spindel steht (gefragt: {})</translation>
+    </message>
+    <message>
+        <source>The table has columns that are passed over: {}; is one of them misspelt?</source>
+        <translation>Die Tabelle hat Spalten, die außer Betracht bleiben: {}; ist eine davon falsch geschrieben?</translation>
+    </message>
+    <message>
+        <source>The test is complete: {}</source>
+        <translation>Der Versuch ist vollständig: {}</translation>
+    </message>
+    <message>
+        <source>The value {} seven checks in a row, by {:.5f} in all: the cell drifts; plan a new calibration</source>
+        <translation>Der Wert {} sieben Prüfungen in Folge, insgesamt um {}: Der Kraftsensor driftet; eine neue Kalibrierung planen</translation>
+    </message>
+    <message>
+        <source>The voltage at the reference {:g} turns back: it would mean two values. Take the reading again, or leave the point out</source>
+        <translation>Die Spannung kehrt beim Referenzwert {} um: Sie würde zwei Werte bedeuten. Die Messung wiederholen oder den Punkt weglassen</translation>
+    </message>
+    <message>
+        <source>The voltage bends by {:+.2f} um over the span: stay inside the probe&apos;s linear range, and see that target and probe are parallel</source>
+        <translation>Die Spannung krümmt sich über die Spanne um {} um: im linearen Bereich des Wegsensors bleiben und darauf achten, dass Ziel und Wegsensor parallel sind</translation>
+    </message>
+    <message>
+        <source>The voltage reaches {:.2f} V at {:.0f} um, the end of the range; move the probe or choose a larger range</source>
+        <translation>Die Spannung erreicht {} V bei {} um, das Ende des Bereichs; den Wegsensor verschieben oder einen größeren Bereich wählen</translation>
+    </message>
+    <message>
+        <source>The worn area, {:.4f} of what Archard&apos;s law makes of the force itself, is less than possible even with its stated error: do not use this result; give a smaller tolerance</source>
+        <translation>Die verschlissene Fläche, das {}-Fache dessen, was das Archardsche Gesetz aus der Kraft selbst macht, ist selbst mit ihrem angegebenen Fehler kleiner als möglich: dieses Ergebnis nicht verwenden; eine kleinere Toleranz angeben</translation>
+    </message>
+    <message>
+        <source>The zero drifts by {:.1f} N over the calibration; let the cell warm up and take the readings again</source>
+        <translation>Der Nullpunkt driftet über die Kalibrierung um {} N; den Kraftsensor warmlaufen lassen und die Messungen wiederholen</translation>
+    </message>
+    <message>
+        <source>The zero jumps by {:.1f} N between {} and {}: did something touch cable or amplifier? Take the readings again</source>
+        <translation>Der Nullpunkt springt zwischen {1} und {2} um {0} N: Hat etwas Kabel oder Verstärker berührt? Die Messungen wiederholen</translation>
+    </message>
+    <message>
+        <source>There is no command {}: {}</source>
+        <translation>Einen Befehl {} gibt es nicht: {}</translation>
+    </message>
+    <message>
+        <source>There is no driver &quot;{}&quot;{}; installed are: {}</source>
+        <translation>Es gibt keinen Treiber &quot;{}&quot;{}; vorhanden sind: {}</translation>
+    </message>
+    <message>
+        <source>This engine speaks version {} of the protocol, the viewer version {}; use the same rigapp on both sides</source>
+        <translation>Diese Steuerung spricht Version {} des Protokolls, der Betrachter Version {}; auf beiden Seiten dasselbe rigapp verwenden</translation>
+    </message>
+    <message>
+        <source>This is a replay; {} needs a rig</source>
+        <translation>Dies ist eine Wiedergabe; {} braucht einen Prüfstand</translation>
+    </message>
+    <message>
+        <source>Time ran out after {:.6g} of {:.0f} cycles; the last row is not the end of the life</source>
+        <translation>Die Zeit war nach {} von {} Zyklen zu Ende; die letzte Zeile ist nicht das Ende der Lebensdauer</translation>
+    </message>
+    <message>
+        <source>Today&apos;s checks would refuse its readings: {}</source>
+        <translation>Die heutigen Prüfungen würden seine Messungen ablehnen: {}</translation>
+    </message>
+    <message>
+        <source>Value = {:.6g} {}/V (voltage {:+.6f} V)</source>
+        <translation>Wert = {} {}/V (Spannung {} V)</translation>
+    </message>
+    <message>
+        <source>Wait: {}</source>
+        <translation>Warten: {}</translation>
+    </message>
+    <message>
+        <source>Wear law {}: {}; {}</source>
+        <translation>Verschleißgesetz {}: {}; {}</translation>
+    </message>
+    <message>
+        <source>With a gap of {:g} um at position 0 the target would touch the probe at {:g} um; correct gap_at_zero_um</source>
+        <translation>Mit einem Spalt von {} um bei Position 0 würde das Ziel den Wegsensor bei {} um berühren; gap_at_zero_um berichtigen</translation>
+    </message>
+    <message>
+        <source>With a resolution of {:g} N the smallest force for ASTM E74 class A is {:g} N and for ISO 376 class 2 {:g} N; whether a class is reached is for a calibration of one axis under these standards to show. This procedure follows them, it does not comply</source>
+        <translation>Bei einer Auflösung von {} N ist die kleinste Kraft für ASTM E74 Klasse A {} N und für ISO 376 Klasse 2 {} N; ob eine Klasse erreicht wird, muss eine einachsige Kalibrierung nach diesen Normen zeigen. Dieses Verfahren folgt ihnen, es erfüllt sie nicht</translation>
+    </message>
+    <message>
+        <source>[Errno {}] {}</source>
+        <translation>[Errno {}] {}</translation>
+    </message>
+    <message>
+        <source>[Errno {}] {}: {}</source>
+        <translation>[Errno {}] {}: {}</translation>
+    </message>
+    <message>
+        <source>[run]: {}</source>
+        <translation>[run]: {}</translation>
+    </message>
+    <message>
+        <source>a DI-{} answers, and the rig file says DI-{}; {}</source>
+        <translation>ein DI-{} antwortet, und die Prüfstandsdatei nennt DI-{}; {}</translation>
+    </message>
+    <message>
+        <source>a cycle needs exactly the columns of the plan; check {}</source>
+        <translation>ein Zyklus braucht genau die Spalten des Plans; {} prüfen</translation>
+    </message>
+    <message>
+        <source>a depth of {:g} um is not possible; give 0 to less than {:g} um</source>
+        <translation>eine Tiefe von {} um ist nicht möglich; 0 bis unter {} um angeben</translation>
+    </message>
+    <message>
+        <source>a device of model {:02X} answers, not a GSV-8 (model 08); check the port in the rig file</source>
+        <translation>ein Gerät des Modells {} antwortet, kein GSV-8 (Modell 08); den Anschluss in der Prüfstandsdatei prüfen</translation>
+    </message>
+    <message>
+        <source>a grid needs 2 points at least, not {}</source>
+        <translation>ein Raster braucht mindestens 2 Punkte, nicht {}</translation>
+    </message>
+    <message>
+        <source>a message has one of the keys {}</source>
+        <translation>eine Nachricht hat einen der Schlüssel {}</translation>
+    </message>
+    <message>
+        <source>a speed of {} is not a number</source>
+        <translation>eine Drehzahl von {} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>a watchdog time-out of {:g} s is outside 0.05 to 65 s</source>
+        <translation>eine Überwachungszeit von {} s liegt außerhalb von 0.05 bis 65 s</translation>
+    </message>
+    <message>
+        <source>a watchdog time-out of {:g} s is outside 0.1 to 25.5 s</source>
+        <translation>eine Überwachungszeit von {} s liegt außerhalb von 0.1 bis 25.5 s</translation>
+    </message>
+    <message>
+        <source>a worn area of {:g} mm2 is not possible</source>
+        <translation>eine verschlissene Fläche von {} mm2 ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>a {} tells {}</source>
+        <translation>{} meldet {}</translation>
+    </message>
+    <message>
+        <source>accepted: {}</source>
+        <translation>hingenommen: {}</translation>
+    </message>
+    <message>
+        <source>all {} revolutions are</source>
+        <translation>alle {} Umdrehungen sind</translation>
+    </message>
+    <message>
+        <source>all {} revolutions were in the file; it was ended after an interruption</source>
+        <translation>alle {} Umdrehungen waren in der Datei; sie wurde nach einer Unterbrechung beendet</translation>
+    </message>
+    <message>
+        <source>an acceleration of {:g} rev/s2 is not possible</source>
+        <translation>eine Beschleunigung von {} rev/s2 ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>an alarm can be shelved for at most {:g} h, not {:g} h</source>
+        <translation>ein Alarm lässt sich höchstens {} h zurückstellen, nicht {} h</translation>
+    </message>
+    <message>
+        <source>an answer of device {}</source>
+        <translation>einer Antwort von Gerät {}</translation>
+    </message>
+    <message>
+        <source>analog channel {} is not 0 to {}</source>
+        <translation>Analogkanal {} ist nicht 0 bis {}</translation>
+    </message>
+    <message>
+        <source>and {} more</source>
+        <translation>und {} weitere</translation>
+    </message>
+    <message>
+        <source>answered {} instead of FF</source>
+        <translation>mit {} statt FF beantwortet</translation>
+    </message>
+    <message>
+        <source>at {:.1f} deg</source>
+        <translation>bei {} deg</translation>
+    </message>
+    <message>
+        <source>at {:g} scans/s and maximum_speed_rpm = {:g} the 16-bit counter may step by {} from scan to scan, too much to prove that no byte is lost; raise sample_rate_Hz or lower maximum_speed_rpm</source>
+        <translation>bei {} Abtastungen/s und maximum_speed_rpm = {} kann der 16-bit-Zähler von Abtastung zu Abtastung um {} springen, zu viel, um zu beweisen, dass kein Byte verloren ist; sample_rate_Hz erhöhen oder maximum_speed_rpm senken</translation>
+    </message>
+    <message>
+        <source>beyond what the model computes: its life reaches {:.4g} um, and {:.4g} um are needed for the limits of {:.4g} um</source>
+        <translation>jenseits dessen, was das Modell berechnet: Seine Lebensdauer reicht bis {} um, und für die Grenzen von {1} um sind {2} um nötig</translation>
+    </message>
+    <message>
+        <source>bridge_amplifiers.{} = {} is no gain; give the amplifier&apos;s output in V for 1 mV/V, a number above 0</source>
+        <translation>bridge_amplifiers.{} = {} ist keine Verstärkung; den Ausgang des Verstärkers in V je 1 mV/V angeben, eine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>by force from {}</source>
+        <translation>mit Gewalt von {}</translation>
+    </message>
+    <message>
+        <source>came and went: {}</source>
+        <translation>kam und ging: {}</translation>
+    </message>
+    <message>
+        <source>channel {:d} above its range</source>
+        <translation>Kanal {} über seinem Bereich</translation>
+    </message>
+    <message>
+        <source>channel {:d} below its range</source>
+        <translation>Kanal {} unter seinem Bereich</translation>
+    </message>
+    <message>
+        <source>channel {}</source>
+        <translation>Kanal {}</translation>
+    </message>
+    <message>
+        <source>channel {} Ud{}</source>
+        <translation>Kanal {} Ud{}</translation>
+    </message>
+    <message>
+        <source>channels.{}.source = &apos;{}.{}&apos;</source>
+        <translation>channels.{}.source = &apos;{}.{}&apos;</translation>
+    </message>
+    <message>
+        <source>choose {}</source>
+        <translation>{} wählen</translation>
+    </message>
+    <message>
+        <source>column {} is missing; the header must name {}</source>
+        <translation>Spalte {} fehlt; die Kopfzeile muss {} nennen</translation>
+    </message>
+    <message>
+        <source>command released: nothing was heard of {} for {:.0f} s</source>
+        <translation>Kommando freigegeben: Von {} war seit {} s nichts zu hören</translation>
+    </message>
+    <message>
+        <source>command {} cannot carry {}: {}</source>
+        <translation>Befehl {} kann {} nicht übertragen: {}</translation>
+    </message>
+    <message>
+        <source>command {} has no reply of numbers</source>
+        <translation>Befehl {} hat keine Antwort aus Zahlen</translation>
+    </message>
+    <message>
+        <source>command {} is not a write command</source>
+        <translation>Befehl {} ist kein Schreibbefehl</translation>
+    </message>
+    <message>
+        <source>could not open port {}: {}</source>
+        <translation>Anschluss {} ließ sich nicht öffnen: {}</translation>
+    </message>
+    <message>
+        <source>counter_{}: this device has no encoder input</source>
+        <translation>counter_{}: Dieses Gerät hat keinen Eingang für Drehgeber</translation>
+    </message>
+    <message>
+        <source>counts_per_revolution is {}, must be 4 or more</source>
+        <translation>counts_per_revolution ist {}, muss aber 4 oder mehr sein</translation>
+    </message>
+    <message>
+        <source>crank at {:.0f} deg</source>
+        <translation>Kurbel bei {} deg</translation>
+    </message>
+    <message>
+        <source>current loop {} open</source>
+        <translation>Stromschleife {} offen</translation>
+    </message>
+    <message>
+        <source>daily_at = {} is no time of the day; write it as 07:00</source>
+        <translation>daily_at = {} ist keine Uhrzeit; sie wie 07:00 schreiben</translation>
+    </message>
+    <message>
+        <source>data_type = &quot;int16&quot; keeps one of 256 counts of {}; choose &quot;int24&quot; or &quot;float32&quot;</source>
+        <translation>data_type = &quot;int16&quot; behält von {} nur einen von 256 Schritten; &quot;int24&quot; oder &quot;float32&quot; wählen</translation>
+    </message>
+    <message>
+        <source>design.kind = {}: vary names nothing to be varied</source>
+        <translation>design.kind = {}: vary nennt nichts, was variiert werden soll</translation>
+    </message>
+    <message>
+        <source>devices.{} is used by neither [spindle], [encoder], [load_cell] nor [probes]; name it there or take it out</source>
+        <translation>devices.{} wird weder von [spindle], [encoder], [load_cell] noch [probes] verwendet; es dort nennen oder herausnehmen</translation>
+    </message>
+    <message>
+        <source>devices.{}.driver = {} is a {}, where a {} is needed</source>
+        <translation>devices.{}.driver = {} ist {}, nötig ist {}</translation>
+    </message>
+    <message>
+        <source>devices.{}: {}</source>
+        <translation>devices.{}: {}</translation>
+    </message>
+    <message>
+        <source>did you mean {}</source>
+        <translation>war {} gemeint</translation>
+    </message>
+    <message>
+        <source>digital lines {} to {} are outputs</source>
+        <translation>die Digitalleitungen {} bis {} sind Ausgänge</translation>
+    </message>
+    <message>
+        <source>direction is {}, must be 1 or -1</source>
+        <translation>direction ist {}, muss aber 1 oder -1 sein</translation>
+    </message>
+    <message>
+        <source>direction {} is neither 1 nor -1</source>
+        <translation>die Drehrichtung {} ist weder 1 noch -1</translation>
+    </message>
+    <message>
+        <source>direction_line and index_line are both &quot;{}&quot;; each needs its own</source>
+        <translation>direction_line und index_line sind beide &quot;{}&quot;; jede braucht ihre eigene</translation>
+    </message>
+    <message>
+        <source>driver {} too hot</source>
+        <translation>Treiberstufe {} zu heiß</translation>
+    </message>
+    <message>
+        <source>encoder line A to {}</source>
+        <translation>Drehgeber: Leitung A an {}</translation>
+    </message>
+    <message>
+        <source>end of the replay; the test: {}</source>
+        <translation>Ende der Wiedergabe; der Versuch: {}</translation>
+    </message>
+    <message>
+        <source>error {:04X}: Hall sensor or encoder (EPOS1)</source>
+        <translation>Fehler {}: Hallsensor oder Drehgeber (EPOS1)</translation>
+    </message>
+    <message>
+        <source>error {:04X}: {}</source>
+        <translation>Fehler {}: {}</translation>
+    </message>
+    <message>
+        <source>error {:04X}: {} (EPOS1)</source>
+        <translation>Fehler {}: {} (EPOS1)</translation>
+    </message>
+    <message>
+        <source>every reading has a time in {}: all would be of the creep</source>
+        <translation>jede Messung hat eine Zeit in {}: Alle wären vom Kriechen</translation>
+    </message>
+    <message>
+        <source>exception {} ({})</source>
+        <translation>Ausnahme {} ({})</translation>
+    </message>
+    <message>
+        <source>expected {} &lt; {}</source>
+        <translation>erwartet wird {} &lt; {}</translation>
+    </message>
+    <message>
+        <source>expected {} &lt;= {}</source>
+        <translation>erwartet wird {} &lt;= {}</translation>
+    </message>
+    <message>
+        <source>expected {} &gt; {}</source>
+        <translation>erwartet wird {} &gt; {}</translation>
+    </message>
+    <message>
+        <source>expected {} &gt;= {}</source>
+        <translation>erwartet wird {} &gt;= {}</translation>
+    </message>
+    <message>
+        <source>expected {} of at least length {}</source>
+        <translation>erwartet wird {} mit mindestens der Länge {}</translation>
+    </message>
+    <message>
+        <source>expected {} of length &lt;= {}</source>
+        <translation>erwartet wird {} mit Länge &lt;= {}</translation>
+    </message>
+    <message>
+        <source>expected {} of length &gt;= {}</source>
+        <translation>erwartet wird {} mit Länge &gt;= {}</translation>
+    </message>
+    <message>
+        <source>expected {} of length {}</source>
+        <translation>erwartet wird {} mit Länge {}</translation>
+    </message>
+    <message>
+        <source>expected {} of length {}, got {}</source>
+        <translation>erwartet wird {} mit Länge {}, angegeben ist {}</translation>
+    </message>
+    <message>
+        <source>expected {}, got {}</source>
+        <translation>erwartet wird {}, angegeben ist {}</translation>
+    </message>
+    <message>
+        <source>explicit extrapolation is stable up to {:.4g} cycles on this mesh of {} sectors; give fewer, or use implicit steps</source>
+        <translation>die explizite Extrapolation ist auf diesem Netz von {1} Sektoren bis {0} Zyklen stabil; weniger angeben oder implizite Schritte nehmen</translation>
+    </message>
+    <message>
+        <source>fault {}: device = {} is not in the rig; it has {}</source>
+        <translation>fault {}: device = {} ist nicht im Prüfstand; er hat {}</translation>
+    </message>
+    <message>
+        <source>fault {}: device {} cannot have it ({})</source>
+        <translation>fault {}: Gerät {} kann sie nicht haben ({})</translation>
+    </message>
+    <message>
+        <source>fault: {}</source>
+        <translation>fault: {}</translation>
+    </message>
+    <message>
+        <source>firmware {} is known to fail in binary mode and at high rates; load {} or newer</source>
+        <translation>von Firmware {} ist bekannt, dass sie im Binärmodus und bei hohen Raten versagt; {} oder neuer laden</translation>
+    </message>
+    <message>
+        <source>function {}, address {}, {}, scale {:g}</source>
+        <translation>Funktion {}, Adresse {}, {}, Skalierung {}</translation>
+    </message>
+    <message>
+        <source>gear_ratio is {}, must be a finite number above 0</source>
+        <translation>gear_ratio ist {}, muss aber eine endliche Zahl über 0 sein</translation>
+    </message>
+    <message>
+        <source>give at least {}</source>
+        <translation>mindestens {} angeben</translation>
+    </message>
+    <message>
+        <source>give devices.{}.settings.{}, without which none is told</source>
+        <translation>devices.{}.settings.{} angeben, ohne das keines gemeldet wird</translation>
+    </message>
+    <message>
+        <source>going on after {}; the test was {}{}</source>
+        <translation>fortgesetzt nach {}; der Versuch war im Zustand {}{}</translation>
+    </message>
+    <message>
+        <source>gravity_m_s2 = {:g} does not belong to the latitude and height given, which mean {:.4f} m/s2; correct one of them</source>
+        <translation>gravity_m_s2 = {} gehört nicht zu Breite und Höhe, die angegeben sind und {} m/s2 bedeuten; eines davon berichtigen</translation>
+    </message>
+    <message>
+        <source>hand: {}</source>
+        <translation>hand: {}</translation>
+    </message>
+    <message>
+        <source>hanger_mass_kg = {:g} is more than the cell may bear ({:.1f} kg); it is written in kg, not in g</source>
+        <translation>hanger_mass_kg = {} ist mehr, als der Kraftsensor tragen darf ({} kg); es wird in kg geschrieben, nicht in g</translation>
+    </message>
+    <message>
+        <source>home value of counter_{}</source>
+        <translation>Referenzwert von counter_{}</translation>
+    </message>
+    <message>
+        <source>if it is running, the public key in {} is not among its authorised viewers, or its own key has changed</source>
+        <translation>falls sie läuft, ist der öffentliche Schlüssel in {} nicht unter ihren zugelassenen Betrachtern, oder ihr eigener Schlüssel hat sich geändert</translation>
+    </message>
+    <message>
+        <source>in use from now on: {}</source>
+        <translation>von jetzt an verwendet: {}</translation>
+    </message>
+    <message>
+        <source>input type of analog_{}</source>
+        <translation>Eingangsart von analog_{}</translation>
+    </message>
+    <message>
+        <source>invalid URL, protocol {} not known</source>
+        <translation>ungültige URL, Protokoll {} nicht bekannt</translation>
+    </message>
+    <message>
+        <source>is missing for {:.2f} s</source>
+        <translation>fehlt seit {} s</translation>
     </message>
     <message>
         <source>is of a load cell of {:g} N, the rig file says {:g} N</source>
         <translation>gehört zu einem Kraftsensor von {} N, die Prüfstandsdatei nennt {} N</translation>
     </message>
     <message>
+        <source>is of a {}</source>
+        <translation>ist von der Art {}</translation>
+    </message>
+    <message>
+        <source>is of {}</source>
+        <translation>gehört zu {}</translation>
+    </message>
+    <message>
         <source>it cannot be recorded now: {}</source>
         <translation>jetzt lässt sich nicht aufnehmen: {}</translation>
+    </message>
+    <message>
+        <source>it cannot zero {} itself; the zero belongs to the calibration</source>
+        <translation>es kann {} nicht selbst nullen; der Nullpunkt gehört zur Kalibrierung</translation>
+    </message>
+    <message>
+        <source>it is no private key in PEM without a passphrase ({})</source>
+        <translation>es ist kein privater Schlüssel in PEM ohne Passphrase ({})</translation>
+    </message>
+    <message>
+        <source>it is no public key in PEM ({})</source>
+        <translation>es ist kein öffentlicher Schlüssel in PEM ({})</translation>
+    </message>
+    <message>
+        <source>it is not a calibration record ({})</source>
+        <translation>es ist kein Kalibrierdatensatz ({})</translation>
+    </message>
+    <message>
+        <source>it leaves the follower {:g} m long, too short for the crank radius of {:g} m</source>
+        <translation>es lässt der Koppel {} m Länge, zu wenig für den Kurbelradius von {} m</translation>
+    </message>
+    <message>
+        <source>it must be between 0 and {:g} m</source>
+        <translation>es muss zwischen 0 und {} m liegen</translation>
+    </message>
+    <message>
+        <source>it must be greater than the bushing radius of {:g} m</source>
+        <translation>er muss größer sein als der Radius der Buchse von {} m</translation>
+    </message>
+    <message>
+        <source>it must be longer than the crank radius of {:g} m, or the crank cannot turn</source>
+        <translation>sie muss länger sein als der Kurbelradius von {} m, sonst kann die Kurbel nicht drehen</translation>
+    </message>
+    <message>
+        <source>it must not exceed {}</source>
+        <translation>es darf {} nicht überschreiten</translation>
+    </message>
+    <message>
+        <source>it says that its scan rates divide {} Hz, where {} Hz is known: compare its sample rate with a clock</source>
+        <translation>es meldet, dass seine Abtastraten {} Hz teilen, bekannt sind aber {} Hz: seine Abtastrate mit einer Uhr vergleichen</translation>
+    </message>
+    <message>
+        <source>it streams but did not answer {} {} times, so lost data would not be noticed; check the cable and other programs</source>
+        <translation>es sendet, antwortete aber {} {}-mal nicht, sodass verlorene Daten nicht bemerkt würden; das Kabel und andere Programme prüfen</translation>
+    </message>
+    <message>
+        <source>it takes speeds in whole steps of {:g} rpm of the crank, so that one below {:g} rpm may be more than {:.0%} beside what was asked for; choose a finer velocity_unit for those</source>
+        <translation>er nimmt Drehzahlen in ganzen Schritten von {} rpm der Kurbel, sodass eine unter {} rpm um mehr als {} neben der verlangten liegen kann; dafür eine feinere velocity_unit wählen</translation>
+    </message>
+    <message>
+        <source>its schema is {}, this program reads {}; update rigapp</source>
+        <translation>sein Schema ist {}, dieses Programm liest {}; rigapp erneuern</translation>
+    </message>
+    <message>
+        <source>its serial time-out is {:.1f} s instead of {:.1f} s</source>
+        <translation>seine serielle Überwachungszeit ist {} s statt {} s</translation>
     </message>
     <message>
         <source>kind = {}: choose one of {}</source>
         <translation>kind = {}: eines von {} wählen</translation>
     </message>
     <message>
+        <source>kind {}</source>
+        <translation>Art {}</translation>
+    </message>
+    <message>
         <source>limit {} changed{}</source>
         <translation>Grenze {} geändert{}</translation>
     </message>
     <message>
+        <source>line {} has an empty field ({}); complete or remove it</source>
+        <translation>Zeile {} hat ein leeres Feld ({}); es ergänzen oder die Zeile entfernen</translation>
+    </message>
+    <message>
+        <source>line {} has more fields than the header&apos;s {}: {} at its end; take out what is too much, and write decimal points, not commas</source>
+        <translation>Zeile {} hat mehr Felder als die {} der Kopfzeile: {} am Ende; herausnehmen, was zu viel ist, und Dezimalpunkte schreiben, keine Kommas</translation>
+    </message>
+    <message>
         <source>line {} of the journal is not usable: {}</source>
         <translation>Zeile {} des Journals ist nicht brauchbar: {}</translation>
+    </message>
+    <message>
+        <source>line {} to {}</source>
+        <translation>Leitung {} an {}</translation>
+    </message>
+    <message>
+        <source>line {}: step {} is not a whole number from 0 on</source>
+        <translation>Zeile {}: Schritt {} ist keine ganze Zahl von 0 an</translation>
+    </message>
+    <message>
+        <source>line {}: {} {} is larger than any reading</source>
+        <translation>Zeile {}: {} {} ist größer als jede Messung</translation>
+    </message>
+    <message>
+        <source>line {}: {} {} is not a number</source>
+        <translation>Zeile {}: {} {} ist keine Zahl</translation>
     </message>
     <message>
         <source>load cell zeroed{}</source>
@@ -7213,12 +11389,76 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>load_cell.zero_mV_per_V {} = {} liegt nicht innerhalb von load_cell.range_mV_per_V = {}</translation>
     </message>
     <message>
+        <source>method {} is not linear or band-limited</source>
+        <translation>die Methode {} ist nicht linear oder band-limited</translation>
+    </message>
+    <message>
+        <source>mode of counter_{}</source>
+        <translation>Betriebsart von counter_{}</translation>
+    </message>
+    <message>
+        <source>moved by {:.1f} N</source>
+        <translation>um {} N gewandert</translation>
+    </message>
+    <message>
+        <source>no RoboClaw answers at address {}: {}</source>
+        <translation>an Adresse {} antwortet kein RoboClaw: {}</translation>
+    </message>
+    <message>
+        <source>no answer to {} within {:g} s ({}); check cable and power, and that no other program uses the device</source>
+        <translation>keine Antwort auf {} innerhalb von {} s ({}); Kabel und Versorgung prüfen, und dass kein anderes Programm das Gerät benutzt</translation>
+    </message>
+    <message>
+        <source>no answer to {} within {:g} s, {} tries; check cable and power, and that the LED blinks yellow (CDC mode)</source>
+        <translation>keine Antwort auf {} innerhalb von {} s, {} Versuche; Kabel und Versorgung prüfen, und dass die LED gelb blinkt (CDC-Modus)</translation>
+    </message>
+    <message>
+        <source>no answer to {} within {:g} s; check power, wires A and B, address, baud rate and parity</source>
+        <translation>keine Antwort auf {} innerhalb von {} s; Versorgung, Adern A und B, Adresse, Baudrate und Parität prüfen</translation>
+    </message>
+    <message>
+        <source>no connection ({}); check host, port number and that the server runs</source>
+        <translation>keine Verbindung ({}); Rechnername und Portnummer prüfen, und dass der Server läuft</translation>
+    </message>
+    <message>
         <source>no level is given; give one of {}</source>
         <translation>es ist keine Grenze angegeben; eine von {} angeben</translation>
     </message>
     <message>
+        <source>no line from the simulated rig within {:g} s</source>
+        <translation>vom simulierten Prüfstand kam innerhalb von {} s keine Zeile</translation>
+    </message>
+    <message>
+        <source>no progress at {:g} s; check masses and stiffness, or raise the tolerance</source>
+        <translation>kein Fortschritt bei {} s; Massen und Steifigkeit prüfen oder die Toleranz erhöhen</translation>
+    </message>
+    <message>
         <source>no record for {}: the numbers of the rig file count</source>
         <translation>kein Kalibrierdatensatz für {}: es gelten die Zahlen der Prüfstandsdatei</translation>
+    </message>
+    <message>
+        <source>no register tells {}; the device&apos;s settings give {}</source>
+        <translation>kein Register nennt {}; die Einstellungen des Geräts ergeben {}</translation>
+    </message>
+    <message>
+        <source>no reply to {} ({}) in {} tries of {:.0f} ms or longer: check power, cable, address and baud rate</source>
+        <translation>keine Antwort auf {} ({}) in {} Versuchen von je {} ms oder länger: Versorgung, Kabel, Adresse und Baudrate prüfen</translation>
+    </message>
+    <message>
+        <source>no samples came for {:.1f} s</source>
+        <translation>seit {} s kamen keine Messwerte</translation>
+    </message>
+    <message>
+        <source>no samples for {:.1f} deg from {:.1f} deg on; a band-limited curve cannot be made of it</source>
+        <translation>{} deg lang ab {} deg keine Messwerte; eine bandbegrenzte Kurve lässt sich daraus nicht machen</translation>
+    </message>
+    <message>
+        <source>no sign of life for {:.1f} s</source>
+        <translation>seit {} s kein Lebenszeichen</translation>
+    </message>
+    <message>
+        <source>no such column: {}</source>
+        <translation>keine solche Spalte: {}</translation>
     </message>
     <message>
         <source>no value for {:.0f} s</source>
@@ -7233,20 +11473,120 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>seit {} s keine Meldung der Steuerung</translation>
     </message>
     <message>
+        <source>node {} ({})</source>
+        <translation>Knoten {} ({})</translation>
+    </message>
+    <message>
+        <source>node {} did not answer object {} in {} tries of {:.0f} ms: check power, wiring, terminators, node id and bit rate</source>
+        <translation>Knoten {} antwortete auf Objekt {} in {} Versuchen von je {} ms nicht: Versorgung, Verdrahtung, Abschlusswiderstände, Knotennummer und Bitrate prüfen</translation>
+    </message>
+    <message>
+        <source>node {} is no CiA 402 drive (device type {:08X})</source>
+        <translation>Knoten {} ist kein CiA-402-Antrieb (Gerätetyp {})</translation>
+    </message>
+    <message>
+        <source>node {} tells no heartbeat of state OPERATIONAL within {:g} s; its heartbeat cannot be supervised</source>
+        <translation>Knoten {} sendet innerhalb von {} s keinen Heartbeat im Zustand OPERATIONAL; sein Heartbeat lässt sich nicht überwachen</translation>
+    </message>
+    <message>
+        <source>not compared: {}</source>
+        <translation>nicht verglichen: {}</translation>
+    </message>
+    <message>
+        <source>nothing answers; check power, cable and port and, on a UART, baud_rate ({})</source>
+        <translation>nichts antwortet; Versorgung, Kabel und Anschluss prüfen und, an einem UART, baud_rate ({})</translation>
+    </message>
+    <message>
+        <source>nothing came for {:.1f} s though it answers: it was probably reset (power, USB) and has lost its settings and its count; connect it again and find the index again</source>
+        <translation>seit {} s kam nichts, obwohl es antwortet: Es wurde wahrscheinlich zurückgesetzt (Versorgung, USB) und hat Einstellungen und Zählerstand verloren; neu verbinden und den Index wieder suchen</translation>
+    </message>
+    <message>
+        <source>notify {} {}</source>
+        <translation>notify {} {}</translation>
+    </message>
+    <message>
+        <source>notify.name = {} stands {} times; each way needs its own</source>
+        <translation>notify.name = {} steht {}-mal da; jeder Weg braucht einen eigenen</translation>
+    </message>
+    <message>
         <source>now comes {}, not {}: {}</source>
         <translation>jetzt kommt {}, nicht {}: {}</translation>
+    </message>
+    <message>
+        <source>object {:04X}:{} reads {} after {} was set</source>
+        <translation>Objekt {}:{} meldet {}, nachdem {} gesetzt wurde</translation>
+    </message>
+    <message>
+        <source>object {} of node {} {}</source>
+        <translation>Objekt {} von Knoten {} {}</translation>
+    </message>
+    <message>
+        <source>object_map = {} lacks {}</source>
+        <translation>in object_map = {} fehlt {}</translation>
+    </message>
+    <message>
+        <source>object_map = {} names an input twice</source>
+        <translation>object_map = {} nennt einen Eingang zweimal</translation>
+    </message>
+    <message>
+        <source>object_map has {} objects; a frame has 2 to 10</source>
+        <translation>object_map hat {} Objekte; ein Rahmen hat 2 bis 10</translation>
+    </message>
+    <message>
+        <source>object_map names {}, which is not in use; take it out</source>
+        <translation>object_map nennt {}, das nicht verwendet wird; es herausnehmen</translation>
+    </message>
+    <message>
+        <source>one sample besides ± {:.2f} N</source>
+        <translation>ein Messwert abgesehen von ± {} N</translation>
     </message>
     <message>
         <source>only the load_cell can be zeroed, not {}</source>
         <translation>nur load_cell kann genullt werden, nicht {}</translation>
     </message>
     <message>
+        <source>only {} of {} bytes could be sent</source>
+        <translation>nur {} von {} Bytes ließen sich senden</translation>
+    </message>
+    <message>
+        <source>only {} of {} bytes were written</source>
+        <translation>nur {} von {} Bytes wurden geschrieben</translation>
+    </message>
+    <message>
+        <source>or see {}</source>
+        <translation>oder siehe {}</translation>
+    </message>
+    <message>
+        <source>orders: choose 1 to {}</source>
+        <translation>Ordnungen: 1 bis {} wählen</translation>
+    </message>
+    <message>
+        <source>overrun_drops is {}, must be &apos;scans&apos; or &apos;bytes&apos;</source>
+        <translation>overrun_drops ist {}, muss aber &apos;scans&apos; oder &apos;bytes&apos; sein</translation>
+    </message>
+    <message>
         <source>overspeed_rpm = {:g} must be above the set speed {:g} rpm</source>
         <translation>overspeed_rpm = {} muss über der eingestellten Drehzahl {} rpm liegen</translation>
     </message>
     <message>
+        <source>paperwork.calibrated_on = {} is in the future; correct the date</source>
+        <translation>paperwork.calibrated_on = {} liegt in der Zukunft; das Datum berichtigen</translation>
+    </message>
+    <message>
+        <source>paused {}</source>
+        <translation>in Pause {}</translation>
+    </message>
+    <message>
         <source>pausing for {}</source>
         <translation>hält an für {}</translation>
+    </message>
+    <message>
+        <source>ping.url holds a password; {}</source>
+        <translation>ping.url enthält ein Passwort; {}</translation>
+    </message>
+    <message>
+        <source>preset = &quot;{}&quot; needs at least one entry in registers</source>
+        <translation>preset = &quot;{}&quot; braucht mindestens einen Eintrag in registers</translation>
     </message>
     <message>
         <source>probe {:g} is set up, not {:g}</source>
@@ -7261,12 +11601,40 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>probes.run_out_cos_um {} hat {} Ordnungen und probes.run_out_sin_um {} hat {}; gleich viele angeben</translation>
     </message>
     <message>
+        <source>process {}</source>
+        <translation>Prozess {}</translation>
+    </message>
+    <message>
+        <source>process {} on {}</source>
+        <translation>Prozess {} auf {}</translation>
+    </message>
+    <message>
+        <source>product {:08X}</source>
+        <translation>Produkt {}</translation>
+    </message>
+    <message>
+        <source>query {} is not known; the only one is &apos;state&apos;</source>
+        <translation>die Abfrage {} ist nicht bekannt; die einzige ist &apos;state&apos;</translation>
+    </message>
+    <message>
         <source>read after {:.0f} s</source>
         <translation>nach {} s gelesen</translation>
     </message>
     <message>
+        <source>read failed: {}</source>
+        <translation>Lesen schlug fehl: {}</translation>
+    </message>
+    <message>
         <source>readings are missing: {}</source>
         <translation>Messungen fehlen: {}</translation>
+    </message>
+    <message>
+        <source>readings are taken while the rig is ready and no test is under way, not while {}</source>
+        <translation>Messungen werden genommen, wenn der Prüfstand bereit und kein Versuch im Gang ist, nicht im Zustand {}</translation>
+    </message>
+    <message>
+        <source>record {}</source>
+        <translation>Kalibrierdatensatz {}</translation>
     </message>
     <message>
         <source>record {} {}, used all the same: {}</source>
@@ -7277,16 +11645,68 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kalibrierdatensatz {}, fällig {}</translation>
     </message>
     <message>
+        <source>registers are given: write preset = &quot;{}&quot;, or take them out</source>
+        <translation>registers ist angegeben: preset = &quot;{}&quot; schreiben oder es herausnehmen</translation>
+    </message>
+    <message>
+        <source>registers name the quantity {} twice</source>
+        <translation>registers nennt die Größe {} zweimal</translation>
+    </message>
+    <message>
+        <source>registers, entry {}: scale = {:g} tells nothing</source>
+        <translation>registers, Eintrag {}: scale = {} sagt nichts aus</translation>
+    </message>
+    <message>
+        <source>registers, entry {}: {}</source>
+        <translation>registers, Eintrag {}: {}</translation>
+    </message>
+    <message>
+        <source>replay × {:g}</source>
+        <translation>Wiedergabe × {}</translation>
+    </message>
+    <message>
         <source>reset by {}</source>
         <translation>zurückgesetzt von {}</translation>
+    </message>
+    <message>
+        <source>revolution {}</source>
+        <translation>Umdrehung {}</translation>
     </message>
     <message>
         <source>revolution {} is made already; the test can end after a later one than {}</source>
         <translation>Umdrehung {} ist schon gemacht; der Versuch kann nur nach einer späteren als {} enden</translation>
     </message>
     <message>
+        <source>revolutions {} to {}</source>
+        <translation>Umdrehungen {} bis {}</translation>
+    </message>
+    <message>
+        <source>rig file: devices.{}.settings.clock = &apos;encoder&apos; needs the pulse rate (rate_range_Hz) on a simulated rig, whose time is not that of this computer</source>
+        <translation>Prüfstandsdatei: devices.{}.settings.clock = &apos;encoder&apos; braucht die Pulsfrequenz (rate_range_Hz) an einem simulierten Prüfstand, dessen Zeit nicht die dieses Rechners ist</translation>
+    </message>
+    <message>
+        <source>rig file: {}</source>
+        <translation>Prüfstandsdatei: {}</translation>
+    </message>
+    <message>
+        <source>rig file: {} = {} is not among what the device sends ({}); correct the key</source>
+        <translation>Prüfstandsdatei: {} = {} ist nicht unter dem, was das Gerät sendet ({}); den Schlüssel berichtigen</translation>
+    </message>
+    <message>
+        <source>rigapp engine: {}</source>
+        <translation>rigapp engine: {}</translation>
+    </message>
+    <message>
+        <source>rigapp identify ended with {}</source>
+        <translation>rigapp identify endete mit {}</translation>
+    </message>
+    <message>
         <source>run-out: {}</source>
         <translation>Rundlauf: {}</translation>
+    </message>
+    <message>
+        <source>run.files = {}: there are no such files</source>
+        <translation>run.files = {}: Solche Dateien gibt es nicht</translation>
     </message>
     <message>
         <source>run.repeat_from_step = {}, but run.step stands {} times</source>
@@ -7297,8 +11717,52 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>run.step steht {}-mal da; {} sind möglich, und sie lassen sich wiederholen</translation>
     </message>
     <message>
+        <source>run.step {} speed_rpm</source>
+        <translation>run.step {} speed_rpm</translation>
+    </message>
+    <message>
         <source>run.step {}: give revolutions or duration_s, one of the two</source>
         <translation>run.step {}: geben Sie revolutions oder duration_s an, eines von beiden</translation>
+    </message>
+    <message>
+        <source>sample rate {} Hz is not positive</source>
+        <translation>die Abtastrate {} Hz ist nicht positiv</translation>
+    </message>
+    <message>
+        <source>sample {} is not later than the one before</source>
+        <translation>Messwert {} ist nicht später als der vorige</translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = {:.9g} is not possible with {} entries in the scan list; the nearest possible: {}</source>
+        <translation>sample_rate_Hz = {} ist mit {} Einträgen in der Abtastliste nicht möglich; die nächsten möglichen: {}</translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = {:g} is not a rate of this device; the nearest are {}</source>
+        <translation>sample_rate_Hz = {} ist keine Rate dieses Geräts; die nächsten sind {}</translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = {:g} is not a rate; give a number &gt; 0</source>
+        <translation>sample_rate_Hz = {} ist keine Rate; eine Zahl &gt; 0 angeben</translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = {:g} is the nominal rate of the encoder&apos;s pulses; with {} entries in the scan list it can be {:g} at most</source>
+        <translation>sample_rate_Hz = {} ist die Nennfrequenz der Pulse des Drehgebers; mit {} Einträgen in der Abtastliste kann sie höchstens {} sein</translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = {:g} needs more than a line of {} baud carries ({:.0f} samples/s); choose a lower rate, a higher baud rate or USB</source>
+        <translation>sample_rate_Hz = {} braucht mehr, als eine Leitung mit {} Baud trägt ({} Messwerte/s); eine kleinere Rate, eine höhere Baudrate oder USB wählen</translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = {:g}: the device allows at most {:g} with {} objects as {}; choose a lower rate{}</source>
+        <translation>sample_rate_Hz = {}: Das Gerät erlaubt höchstens {} mit {} Objekten als {}; eine kleinere Rate wählen{}</translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz is {}, must be positive</source>
+        <translation>sample_rate_Hz ist {}, muss aber positiv sein</translation>
+    </message>
+    <message>
+        <source>samples are missing before revolution {}: {} lost</source>
+        <translation>Messwerte fehlen vor Umdrehung {}: {} verloren</translation>
     </message>
     <message>
         <source>series repeated: {}</source>
@@ -7313,8 +11777,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Reihe {} ist im Gang; sie erst beenden, dann Reihe {} verwerfen und wiederholen</translation>
     </message>
     <message>
+        <source>series {}, step {}</source>
+        <translation>Reihe {}, Schritt {}</translation>
+    </message>
+    <message>
         <source>series {}, {:g} um</source>
         <translation>Reihe {}, {} um</translation>
+    </message>
+    <message>
+        <source>set model = {} in the rig file</source>
+        <translation>in der Prüfstandsdatei model = {} setzen</translation>
     </message>
     <message>
         <source>settings: {}</source>
@@ -7325,8 +11797,68 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Signal {}</translation>
     </message>
     <message>
+        <source>signal_1 {}</source>
+        <translation>signal_1 {}</translation>
+    </message>
+    <message>
+        <source>signal_2 {}</source>
+        <translation>signal_2 {}</translation>
+    </message>
+    <message>
+        <source>signal_unit = {}, but a rig reads its load cell in {}; write signal_unit = {} and the signals as the amplifier&apos;s mV of the bridge per V of excitation</source>
+        <translation>signal_unit = {}, aber ein Prüfstand liest seinen Kraftsensor in {}; signal_unit = {} schreiben und die Signale als mV der Brücke je V Speisung, wie der Verstärker sie zeigt</translation>
+    </message>
+    <message>
+        <source>signal_{} hardly follows the load ({:.1f} % of the other signal): is the bridge connected and switched on?</source>
+        <translation>signal_{} folgt der Last kaum ({} % des anderen Signals): Ist die Brücke angeschlossen und eingeschaltet?</translation>
+    </message>
+    <message>
+        <source>signal_{} jumps by {:.0f} N at {}</source>
+        <translation>signal_{} springt um {} N bei {}</translation>
+    </message>
+    <message>
+        <source>signal_{} never changes ({:g}); is the bridge connected and switched on?</source>
+        <translation>signal_{} ändert sich nie ({}); ist die Brücke angeschlossen und eingeschaltet?</translation>
+    </message>
+    <message>
+        <source>signal_{} reads</source>
+        <translation>zeigt signal_{}</translation>
+    </message>
+    <message>
+        <source>signal_{} stands still at {:g} from {} while the load grows: the input is saturated; choose a larger range</source>
+        <translation>signal_{} steht ab {2} bei {1} still, während die Last wächst: Der Eingang ist übersteuert; einen größeren Bereich wählen</translation>
+    </message>
+    <message>
+        <source>something sends bytes, but not those of a GSV-8; check the port and, on a UART, baud_rate ({})</source>
+        <translation>etwas sendet Bytes, aber nicht die eines GSV-8; den Anschluss prüfen und, an einem UART, baud_rate ({})</translation>
+    </message>
+    <message>
+        <source>spindle.device and encoder.device are both {}; the drive and the data acquisition are separate devices in a simulated rig</source>
+        <translation>spindle.device und encoder.device sind beide {}; Antrieb und Messwerterfassung sind an einem simulierten Prüfstand getrennte Geräte</translation>
+    </message>
+    <message>
         <source>started by {}</source>
         <translation>gestartet von {}</translation>
+    </message>
+    <message>
+        <source>state {}</source>
+        <translation>Zustand {}</translation>
+    </message>
+    <message>
+        <source>state: {}</source>
+        <translation>Zustand: {}</translation>
+    </message>
+    <message>
+        <source>states an uncertainty of {:.3g} N at {:g} N, more than the {:.0f} % by which a cell without calibration may be wrong</source>
+        <translation>gibt bei {1} N eine Unsicherheit von {0} N an, mehr als die {2} %, um die ein Kraftsensor ohne Kalibrierung falsch sein kann</translation>
+    </message>
+    <message>
+        <source>states that it was made on {}, which is in the future</source>
+        <translation>gibt an, am {} erstellt zu sein, was in der Zukunft liegt</translation>
+    </message>
+    <message>
+        <source>status {} is not one of {}</source>
+        <translation>der Status {} ist keiner von {}</translation>
     </message>
     <message>
         <source>steady; {} s of the waiting time are left</source>
@@ -7335,6 +11867,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>step {} of {}, {} left</source>
         <translation>Schritt {} von {}, noch {}</translation>
+    </message>
+    <message>
+        <source>step {}{}</source>
+        <translation>Schritt {}{}</translation>
     </message>
     <message>
         <source>stop.force_N = {:g} can never be met, because limits.overload_N = {:g} switches the drive off before; lower stop.force_N</source>
@@ -7357,20 +11893,116 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} bis {} Positionen nehmen</translation>
     </message>
     <message>
+        <source>test {} of the queue runs already</source>
+        <translation>Versuch {} der Warteschlange läuft schon</translation>
+    </message>
+    <message>
+        <source>test {}, {}: {} {} more wait</source>
+        <translation>Versuch {}, {}: {} {} weitere warten</translation>
+    </message>
+    <message>
+        <source>the CAN adapter broke off ({}); check its cable and the bus</source>
+        <translation>der CAN-Adapter ist ausgefallen ({}); sein Kabel und den Bus prüfen</translation>
+    </message>
+    <message>
+        <source>the CAN interface {} cannot be listened to ({})</source>
+        <translation>auf der CAN-Schnittstelle {} lässt sich nicht hören ({})</translation>
+    </message>
+    <message>
+        <source>the CAN interface {} cannot be opened ({}); check the channel&apos;s name, the adapter and that no other program uses it</source>
+        <translation>die CAN-Schnittstelle {} lässt sich nicht öffnen ({}); den Namen des Kanals und den Adapter prüfen, und dass kein anderes Programm sie benutzt</translation>
+    </message>
+    <message>
+        <source>the arguments of {} are not usable: {}</source>
+        <translation>die Argumente von {} sind nicht brauchbar: {}</translation>
+    </message>
+    <message>
+        <source>the bushing&apos;s wall of {:g} mm is worn through; give fewer cycles</source>
+        <translation>die Wand der Buchse von {} mm ist durchgeschliffen; weniger Zyklen angeben</translation>
+    </message>
+    <message>
         <source>the calibration record {} of {} {}; calibrate again, or write calibration_override with the reason</source>
         <translation>der Kalibrierdatensatz {} von {} {}; neu kalibrieren oder calibration_override mit dem Grund schreiben</translation>
+    </message>
+    <message>
+        <source>the channel of {} is a number, not {}</source>
+        <translation>der Kanal von {} ist eine Zahl, nicht {}</translation>
+    </message>
+    <message>
+        <source>the connection broke while {} ({}); check cable and power</source>
+        <translation>die Verbindung brach beim {} ab ({}); Kabel und Versorgung prüfen</translation>
+    </message>
+    <message>
+        <source>the counter counts on while the device does not scan; the pulse edge, width and highest rate on {}</source>
+        <translation>der Zähler zählt weiter, während das Gerät nicht abtastet; Pulsflanke, Breite und höchste Rate an {}</translation>
+    </message>
+    <message>
+        <source>the counter stepped by {} from one scan to the next, where {} (and a change of {} at most) is possible</source>
+        <translation>der Zähler sprang von einer Abtastung zur nächsten um {}, wo {} (und eine Änderung von höchstens {}) möglich ist</translation>
     </message>
     <message>
         <source>the depth is known in {} bins of revolutions so far, and {} are needed: wait</source>
         <translation>die Tiefe ist bisher in {} Abschnitten von Umdrehungen bekannt, {} sind nötig: warten</translation>
     </message>
     <message>
+        <source>the design has {:,} points; at most {:,}</source>
+        <translation>der Versuchsplan hat {} Punkte; höchstens {}</translation>
+    </message>
+    <message>
+        <source>the device has no input &quot;{}&quot;; it has analog_1 to analog_8, counter_1, counter_2</source>
+        <translation>das Gerät hat keinen Eingang &quot;{}&quot;; es hat analog_1 bis analog_8, counter_1, counter_2</translation>
+    </message>
+    <message>
         <source>the devices are not released: {}</source>
         <translation>die Geräte sind nicht freigegeben: {}</translation>
     </message>
     <message>
+        <source>the disk took {:.1f} s over a commit</source>
+        <translation>die Festplatte brauchte {} s für ein Sichern</translation>
+    </message>
+    <message>
+        <source>the drive has left operation enabled: {}</source>
+        <translation>der Antrieb hat „Betrieb freigegeben“ verlassen: {}</translation>
+    </message>
+    <message>
+        <source>the drive has restarted ({}) and its motor is off; check its supply</source>
+        <translation>der Antrieb ist neu gestartet ({}), und sein Motor ist aus; die Versorgung prüfen</translation>
+    </message>
+    <message>
+        <source>the drive has {} counts per revolution (four times object 3010:1), the rig file {}: one of them is wrong, and so would be the speed</source>
+        <translation>der Antrieb hat {} Schritte je Umdrehung (viermal Objekt 3010:1), die Prüfstandsdatei {}: Eines von beiden ist falsch, und damit wäre es auch die Drehzahl</translation>
+    </message>
+    <message>
+        <source>the drive is in fault, {}; reset it first</source>
+        <translation>der Antrieb ist in Störung, {}; ihn erst zurücksetzen</translation>
+    </message>
+    <message>
         <source>the drive keeps its fault: {}</source>
         <translation>der Antrieb behält seine Störung: {}</translation>
+    </message>
+    <message>
+        <source>the drive stays in fault, {}; remove its cause first</source>
+        <translation>der Antrieb bleibt in Störung, {}; erst die Ursache beheben</translation>
+    </message>
+    <message>
+        <source>the drive stays in mode {} instead of profile velocity</source>
+        <translation>der Antrieb bleibt in der Betriebsart {} statt „Profile Velocity“</translation>
+    </message>
+    <message>
+        <source>the drive stays in state {} after disable voltage; use the emergency stop</source>
+        <translation>der Antrieb bleibt nach dem Abschalten der Spannung im Zustand {}; den Not-Halt benutzen</translation>
+    </message>
+    <message>
+        <source>the drive stays in state {} on its way to operation enabled; look at its safe-torque-off inputs and its supply</source>
+        <translation>der Antrieb bleibt auf dem Weg zu „Betrieb freigegeben“ im Zustand {}; seine Eingänge für sicher abgeschaltetes Moment und seine Versorgung prüfen</translation>
+    </message>
+    <message>
+        <source>the drive&apos;s heartbeat {}</source>
+        <translation>der Heartbeat des Antriebs {}</translation>
+    </message>
+    <message>
+        <source>the emergency stop stays: {}</source>
+        <translation>der Not-Halt bleibt: {}</translation>
     </message>
     <message>
         <source>the encoder shows {:.1f} degrees with the crank level; it should show about 0. Is it the right flat? Else correct encoder.index_angle_deg in the rig file</source>
@@ -7385,6 +12017,46 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>die Steuerung antwortete nicht innerhalb von {} s</translation>
     </message>
     <message>
+        <source>the engine ended between two tests; {} more wait</source>
+        <translation>die Steuerung endete zwischen zwei Versuchen; {} weitere warten</translation>
+    </message>
+    <message>
+        <source>the engine has been busy with another command for {:.0f} s (connecting or starting, perhaps); wait for it, or stop</source>
+        <translation>die Steuerung ist seit {} s mit einem anderen Befehl beschäftigt (vielleicht Verbinden oder Starten); darauf warten oder stoppen</translation>
+    </message>
+    <message>
+        <source>the engine is still {} after {:g} s of waiting for {}</source>
+        <translation>die Steuerung ist nach {1} s Warten auf {2} noch im Zustand {0}</translation>
+    </message>
+    <message>
+        <source>the fields are separated by {}; separate them by commas, with decimal points (a spreadsheet does so when it saves as CSV in English)</source>
+        <translation>die Felder sind durch {} getrennt; sie durch Kommas trennen, mit Dezimalpunkten (eine Tabellenkalkulation tut das, wenn sie CSV auf Englisch speichert)</translation>
+    </message>
+    <message>
+        <source>the file is empty; columns {} are needed</source>
+        <translation>die Datei ist leer; nötig sind die Spalten {}</translation>
+    </message>
+    <message>
+        <source>the file name {} holds the character {}; take it out</source>
+        <translation>der Dateiname {} enthält das Zeichen {}; es herausnehmen</translation>
+    </message>
+    <message>
+        <source>the file name {}... has {} bytes, {} at most; shorten it</source>
+        <translation>der Dateiname {}... hat {} Bytes, höchstens {}; ihn kürzen</translation>
+    </message>
+    <message>
+        <source>the file was made without {}; it is limited and shown, but not kept</source>
+        <translation>die Datei entstand ohne {}; es wird begrenzt und gezeigt, aber nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>the grid has {:,} points; at most {:,}: take fewer levels, or design.kind = &quot;sobol&quot;</source>
+        <translation>das Raster hat {} Punkte; höchstens {}: weniger Stufen nehmen oder design.kind = &quot;sobol&quot;</translation>
+    </message>
+    <message>
+        <source>the header names column {} twice; take one out</source>
+        <translation>die Kopfzeile nennt Spalte {} zweimal; eine herausnehmen</translation>
+    </message>
+    <message>
         <source>the load cell shows {:.0f} N, limits.overload_N is {:g} N; unload the pin or take the zero</source>
         <translation>der Kraftsensor zeigt {} N, limits.overload_N ist {} N; den Bolzen entlasten oder nullen</translation>
     </message>
@@ -7393,32 +12065,172 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>die Last hängt seit {} s, gefordert waren {} s: abnehmen, das Kriechen beginnt neu</translation>
     </message>
     <message>
+        <source>the model computes the life to a depth of {:.4g} um only, and {:.4g} um are measured: compute it further</source>
+        <translation>das Modell berechnet die Lebensdauer nur bis zu einer Tiefe von {} um, und gemessen sind {} um: weiter berechnen</translation>
+    </message>
+    <message>
+        <source>the node has left OPERATIONAL (state {})</source>
+        <translation>der Knoten hat OPERATIONAL verlassen (Zustand {})</translation>
+    </message>
+    <message>
+        <source>the path that ends with {} has {} bytes, {} at most; choose a folder nearer to the root</source>
+        <translation>der Pfad, der mit {} endet, hat {} Bytes, höchstens {}; einen Ordner näher an der Wurzel wählen</translation>
+    </message>
+    <message>
+        <source>the pin must fit the bushing of radius {:g} m</source>
+        <translation>der Bolzen muss in die Buchse vom Radius {} m passen</translation>
+    </message>
+    <message>
         <source>the pin stands at {:.1f} degrees</source>
         <translation>der Bolzen steht bei {} Grad</translation>
+    </message>
+    <message>
+        <source>the pin would sink {:.3g} mm</source>
+        <translation>der Bolzen würde {} mm einsinken</translation>
     </message>
     <message>
         <source>the plan is not possible: {}</source>
         <translation>der Plan ist nicht möglich: {}</translation>
     </message>
     <message>
+        <source>the port cannot be opened ({}); check the port&apos;s name in the rig file</source>
+        <translation>der Anschluss lässt sich nicht öffnen ({}); den Namen des Anschlusses in der Prüfstandsdatei prüfen</translation>
+    </message>
+    <message>
+        <source>the port {} ({})</source>
+        <translation>der Anschluss {} ({})</translation>
+    </message>
+    <message>
+        <source>the prediction was not asked: {}</source>
+        <translation>die Vorhersage wurde nicht gefragt: {}</translation>
+    </message>
+    <message>
         <source>the probes have no calibration record that states {}: calibrate them, or give the test their record</source>
         <translation>die Wegsensoren haben keinen Kalibrierdatensatz, der {} angibt: sie kalibrieren oder dem Versuch ihren Datensatz geben</translation>
+    </message>
+    <message>
+        <source>the program that wrote the file ended without closing the test (killed, crashed or power lost); {} safe, resume {}</source>
+        <translation>das Programm, das die Datei schrieb, endete, ohne den Versuch zu schließen (beendet, abgestürzt oder Stromausfall); {} sicher, resume {}</translation>
+    </message>
+    <message>
+        <source>the question of driver {} failed: {}</source>
+        <translation>die Suche des Treibers {} schlug fehl: {}</translation>
+    </message>
+    <message>
+        <source>the rate input has no range of {:g} Hz</source>
+        <translation>der Frequenzeingang hat keinen Bereich von {} Hz</translation>
     </message>
     <message>
         <source>the reading is not a number{}; check cable and amplifier</source>
         <translation>die Messung ist keine Zahl{}; Kabel und Verstärker prüfen</translation>
     </message>
     <message>
+        <source>the reading thread is busy for {:g} s</source>
+        <translation>der Lesevorgang ist seit {} s beschäftigt</translation>
+    </message>
+    <message>
+        <source>the record is of the kind {}, and this version knows only {}; a newer one may have made it</source>
+        <translation>der Datensatz ist von der Art {}, und diese Version kennt nur {}; eine neuere kann ihn gemacht haben</translation>
+    </message>
+    <message>
+        <source>the rest has become a pause: {}</source>
+        <translation>die Ruhe ist zur Pause geworden: {}</translation>
+    </message>
+    <message>
+        <source>the run at {:g} rpm was not completed: {} {} holds it</source>
+        <translation>der Lauf mit {} rpm wurde nicht beendet: {} {} enthält ihn</translation>
+    </message>
+    <message>
+        <source>the run is {}</source>
+        <translation>der Lauf ist im Zustand {}</translation>
+    </message>
+    <message>
+        <source>the secret {} is not in {}, and {}; write it into that file, mode 0600, or give it by: keyring set {} {}</source>
+        <translation>das Geheimnis {} ist nicht in {}, und {}; es in diese Datei schreiben, Modus 0600, oder eingeben mit: keyring set {} {}</translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s memory (TEDS) cannot be used (status {:02X})</source>
+        <translation>der Speicher des Sensors (TEDS) ist nicht verwendbar (Status {})</translation>
+    </message>
+    <message>
+        <source>the serial time-out reads {:.1f} s after {:.1f} s was set; the spindle must not turn without it</source>
+        <translation>die serielle Überwachungszeit wird mit {} s gelesen, nachdem {} s gesetzt wurden; ohne sie darf die Spindel nicht drehen</translation>
+    </message>
+    <message>
+        <source>the simulated rig has ended ({})</source>
+        <translation>der simulierte Prüfstand ist beendet ({})</translation>
+    </message>
+    <message>
+        <source>the spindle stands {}; seen by {}</source>
+        <translation>die Spindel steht {}; gesehen durch {}</translation>
+    </message>
+    <message>
+        <source>the status of firmware &quot;{}&quot; has neither 16 nor 32 bits; set status_width from the drive&apos;s manual</source>
+        <translation>der Status der Firmware &quot;{}&quot; hat weder 16 noch 32 Bit; status_width nach dem Handbuch des Antriebs setzen</translation>
+    </message>
+    <message>
         <source>the test shall end after {} revolutions{}</source>
         <translation>der Versuch soll nach {} Umdrehungen enden{}</translation>
+    </message>
+    <message>
+        <source>the test shall have {} revolutions</source>
+        <translation>der Versuch soll {} Umdrehungen haben</translation>
+    </message>
+    <message>
+        <source>the test was made on a {} rig, this one is {}</source>
+        <translation>der Versuch entstand an einem Prüfstand der Art {}, dieser ist {}</translation>
+    </message>
+    <message>
+        <source>the test was made with a {}, this rig has a {}: use the rig of the test</source>
+        <translation>der Versuch entstand mit {}, dieser Prüfstand hat {}: den Prüfstand des Versuchs verwenden</translation>
+    </message>
+    <message>
+        <source>the test was resumed after revolution {}</source>
+        <translation>der Versuch wurde nach Umdrehung {} fortgesetzt</translation>
+    </message>
+    <message>
+        <source>the test was sampled by {}, this rig samples by {}</source>
+        <translation>der Versuch wurde nach {} abgetastet, dieser Prüfstand tastet nach {} ab</translation>
+    </message>
+    <message>
+        <source>the twin cannot be reached: {}</source>
+        <translation>die Vorhersage ist nicht zu erreichen: {}</translation>
+    </message>
+    <message>
+        <source>the twin did not answer within {:g} s</source>
+        <translation>die Vorhersage antwortete nicht innerhalb von {} s</translation>
+    </message>
+    <message>
+        <source>the twin did not come up within {:g} s</source>
+        <translation>die Vorhersage kam nicht innerhalb von {} s in Gang</translation>
+    </message>
+    <message>
+        <source>the twin ended with status {}</source>
+        <translation>die Vorhersage endete mit Status {}</translation>
+    </message>
+    <message>
+        <source>the twin failed ({}: {})</source>
+        <translation>die Vorhersage schlug fehl ({}: {})</translation>
+    </message>
+    <message>
+        <source>the twin has left nothing readable in the file ({})</source>
+        <translation>die Vorhersage hat in der Datei nichts Lesbares hinterlassen ({})</translation>
     </message>
     <message>
         <source>the two angles differ by {:.2f} degrees; was the level on the same flat both times, and the bubble in the middle?</source>
         <translation>die beiden Winkel unterscheiden sich um {} Grad; lag die Wasserwaage beide Male auf derselben Fläche, mit der Blase in der Mitte?</translation>
     </message>
     <message>
+        <source>the velocity unit {:08X} (60A9) is unknown; set rpm (00B44700) in the drive</source>
+        <translation>die Geschwindigkeitseinheit {} (60A9) ist unbekannt; rpm (00B44700) im Antrieb einstellen</translation>
+    </message>
+    <message>
         <source>the weights cannot make {:g} kg; the nearest is {:g} kg of {:g} kg in all</source>
         <translation>die Gewichte ergeben keine {} kg; am nächsten sind {} kg von zusammen {} kg</translation>
+    </message>
+    <message>
+        <source>the workers were lost ({}: {}); what is done is safe, and the same command goes on with it</source>
+        <translation>die Rechenprozesse gingen verloren ({}: {}); was fertig ist, ist sicher, und derselbe Befehl macht damit weiter</translation>
     </message>
     <message>
         <source>the zero is taken before a test, not while {}</source>
@@ -7433,6 +12245,26 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der {} endete nach {} von {} Umdrehungen: {}; {} enthält, was aufgezeichnet wurde</translation>
     </message>
     <message>
+        <source>the {} has {:,} characters; shorten it to {:,}</source>
+        <translation>{} hat {} Zeichen; auf {} kürzen</translation>
+    </message>
+    <message>
+        <source>the {} of {} is not a text</source>
+        <translation>{} von {} ist kein Text</translation>
+    </message>
+    <message>
+        <source>there are {} and not {}</source>
+        <translation>es sind {} und nicht {}</translation>
+    </message>
+    <message>
+        <source>there is no alarm &quot;{}&quot;; on the list are: {}</source>
+        <translation>es gibt keinen Alarm „{}“; auf der Liste stehen: {}</translation>
+    </message>
+    <message>
+        <source>there is no limit {}; there are: {}</source>
+        <translation>es gibt keine Grenze {}; es gibt: {}</translation>
+    </message>
+    <message>
         <source>there is no reading number {}</source>
         <translation>es gibt keine Messung Nummer {}</translation>
     </message>
@@ -7445,8 +12277,84 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>diese Messungen kommen vom Prüfstand {}, dies ist {}; ein anderes Journal nennen</translation>
     </message>
     <message>
+        <source>they were taken {} after loading, not {}</source>
+        <translation>sie wurden {} nach dem Belasten genommen, nicht {}</translation>
+    </message>
+    <message>
+        <source>this computer&apos;s UTC clock jumped by {:.1f} s</source>
+        <translation>die UTC-Uhr dieses Rechners sprang um {} s</translation>
+    </message>
+    <message>
+        <source>this firmware has no watchdog: it does not answer SET_TIMEOUT and GET_TIMEOUT ({:d}, {:d}), and the spindle must not turn without one; update the drive&apos;s firmware</source>
+        <translation>diese Firmware hat keine Zeitüberwachung: Sie antwortet nicht auf SET_TIMEOUT und GET_TIMEOUT ({}, {}), und ohne sie darf die Spindel nicht drehen; die Firmware des Antriebs erneuern</translation>
+    </message>
+    <message>
+        <source>to {}</source>
+        <translation>nach {}</translation>
+    </message>
+    <message>
+        <source>told by {}</source>
+        <translation>gemeldet von {}</translation>
+    </message>
+    <message>
+        <source>too many by {:g} s; raise the tolerance</source>
+        <translation>zu viele bei {} s; die Toleranz erhöhen</translation>
+    </message>
+    <message>
+        <source>unknown error bit {}</source>
+        <translation>unbekanntes Fehlerbit {}</translation>
+    </message>
+    <message>
         <source>unknown event {}</source>
         <translation>unbekanntes Ereignis {}</translation>
+    </message>
+    <message>
+        <source>url holds a password; {}</source>
+        <translation>url enthält ein Passwort; {}</translation>
+    </message>
+    <message>
+        <source>user offset of analog_{}</source>
+        <translation>Offset von analog_{}</translation>
+    </message>
+    <message>
+        <source>user scale of analog_{}</source>
+        <translation>Skalierung von analog_{}</translation>
+    </message>
+    <message>
+        <source>value error of unknown kind {} with flags {:04X}</source>
+        <translation>Messwertfehler unbekannter Art {} mit den Kennbits {}</translation>
+    </message>
+    <message>
+        <source>vary.{}: is not a known key; known here: {}</source>
+        <translation>vary.{}: ist kein bekannter Schlüssel; hier bekannt: {}</translation>
+    </message>
+    <message>
+        <source>vary.{}: low = {:g} must be above 0 on a log scale</source>
+        <translation>vary.{}: low = {} muss auf einer logarithmischen Skale über 0 liegen</translation>
+    </message>
+    <message>
+        <source>vary.{}: low = {:g} must be below {:g}</source>
+        <translation>vary.{}: low = {} muss unter {} liegen</translation>
+    </message>
+    <message>
+        <source>vary.{}: the list is empty; name a value at least</source>
+        <translation>vary.{}: Die Liste ist leer; mindestens einen Wert nennen</translation>
+    </message>
+    <message>
+        <source>vary.{}: {}: give {}</source>
+        <translation>vary.{}: {}: {} angeben</translation>
+    </message>
+    <message>
+        <source>vendor {:08X}</source>
+        <translation>Hersteller {}</translation>
+    </message>
+    <message>
+        <source>was answered by {} bytes ({})</source>
+        <translation>wurde mit {} Bytes beantwortet ({})</translation>
+    </message>
+    <message>
+        <source>was refused: {}</source>
+        <translation>wurde abgelehnt: {}</translation>
     </message>
     <message>
         <source>was taken on the rig {}, this is {}</source>
@@ -7457,6 +12365,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>wurde an {} aufgenommen, dies ist {}</translation>
     </message>
     <message>
+        <source>watchdog: the host was silent for {:.2f} s and the drive has stopped the motor</source>
+        <translation>Überwachungszeit: Der Rechner schwieg {} s, und der Antrieb hat den Motor gestoppt</translation>
+    </message>
+    <message>
         <source>weights: {} is not a mass; write for example 5x8, 2, 2, 1, 0.5 (eight pieces of 5 kg and four others)</source>
         <translation>Gewichte: {} ist keine Masse; zum Beispiel 5x8, 2, 2, 1, 0.5 schreiben (acht Stücke von 5 kg und vier andere)</translation>
     </message>
@@ -7465,8 +12377,44 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Gewichte: {}: 1 bis 64 Stücke bis 50 kg angeben</translation>
     </message>
     <message>
+        <source>what answers is no RoboClaw at address {}: {}</source>
+        <translation>was an Adresse {} antwortet, ist kein RoboClaw: {}</translation>
+    </message>
+    <message>
+        <source>what is applied to the samples was compared, the uncertainty cannot be verified: it states U = {:.3g} {}, this evaluation gives {:.3g} {}</source>
+        <translation>verglichen wurde, was auf die Messwerte angewandt wird; die Unsicherheit lässt sich nicht nachprüfen: Angegeben ist U = {} {}, diese Auswertung ergibt {} {}</translation>
+    </message>
+    <message>
         <source>what should hang weighs {:.1f} N</source>
         <translation>was hängen sollte, wiegt {} N</translation>
+    </message>
+    <message>
+        <source>when is empty; choose of {}</source>
+        <translation>when ist leer; wählen aus {}</translation>
+    </message>
+    <message>
+        <source>with {} by digital lines</source>
+        <translation>mit {} über Digitalleitungen</translation>
+    </message>
+    <message>
+        <source>without {}</source>
+        <translation>ohne {}</translation>
+    </message>
+    <message>
+        <source>write failed: {}</source>
+        <translation>Schreiben schlug fehl: {}</translation>
+    </message>
+    <message>
+        <source>write {NAME} in its place, and the secret under that name into the keyring or secrets.toml</source>
+        <translation>statt dessen {NAME} schreiben und das Geheimnis unter diesem Namen in den Schlüsselbund oder secrets.toml</translation>
+    </message>
+    <message>
+        <source>you are not in command of this rig, {}</source>
+        <translation>Sie haben nicht das Kommando über diesen Prüfstand, {}</translation>
+    </message>
+    <message>
+        <source>zeroing {} is prohibited in the device; allow it with the maker&apos;s program</source>
+        <translation>das Nullen von {} ist im Gerät gesperrt; es mit dem Programm des Herstellers erlauben</translation>
     </message>
     <message>
         <source>{:+.5f} V (the calibration in use makes {:+.1f} um of it)</source>
@@ -7481,8 +12429,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} Messwerte je Umdrehung bei {} Hz</translation>
     </message>
     <message>
+        <source>{:.1f} rpm does not fit into object 60FF</source>
+        <translation>{} rpm passen nicht in Objekt 60FF</translation>
+    </message>
+    <message>
+        <source>{:.1f} rpm is above the rig&apos;s maximum of {:.1f} rpm</source>
+        <translation>{} rpm liegen über dem Höchstwert des Prüfstands von {} rpm</translation>
+    </message>
+    <message>
         <source>{:.1f} s old</source>
         <translation>{} s alt</translation>
+    </message>
+    <message>
+        <source>{:.1f} to {:.1f} deg</source>
+        <translation>{} bis {} deg</translation>
+    </message>
+    <message>
+        <source>{:.2f} N off, {:.2f} N are allowed</source>
+        <translation>{} N daneben, {} N sind erlaubt</translation>
+    </message>
+    <message>
+        <source>{:.2f} kg {} than written</source>
+        <translation>{} kg {} als angeschrieben</translation>
     </message>
     <message>
         <source>{:.3g} {} is at the end of the range</source>
@@ -7507,6 +12475,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{:g} kg at {:.1f} degrees</source>
         <translation>{} kg bei {} Grad</translation>
+    </message>
+    <message>
+        <source>{:g} kg is more than the cell may bear ({:.1f} kg); check the mass, which is written in kilograms, not in grams, newtons or pounds</source>
+        <translation>{} kg ist mehr, als der Kraftsensor tragen darf ({} kg); die Masse prüfen, die in Kilogramm geschrieben wird, nicht in Gramm, Newton oder Pfund</translation>
     </message>
     <message>
         <source>{:g} rpm for {} revolutions; {} records it</source>
@@ -7557,16 +12529,72 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{number} ganze Zyklen hatten keinen reservierten Platz in der Datei.</translation>
     </message>
     <message>
+        <source>{} (at end of document)</source>
+        <translation>{} (am Ende der Datei)</translation>
+    </message>
+    <message>
+        <source>{} (at line {}, column {})</source>
+        <translation>{} (Zeile {}, Spalte {})</translation>
+    </message>
+    <message>
+        <source>{} (command {:02X})</source>
+        <translation>{} (Befehl {})</translation>
+    </message>
+    <message>
+        <source>{} (counter)</source>
+        <translation>{} (Zähler)</translation>
+    </message>
+    <message>
+        <source>{} (its rig)</source>
+        <translation>{} (sein Prüfstand)</translation>
+    </message>
+    <message>
         <source>{} (its test)</source>
         <translation>{} (sein Versuch)</translation>
+    </message>
+    <message>
+        <source>{} (rate)</source>
+        <translation>{} (Frequenz)</translation>
+    </message>
+    <message>
+        <source>{} (reported before the start)</source>
+        <translation>{} (vor dem Start gemeldet)</translation>
+    </message>
+    <message>
+        <source>{} (scan clock)</source>
+        <translation>{} (Abtasttakt)</translation>
+    </message>
+    <message>
+        <source>{} (status {:02X})</source>
+        <translation>{} (Status {})</translation>
     </message>
     <message>
         <source>{} ({wired} of {device}) is at the end of its range, {span}: its cable or plug, its range, or a signal beyond it.</source>
         <translation>{} ({wired} von {device}) ist am Ende seines Bereichs, {span}: Kabel oder Stecker, der Bereich, oder ein Signal darüber hinaus.</translation>
     </message>
     <message>
+        <source>{} ({} more like it.)</source>
+        <translation>{} ({} weitere dieser Art.)</translation>
+    </message>
+    <message>
         <source>{} ({} to {}) mm^3/(N m)</source>
         <translation>{} ({} bis {}) mm^3/(N m)</translation>
+    </message>
+    <message>
+        <source>{} ({}) failed in {} tries: {}: check the cable&apos;s screen and the baud rate</source>
+        <translation>{} ({}) schlug in {} Versuchen fehl: {}: den Schirm des Kabels und die Baudrate prüfen</translation>
+    </message>
+    <message>
+        <source>{} = &quot;{}&quot; is the rate input, which rate_range_Hz records; choose another line</source>
+        <translation>{} = &quot;{}&quot; ist der Frequenzeingang, den rate_range_Hz aufzeichnet; eine andere Leitung wählen</translation>
+    </message>
+    <message>
+        <source>{} = &quot;{}&quot; needs clock = &quot;encoder&quot;: scans of the internal clock miss its changes; take it out</source>
+        <translation>{} = &quot;{}&quot; braucht clock = &quot;encoder&quot;: Die Abtastung nach der internen Uhr verpasst seine Wechsel; es herausnehmen</translation>
+    </message>
+    <message>
+        <source>{} = {:g} is not plausible ({}: {}){}</source>
+        <translation>{} = {} ist nicht glaubhaft ({}: {}){}</translation>
     </message>
     <message>
         <source>{} = {:g}: {:g} samples/s give {:.0f} samples a revolution, {} are needed; raise the sample rate</source>
@@ -7575,6 +12603,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} = {} cannot be inverted; two rows say the same, or nothing</source>
         <translation>{} = {} ist nicht umkehrbar; zwei Zeilen sagen dasselbe oder nichts</translation>
+    </message>
+    <message>
+        <source>{} = {} cannot have it; choose one of {}</source>
+        <translation>{} = {} kann sie nicht haben; eines von {} wählen</translation>
+    </message>
+    <message>
+        <source>{} = {} differs from {}, with which the port was opened; open it again</source>
+        <translation>{} = {} weicht von {} ab, womit der Anschluss geöffnet wurde; ihn neu öffnen</translation>
+    </message>
+    <message>
+        <source>{} = {} has no input; give device = {} a fault</source>
+        <translation>{} = {} hat keinen Eingang; device = {} eine Störung geben</translation>
     </message>
     <message>
         <source>{} = {} is not a finite number{}</source>
@@ -7589,12 +12629,36 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} = {} ist keine ganze Zahl{}</translation>
     </message>
     <message>
+        <source>{} = {} is not an analog input; write analog_1, analog_2</source>
+        <translation>{} = {} ist kein analoger Eingang; analog_1, analog_2 schreiben</translation>
+    </message>
+    <message>
         <source>{} = {} is not readable; write 1</source>
         <translation>{} = {} ist nicht lesbar; 1 schreiben</translation>
     </message>
     <message>
         <source>{} = {} is outside {}{}</source>
         <translation>{} = {} liegt außerhalb von {}{}</translation>
+    </message>
+    <message>
+        <source>{} Are the signals volts of an amplifier, counts, or N?</source>
+        <translation>{} Sind die Signale Volt eines Verstärkers, Zählschritte oder N?</translation>
+    </message>
+    <message>
+        <source>{} CAN receiver</source>
+        <translation>{} CAN-Empfänger</translation>
+    </message>
+    <message>
+        <source>{} That was revolution {} of at most {}</source>
+        <translation>{} Das war Umdrehung {} von höchstens {}</translation>
+    </message>
+    <message>
+        <source>{} The file could not be finished: {}</source>
+        <translation>{} Die Datei ließ sich nicht abschließen: {}</translation>
+    </message>
+    <message>
+        <source>{} Then: {}</source>
+        <translation>{} Danach: {}</translation>
     </message>
     <message>
         <source>{} This only exercises the cell; nothing is read</source>
@@ -7607,6 +12671,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} above limit</source>
         <translation>{} über der Grenze</translation>
+    </message>
+    <message>
+        <source>{} and go through the wall of {:.3g} mm; lower the force</source>
+        <translation>{} und durch die Wand von {} mm gehen; die Kraft senken</translation>
+    </message>
+    <message>
+        <source>{} angles and {} depths</source>
+        <translation>{} Winkel und {} Tiefen</translation>
+    </message>
+    <message>
+        <source>{} at the end of the range</source>
+        <translation>{} am Ende des Bereichs</translation>
     </message>
     <message>
         <source>{} back past the position, to {}, then forward to {}</source>
@@ -7629,12 +12705,80 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} nennen beide {}; jeder braucht einen eigenen Eingang</translation>
     </message>
     <message>
+        <source>{} by {:.1f} N, more than {:g} N ({:g} % of the full scale)</source>
+        <translation>{} um {} N, mehr als {} N ({} % der Nennkraft)</translation>
+    </message>
+    <message>
+        <source>{} bytes only</source>
+        <translation>nur {} Bytes</translation>
+    </message>
+    <message>
+        <source>{} bytes without the end of a text</source>
+        <translation>{} Bytes ohne das Ende eines Texts</translation>
+    </message>
+    <message>
+        <source>{} cannot be a &quot;{}&quot;; it can be a bridge or a voltage</source>
+        <translation>{} kann kein Eingang der Art &quot;{}&quot; sein; möglich sind Brücke oder Spannung</translation>
+    </message>
+    <message>
+        <source>{} cannot be called so: its column {} exists; choose another name</source>
+        <translation>{} kann nicht so heißen: Seine Spalte {} gibt es schon; einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>{} cannot be {}: {}</source>
+        <translation>{} kann nicht {} sein: {}</translation>
+    </message>
+    <message>
+        <source>{} cannot go on here: {}</source>
+        <translation>{} kann hier nicht fortgesetzt werden: {}</translation>
+    </message>
+    <message>
+        <source>{} check{} with this calibration: in control</source>
+        <translation>{}-mal{} mit dieser Kalibrierung geprüft: unter statistischer Kontrolle</translation>
+    </message>
+    <message>
+        <source>{} counts per revolution are not four times a whole number</source>
+        <translation>{} Schritte je Umdrehung sind nicht das Vierfache einer ganzen Zahl</translation>
+    </message>
+    <message>
+        <source>{} counts per revolution are too few</source>
+        <translation>{} Schritte je Umdrehung sind zu wenig</translation>
+    </message>
+    <message>
+        <source>{} counts/s ({:.1f} rpm of the crank) is above the drive&apos;s own limit (QPPS) of {} counts/s; tune the drive&apos;s velocity loop</source>
+        <translation>{} Schritte/s ({} rpm der Kurbel) liegen über der eigenen Grenze (QPPS) des Antriebs von {} Schritten/s; den Drehzahlregler des Antriebs einstellen</translation>
+    </message>
+    <message>
+        <source>{} differs</source>
+        <translation>{} weicht ab</translation>
+    </message>
+    <message>
         <source>{} does not exist or cannot be written to</source>
         <translation>{} gibt es nicht oder ist nicht beschreibbar</translation>
     </message>
     <message>
+        <source>{} entries in the scan list, {} at most; take analog inputs out</source>
+        <translation>{} Einträge in der Abtastliste, höchstens {}; analoge Eingänge herausnehmen</translation>
+    </message>
+    <message>
+        <source>{} for {} angles</source>
+        <translation>{} für {} Winkel</translation>
+    </message>
+    <message>
+        <source>{} forces and {} slips</source>
+        <translation>{} Kräfte und {} Gleitwege</translation>
+    </message>
+    <message>
         <source>{} forward to {}. Do not turn past it</source>
         <translation>{} vor bis {}. Nicht darüber hinaus drehen</translation>
+    </message>
+    <message>
+        <source>{} goes on only with a reason: {}; put it right, or give the reason, which is recorded</source>
+        <translation>{} wird nur mit einem Grund fortgesetzt: {}; es in Ordnung bringen oder den Grund angeben, der aufgezeichnet wird</translation>
+    </message>
+    <message>
+        <source>{} has shown the very same value for {:.1f} turns; check its sensor, amplifier and cable</source>
+        <translation>{} zeigt seit {} Umdrehungen genau denselben Wert; Sensor, Verstärker und Kabel prüfen</translation>
     </message>
     <message>
         <source>{} holds the control character \u{:04x}; take it out</source>
@@ -7649,6 +12793,82 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} in {}</translation>
     </message>
     <message>
+        <source>{} into a wall of {:.3g} mm with {:.3g} MPa, which is beyond linear elasticity; lower the force or give a stiffer bushing</source>
+        <translation>{} in eine Wand von {} mm mit {} MPa, was jenseits der linearen Elastizität liegt; die Kraft senken oder eine steifere Buchse angeben</translation>
+    </message>
+    <message>
+        <source>{} is</source>
+        <translation>{} hat es</translation>
+    </message>
+    <message>
+        <source>{} is a counter and cannot measure a {}</source>
+        <translation>{} ist ein Zähler und kann {} nicht messen</translation>
+    </message>
+    <message>
+        <source>{} is a folder</source>
+        <translation>{} ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>{} is answered by {}; check the registers against the device&apos;s manual</source>
+        <translation>{} wird mit {} beantwortet; die Register mit dem Handbuch des Geräts vergleichen</translation>
+    </message>
+    <message>
+        <source>{} is declared as a bridge, and the {} has no bridge inputs; put a bridge amplifier with a voltage output before it and tell its output in V for 1 mV/V as bridge_amplifiers = {{ {} = ... }}</source>
+        <translation>{} ist als Brücke angegeben, und das {} hat keine Brückeneingänge; einen Brückenverstärker mit Spannungsausgang davorsetzen und seinen Ausgang in V je 1 mV/V als bridge_amplifiers = {{ {} = ... }} angeben</translation>
+    </message>
+    <message>
+        <source>{} is done: a rest of {:g} s</source>
+        <translation>{} ist fertig: eine Ruhe von {} s</translation>
+    </message>
+    <message>
+        <source>{} is in command of this rig, so {} is refused; take command first. Stop, drive off and acknowledge are possible for everybody</source>
+        <translation>{} hat das Kommando über diesen Prüfstand, daher wird {} abgelehnt; erst das Kommando übernehmen. Stoppen, Antrieb aus und Quittieren stehen jedem offen</translation>
+    </message>
+    <message>
+        <source>{} is in command; ask for a release, or take over by force, which is recorded</source>
+        <translation>{} hat das Kommando; um Freigabe bitten oder es mit Gewalt übernehmen, was aufgezeichnet wird</translation>
+    </message>
+    <message>
+        <source>{} is missing</source>
+        <translation>{} fehlt</translation>
+    </message>
+    <message>
+        <source>{} is missing; choose one of {}</source>
+        <translation>{} fehlt; eines von {} wählen</translation>
+    </message>
+    <message>
+        <source>{} is no name for a channel; write at most {} lower-case letters, digits and _, a letter first and not raw_, for example bushing_temperature</source>
+        <translation>{} ist kein Name für einen Kanal; höchstens {} Kleinbuchstaben, Ziffern und _ schreiben, zuerst einen Buchstaben und nicht raw_, zum Beispiel bushing_temperature</translation>
+    </message>
+    <message>
+        <source>{} is not an input; write analog_1 to analog_8 or {}</source>
+        <translation>{} ist kein Eingang; analog_1 bis analog_8 oder {} schreiben</translation>
+    </message>
+    <message>
+        <source>{} is not in use</source>
+        <translation>{} wird nicht verwendet</translation>
+    </message>
+    <message>
+        <source>{} is not that of the test ({})</source>
+        <translation>{} ist nicht die des Versuchs ({})</translation>
+    </message>
+    <message>
+        <source>{} is set otherwise than before: {}</source>
+        <translation>{} ist anders eingestellt als zuvor: {}</translation>
+    </message>
+    <message>
+        <source>{} is {:.6g}, {} the {} limit {:.6g}</source>
+        <translation>{} ist {}, {} der Grenze ({}) von {}</translation>
+    </message>
+    <message>
+        <source>{} is {} after {} was written; check the device with the maker&apos;s program</source>
+        <translation>{} ist {}, nachdem {} geschrieben wurde; das Gerät mit dem Programm des Herstellers prüfen</translation>
+    </message>
+    <message>
+        <source>{} is {} in the end, {} was asked for: another setting changed it; check the device with the maker&apos;s program</source>
+        <translation>{} ist am Ende {}, verlangt war {}: Eine andere Einstellung hat es geändert; das Gerät mit dem Programm des Herstellers prüfen</translation>
+    </message>
+    <message>
         <source>{} is {}, above the {} limit {}.</source>
         <translation>{} ist {}, über der Grenze ({}) von {}.</translation>
     </message>
@@ -7657,12 +12877,52 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} ist {}, unter der Grenze ({}) von {}.</translation>
     </message>
     <message>
+        <source>{} is {}{}: {}</source>
+        <translation>{} ist {}{}: {}</translation>
+    </message>
+    <message>
         <source>{} lost</source>
         <translation>{} ausgefallen</translation>
     </message>
     <message>
+        <source>{} names no file; give the name of a file</source>
+        <translation>{} nennt keine Datei; den Namen einer Datei angeben</translation>
+    </message>
+    <message>
+        <source>{} names the records that are in use already</source>
+        <translation>{} nennt die Datensätze, die schon verwendet werden</translation>
+    </message>
+    <message>
+        <source>{} needs firmware {} or newer, this device has {}; let the maker update it</source>
+        <translation>{} braucht Firmware {} oder neuer, dieses Gerät hat {}; sie vom Hersteller erneuern lassen</translation>
+    </message>
+    <message>
+        <source>{} needs packages that are missing ({}); install them: pip install &apos;rigapp[{}]&apos;</source>
+        <translation>{} braucht Pakete, die fehlen ({}); sie installieren: pip install &apos;rigapp[{}]&apos;</translation>
+    </message>
+    <message>
+        <source>{} needs {}</source>
+        <translation>{} braucht {}</translation>
+    </message>
+    <message>
+        <source>{} of the last {} checks lie more than {:g} standard deviation{} {} the mean: something begins to change; watch it</source>
+        <translation>{} der letzten {} Prüfungen liegen mehr als {} Standardabweichungen{} {} dem Mittel: Etwas beginnt sich zu ändern; es beobachten</translation>
+    </message>
+    <message>
         <source>{} of this test, beside overload, overspeed and stale data</source>
         <translation>{} dieses Versuchs, neben Überlast, Überdrehzahl und veralteten Daten</translation>
+    </message>
+    <message>
+        <source>{} of {}</source>
+        <translation>{} von {}</translation>
+    </message>
+    <message>
+        <source>{} of {} bytes</source>
+        <translation>{} von {} Bytes</translation>
+    </message>
+    <message>
+        <source>{} of {} is not a number from {:g} to {:g}</source>
+        <translation>{} von {} ist keine Zahl von {} bis {}</translation>
     </message>
     <message>
         <source>{} on {port} has told nothing for {age_s:.0f} s{why}.</source>
@@ -7673,12 +12933,64 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} an {port}: {sentence}</translation>
     </message>
     <message>
+        <source>{} on {}: {}</source>
+        <translation>{} an {}: {}</translation>
+    </message>
+    <message>
+        <source>{} or {}</source>
+        <translation>{} oder {}</translation>
+    </message>
+    <message>
         <source>{} pieces are more than {}; name fewer</source>
         <translation>{} Stücke sind mehr als {}; weniger nennen</translation>
     </message>
     <message>
+        <source>{} readings at {} references; take at least {} references, up and down</source>
+        <translation>{} Messungen an {} Referenzwerten; mindestens {} Referenzwerte nehmen, auf und ab</translation>
+    </message>
+    <message>
+        <source>{} revolutions are</source>
+        <translation>{} Umdrehungen sind</translation>
+    </message>
+    <message>
+        <source>{} samples of {} were lost in all</source>
+        <translation>{} Messwerte von {} gingen insgesamt verloren</translation>
+    </message>
+    <message>
+        <source>{} scans are missing before sample {}</source>
+        <translation>{} Abtastungen fehlen vor Messwert {}</translation>
+    </message>
+    <message>
+        <source>{} seems {}, at every pin angle: weigh the piece that joins there</source>
+        <translation>{} scheint {}, bei jedem Bolzenwinkel: das Stück wiegen, das dort hinzukommt</translation>
+    </message>
+    <message>
         <source>{} steps, {} revolutions</source>
         <translation>{} Schritte, {} Umdrehungen</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} bis {}</translation>
+    </message>
+    <message>
+        <source>{} tries</source>
+        <translation>{} Versuche</translation>
+    </message>
+    <message>
+        <source>{} was answered by {}; check the line, its termination, and that addresses are used once</source>
+        <translation>{} wurde mit {} beantwortet; die Leitung und ihren Abschluss prüfen, und dass jede Adresse nur einmal vergeben ist</translation>
+    </message>
+    <message>
+        <source>{} was answered with the wrong number of bytes; check the firmware and that no other program uses the device</source>
+        <translation>{} wurde mit der falschen Anzahl von Bytes beantwortet; die Firmware prüfen, und dass kein anderes Programm das Gerät benutzt</translation>
+    </message>
+    <message>
+        <source>{} was answered with {}</source>
+        <translation>{} wurde mit {} beantwortet</translation>
+    </message>
+    <message>
+        <source>{} was answered with {} instead of its echo; check that no other program uses the device, and switch it off and on</source>
+        <translation>{} wurde mit {} statt mit seinem Echo beantwortet; prüfen, dass kein anderes Programm das Gerät benutzt, und es aus- und einschalten</translation>
     </message>
     <message>
         <source>{} was at or {} {:g} {} in one revolution, {:.4g} {} in the last one</source>
@@ -7689,16 +13001,92 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} lag bei oder {} {} {} in {} Umdrehungen in Folge, zuletzt bei {} {}</translation>
     </message>
     <message>
+        <source>{} was changed in more than the records that it names; it counts when the engine is started again</source>
+        <translation>{} wurde in mehr als den Datensätzen geändert, die es nennt; es gilt, wenn die Steuerung neu gestartet wird</translation>
+    </message>
+    <message>
+        <source>{} was deleted while the test writes it</source>
+        <translation>{} wurde gelöscht, während der Versuch sie schreibt</translation>
+    </message>
+    <message>
+        <source>{} was moved{} while the test writes it</source>
+        <translation>{} wurde verschoben{}, während der Versuch sie schreibt</translation>
+    </message>
+    <message>
+        <source>{} was over before its {:g} rpm were reached</source>
+        <translation>{} war vorbei, bevor seine {} rpm erreicht waren</translation>
+    </message>
+    <message>
+        <source>{} was refused: {}</source>
+        <translation>{} wurde abgelehnt: {}</translation>
+    </message>
+    <message>
+        <source>{} was replaced by another file while the test writes it</source>
+        <translation>{} wurde durch eine andere Datei ersetzt, während der Versuch sie schreibt</translation>
+    </message>
+    <message>
+        <source>{} words to function {} instead of {} to {}</source>
+        <translation>{} Wörtern zu Funktion {} statt {} zu {}</translation>
+    </message>
+    <message>
+        <source>{} {} from {} on at Modbus address {}</source>
+        <translation>{} {} ab {} an Modbus-Adresse {}</translation>
+    </message>
+    <message>
+        <source>{} {} limit</source>
+        <translation>{} {} der Grenze</translation>
+    </message>
+    <message>
+        <source>{} {}: give a name that ends with .csv</source>
+        <translation>{} {}: einen Namen angeben, der mit .csv endet</translation>
+    </message>
+    <message>
         <source>{} {}: give {} or more different speeds from {:g} to {:g} rpm</source>
         <translation>{} {}: {} oder mehr verschiedene Drehzahlen von {} bis {} rpm angeben</translation>
+    </message>
+    <message>
+        <source>{} {}: that is the parameter file; give another name</source>
+        <translation>{} {}: Das ist die Parameterdatei; einen anderen Namen angeben</translation>
+    </message>
+    <message>
+        <source>{} {}: there is no such folder, or it is one itself</source>
+        <translation>{} {}: Einen solchen Ordner gibt es nicht, oder es ist selbst einer</translation>
     </message>
     <message>
         <source>{} {}: write speeds in rpm, such as 3,6</source>
         <translation>{} {}: Drehzahlen in rpm schreiben, zum Beispiel 3,6</translation>
     </message>
     <message>
+        <source>{}, after revolution {}; it is started again and goes on from there</source>
+        <translation>{}, nach Umdrehung {}; sie wird neu gestartet und macht dort weiter</translation>
+    </message>
+    <message>
+        <source>{}, allowed are {}</source>
+        <translation>{}, erlaubt sind {}</translation>
+    </message>
+    <message>
+        <source>{}, and another file has its name</source>
+        <translation>{}, und eine andere Datei hat ihren Namen</translation>
+    </message>
+    <message>
+        <source>{}, and it could not be saved: {}</source>
+        <translation>{}, und sie ließ sich nicht retten: {}</translation>
+    </message>
+    <message>
         <source>{}, law {}: {}</source>
         <translation>{}, Gesetz {}: {}</translation>
+    </message>
+    <message>
+        <source>{}, quadratic terms (corrected Akaike criterion lower by {:.0f})</source>
+        <translation>{}, quadratische Glieder (korrigiertes Akaike-Kriterium um {} kleiner)</translation>
+    </message>
+    <message>
+        <source>{}, revolution {}</source>
+        <translation>{}, Umdrehung {}</translation>
+    </message>
+    <message>
+        <source>{}, still so after {} restarts; check that the encoder drives the counter input, maximum_speed_rpm and maximum_acceleration_rev_per_s2, and that the device was not reset (its settings and its count are lost then)</source>
+        <translation>{}, auch nach {} Neustarts noch; prüfen, dass der Drehgeber den Zählereingang ansteuert, maximum_speed_rpm und maximum_acceleration_rev_per_s2, und dass das Gerät nicht zurückgesetzt wurde (Einstellungen und Zählerstand sind dann verloren)</translation>
     </message>
     <message>
         <source>{}, then again from step {}</source>
@@ -7713,8 +13101,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}, {} sind geplant</translation>
     </message>
     <message>
+        <source>{}, {} of {}</source>
+        <translation>{}, {} von {}</translation>
+    </message>
+    <message>
+        <source>{}.device = {}</source>
+        <translation>{}.device = {}</translation>
+    </message>
+    <message>
         <source>{}.device = {} is not among the devices ({})</source>
         <translation>{}.device = {} ist nicht unter den Geräten ({})</translation>
+    </message>
+    <message>
+        <source>{}.device = {} must be {}, the device of the encoder: inputs are sampled together with the crank angle; what another device tells comes with {}.source = &quot;DEVICE.QUANTITY&quot;</source>
+        <translation>{}.device = {} muss {} sein, das Gerät des Drehgebers: Eingänge werden zusammen mit dem Kurbelwinkel abgetastet; was ein anderes Gerät meldet, kommt mit {}.source = &quot;DEVICE.QUANTITY&quot;</translation>
     </message>
     <message>
         <source>{}.initial_wear_coefficient_mm3_per_Nm = {:g} is below bushing.wear_coefficient_mm3_per_Nm = {:g}, to which it falls</source>
@@ -7725,24 +13125,224 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}.law = {} braucht bushing.wear_coefficient_mm3_per_Nm über 0</translation>
     </message>
     <message>
+        <source>{}.scale = 0 makes the same value of every voltage; write the unit per V</source>
+        <translation>{}.scale = 0 macht aus jeder Spannung denselben Wert; die Einheit je V schreiben</translation>
+    </message>
+    <message>
+        <source>{}.source = {} is not readable; write &quot;DEVICE.QUANTITY&quot;</source>
+        <translation>{}.source = {} ist nicht lesbar; &quot;DEVICE.QUANTITY&quot; schreiben</translation>
+    </message>
+    <message>
+        <source>{}.source = {}: {} is not among the devices ({})</source>
+        <translation>{}.source = {}: {} ist nicht unter den Geräten ({})</translation>
+    </message>
+    <message>
+        <source>{}.source = {}: {} is the data source; give {}.device and {}.input for one of its inputs</source>
+        <translation>{}.source = {}: {} ist die Messwertquelle; für einen ihrer Eingänge {}.device und {}.input angeben</translation>
+    </message>
+    <message>
+        <source>{}.table has one point; give two or more as [[voltage in V, value], ...]</source>
+        <translation>{}.table hat einen Punkt; zwei oder mehr als [[Spannung in V, Wert], ...] angeben</translation>
+    </message>
+    <message>
+        <source>{}.table rises and falls; a voltage must mean one value and a value one voltage</source>
+        <translation>{}.table steigt und fällt; eine Spannung muss einen Wert bedeuten und ein Wert eine Spannung</translation>
+    </message>
+    <message>
+        <source>{}.table stands beside scale or offset_V; keep either the table or these</source>
+        <translation>{}.table steht neben scale oder offset_V; entweder die Tabelle oder diese behalten</translation>
+    </message>
+    <message>
+        <source>{}.table {}: value {:g} is that of the row before; take one out</source>
+        <translation>{}.table {}: Wert {} ist der der Zeile davor; einen herausnehmen</translation>
+    </message>
+    <message>
+        <source>{}.table {}: voltage {:g} V is not above {:g} V before; sort it</source>
+        <translation>{}.table {}: Spannung {} V liegt nicht über {} V davor; sie sortieren</translation>
+    </message>
+    <message>
         <source>{}.{} is missing; the law {} needs it</source>
         <translation>{}.{} fehlt; das Gesetz {} braucht es</translation>
+    </message>
+    <message>
+        <source>{}.{} is missing; write {} = &quot;{}&quot; or the like</source>
+        <translation>{}.{} fehlt; {} = &quot;{}&quot; oder Ähnliches schreiben</translation>
+    </message>
+    <message>
+        <source>{}.{} means nothing beside {}.source; take one of them out, a channel is either an input or a source</source>
+        <translation>{}.{} bedeutet nichts neben {}.source; eines davon herausnehmen, ein Kanal ist entweder ein Eingang oder eine Quelle</translation>
     </message>
     <message>
         <source>{}.{} means nothing with law = {}; take it out or choose the law that reads it</source>
         <translation>{}.{} bedeutet nichts bei law = {}; herausnehmen oder das Gesetz wählen, das es liest</translation>
     </message>
     <message>
+        <source>{}: HDF5 could not write the file ({}); free some space or choose another folder</source>
+        <translation>{}: HDF5 konnte die Datei nicht schreiben ({}); Platz frei machen oder einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>{}: [devices.{}.settings]</source>
+        <translation>{}: [devices.{}.settings]</translation>
+    </message>
+    <message>
+        <source>{}: [devices.{}.settings]: {}</source>
+        <translation>{}: [devices.{}.settings]: {}</translation>
+    </message>
+    <message>
+        <source>{}: [spindle] on devices.{}: {}</source>
+        <translation>{}: [spindle] auf devices.{}: {}</translation>
+    </message>
+    <message>
+        <source>{}: a probe is at the end of its range; move it</source>
+        <translation>{}: Ein Wegsensor ist am Ende seines Bereichs; ihn verschieben</translation>
+    </message>
+    <message>
+        <source>{}: a range of {:g} V is not there; the range is 10 V</source>
+        <translation>{}: Einen Bereich von {} V gibt es nicht; der Bereich ist 10 V</translation>
+    </message>
+    <message>
+        <source>{}: a range of {:g} mV/V is not there; choose {}</source>
+        <translation>{}: Einen Bereich von {} mV/V gibt es nicht; {} wählen</translation>
+    </message>
+    <message>
+        <source>{}: a run-out of {:.0f} um is no run-out of a ground pin: the pin is loose, bent, or turns about another axis</source>
+        <translation>{}: Ein Rundlauf von {} um ist kein Rundlauf eines geschliffenen Bolzens: Der Bolzen ist lose, krumm oder dreht um eine andere Achse</translation>
+    </message>
+    <message>
+        <source>{}: a value is not a number; roll again</source>
+        <translation>{}: Ein Wert ist keine Zahl; noch einmal umlaufen</translation>
+    </message>
+    <message>
+        <source>{}: a {} input does not exist; declare it as a voltage</source>
+        <translation>{}: Einen Eingang der Art {} gibt es nicht; ihn als Spannung angeben</translation>
+    </message>
+    <message>
+        <source>{}: a {} is {} or {}; name it so</source>
+        <translation>{}: Die Endung für {} ist {} oder {}; so benennen</translation>
+    </message>
+    <message>
+        <source>{}: another calibration writes this journal; close it, or name another</source>
+        <translation>{}: Eine andere Kalibrierung schreibt dieses Journal; sie schließen oder ein anderes nennen</translation>
+    </message>
+    <message>
+        <source>{}: another process is writing this test; stop it there before going on with it here</source>
+        <translation>{}: Ein anderer Prozess schreibt diesen Versuch; ihn dort stoppen, bevor er hier fortgesetzt wird</translation>
+    </message>
+    <message>
+        <source>{}: another process took the new file</source>
+        <translation>{}: Ein anderer Prozess nahm die neue Datei</translation>
+    </message>
+    <message>
+        <source>{}: another process took the new file; try again</source>
+        <translation>{}: Ein anderer Prozess nahm die neue Datei; es noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>{}: another program has been changing the queue for {:g} s; try again</source>
+        <translation>{}: Ein anderes Programm ändert die Warteschlange seit {} s; es noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>{}: another program has cut the file short while the test writes it; keep a copy of what is left of it, and see what rigapp info says of it</source>
+        <translation>{}: Ein anderes Programm hat die Datei abgeschnitten, während der Versuch sie schreibt; eine Kopie von dem aufheben, was übrig ist, und nachsehen, was rigapp info dazu sagt</translation>
+    </message>
+    <message>
         <source>{}: another program records this run; let it end first</source>
         <translation>{}: ein anderes Programm zeichnet diesen Lauf auf; ihn erst enden lassen</translation>
+    </message>
+    <message>
+        <source>{}: another window has been starting an engine for {:g} s; try again</source>
+        <translation>{}: Ein anderes Fenster startet seit {} s eine Steuerung; es noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>{}: belongs to somebody else; make it yours</source>
+        <translation>{}: gehört jemand anderem; sie sich zu eigen machen</translation>
+    </message>
+    <message>
+        <source>{}: belongs to somebody else{}</source>
+        <translation>{}: gehört jemand anderem{}</translation>
+    </message>
+    <message>
+        <source>{}: bytes were lost or added; the stream was restarted</source>
+        <translation>{}: Bytes gingen verloren oder kamen hinzu; der Datenstrom wurde neu gestartet</translation>
+    </message>
+    <message>
+        <source>{}: cannot be made ({}){}</source>
+        <translation>{}: lässt sich nicht anlegen ({}){}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read ({})</source>
+        <translation>{}: nicht lesbar ({})</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read as text ({})</source>
+        <translation>{}: lässt sich nicht als Text lesen ({})</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read now, {} other files hang</source>
+        <translation>{}: lässt sich jetzt nicht lesen, {} andere Dateien hängen</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written ({})</source>
+        <translation>{}: lässt sich nicht schreiben ({})</translation>
+    </message>
+    <message>
+        <source>{}: channels.{}.source = &apos;{}.{}&apos;: {}</source>
+        <translation>{}: channels.{}.source = &apos;{}.{}&apos;: {}</translation>
     </message>
     <message>
         <source>{}: channels.{}.unit = {}, and the record {} is in {}; write its unit, or name another record</source>
         <translation>{}: channels.{}.unit = {}, und der Datensatz {} ist in {}; seine Einheit schreiben oder einen anderen Datensatz nennen</translation>
     </message>
     <message>
+        <source>{}: compiled code cannot be kept by a value of type {}; use a number, a string, a tuple, an array or a kernel</source>
+        <translation>{}: Kompilierter Code lässt sich nicht mit einem Wert vom Typ {} aufbewahren; eine Zahl, einen Text, ein Tupel, ein Feld oder einen Kernel nehmen</translation>
+    </message>
+    <message>
+        <source>{}: could not be read within {:g} s; is its folder reachable?</source>
+        <translation>{}: ließ sich nicht innerhalb von {} s lesen; ist der Ordner erreichbar?</translation>
+    </message>
+    <message>
+        <source>{}: devices.{}.driver = {} is a {}, a {} is needed</source>
+        <translation>{}: devices.{}.driver = {} ist {}, nötig ist {}</translation>
+    </message>
+    <message>
+        <source>{}: devices.{}.driver: {}</source>
+        <translation>{}: devices.{}.driver: {}</translation>
+    </message>
+    <message>
+        <source>{}: devices.{}.port is &apos;simulated&apos;, and no simulated device runs for it</source>
+        <translation>{}: devices.{}.port ist &apos;simulated&apos;, und dafür läuft kein simuliertes Gerät</translation>
+    </message>
+    <message>
+        <source>{}: devices.{}.settings.sample_rate_Hz is missing; give the sample rate</source>
+        <translation>{}: devices.{}.settings.sample_rate_Hz fehlt; die Abtastrate angeben</translation>
+    </message>
+    <message>
+        <source>{}: driver &quot;{}&quot; has no setting &quot;{}&quot;{}; its settings are: {}</source>
+        <translation>{}: Treiber &quot;{}&quot; hat keine Einstellung &quot;{}&quot;{}; seine Einstellungen sind: {}</translation>
+    </message>
+    <message>
+        <source>{}: every secret is a text in quotes, and not empty</source>
+        <translation>{}: Jedes Geheimnis ist ein Text in Anführungszeichen und nicht leer</translation>
+    </message>
+    <message>
         <source>{}: exists and is not overwritten; name another record</source>
         <translation>{}: gibt es schon und wird nicht überschrieben; einen anderen Datensatz nennen</translation>
+    </message>
+    <message>
+        <source>{}: exists; {} are never overwritten, name another file</source>
+        <translation>{}: gibt es schon; {} werden nie überschrieben, eine andere Datei nennen</translation>
+    </message>
+    <message>
+        <source>{}: from the first to the last half the map changes by {:.2f} um: let the rig warm up and run in, and roll again</source>
+        <translation>{}: Von der ersten zur letzten Hälfte ändert sich die Karte um {} um: den Prüfstand warm- und einlaufen lassen und noch einmal umlaufen</translation>
+    </message>
+    <message>
+        <source>{}: got {}, wanted {} values</source>
+        <translation>{}: {} statt {} Werte erhalten</translation>
+    </message>
+    <message>
+        <source>{}: holds no secret key; delete it</source>
+        <translation>{}: enthält keinen geheimen Schlüssel; sie löschen</translation>
     </message>
     <message>
         <source>{}: holds revolution {} of {} planned; nothing is left to do</source>
@@ -7753,32 +13353,296 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: wie seine Einheit zu SI wird, ist nicht bekannt</translation>
     </message>
     <message>
+        <source>{}: is a device or a socket; name a file</source>
+        <translation>{}: ist ein Gerät oder ein Socket; eine Datei nennen</translation>
+    </message>
+    <message>
+        <source>{}: is a link, not a folder{}</source>
+        <translation>{}: ist eine Verknüpfung, kein Ordner{}</translation>
+    </message>
+    <message>
+        <source>{}: is a pipe into which nobody wrote within {:g} s; name a file</source>
+        <translation>{}: ist eine Pipe, in die innerhalb von {} s niemand schrieb; eine Datei nennen</translation>
+    </message>
+    <message>
+        <source>{}: is damaged ({})</source>
+        <translation>{}: ist beschädigt ({})</translation>
+    </message>
+    <message>
+        <source>{}: is larger than {:.0f} MB; name another file</source>
+        <translation>{}: ist größer als {} MB; eine andere Datei nennen</translation>
+    </message>
+    <message>
+        <source>{}: is no TOML of lines like name = &quot;secret&quot;</source>
+        <translation>{}: ist kein TOML aus Zeilen wie name = &quot;geheim&quot;</translation>
+    </message>
+    <message>
+        <source>{}: is no key pair ({}); delete it</source>
+        <translation>{}: ist kein Schlüsselpaar ({}); sie löschen</translation>
+    </message>
+    <message>
+        <source>{}: is no small file of yours; a link is not followed</source>
+        <translation>{}: ist keine eigene kleine Datei; einer Verknüpfung wird nicht gefolgt</translation>
+    </message>
+    <message>
+        <source>{}: is no small file; write the secrets into one</source>
+        <translation>{}: ist keine kleine Datei; die Geheimnisse in eine schreiben</translation>
+    </message>
+    <message>
+        <source>{}: is not the entry of an engine ({})</source>
+        <translation>{}: ist nicht der Eintrag einer Steuerung ({})</translation>
+    </message>
+    <message>
         <source>{}: is not the table of a study ({})</source>
         <translation>{}: ist nicht die Tabelle einer Studie ({})</translation>
+    </message>
+    <message>
+        <source>{}: it holds no whole revolution; give a test with data</source>
+        <translation>{}: enthält keine ganze Umdrehung; einen Versuch mit Daten angeben</translation>
     </message>
     <message>
         <source>{}: it tells no rolls ({})</source>
         <translation>{}: enthält keine Umläufe ({})</translation>
     </message>
     <message>
+        <source>{}: its readings do not give this number</source>
+        <translation>{}: Seine Messungen ergeben diese Zahl nicht</translation>
+    </message>
+    <message>
         <source>{}: limits.overspeed_rpm = {:g} must be above {} = {:g}</source>
         <translation>{}: limits.overspeed_rpm = {} muss über {} = {} liegen</translation>
+    </message>
+    <message>
+        <source>{}: line {} is not an event ({}); name another journal</source>
+        <translation>{}: Zeile {} ist kein Ereignis ({}); ein anderes Journal nennen</translation>
+    </message>
+    <message>
+        <source>{}: line {} was changed or a line before it is missing; the store is append-only. Begin another one, and keep this</source>
+        <translation>{}: Zeile {} wurde geändert, oder eine Zeile davor fehlt; an diese Datei wird nur angefügt. Eine andere beginnen und diese aufheben</translation>
+    </message>
+    <message>
+        <source>{}: name the address of one interface, not all of them</source>
+        <translation>{}: die Adresse einer Schnittstelle nennen, nicht alle</translation>
+    </message>
+    <message>
+        <source>{}: not a list of faults: {}</source>
+        <translation>{}: keine Liste von Störungen: {}</translation>
+    </message>
+    <message>
+        <source>{}: not valid TOML: {}</source>
+        <translation>{}: kein gültiges TOML: {}</translation>
     </message>
     <message>
         <source>{}: nothing is left to do. {}</source>
         <translation>{}: es bleibt nichts zu tun. {}</translation>
     </message>
     <message>
+        <source>{}: nothing more is predicted in this test</source>
+        <translation>{}: In diesem Versuch wird nichts mehr vorhergesagt</translation>
+    </message>
+    <message>
+        <source>{}: notify.name = {} stands in the rig file, too</source>
+        <translation>{}: notify.name = {} steht auch in der Prüfstandsdatei</translation>
+    </message>
+    <message>
+        <source>{}: only {} whole, undisturbed revolutions; take at least {}, better {}</source>
+        <translation>{}: nur {} ganze, ungestörte Umdrehungen; mindestens {} nehmen, besser {}</translation>
+    </message>
+    <message>
+        <source>{}: others can read it (mode {:04o}); chmod 600 it, and change the secrets where others are on this computer</source>
+        <translation>{}: Andere können sie lesen (Modus {}); chmod 600 ausführen und die Geheimnisse ändern, wenn andere an diesem Rechner sind</translation>
+    </message>
+    <message>
+        <source>{}: others can read this secret key; delete it, or chmod 600 it</source>
+        <translation>{}: Andere können diesen geheimen Schlüssel lesen; ihn löschen oder chmod 600 ausführen</translation>
+    </message>
+    <message>
+        <source>{}: others can read this secret; chmod 600 it</source>
+        <translation>{}: Andere können dieses Geheimnis lesen; chmod 600 ausführen</translation>
+    </message>
+    <message>
+        <source>{}: others can write into it; look at what is in it, then chmod 700 it{}</source>
+        <translation>{}: Andere können hineinschreiben; ansehen, was darin ist, dann chmod 700 ausführen{}</translation>
+    </message>
+    <message>
+        <source>{}: place.gravity_m_s2 is missing; write the local gravity, or latitude_deg and height_m</source>
+        <translation>{}: place.gravity_m_s2 fehlt; die örtliche Schwere schreiben oder latitude_deg und height_m</translation>
+    </message>
+    <message>
+        <source>{}: probe {} never changes; is it connected?</source>
+        <translation>{}: Wegsensor {} ändert sich nie; ist er angeschlossen?</translation>
+    </message>
+    <message>
+        <source>{}: remove the cause, then reset again</source>
+        <translation>{}: die Ursache beheben, dann noch einmal zurücksetzen</translation>
+    </message>
+    <message>
+        <source>{}: schema = {} is newer than this program reads ({}); update rigapp</source>
+        <translation>{}: schema = {} ist neuer, als dieses Programm liest ({}); rigapp erneuern</translation>
+    </message>
+    <message>
+        <source>{}: schema = {} is not readable; write schema = 1</source>
+        <translation>{}: schema = {} ist nicht lesbar; schema = 1 schreiben</translation>
+    </message>
+    <message>
+        <source>{}: schema = {} is not readable; write {}</source>
+        <translation>{}: schema = {} ist nicht lesbar; {} schreiben</translation>
+    </message>
+    <message>
+        <source>{}: schema is missing; write schema = {} at the top</source>
+        <translation>{}: schema fehlt; oben schema = {} schreiben</translation>
+    </message>
+    <message>
+        <source>{}: tables, lists or keys lie {} deep, {} at most; check the brackets and the dots</source>
+        <translation>{}: Tabellen, Listen oder Schlüssel liegen {} tief, höchstens {}; Klammern und Punkte prüfen</translation>
+    </message>
+    <message>
+        <source>{}: that is the test of {} again; give it once</source>
+        <translation>{}: Das ist noch einmal der Versuch von {}; ihn einmal angeben</translation>
+    </message>
+    <message>
+        <source>{}: the compressed copy could not be written ({}); the original is untouched, free some space</source>
+        <translation>{}: Die komprimierte Kopie ließ sich nicht schreiben ({}); das Original ist unberührt, Platz frei machen</translation>
+    </message>
+    <message>
+        <source>{}: the compressed copy differs at {} and was thrown away; the original is untouched, check the disk</source>
+        <translation>{}: Die komprimierte Kopie weicht bei {} ab und wurde verworfen; das Original ist unberührt, die Festplatte prüfen</translation>
+    </message>
+    <message>
+        <source>{}: the computer or the program ended at revolution {} of {} of this test</source>
+        <translation>{}: Der Rechner oder das Programm endete bei Umdrehung {} von {} dieses Versuchs</translation>
+    </message>
+    <message>
+        <source>{}: the copy of the rig file cannot be written ({}); nothing is changed</source>
+        <translation>{}: Die Kopie der Prüfstandsdatei lässt sich nicht schreiben ({}); nichts ist geändert</translation>
+    </message>
+    <message>
+        <source>{}: the device has one counter, {}</source>
+        <translation>{}: Das Gerät hat einen Zähler, {}</translation>
+    </message>
+    <message>
+        <source>{}: the disk refused the room for {} revolutions ({}); free {:.0f} MB</source>
+        <translation>{}: Die Festplatte verweigerte den Platz für {} Umdrehungen ({}); {} MB frei machen</translation>
+    </message>
+    <message>
+        <source>{}: the disk refused to reserve the room for the rest of the test ({}); free {:.0f} MB</source>
+        <translation>{}: Die Festplatte verweigerte, den Platz für den Rest des Versuchs zu reservieren ({}); {} MB frei machen</translation>
+    </message>
+    <message>
+        <source>{}: the disk refused to reserve the room for the test ({}); free some space or keep fewer whole cycles</source>
+        <translation>{}: Die Festplatte verweigerte, den Platz für den Versuch zu reservieren ({}); Platz frei machen oder weniger ganze Zyklen behalten</translation>
+    </message>
+    <message>
         <source>{}: the elastic motion of the pin cannot be taken off: {}; roll again with --test and the test file of this bushing</source>
         <translation>{}: die elastische Bewegung des Bolzens lässt sich nicht abziehen: {}; noch einmal umlaufen, mit --test und der Versuchsdatei dieser Buchse</translation>
+    </message>
+    <message>
+        <source>{}: the file cannot be created ({}); choose another folder</source>
+        <translation>{}: Die Datei lässt sich nicht anlegen ({}); einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>{}: the file cannot be opened as HDF5 ({})</source>
+        <translation>{}: Die Datei lässt sich nicht als HDF5 öffnen ({})</translation>
+    </message>
+    <message>
+        <source>{}: the file cannot be opened for writing ({}); resume as the user who began the test, on a disk that can be written</source>
+        <translation>{}: Die Datei lässt sich nicht zum Schreiben öffnen ({}); als der Benutzer fortsetzen, der den Versuch begann, auf einer beschreibbaren Festplatte</translation>
+    </message>
+    <message>
+        <source>{}: the file cannot be written ({})</source>
+        <translation>{}: Die Datei lässt sich nicht schreiben ({})</translation>
+    </message>
+    <message>
+        <source>{}: the file exists and is not overwritten</source>
+        <translation>{}: Die Datei gibt es schon, und sie wird nicht überschrieben</translation>
+    </message>
+    <message>
+        <source>{}: the file exists and is not overwritten; give another name</source>
+        <translation>{}: Die Datei gibt es schon, und sie wird nicht überschrieben; einen anderen Namen angeben</translation>
+    </message>
+    <message>
+        <source>{}: the file exists and is not overwritten; give another name, or use resume to go on with it</source>
+        <translation>{}: Die Datei gibt es schon, und sie wird nicht überschrieben; einen anderen Namen angeben oder sie mit resume fortsetzen</translation>
+    </message>
+    <message>
+        <source>{}: the file has room for {} revolutions and is full; begin a new test for more</source>
+        <translation>{}: Die Datei hat Platz für {} Umdrehungen und ist voll; für mehr einen neuen Versuch beginnen</translation>
+    </message>
+    <message>
+        <source>{}: the file has room for {} revolutions, not {}; begin a new test for more</source>
+        <translation>{}: Die Datei hat Platz für {} Umdrehungen, nicht {}; für mehr einen neuen Versuch beginnen</translation>
+    </message>
+    <message>
+        <source>{}: the file has schema {} and this version reads up to {}; install a newer rigapp</source>
+        <translation>{}: Die Datei hat Schema {}, und diese Version liest bis {}; ein neueres rigapp installieren</translation>
+    </message>
+    <message>
+        <source>{}: the file is closed</source>
+        <translation>{}: Die Datei ist geschlossen</translation>
+    </message>
+    <message>
+        <source>{}: the file is cut short, perhaps an unfinished copy; copy it again</source>
+        <translation>{}: Die Datei ist abgeschnitten, vielleicht eine unfertige Kopie; sie noch einmal kopieren</translation>
+    </message>
+    <message>
+        <source>{}: the file is damaged, its plan cannot be read</source>
+        <translation>{}: Die Datei ist beschädigt, ihr Plan ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>{}: the file is empty; a copy of the test must be restored</source>
+        <translation>{}: Die Datei ist leer; eine Kopie des Versuchs muss wiederhergestellt werden</translation>
+    </message>
+    <message>
+        <source>{}: the file may not be read; ask its owner for permission</source>
+        <translation>{}: Die Datei darf nicht gelesen werden; ihren Besitzer um Erlaubnis bitten</translation>
+    </message>
+    <message>
+        <source>{}: the file must end in {}</source>
+        <translation>{}: Die Datei muss auf {} enden</translation>
+    </message>
+    <message>
+        <source>{}: the file was replaced while it was opened; try again</source>
+        <translation>{}: Die Datei wurde ersetzt, während sie geöffnet wurde; es noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>{}: the folder {} cannot be written to; choose another one</source>
+        <translation>{}: In den Ordner {} lässt sich nicht schreiben; einen anderen wählen</translation>
+    </message>
+    <message>
+        <source>{}: the folder {} does not exist; create it first</source>
+        <translation>{}: Den Ordner {} gibt es nicht; ihn erst anlegen</translation>
+    </message>
+    <message>
+        <source>{}: the folder {} does not exist; make it first</source>
+        <translation>{}: Den Ordner {} gibt es nicht; ihn erst anlegen</translation>
+    </message>
+    <message>
+        <source>{}: the journal cannot be opened ({})</source>
+        <translation>{}: Das Journal lässt sich nicht öffnen ({})</translation>
     </message>
     <message>
         <source>{}: the map in use has expired, and an expired record forbids a start: take run_out out of [probes] for the roll</source>
         <translation>{}: die verwendete Karte ist abgelaufen, und ein abgelaufener Datensatz verbietet den Start: run_out für den Umlauf aus [probes] herausnehmen</translation>
     </message>
     <message>
+        <source>{}: the queue cannot be read ({}); move the file away</source>
+        <translation>{}: Die Warteschlange ist nicht lesbar ({}); die Datei beiseitelegen</translation>
+    </message>
+    <message>
+        <source>{}: the reading was not saved ({}); make room and record it again</source>
+        <translation>{}: Die Messung wurde nicht gesichert ({}); Platz schaffen und sie noch einmal aufnehmen</translation>
+    </message>
+    <message>
         <source>{}: the record cannot be read ({})</source>
         <translation>{}: der Datensatz ist nicht lesbar ({})</translation>
+    </message>
+    <message>
+        <source>{}: the record states {:.9g}, its readings give {:.9g}</source>
+        <translation>{}: Der Datensatz gibt {} an, seine Messungen ergeben {}</translation>
+    </message>
+    <message>
+        <source>{}: the record states {} numbers, its readings give {}</source>
+        <translation>{}: Der Datensatz gibt {} Zahlen an, seine Messungen ergeben {}</translation>
     </message>
     <message>
         <source>{}: the record {} has no {}</source>
@@ -7789,20 +13653,212 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: der Datensatz {} ist in N je {}; der Prüfstand misst mV/V</translation>
     </message>
     <message>
+        <source>{}: the rolls differ by {:.2f} um from the map: the pin moves in the follower with the load. That part is no run-out; it is counted as uncertainty</source>
+        <translation>{}: Die Umläufe weichen um {} um von der Karte ab: Der Bolzen bewegt sich mit der Last in der Koppel. Dieser Teil ist kein Rundlauf; er zählt als Unsicherheit</translation>
+    </message>
+    <message>
+        <source>{}: the run-out is not larger than its uncertainty ({:.2f} um, u = {:.2f} um); applying the map gains nothing</source>
+        <translation>{}: Der Rundlauf ist nicht größer als seine Unsicherheit ({} um, u = {} um); die Karte anzuwenden bringt nichts</translation>
+    </message>
+    <message>
+        <source>{}: the test is complete with {} revolutions; begin a new test</source>
+        <translation>{}: Der Versuch ist mit {} Umdrehungen vollständig; einen neuen Versuch beginnen</translation>
+    </message>
+    <message>
+        <source>{}: the test is {}; only a test that has ended is compressed</source>
+        <translation>{}: Der Versuch ist im Zustand {}; nur ein beendeter Versuch wird komprimiert</translation>
+    </message>
+    <message>
+        <source>{}: the test needs a file of {:.0f} MB, but this system allows files of {:.0f} MB; {:.1f} MB are missing, keep fewer whole cycles or raise the limit (ulimit -f)</source>
+        <translation>{}: Der Versuch braucht eine Datei von {} MB, aber dieses System erlaubt Dateien von {} MB; {} MB fehlen, weniger ganze Zyklen behalten oder die Grenze erhöhen (ulimit -f)</translation>
+    </message>
+    <message>
+        <source>{}: the test was ended ({}) and its file compressed; begin a new test</source>
+        <translation>{}: Der Versuch wurde beendet ({}) und seine Datei komprimiert; einen neuen Versuch beginnen</translation>
+    </message>
+    <message>
+        <source>{}: the test was {} with all its {} revolutions; there is nothing to go on with, begin a new test</source>
+        <translation>{}: Der Versuch endete im Zustand {} mit allen seinen {} Umdrehungen; es gibt nichts fortzusetzen, einen neuen Versuch beginnen</translation>
+    </message>
+    <message>
+        <source>{}: the {} has no range of {:g} V; it has {} V</source>
+        <translation>{}: Das {} hat keinen Bereich von {} V; es hat {} V</translation>
+    </message>
+    <message>
+        <source>{}: there are no daily checks yet; take one first</source>
+        <translation>{}: Es gibt noch keine täglichen Prüfungen; erst eine vornehmen</translation>
+    </message>
+    <message>
+        <source>{}: there are too many copies beside it; remove some</source>
+        <translation>{}: Daneben liegen zu viele Kopien; einige entfernen</translation>
+    </message>
+    <message>
+        <source>{}: there is no certificate of it: {}</source>
+        <translation>{}: Davon gibt es kein Zertifikat: {}</translation>
+    </message>
+    <message>
+        <source>{}: there is no column {} in {}; there are {}</source>
+        <translation>{}: Es gibt keine Spalte {} in {}; es gibt {}</translation>
+    </message>
+    <message>
+        <source>{}: there is no daily check of the rig {}</source>
+        <translation>{}: Es gibt keine tägliche Prüfung des Prüfstands {}</translation>
+    </message>
+    <message>
+        <source>{}: there is no device {}; there are: {}</source>
+        <translation>{}: Es gibt kein Gerät {}; es gibt: {}</translation>
+    </message>
+    <message>
+        <source>{}: there is no saved cycle {}, there are {}</source>
+        <translation>{}: Es gibt keinen gespeicherten Zyklus {}, es gibt {}</translation>
+    </message>
+    <message>
+        <source>{}: there is no such file</source>
+        <translation>{}: Eine solche Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>{}: there is no such file; check the name</source>
+        <translation>{}: Eine solche Datei gibt es nicht; den Namen prüfen</translation>
+    </message>
+    <message>
+        <source>{}: there is no such record; check the name</source>
+        <translation>{}: Einen solchen Datensatz gibt es nicht; den Namen prüfen</translation>
+    </message>
+    <message>
+        <source>{}: this HDF5 file is not a test; give a file that rigapp run wrote</source>
+        <translation>{}: Diese HDF5-Datei ist kein Versuch; eine Datei angeben, die rigapp run schrieb</translation>
+    </message>
+    <message>
+        <source>{}: this is a folder, not a test file</source>
+        <translation>{}: Dies ist ein Ordner, keine Versuchsdatei</translation>
+    </message>
+    <message>
+        <source>{}: this is not an HDF5 file; give a file that rigapp run wrote</source>
+        <translation>{}: Dies ist keine HDF5-Datei; eine Datei angeben, die rigapp run schrieb</translation>
+    </message>
+    <message>
         <source>{}: this is the record of a {}, not of a {}</source>
         <translation>{}: dies ist der Datensatz zu {}, nicht zu {}</translation>
+    </message>
+    <message>
+        <source>{}: this test is running; stop it first</source>
+        <translation>{}: Dieser Versuch läuft; ihn erst stoppen</translation>
+    </message>
+    <message>
+        <source>{}: two signals cannot share one input; give each its own</source>
+        <translation>{}: Zwei Signale können sich keinen Eingang teilen; jedem seinen eigenen geben</translation>
+    </message>
+    <message>
+        <source>{}: unknown output</source>
+        <translation>{}: unbekannter Ausgang</translation>
+    </message>
+    <message>
+        <source>{}: {:.1f} rpm is no slow roll: inertia moves the pin. Turn at {:.0f} rpm or less</source>
+        <translation>{}: {} rpm ist kein langsamer Umlauf: Die Trägheit bewegt den Bolzen. Mit {} rpm oder weniger drehen</translation>
+    </message>
+    <message>
+        <source>{}: {:g} counts per revolution cannot be; give 1 or more</source>
+        <translation>{}: {} Schritte je Umdrehung kann es nicht geben; 1 oder mehr angeben</translation>
+    </message>
+    <message>
+        <source>{}: {:g} is above the largest value {:g}. {}</source>
+        <translation>{}: {} liegt über dem größten Wert {}. {}</translation>
+    </message>
+    <message>
+        <source>{}: {:g} is below the smallest value {:g}. {}</source>
+        <translation>{}: {} liegt unter dem kleinsten Wert {}. {}</translation>
+    </message>
+    <message>
+        <source>{}: {:g} mV/V make {:g} V behind the amplifier of {:g} V for 1 mV/V; the {} has {} V; lower range_mV_per_V</source>
+        <translation>{}: {} mV/V ergeben {} V hinter dem Verstärker von {} V je 1 mV/V; das {} hat {} V; range_mV_per_V senken</translation>
+    </message>
+    <message>
+        <source>{}: {:g} rpm to revolution {}</source>
+        <translation>{}: {} rpm bis Umdrehung {}</translation>
     </message>
     <message>
         <source>{}: {} = {:g} is above the rig&apos;s spindle.maximum_speed_rpm = {:g}</source>
         <translation>{}: {} = {} liegt über spindle.maximum_speed_rpm = {} des Prüfstands</translation>
     </message>
     <message>
+        <source>{}: {} Then take them again</source>
+        <translation>{}: {} Dann sie wiederholen</translation>
+    </message>
+    <message>
+        <source>{}: {} failed ({}); what was committed before is safe, check the disk before resuming</source>
+        <translation>{}: {} schlug fehl ({}); was vorher gesichert wurde, ist sicher, vor dem Fortsetzen die Festplatte prüfen</translation>
+    </message>
+    <message>
+        <source>{}: {} is not a finite number. {}</source>
+        <translation>{}: {} ist keine endliche Zahl. {}</translation>
+    </message>
+    <message>
+        <source>{}: {} is not allowed{}; choose one of: {}</source>
+        <translation>{}: {} ist nicht erlaubt{}; eines davon wählen: {}</translation>
+    </message>
+    <message>
+        <source>{}: {} is not an IP address; give the number of one interface</source>
+        <translation>{}: {} ist keine IP-Adresse; die Nummer einer Schnittstelle angeben</translation>
+    </message>
+    <message>
+        <source>{}: {} is not {}. {}</source>
+        <translation>{}: Statt {} ist {} verlangt. {}</translation>
+    </message>
+    <message>
+        <source>{}: {} needs {:.0f} MB, {} has {:.0f} MB free; {:.1f} MB are missing, free them or keep fewer whole cycles</source>
+        <translation>{}: {} braucht {} MB, {} hat {} MB frei; {} MB fehlen, sie frei machen oder weniger ganze Zyklen behalten</translation>
+    </message>
+    <message>
+        <source>{}: {} not predicted, {}; their wear is made up for with the forces of later ones</source>
+        <translation>{}: {} nicht vorhergesagt, {}; ihr Verschleiß wird mit den Kräften späterer nachgeholt</translation>
+    </message>
+    <message>
+        <source>{}: {} revolutions; with {} the spread is known better</source>
+        <translation>{}: {} Umdrehungen; mit {} ist die Streuung besser bekannt</translation>
+    </message>
+    <message>
+        <source>{}: {} row {} is not where HDF5 says ({}); no test can be stored with this HDF5 library, run rigapp doctor</source>
+        <translation>{}: {} Zeile {} ist nicht, wo HDF5 sagt ({}); mit dieser HDF5-Bibliothek lässt sich kein Versuch speichern, rigapp doctor ausführen</translation>
+    </message>
+    <message>
+        <source>{}: {} samples are too few for {} orders; sample faster, or ask for fewer orders</source>
+        <translation>{}: {} Messwerte sind zu wenig für {} Ordnungen; schneller abtasten oder weniger Ordnungen verlangen</translation>
+    </message>
+    <message>
+        <source>{}: {} {:.1f} % {} of the same load than before: the gain changed (range, excitation, filter or cable?). Find out why, and take all series again</source>
+        <translation>{}: Von derselben Last {} {} % {} als zuvor: Die Empfindlichkeit hat sich geändert (Bereich, Speisung, Filter oder Kabel?). Die Ursache finden und alle Reihen neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>{}: {}; all three must name one device, whose samples are simultaneous</source>
+        <translation>{}: {}; alle drei müssen ein Gerät nennen, dessen Messwerte gleichzeitig sind</translation>
+    </message>
+    <message>
+        <source>{}: {}{} is not a known key{}</source>
+        <translation>{}: {}{} ist kein bekannter Schlüssel{}</translation>
+    </message>
+    <message>
         <source>{}; check the device</source>
         <translation>{}; das Gerät prüfen</translation>
     </message>
     <message>
+        <source>{}; check the port in the rig file, and that the device is in CDC mode</source>
+        <translation>{}; den Anschluss in der Prüfstandsdatei prüfen, und dass das Gerät im CDC-Modus ist</translation>
+    </message>
+    <message>
+        <source>{}; everything in it is being saved</source>
+        <translation>{}; alles darin wird gerade gerettet</translation>
+    </message>
+    <message>
         <source>{}; move it or the target until it shows about 0 V</source>
         <translation>{}; ihn oder das Ziel verschieben, bis er etwa 0 V zeigt</translation>
+    </message>
+    <message>
+        <source>{}; reset the fault before the next start</source>
+        <translation>{}; die Störung vor dem nächsten Start zurücksetzen</translation>
+    </message>
+    <message>
+        <source>{}; take it again</source>
+        <translation>{}; sie wiederholen</translation>
     </message>
     <message>
         <source>{}limits.overload_N = {:g} can never be seen: the input of the load cell is full at {:.0f} N; lower the limit or raise load_cell.range_mV_per_V</source>

@@ -223,7 +223,7 @@ def test_refusals_say_what_to_do(
         ({"rate_range_Hz": 10e3}, "encoder line A to D3 (counter), D2 (rate)"),
         (
             {"clock": "encoder", "direction_line": "D0", "index_line": "D1"},
-            "encoder line A to D6 (scan clock), D3 (counter), B to D0, Z to D1",
+            "encoder line A to D6 (scan clock), D3 (counter), line B to D0, line Z to D1",
         ),
     ],
 )
