@@ -2942,6 +2942,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wird berechnet …</translation>
     </message>
     <message>
+        <source>Calibrate {}</source>
+        <translation>{} kalibrieren</translation>
+    </message>
+    <message>
         <source>Calibrate {} – rigapp</source>
         <translation>{} kalibrieren – rigapp</translation>
     </message>
@@ -5778,6 +5782,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>üblicher Wert</translation>
     </message>
     <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
         <source>diamond</source>
         <translation>Raute</translation>
     </message>
@@ -7069,10 +7077,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{by} zeigt {speed_rpm:.1f} rpm; die Grenze ist {limit_rpm:g} rpm.</translation>
     </message>
     <message>
-        <source>Turn the micrometer {}</source>
-        <translation>Die Messschraube {} drehen</translation>
-    </message>
-    <message>
         <source>Write metadata.{}, so that the file tells</source>
         <translation>metadata.{} schreiben, damit die Datei es sagt</translation>
     </message>
@@ -7175,6 +7179,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Check cable and power of {}, reconnect</source>
         <translation>Kabel und Versorgung von {} prüfen, neu verbinden</translation>
+    </message>
+    <message>
+        <source>Turn the micrometer {} back past the position, to {}, then forward to {}</source>
+        <translation>Messschraube {} über die Position hinaus bis {} zurückdrehen, dann vor bis {}</translation>
+    </message>
+    <message>
+        <source>Turn the micrometer {} back to {}, then forward to {}</source>
+        <translation>Messschraube {} bis {} zurückdrehen, dann vor bis {}</translation>
+    </message>
+    <message>
+        <source>Turn the micrometer {} forward to {}. Do not turn past it</source>
+        <translation>Messschraube {} vor bis {} drehen. Nicht darüber hinaus drehen</translation>
     </message>
     <message>
         <source>is of a load cell of {:g} N, the rig file says {:g} N</source>
@@ -7605,14 +7621,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} über der Grenze</translation>
     </message>
     <message>
-        <source>{} back past the position, to {}, then forward to {}</source>
-        <translation>{} zurück über die Position hinaus, bis {}, dann vor bis {}</translation>
-    </message>
-    <message>
-        <source>{} back to {}, then forward to {}</source>
-        <translation>{} zurück bis {}, dann vor bis {}</translation>
-    </message>
-    <message>
         <source>{} before a test, with the devices connected</source>
         <translation>{} vor einem Versuch, bei verbundenen Geräten</translation>
     </message>
@@ -7627,10 +7635,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} does not exist or cannot be written to</source>
         <translation>{} gibt es nicht oder ist nicht beschreibbar</translation>
-    </message>
-    <message>
-        <source>{} forward to {}. Do not turn past it</source>
-        <translation>{} vor bis {}. Nicht darüber hinaus drehen</translation>
     </message>
     <message>
         <source>{} holds the control character \u{:04x}; take it out</source>
@@ -7691,6 +7695,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} {}: write speeds in rpm, such as 3,6</source>
         <translation>{} {}: Drehzahlen in rpm schreiben, zum Beispiel 3,6</translation>
+    </message>
+    <message>
+        <source>{} × {:g} kg</source>
+        <translation>{} × {:g} kg</translation>
     </message>
     <message>
         <source>{}, law {}: {}</source>
