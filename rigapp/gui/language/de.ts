@@ -1404,6 +1404,10 @@
         <translation>Der RMS von gemessener minus vorhergesagter |F|</translation>
     </message>
     <message>
+        <source>The angle reference has been taken already: begin the readings.</source>
+        <translation>Der Winkelbezug ist schon genommen: Die Messungen können beginnen.</translation>
+    </message>
+    <message>
         <source>The cell feels</source>
         <translation>Der Kraftsensor spürt</translation>
     </message>
@@ -2888,10 +2892,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Angle (deg)</source>
         <translation>Winkel (deg)</translation>
-    </message>
-    <message>
-        <source>Angle of the encoder now</source>
-        <translation>Winkel des Drehgebers jetzt</translation>
     </message>
     <message>
         <source>Angle reference</source>
@@ -4922,10 +4922,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Das &amp;Ziel steht vor dem Wegsensor</translation>
     </message>
     <message>
-        <source>The angle reference has been taken already.</source>
-        <translation>Der Winkelbezug ist schon genommen.</translation>
-    </message>
-    <message>
         <source>The certificate is made from the record alone: the same bytes each time.</source>
         <translation>Der Kalibrierschein entsteht allein aus dem Datensatz: jedes Mal dieselben Bytes.</translation>
     </message>
@@ -4984,14 +4980,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The duration</source>
         <translation>Die Dauer</translation>
-    </message>
-    <message>
-        <source>The encoder shows {:.2f} degrees.</source>
-        <translation>Der Drehgeber zeigt {:.2f} Grad.</translation>
-    </message>
-    <message>
-        <source>The encoder&apos;s angle is not known yet.</source>
-        <translation>Der Winkel des Drehgebers ist noch nicht bekannt.</translation>
     </message>
     <message>
         <source>The engine ended while {test} was {state}, and a new one was started. The drive&apos;s own watchdog stops the spindle. {saved} revolutions are safe in {file}. To go on with it: Results (Ctrl+8), Go on with it.</source>

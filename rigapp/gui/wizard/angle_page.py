@@ -15,6 +15,10 @@ from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import MeasuredCard, field, fields_form, number, sentence
 from rigapp.gui.wizard.scenes import LevelScene, Picture
 
+LEVEL: Text = (
+    "Lay the level on the flat of the crank and turn the crank until the bubble is in the middle."
+)
+TAKEN: Text = "The angle reference has been taken already: begin the readings."
 TURN: Text = "&Keep this angle; I turn the level end for end"
 AGAIN: Text = "&Forget the first angle"
 
@@ -26,12 +30,6 @@ class AnglePage(GuidePage):
         super().__init__("Angle reference")
         self._live = live
         self.instruction = self.asking("angle_instruction")
-        self.instruction.setText(
-            tr(
-                "Lay the level on the flat of the crank and turn the crank until the bubble is in"
-                " the middle."
-            )
-        )
         why: Text = (
             "The encoder should show 0 degrees, or 360. Then turn the level end for end and do it"
             " again: the mean is free of the level's own error. 0.2 degrees of a common angle error"
@@ -41,8 +39,6 @@ class AnglePage(GuidePage):
         self.why.setProperty("role", "secondary")
         self.picture = Picture("angle_picture", "What it looks like", theme)
         self.measured = MeasuredCard("angle", "The encoder shows", theme)
-        self.live = sentence("angle_live", "Angle of the encoder now")
-        self.live.setProperty("role", "caption")
         self.stability = self.measured.stability
         text: Text = "&Take the encoder's angle as it is now"
         self.follow = named(QCheckBox(tr(text)), "angle_follow", tr(text).replace("&", ""))
@@ -62,7 +58,7 @@ class AnglePage(GuidePage):
         form.addRow(self.follow)
         field(form, "&Encoder shows", self.shown)
         field(form, "Standard &uncertainty of the level", self.uncertainty)
-        asked = (self.measured, self.live, form, row(self.turn, None), self.first)
+        asked = (self.measured, form, row(self.turn, None), self.first)
         now = filled(QVBoxLayout(), (*asked, None, self.problem))
         now.setSpacing(GAP)
         look = self.beside(TWO, (self.picture, 5), (now, 4))
@@ -154,18 +150,14 @@ class AnglePage(GuidePage):
         window, now = live.window, None
         self.stability.show_readiness(live.readiness, "no signals from the engine")
         self.turn.setEnabled(self._due() and self.isComplete())
-        if not self._due() and live.session is not None:
-            self.live.setText(tr("The angle reference has been taken already."))
-        elif window is None or window.angle is None:
-            self.live.setText(tr("The encoder's angle is not known yet."))
-        else:
+        taken = live.session is not None and not self._due()
+        self.instruction.setText(tr(TAKEN if taken else LEVEL))
+        if window is not None and window.angle is not None:
             now, degrees = window.angle, math.degrees(window.angle)
-            self.live.setText(tr("The encoder shows {:.2f} degrees.", degrees))
             if self.follow.isChecked():
                 self.shown.setValue(degrees if degrees < 180.0 else degrees - 360.0)
         self._tell_first()
-        self.live.setVisible(now is None)
         told = "" if now is None else f"{math.degrees(math.remainder(now, math.tau)):+.2f}°"
         self.measured.show_value(told.replace("-", "\u2212"))
         self.picture.show_scene(LevelScene(now, turned=self._first_deg is not None))
-        self.completeChanged.emit()
+        self.say_complete()

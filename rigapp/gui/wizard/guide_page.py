@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -33,6 +33,10 @@ LEAST_HEIGHT = 24 * STEP
 class Yielding(QWidget):
     """What shrinks to the least that its content needs before its page scrolls."""
 
+    def minimumSizeHint(self) -> QSize:
+        """Return the least width; the height follows from it."""
+        return QSize(super().minimumSizeHint().width(), 0)
+
     def heightForWidth(self, width: int) -> int:
         """Return the least height, in pixels."""
         layout = self.layout()
@@ -52,6 +56,7 @@ class GuidePage(QWizardPage):
         self._where = caption(self.step)
         self._where.hide()
         self._asking: QLabel | None = None
+        self._progress: tuple[object, ...] = ()
         self._pairs: list[tuple[QBoxLayout, int]] = []
 
     def hold(self, *items: Item | tuple[Item, int]) -> None:
@@ -78,6 +83,18 @@ class GuidePage(QWizardPage):
         made.setSpacing(GAP)
         self._pairs.append((made, least))
         return made
+
+    def take_focus(self) -> None:
+        """Give the focus to what had it last on this page, else to the page itself."""
+        one = self.wizard().focusWidget()
+        (one if one is not None and self.isAncestorOf(one) else self).setFocus()
+
+    def say_complete(self, *progress: object) -> None:
+        """Say whether it is complete and how far it is, when that has changed."""
+        now = (self.isComplete(), *progress)
+        if now != self._progress:
+            self._progress = now
+            self.completeChanged.emit()
 
     def foot(self) -> tuple[tuple[QAbstractButton, bool], ...]:
         """Return the buttons of its own in the foot of the wizard, and whether they are shown."""

@@ -103,7 +103,11 @@ class RollingPage(GuidePage):
     def initializePage(self) -> None:
         """Offer to roll."""
         self._look()
-        self.roll.setFocus()
+
+    def take_focus(self) -> None:
+        """Wait with the focus for what can be pressed: the spindle turns, or it stops."""
+        offered = (one for one in (self.roll, self.stop) if one.isEnabled())
+        next(offered, self).setFocus()
 
     def isComplete(self) -> bool:
         """Tell whether every roll is recorded."""
@@ -137,6 +141,9 @@ class RollingPage(GuidePage):
         tell(self.roll, "rank", "" if runs.done else "primary")
         self.progress.setRange(0, runs.planned)
         self.progress.setValue(runs.turned)
+        waits = self.roll.hasFocus() or self.stop.hasFocus()
         self.roll.setEnabled(not rolling and not runs.done)
         self.stop.setEnabled(rolling)
-        self.completeChanged.emit()
+        if waits:
+            self.take_focus()
+        self.say_complete(runs.turned)

@@ -387,7 +387,9 @@ class Picture(QWidget):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the ground and the scene."""
+        """Paint the ground and the scene; nothing where there is none."""
+        if self.scene is None:
+            return
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QColor(self._theme.hairline))
@@ -395,7 +397,6 @@ class Picture(QWidget):
         ground = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
         ground.setHeight(min(ground.height(), self._tallest or ground.height()))
         painter.drawRoundedRect(ground, STEP, STEP)
-        if self.scene is not None:
-            room = ground.adjusted(2 * STEP, 2 * STEP, -2 * STEP, -2 * STEP)
-            self.scene.paint(Brush(painter, self._theme, self.font()), room)
+        room = ground.adjusted(2 * STEP, 2 * STEP, -2 * STEP, -2 * STEP)
+        self.scene.paint(Brush(painter, self._theme, self.font()), room)
         painter.end()

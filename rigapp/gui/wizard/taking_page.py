@@ -126,11 +126,14 @@ class TakingPage(GuidePage):
         live.said.connect(self.problem.setText)
 
     def initializePage(self) -> None:
-        """Show the step under way, with the focus where it records."""
+        """Show the step under way, and offer to record."""
         self.hands.setVisible(self.live_calibration.rig.simulated)
         self._move()
-        self.setFocus()
         self._look()
+
+    def take_focus(self) -> None:
+        """Wait with the focus for what can be recorded."""
+        (self.record if self.record.isEnabled() else self).setFocus()
 
     def isComplete(self) -> bool:
         """Tell whether all readings are taken."""
@@ -156,7 +159,7 @@ class TakingPage(GuidePage):
         self.instruction.setText(retold(procedure.instruction).replace(" um", " µm"))
         self.progress.setRange(0, len(procedure.steps))
         self.progress.setValue(procedure.position)
-        self.stability.setVisible(not procedure.done)
+        self.measured.setVisible(not procedure.done)
         tell(self.record, "rank", "" if procedure.done else "primary")
         self._show_scene()
         if procedure.done:
@@ -193,7 +196,7 @@ class TakingPage(GuidePage):
         waits = self.hasFocus() or self.record.hasFocus()
         self.record.setEnabled(usable and not live.goes_ahead and not live.hands_busy)
         if waits:
-            (self.record if self.record.isEnabled() else self).setFocus()
+            self.take_focus()
         known = readiness is not None and not math.isnan(readiness.felt)
         self.live.setText(retold(live.session.told_live(readiness)) if known else "")
         self._show_measured(readiness if known else None)

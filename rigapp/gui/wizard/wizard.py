@@ -85,6 +85,8 @@ class CalibrationWizard(QWizard):
         self.setModal(False)
         dress_window(self, theme)
         self.live = face.live(line, rig, session)
+        self._held: QWidget | None = None
+        self.live.judged.connect(self._hold_focus)
         self.plan = PlanPage(
             self.live, folder, settings, face.asks, of.plan, face.sketch, theme, fields
         )
@@ -106,6 +108,7 @@ class CalibrationWizard(QWizard):
         )
         self.setSideWidget(self.steps)
         for page in self._pages:
+            page.completeChanged.connect(self._hold_focus)
             self.addPage(page)
             page.completeChanged.connect(self._mark)
         for button, (text, spoken) in BUTTONS.items():
@@ -118,6 +121,7 @@ class CalibrationWizard(QWizard):
         self.setButtonLayout(ORDER)
         self.currentIdChanged.connect(self._mark)
         self.currentIdChanged.connect(self._make_room)
+        self.currentIdChanged.connect(self._begin_page)
         self.live.moved.connect(self._mark)
         self.finished.connect(lambda _: self.live.close())
         self.resize(QSize(1040, 820))
@@ -146,18 +150,44 @@ class CalibrationWizard(QWizard):
         for page in self._pages:
             page.make_room(self.width() - around, self.height(), alone=alone)
 
+    def _begin_page(self) -> None:
+        """Give the focus to the page, which its buttons wait for, and name those of the readings.
+
+        Qt hides all pages while it changes them, so that the focus leaves the wizard, and sets
+        back the words of buttons.
+        """
+        page = self.currentPage()
+        if isinstance(page, GuidePage):
+            self.live.moved.emit()
+            page.take_focus()
+            self._mark()
+
+    def _hold_focus(self) -> None:
+        """Remember what has the focus, before Qt hides it and shows it again."""
+        one = self.focusWidget()
+        if one is not None and one.hasFocus():
+            self._held = one
+
     def _mark(self) -> None:
         """Mark what leads on, and in the column where the calibration stands."""
         page = self.currentPage()
         if not isinstance(page, GuidePage):
             return
+        held, self._held = self._held, None
+        if held is not None:
+            held.setFocus()
         for own, wanted in self.readings.foot():
+            left = own.hasFocus()
             own.setVisible(wanted and page is self.readings)
+            if left and own.isHidden():
+                page.setFocus()
         for one in FORWARD:
             tell(self.button(one), "rank", "primary" if page.isComplete() else "")
             self.button(one).updateGeometry()
         if self.readings.foot()[-1][1] and page is self.readings:
             self.button(QWizard.WizardButton.NextButton).hide()
+        if page.isComplete() and page.hasFocus():
+            next(one for one in map(self.button, FORWARD) if not one.isHidden()).setFocus()
         here = self._pages.index(page)
         self.steps.show_steps(
             [
