@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import enum
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from calibration.load_cell.characteristics import CREEP_AT
 from calibration.load_cell.readings import LoadCellReadings
-from calibration.taking.pieces import WeightChange, next_change, possible_loads
+from calibration.taking.pieces import WeightChange, next_change, possible_loads, told_pieces
 from calibration.taking.procedure import Event, Method, Procedure, Step, StepKind
 
 
@@ -133,16 +133,13 @@ class LoadCellPlan:
 
 
 def _change_words(change: WeightChange) -> str:
-    def listed(pieces: Sequence[float]) -> str:
-        return " + ".join(f"{piece:g} kg" for piece in pieces)
-
     if not change.hanging:
         return "Take all weights off." if change.remove else "Nothing may hang on the pin."
     parts = []
     if change.remove:
-        parts.append(f"take off {listed(change.remove)}")
+        parts.append(f"take off {' + '.join(told_pieces(change.remove))}")
     if change.add:
-        parts.append(f"hang {listed(change.add)}")
+        parts.append(f"hang {' + '.join(told_pieces(change.add))}")
     text = " and ".join(parts) or "change nothing"
     return f"{text[0].upper()}{text[1:]}: {change.mass:g} kg hang then."
 

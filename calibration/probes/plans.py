@@ -83,12 +83,14 @@ class ProbePlan:
     def _words(self, probe: int, number: int, position: float, *, falling: bool) -> str:
         at = f"{1e6 * position:g} um"
         past = f"{1e6 * (position - OVERSHOOT * self.step_size):g} um"
-        turn = f"Turn the micrometer {probe}"
         if number == 1:
-            return f"{turn} back to {past}, then forward to {at}."
+            return f"Turn the micrometer {probe} back to {past}, then forward to {at}."
         if falling:
-            return f"{turn} back past the position, to {past}, then forward to {at}."
-        return f"{turn} forward to {at}. Do not turn past it."
+            return (
+                f"Turn the micrometer {probe} back past the position, to {past},"
+                f" then forward to {at}."
+            )
+        return f"Turn the micrometer {probe} forward to {at}. Do not turn past it."
 
 
 # --- the journal ----------------------------------------------------------------------------------

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 GRAM = 1e-3
@@ -26,6 +27,12 @@ class WeightChange:
     def mass(self) -> float:
         """Return the mass of the pieces that hang then, kg."""
         return sum(self.hanging)
+
+
+def told_pieces(pieces: Iterable[float]) -> list[str]:
+    """Return the words for pieces (kg), heaviest first, equal ones together."""
+    ordered = sorted(Counter(pieces).items(), reverse=True)
+    return [f"{count} × {mass:g} kg" if count > 1 else f"{mass:g} kg" for mass, count in ordered]
 
 
 def next_change(

@@ -83,6 +83,7 @@ def test_each_page_has_one_primary_button_and_what_is_measured_is_large(
     wizard.next()
     live, page = wizard.live, wizard.readings
     assert primary(wizard) == ["record"]
+    assert page.record.text() == "The pin is &turned"
     live.goes_ahead = True
     for _ in range(400):
         live.tick()

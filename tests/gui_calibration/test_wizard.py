@@ -119,7 +119,7 @@ def test_whole_wizard_to_the_certificate(wizard: Any, qtbot: Any, tmp_path: Path
     assert not wizard.readings.leave_out.isVisible()
     go_ahead(wizard, lambda: wizard.live.session.procedure.step.optional)
     wizard.readings._show_step()
-    assert wizard.readings.instruction.text().startswith("Creep: from no load, hang 5 kg")
+    assert wizard.readings.instruction.text().startswith("Creep: from no load, hang 8 × 5 kg")
     assert wizard.readings.leave_out.isVisible()
     wizard.readings.leave_out.click()
     assert done(wizard)

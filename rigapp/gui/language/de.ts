@@ -300,6 +300,10 @@
         <translation>Den Kraftsensor kalibrieren oder load_cell.matrix_N_per_mV_per_V berichtigen</translation>
     </message>
     <message>
+        <source>Calibrate {}</source>
+        <translation>{} kalibrieren</translation>
+    </message>
+    <message>
         <source>Calibrate, or give a reason in calibration_override of the rig file</source>
         <translation>Kalibrieren oder in calibration_override der Prüfstandsdatei einen Grund angeben</translation>
     </message>
@@ -1404,6 +1408,10 @@
         <translation>Der RMS von gemessener minus vorhergesagter |F|</translation>
     </message>
     <message>
+        <source>The angle reference has been taken already: begin the readings.</source>
+        <translation>Der Winkelbezug ist schon genommen: Die Messungen können beginnen.</translation>
+    </message>
+    <message>
         <source>The cell feels</source>
         <translation>Der Kraftsensor spürt</translation>
     </message>
@@ -1922,6 +1930,10 @@
     <message>
         <source>degree 1, zero drift</source>
         <translation>Grad 1, Nullpunktdrift</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
     </message>
     <message>
         <source>density of weights</source>
@@ -4618,10 +4630,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Winkel (deg)</translation>
     </message>
     <message>
-        <source>Angle of the encoder now</source>
-        <translation>Winkel des Drehgebers jetzt</translation>
-    </message>
-    <message>
         <source>Angle reference</source>
         <translation>Winkelbezug</translation>
     </message>
@@ -7298,10 +7306,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Das &amp;Ziel steht vor dem Wegsensor</translation>
     </message>
     <message>
-        <source>The angle reference has been taken already.</source>
-        <translation>Der Winkelbezug ist schon genommen.</translation>
-    </message>
-    <message>
         <source>The assumption of tension does not hold: the follower is in compression at all crank angles. The pin bears on the wall away from the crank all the time; the same equations with minus the clearance were solved</source>
         <translation>Die Annahme von Zug gilt nicht: Die Koppel steht bei allen Kurbelwinkeln unter Druck. Der Bolzen liegt stets an der Wand an, die von der Kurbel abgewandt ist; gelöst wurden dieselben Gleichungen mit negativem Spiel</translation>
     </message>
@@ -7376,14 +7380,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The duration</source>
         <translation>Die Dauer</translation>
-    </message>
-    <message>
-        <source>The encoder shows {:.2f} degrees.</source>
-        <translation>Der Drehgeber zeigt {:.2f} Grad.</translation>
-    </message>
-    <message>
-        <source>The encoder&apos;s angle is not known yet.</source>
-        <translation>Der Winkel des Drehgebers ist noch nicht bekannt.</translation>
     </message>
     <message>
         <source>The engine ended while {test} was {state}, and a new one was started. The drive&apos;s own watchdog stops the spindle. {saved} revolutions are safe in {file}. To go on with it: Results (Ctrl+8), Go on with it.</source>
@@ -10109,10 +10105,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{by} zeigt {speed_rpm:.1f} rpm; die Grenze ist {limit_rpm:g} rpm.</translation>
     </message>
     <message>
-        <source>Turn the micrometer {}</source>
-        <translation>Die Messschraube {} drehen</translation>
-    </message>
-    <message>
         <source>Write metadata.{}, so that the file tells</source>
         <translation>metadata.{} schreiben, damit die Datei es sagt</translation>
     </message>
@@ -10871,6 +10863,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Today&apos;s checks would refuse its readings: {}</source>
         <translation>Die heutigen Prüfungen würden seine Messungen ablehnen: {}</translation>
+    </message>
+    <message>
+        <source>Turn the micrometer {} back past the position, to {}, then forward to {}</source>
+        <translation>Messschraube {} über die Position hinaus bis {} zurückdrehen, dann vor bis {}</translation>
+    </message>
+    <message>
+        <source>Turn the micrometer {} back to {}, then forward to {}</source>
+        <translation>Messschraube {} bis {} zurückdrehen, dann vor bis {}</translation>
+    </message>
+    <message>
+        <source>Turn the micrometer {} forward to {}. Do not turn past it</source>
+        <translation>Messschraube {} vor bis {} drehen. Nicht darüber hinaus drehen</translation>
     </message>
     <message>
         <source>Value = {:.6g} {}/V (voltage {:+.6f} V)</source>
@@ -12685,14 +12689,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} am Ende des Bereichs</translation>
     </message>
     <message>
-        <source>{} back past the position, to {}, then forward to {}</source>
-        <translation>{} zurück über die Position hinaus, bis {}, dann vor bis {}</translation>
-    </message>
-    <message>
-        <source>{} back to {}, then forward to {}</source>
-        <translation>{} zurück bis {}, dann vor bis {}</translation>
-    </message>
-    <message>
         <source>{} before a test, with the devices connected</source>
         <translation>{} vor einem Versuch, bei verbundenen Geräten</translation>
     </message>
@@ -12767,10 +12763,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} forces and {} slips</source>
         <translation>{} Kräfte und {} Gleitwege</translation>
-    </message>
-    <message>
-        <source>{} forward to {}. Do not turn past it</source>
-        <translation>{} vor bis {}. Nicht darüber hinaus drehen</translation>
     </message>
     <message>
         <source>{} goes on only with a reason: {}; put it right, or give the reason, which is recorded</source>
@@ -13055,6 +13047,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} {}: write speeds in rpm, such as 3,6</source>
         <translation>{} {}: Drehzahlen in rpm schreiben, zum Beispiel 3,6</translation>
+    </message>
+    <message>
+        <source>{} × {:g} kg</source>
+        <translation>{} × {:g} kg</translation>
     </message>
     <message>
         <source>{}, after revolution {}; it is started again and goes on from there</source>

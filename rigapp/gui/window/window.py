@@ -561,7 +561,9 @@ class MainWindow(QMainWindow):
             self._show_side()
 
     def _show_side(self) -> None:
-        tight = self._tight or self.stage.guiding
+        guiding = self.stage.guiding
+        self.page_bar.setVisible(not (guiding and self.height() < TIGHT_HEIGHT))
+        tight = self._tight or guiding
         beside = self.tabs.place in BESIDE and (not tight or not self.recover.isHidden())
         if self.side.isVisibleTo(self) != beside:
             self.side.setVisible(beside)

@@ -4,37 +4,32 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QVBoxLayout, QWizardPage
+from PySide6.QtWidgets import QCheckBox, QVBoxLayout
 
 from rigapp.gui.language.words import Text, tr
-from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import GAP, STEP, VALUE_PT, Theme
+from rigapp.gui.look.tokens import GAP, Theme
 from rigapp.gui.widgets.build import button, filled, named, prose, row
+from rigapp.gui.wizard.guide_page import TWO, GuidePage
 from rigapp.gui.wizard.hands import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import MeasuredCard, field, number, sentence
+from rigapp.gui.wizard.parts import MeasuredCard, field, fields_form, number, sentence
 from rigapp.gui.wizard.scenes import LevelScene, Picture
 
+LEVEL: Text = (
+    "Lay the level on the flat of the crank and turn the crank until the bubble is in the middle."
+)
+TAKEN: Text = "The angle reference has been taken already: begin the readings."
 TURN: Text = "&Keep this angle; I turn the level end for end"
 AGAIN: Text = "&Forget the first angle"
 
 
-class AnglePage(QWizardPage):
+class AnglePage(GuidePage):
     """Enter the encoder's angle while the crank is level."""
 
     def __init__(self, live: LiveCalibration, theme: Theme) -> None:
-        super().__init__()
+        super().__init__("Angle reference")
         self._live = live
-        self.setTitle(tr("Angle reference"))
-        self.instruction = sentence("angle_instruction", "What to do now")
-        self.instruction.setFont(sized(self.font(), VALUE_PT, QFont.Weight.DemiBold))
-        self.instruction.setText(
-            tr(
-                "Lay the level on the flat of the crank and turn the crank until the bubble is in"
-                " the middle."
-            )
-        )
+        self.instruction = self.asking("angle_instruction")
         why: Text = (
             "The encoder should show 0 degrees, or 360. Then turn the level end for end and do it"
             " again: the mean is free of the level's own error. 0.2 degrees of a common angle error"
@@ -44,16 +39,14 @@ class AnglePage(QWizardPage):
         self.why.setProperty("role", "secondary")
         self.picture = Picture("angle_picture", "What it looks like", theme)
         self.measured = MeasuredCard("angle", "The encoder shows", theme)
-        self.live = sentence("angle_live", "Angle of the encoder now")
-        self.live.setProperty("role", "caption")
         self.stability = self.measured.stability
         text: Text = "&Take the encoder's angle as it is now"
         self.follow = named(QCheckBox(tr(text)), "angle_follow", tr(text).replace("&", ""))
         self.follow.setChecked(True)
         angle: Text = "Angle that the encoder shows"
-        self.shown = number("angle_shown", angle, -360.0, 360.0, 2, 0.1, "degrees")
+        self.shown = number("angle_shown", angle, -360.0, 360.0, 2, 0.1, "°")
         level: Text = "Standard uncertainty of the level"
-        self.uncertainty = number("angle_uncertainty", level, 0.005, 5.0, 3, 0.01, "degrees")
+        self.uncertainty = number("angle_uncertainty", level, 0.005, 5.0, 3, 0.01, "°")
         self.uncertainty.setValue(0.05)
         spoken: Text = "Keep this angle and turn the level end for end"
         self.turn = button("angle_turn", TURN, self._keep_first, spoken)
@@ -61,17 +54,15 @@ class AnglePage(QWizardPage):
         self._first_deg: float | None = None
         self.problem = sentence("angle_problem", "What is wrong on this page")
         self.hands = HandsPanel(live)
-        form = QFormLayout()
-        form.setVerticalSpacing(STEP)
+        form = fields_form()
         form.addRow(self.follow)
         field(form, "&Encoder shows", self.shown)
         field(form, "Standard &uncertainty of the level", self.uncertainty)
-        asked = (self.measured, self.live, form, row(self.turn, None), self.first)
+        asked = (self.measured, form, row(self.turn, None), self.first)
         now = filled(QVBoxLayout(), (*asked, None, self.problem))
-        look = row((self.picture, 5), (now, 4))
-        for one in (now, look):
-            one.setSpacing(GAP)
-        filled(QVBoxLayout(self), (self.instruction, self.why, (look, 1), self.hands))
+        now.setSpacing(GAP)
+        look = self.beside(TWO, (self.picture, 5), (now, 4))
+        self.hold(self.instruction, self.why, (look, 1), self.hands)
         self.setCommitPage(True)
         self.follow.toggled.connect(self._follow)
         self._follow(True)
@@ -159,17 +150,14 @@ class AnglePage(QWizardPage):
         window, now = live.window, None
         self.stability.show_readiness(live.readiness, "no signals from the engine")
         self.turn.setEnabled(self._due() and self.isComplete())
-        if not self._due() and live.session is not None:
-            self.live.setText(tr("The angle reference has been taken already."))
-        elif window is None or window.angle is None:
-            self.live.setText(tr("The encoder's angle is not known yet."))
-        else:
+        taken = live.session is not None and not self._due()
+        self.instruction.setText(tr(TAKEN if taken else LEVEL))
+        if window is not None and window.angle is not None:
             now, degrees = window.angle, math.degrees(window.angle)
-            self.live.setText(tr("The encoder shows {:.2f} degrees.", degrees))
             if self.follow.isChecked():
                 self.shown.setValue(degrees if degrees < 180.0 else degrees - 360.0)
         self._tell_first()
         told = "" if now is None else f"{math.degrees(math.remainder(now, math.tau)):+.2f}°"
         self.measured.show_value(told.replace("-", "\u2212"))
         self.picture.show_scene(LevelScene(now, turned=self._first_deg is not None))
-        self.completeChanged.emit()
+        self.say_complete()

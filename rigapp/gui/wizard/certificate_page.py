@@ -2,28 +2,27 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QVBoxLayout, QWizardPage
-
 from rigapp.calibrating.records_in_use import RecordPlace
 from rigapp.calibrating.rig_file import name_record
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
-from rigapp.gui.widgets.build import button, filled, prose, row
+from rigapp.gui.widgets.build import button, prose
+from rigapp.gui.widgets.reflow import WrappingRow
+from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import sentence
 
 USE: Text = "Write its name into the &rig file…"
 
 
-class CertificatePage(QWizardPage):
+class CertificatePage(GuidePage):
     """Write the certificate beside the record, as PDF or HTML; put the record to use."""
 
     def __init__(self, live: LiveCalibration, prefix: str, place: RecordPlace) -> None:
         """Make the widgets; prefix: of their names; place: where a rig file names the record."""
-        super().__init__()
+        super().__init__("Certificate")
         self._live, self._place = live, place
-        self.setTitle(tr("Certificate"))
         alone: Text = "The certificate is made from the record alone: the same bytes each time."
         about = prose(f"{prefix}certificate_about", "What a certificate is", alone)
         about.setProperty("role", "secondary")
@@ -40,8 +39,8 @@ class CertificatePage(QWizardPage):
         leave: Text = "Leave the rig file as it is"
         self.no = button(f"{prefix}leave_rig_file", "N&o, leave it", self._leave, leave)
         self.used = sentence(f"{prefix}use_words", "What happens to the rig file")
-        upper = (about, self.saved, row(self.pdf, self.html, None), self.words)
-        filled(QVBoxLayout(self), (*upper, self.used, row(self.use, self.no, None), None))
+        upper = (about, self.saved, WrappingRow(self.pdf, self.html), self.words)
+        self.hold(*upper, self.used, WrappingRow(self.use, self.no), None)
         self._asked = False
         live.said.connect(self.words.setText)
         self.setFinalPage(True)

@@ -13,7 +13,7 @@ from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.palette import line_pen
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import column
-from rigapp.gui.wizard.parts import give_what_is_left, sentence
+from rigapp.gui.wizard.parts import caption, sentence, taking_what_is_left
 
 
 class ChartPlot(QWidget):
@@ -23,9 +23,7 @@ class ChartPlot(QWidget):
         super().__init__()
         self._theme = theme
         self.plot = QuietPlot("daily_chart", tr("Sensitivity of the daily checks"), theme)
-        self.plot.label("left", tr("Felt / applied force"))
         self.plot.label("bottom", tr("Check"))
-        give_what_is_left(self.plot)
         colour = theme.curves["first"]
         self._line = pg.PlotDataItem(
             pen=line_pen(colour), symbol="o", symbolSize=8, symbolBrush=colour, symbolPen=colour
@@ -33,7 +31,12 @@ class ChartPlot(QWidget):
         self.plot.addItem(self._line)
         self._guides: list[pg.InfiniteLine] = []
         self.words = sentence("daily_words", "What the control charts say")
-        column((self.plot, 1), self.words, on=self)
+        column(
+            caption("Felt / applied force"),
+            (taking_what_is_left(self.plot), 1),
+            self.words,
+            on=self,
+        )
 
     def show_history(self, found: DailyHistory) -> None:
         """Show the checks, the limits, and the sentences."""

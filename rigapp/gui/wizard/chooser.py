@@ -66,11 +66,10 @@ class CalibrationChooser(QDialog):
         heading.setFont(scaled_font(heading, 1.4, bold=True))
         self.buttons = {}
         for key, choice in CHOICES.items():
-            text = f"{tr(choice.text)}: {tr(choice.words)}"
+            text = f"{tr(choice.text)}\n{tr(choice.words)}"
             made = button(f"choose_{key.replace(' ', '_')}", text, partial(self._choose, key))
-            made.setProperty("large", True)
             made.setMaximumWidth(WIDEST)
-            made.setStyleSheet("text-align: left;")
+            made.setStyleSheet(f"text-align: left; min-height: {6 * STEP}px;")
             self.buttons[key] = made
         whole = filled(QVBoxLayout(self), (heading, *self.buttons.values(), None))
         whole.setSpacing(GAP)

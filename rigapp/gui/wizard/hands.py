@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QFrame, QLabel
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.widgets.build import button, choice, named, row
+from rigapp.gui.widgets.reflow import WrappingRow
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 
 
@@ -34,8 +35,10 @@ class HandsPanel(QFrame):
             ((str(one), one) for one in mistakes),
             lambda _: live.plant(mistakes(self.mistake.currentData())),
         )
-        made = row(title, self.do, self.ahead, None, "&Mistake", self.mistake, on=self)
-        made.setContentsMargins(GAP, STEP, GAP, STEP)
+        mistake = QWidget()
+        row(None, "&Mistake", self.mistake, on=mistake).setContentsMargins(0, 0, 0, 0)
+        made = WrappingRow(title, self.do, self.ahead, mistake, stretching=(mistake,))
+        row(made, on=self).setContentsMargins(GAP, STEP, GAP, STEP)
         live.looked.connect(self._show)
 
     def _ahead(self, on: bool) -> None:
@@ -48,6 +51,6 @@ class HandsPanel(QFrame):
         self.do.setEnabled(not live.hands_busy and not live.goes_ahead)
         if self.ahead.isChecked() != live.goes_ahead:
             self.ahead.setChecked(live.goes_ahead)
-        index = self.mistake.findText(str(live.mistake))
+        index = self.mistake.findData(str(live.mistake))
         if index != self.mistake.currentIndex():
             self.mistake.setCurrentIndex(index)

@@ -9,10 +9,13 @@ import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import (
+    QBoxLayout,
     QDoubleSpinBox,
     QFormLayout,
     QFrame,
+    QHBoxLayout,
     QLabel,
+    QLineEdit,
     QSizePolicy,
     QWidget,
 )
@@ -22,7 +25,7 @@ from rigapp.calibrating.session import ResidualsSoFar
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import GAP, LARGE_PT, MARGIN, STEP, Theme
+from rigapp.gui.look.tokens import LARGE_PT, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.plots.palette import line_pen
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import column, named, prose, row
@@ -44,9 +47,17 @@ def field(form: QFormLayout, text: Text, widget: QWidget) -> None:
     form.addRow(label, widget)
 
 
+def fields_form() -> QFormLayout:
+    """Return an empty form; a field goes below its caption where there is no room beside it."""
+    form = QFormLayout()
+    form.setVerticalSpacing(STEP)
+    form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
+    return form
+
+
 def labelled(text: Text, widget: QWidget) -> QFormLayout:
     """Return a form of one row with an access key."""
-    form = QFormLayout()
+    form = fields_form()
     field(form, text, widget)
     return form
 
@@ -69,6 +80,7 @@ UNIT_NAMES: dict[str, Text] = {
     "kg": "kilograms",
     "m/s²": "metres per second squared",
     "µm": "micrometres",
+    "°": "degrees",
 }
 """Units as they are read aloud, where the sign is not."""
 
@@ -81,10 +93,25 @@ def sentence(name: str, spoken: Text, factor: float = 1.0, *, bold: bool = False
     return label
 
 
-def give_what_is_left(plot: QWidget) -> None:
-    """Let a plot take the room that is left; a wizard would grow to what it likes best."""
+def give_room_for_hint(line: QLineEdit) -> None:
+    """Let a line to type in be as wide as the hint in it."""
+    room = line.fontMetrics().horizontalAdvance(line.placeholderText())
+    line.setMinimumWidth(room + 4 * STEP)
+
+
+def taking_what_is_left(plot: QWidget) -> QHBoxLayout:
+    """Return a plot that takes the room that is left; a page would grow to what it likes best."""
     plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
-    plot.setMinimumHeight(LEAST_PLOT)
+    made = row(plot)
+    made.addStrut(LEAST_PLOT)
+    return made
+
+
+def caption(text: Text) -> QLabel:
+    """Return the title of a plot, quantity and unit: lies above it, where it is never cut."""
+    label = QLabel(tr(text))
+    label.setProperty("role", "caption")
+    return label
 
 
 class Sign(QWidget):
@@ -166,20 +193,29 @@ class Stability(QWidget):
 class MeasuredCard(QFrame):
     """What is measured now, to be read from where the hands are: number, wanted one, steadiness."""
 
-    def __init__(self, name: str, caption: Text, theme: Theme) -> None:
+    def __init__(self, name: str, title: Text, theme: Theme) -> None:
         super().__init__()
-        named(self, f"{name}_measured", caption).setProperty("role", "card")
-        self.caption = QLabel(tr(caption))
-        self.caption.setProperty("role", "caption")
+        named(self, f"{name}_measured", title).setProperty("role", "card")
+        self.caption = caption(title)
         large = sized(self.font(), LARGE_PT, QFont.Weight.DemiBold)
-        self.value = FittedLabel(f"{name}_measured_value", caption, large)
+        self.value = FittedLabel(f"{name}_measured_value", title, large)
         self.wanted = sentence(f"{name}_measured_wanted", "What it should be")
         self.stability = Stability(theme)
-        made = column(self.caption, self.value, self.wanted, self.stability, on=self)
-        made.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
-        made.setSpacing(STEP)
+        numbers = column(self.caption, self.value, self.wanted)
+        self._halves = column((numbers, 1), self.stability, on=self)
         self.setMinimumWidth(28 * STEP)
+        self.make_room(low=False)
         self.show_value("")
+
+    def make_room(self, *, low: bool) -> None:
+        """Lie rather than stand where the page is low."""
+        way = QBoxLayout.Direction.LeftToRight if low else QBoxLayout.Direction.TopToBottom
+        self._halves.setDirection(way)
+        self._halves.setContentsMargins(MARGIN, STEP, MARGIN, STEP)
+        self._halves.setSpacing(STEP)
+        self.caption.setHidden(low)
+        points = VALUE_PT if low else LARGE_PT
+        self.value.set_largest(sized(self.font(), points, QFont.Weight.DemiBold))
 
     def show_value(self, value: str, wanted: str = "") -> None:
         """Show a number with its unit, and what it should be; without one a dash."""
@@ -206,9 +242,7 @@ class ResidualPlot(QWidget):
         """Make the plot with words below."""
         super().__init__()
         self.plot = QuietPlot(f"{names.stem}_plot", tr(names.spoken), theme)
-        self.plot.label("left", f"{tr(names.left)} ({names.unit})")
         self.plot.label("bottom", tr(names.bottom))
-        give_what_is_left(self.plot)
         self.plot.guide(0.0, horizontal=True)
         self._points = []
         for role, symbol in (("first", "o"), ("second", "t")):
@@ -217,7 +251,8 @@ class ResidualPlot(QWidget):
             self.plot.addItem(item)
             self._points.append(item)
         self.words = sentence(f"{names.stem}_words", "Residuals in words")
-        column((self.plot, 1), self.words, on=self)
+        title, plot = caption(f"{tr(names.left)} ({names.unit})"), taking_what_is_left(self.plot)
+        column(title, (plot, 1), self.words, on=self)
 
     def show_residuals(self, found: ResidualsSoFar) -> None:
         """Show what is left of the readings so far."""

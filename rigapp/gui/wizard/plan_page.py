@@ -15,11 +15,9 @@ from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QComboBox,
     QFileDialog,
-    QFormLayout,
     QLabel,
     QLineEdit,
     QVBoxLayout,
-    QWizardPage,
 )
 
 from rigapp.config.calibration_settings import CalibrationFile
@@ -27,10 +25,11 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
-from rigapp.gui.look.tokens import GAP, STEP, Theme
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import button, choice, edit, filled, prose, row
+from rigapp.gui.wizard.guide_page import TWO, GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import field, prefix_of, sentence
+from rigapp.gui.wizard.parts import field, fields_form, give_room_for_hint, prefix_of, sentence
 from rigapp.gui.wizard.scenes import Picture, Scene
 
 NEW: Text = "Begin a new calibration"
@@ -87,7 +86,7 @@ class Questions:
 OPERATOR = Field("operator", "&Operator", edit, "", "paperwork.operator")
 
 
-class PlanPage(QWizardPage):
+class PlanPage(GuidePage):
     """Choose plan and settings, or a calibration to take up."""
 
     def __init__(
@@ -105,11 +104,10 @@ class PlanPage(QWizardPage):
 
         sketch: what will be done.
         """
-        super().__init__()
+        super().__init__(asks.title)
         self._live, self._folder, self.asks, self._planned = live, folder, asks, planned
         self._given: Any = asks.given
         stem = asks.stem
-        self.setTitle(tr(asks.title))
         self.subtitle = prose(f"{stem}_subtitle", "What this is", asks.subtitle)
         self.subtitle.setProperty("role", "secondary")
         self.picture = Picture(f"{stem}_sketch", "What will be done", theme)
@@ -120,14 +118,14 @@ class PlanPage(QWizardPage):
             marked("none: the fields below are enough"),
         )
         self.settings = edit(f"{stem}_settings", spoken, hint=hint)
+        give_room_for_hint(self.settings)
         self.settings.setText(str(settings) if settings is not None else "")
         choose: Text = "Choose a settings file"
         self.browse = button(f"{stem}_browse", "Bro&wse…", self._browse, choose)
         self.summary = sentence(f"{stem}_summary", "What this means")
         spoken = "What is wrong on this page"
         self.problem = sentence(f"{prefix_of(stem)}plan_problem", spoken)
-        form = QFormLayout()
-        form.setVerticalSpacing(STEP)
+        form = fields_form()
         field(form, "&Begin or take up", self.begin)
         label = QLabel(tr("&Settings file"))
         label.setBuddy(self.settings)
@@ -139,15 +137,16 @@ class PlanPage(QWizardPage):
         for one in self._asked:
             widget = one.make(f"{stem}_{one.name}", tr(one.spoken) or tr(one.text).replace("&", ""))
             self.fields[one.name] = widget
+            if isinstance(widget, QLineEdit):
+                give_room_for_hint(widget)
             show_value(widget, found.get(one.name) or one.start)
             field(form, one.text, widget)
             for signal in ("textChanged", "valueChanged", "currentIndexChanged"):
                 if hasattr(widget, signal):
                     getattr(widget, signal).connect(self._changed)
         left = filled(QVBoxLayout(), (form, self.summary, None, self.problem))
-        both = row((left, 3), (self.picture, 2))
-        both.setSpacing(2 * GAP)
-        filled(QVBoxLayout(self), (self.subtitle, (both, 1)))
+        both = self.beside(TWO, (left, 3), (self.picture, 2))
+        self.hold(self.subtitle, (both, 1))
         self.settings.editingFinished.connect(self.read_settings)
         live.looked.connect(self._propose)
         self.read_settings()

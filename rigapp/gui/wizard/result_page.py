@@ -9,8 +9,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
-    QWizardPage,
 )
 
 from rigapp.calibrating.daily_history import STORE, DailyHistory
@@ -19,13 +17,14 @@ from rigapp.config.errors import UnusableInput
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import Theme
-from rigapp.gui.widgets.build import edit, filled, named, row
+from rigapp.gui.widgets.build import edit, named, row
 from rigapp.gui.wizard.chart_plot import ChartPlot
+from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import ResidualPlot, sentence
 
 
-class ResultPage(QWizardPage):
+class ResultPage(GuidePage):
     """Show numbers, uncertainty, problems; save the record, or say why it is refused."""
 
     def __init__(
@@ -37,14 +36,12 @@ class ResultPage(QWizardPage):
         plot: ResidualPlot | None = None,
     ) -> None:
         """Make the widgets; prefix: of their names; plot: of the residuals, if it is shown."""
-        super().__init__()
+        super().__init__("Result")
         self._live, self.plot = live, plot
         self._store = folder / STORE
-        self.setTitle(tr("Result"))
         self.verdict = sentence(f"{prefix}verdict", "Verdict", 1.8, bold=True)
         self.problems = sentence(f"{prefix}problems", "Problems", 1.15)
         self.matrix = named(QTableWidget(), f"{prefix}matrix", "Matrix and zero")
-        self.matrix.setMaximumHeight(6 * self.matrix.fontMetrics().height())
         self.matrix.setTabKeyNavigation(False)
         self.words = sentence(f"{prefix}result_words", "Numbers and uncertainty")
         self.chart = ChartPlot(theme)
@@ -55,7 +52,7 @@ class ResultPage(QWizardPage):
         upper = (self.verdict, self.problems, self.matrix, self.words)
         plots = ((one, 4) for one in (plot, self.chart) if one is not None)
         last = row(self.target_label, (self.target, 1))
-        filled(QVBoxLayout(self), (*upper, *plots, None, self.problem, last))
+        self.hold(*upper, *plots, None, self.problem, last)
         live.judged.connect(self._show)
         live.said.connect(self._said)
 
@@ -64,6 +61,7 @@ class ResultPage(QWizardPage):
         self.verdict.setText(tr("Calculating …"))
         for label in (self.problems, self.words, self.problem):
             label.clear()
+            label.show()
         for widget in (self.matrix, self.target, self.target_label, self.chart):
             widget.hide()
         session = self._live.session
@@ -119,6 +117,7 @@ class ResultPage(QWizardPage):
         else:
             self._show_calibration(outcome)
         self.verdict.setText(f"✓ {tr(words[0])}" if outcome.accepted else f"✗ {tr(words[1])}")
+        self.problems.setHidden(not self.problems.text())
         self.setFinalPage(not outcome.makes_record)
         self.completeChanged.emit()
 
@@ -151,10 +150,16 @@ class ResultPage(QWizardPage):
     def _fill(self, table: NumberTable) -> None:
         self.matrix.setRowCount(len(table.rows))
         self.matrix.setColumnCount(len(table.columns) - 1)
-        self.matrix.setHorizontalHeaderLabels([retold(one) for one in table.columns[1:]])
+        headings = [retold(one).replace(" (", "\n(", 1) for one in table.columns[1:]]
+        self.matrix.setHorizontalHeaderLabels(headings)
         self.matrix.setVerticalHeaderLabels([retold(name) for name, *_ in table.rows])
         self.matrix.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         for axis, (_, *texts) in enumerate(table.rows):
             for place, text in enumerate(texts):
                 self.matrix.setItem(axis, place, QTableWidgetItem(text))
+        rows = (
+            self.matrix.verticalHeader().length()
+            + self.matrix.horizontalHeader().sizeHint().height()
+        )
+        self.matrix.setFixedHeight(rows + 2 * self.matrix.frameWidth())
         self.matrix.show()

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWizardPage
+from PySide6.QtWidgets import QAbstractButton, QProgressBar, QVBoxLayout
 
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
-from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import GAP, VALUE_PT, Theme
-from rigapp.gui.widgets.build import button, filled, named, prose, row, tell
+from rigapp.gui.look.tokens import GAP, Theme
+from rigapp.gui.widgets.build import button, filled, named, prose, tell
+from rigapp.gui.wizard.guide_page import TWO, GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration, Question
 from rigapp.gui.wizard.parts import MeasuredCard, sentence
 from rigapp.gui.wizard.scenes import Picture, RollScene
@@ -70,21 +69,19 @@ class RollingCalibration(LiveCalibration):
         self.moved.emit()
 
 
-class RollingPage(QWizardPage):
+class RollingPage(GuidePage):
     """Turn the spindle when the operator says so; tell how far it is; stop."""
 
     def __init__(self, live: RollingCalibration, theme: Theme) -> None:
-        super().__init__()
+        super().__init__("Slow rolls")
         self._live = live
-        self.setTitle(tr("Slow rolls"))
         why: Text = (
             "Each roll is a test with all guards, and a file of its own. You can close the"
             " wizard: the roll under way goes on to its end, and the map can be taken up again."
         )
         self.why = prose("roll_why", "What a roll is", why)
         self.why.setProperty("role", "secondary")
-        self.instruction = sentence("roll_instruction", "What to do now")
-        self.instruction.setFont(sized(self.font(), VALUE_PT, QFont.Weight.DemiBold))
+        self.instruction = self.asking("roll_instruction")
         self.picture = Picture("roll_picture", "What it looks like", theme)
         self.measured = MeasuredCard("roll", "Revolutions turned", theme)
         self.measured.stability.hide()
@@ -92,15 +89,13 @@ class RollingPage(QWizardPage):
         self.progress = named(QProgressBar(), "roll_progress", "Progress of the rolls")
         self.progress.setTextVisible(False)
         self.roll = button("roll", "&Turn the spindle", live.roll, rank="primary")
-        self.roll.setProperty("large", True)
         self.stop = button("roll_stop", "&Stop the spindle", live.stop)
         self.problem = sentence("roll_problem", "What stands against it")
         how = (self.measured, self.words, self.progress)
-        now = filled(QVBoxLayout(), (*how, None, self.problem, self.roll, self.stop))
-        look = row((self.picture, 5), (now, 4))
-        for one in (now, look):
-            one.setSpacing(GAP)
-        filled(QVBoxLayout(self), (self.instruction, self.why, (look, 1)))
+        now = filled(QVBoxLayout(), (*how, None, self.problem))
+        now.setSpacing(GAP)
+        look = self.beside(TWO, (self.picture, 5), (now, 4))
+        self.hold(self.instruction, self.why, (look, 1))
         live.looked.connect(self._look)
         live.moved.connect(self._look)
         live.said.connect(self.problem.setText)
@@ -108,12 +103,20 @@ class RollingPage(QWizardPage):
     def initializePage(self) -> None:
         """Offer to roll."""
         self._look()
-        self.roll.setFocus()
+
+    def take_focus(self) -> None:
+        """Wait with the focus for what can be pressed: the spindle turns, or it stops."""
+        offered = (one for one in (self.roll, self.stop) if one.isEnabled())
+        next(offered, self).setFocus()
 
     def isComplete(self) -> bool:
         """Tell whether every roll is recorded."""
         session = self._live.session
         return session is not None and bool(session.runs.done)
+
+    def foot(self) -> tuple[tuple[QAbstractButton, bool], ...]:
+        """Return what stops and turns the spindle, until all rolls are recorded."""
+        return ((self.stop, not self.isComplete()), (self.roll, not self.isComplete()))
 
     def progress_words(self) -> str:
         """Return how many revolutions are turned, of how many."""
@@ -138,6 +141,9 @@ class RollingPage(QWizardPage):
         tell(self.roll, "rank", "" if runs.done else "primary")
         self.progress.setRange(0, runs.planned)
         self.progress.setValue(runs.turned)
+        waits = self.roll.hasFocus() or self.stop.hasFocus()
         self.roll.setEnabled(not rolling and not runs.done)
         self.stop.setEnabled(rolling)
-        self.completeChanged.emit()
+        if waits:
+            self.take_focus()
+        self.say_complete(runs.turned)

@@ -12,6 +12,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from calibration.taking.pieces import told_pieces
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import BODY_PT, STEP, VALUE_PT, Theme
@@ -24,6 +25,8 @@ LINE, THIN = 2.0, 1.0
 HEAD = 1.4 * STEP
 ARM = 0.2
 """Length of the crank, as a share of the picture's height."""
+LEAST_PIECE, FORCE = 2.5 * STEP, 5.0 * STEP
+"""Heights of a weight with its words and of the force below them: the crank shrinks first."""
 
 
 class Scene(Protocol):
@@ -47,16 +50,9 @@ def stack_of(pieces: Sequence[float], before: Sequence[float] = ()) -> list[Piec
     """Return what hangs (kg), heaviest first: what stays, what is hung now, what is taken off."""
     now, was = Counter(pieces), Counter(before)
     return [
-        *(Piece(words) for words in _named(now & was)),
-        *(Piece(f"+ {words}", comes=True) for words in _named(now - was)),
-        *(Piece(f"\u2212 {words}", goes=True) for words in _named(was - now)),
-    ]
-
-
-def _named(found: Counter[float]) -> list[str]:
-    ordered = sorted(found.items(), reverse=True)
-    return [
-        f"{count} \u00d7 {mass:g} kg" if count > 1 else f"{mass:g} kg" for mass, count in ordered
+        *(Piece(words) for words in told_pieces((now & was).elements())),
+        *(Piece(f"+ {words}", comes=True) for words in told_pieces((now - was).elements())),
+        *(Piece(f"\u2212 {words}", goes=True) for words in told_pieces((was - now).elements())),
     ]
 
 
@@ -80,13 +76,29 @@ class Brush:
 
     def words(self, at: QPointF, text: str, colour: str, points: float = BODY_PT) -> None:
         """Write words with their middle at a place."""
-        font = sized(self._font, points, QFont.Weight.DemiBold)
+        font = self._bold(points)
         self.painter.setFont(font)
         self.painter.setPen(QColor(colour))
         metrics = QFontMetricsF(font)
         width, height = metrics.horizontalAdvance(text) + STEP, metrics.height()
         place = QRectF(at.x() - width / 2, at.y() - height / 2, width, height)
         self.painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
+
+    def boxed(self, box: QRectF, text: str) -> None:
+        """Draw a box with words in it, as wide as they need."""
+        theme = self.theme
+        width = QFontMetricsF(self._bold(BODY_PT)).horizontalAdvance(text) + 2 * STEP
+        more = max(width - box.width(), 0.0) / 2
+        wide, room = box.adjusted(-more, 0.0, more, 0.0), self.painter.window()
+        wide.moveRight(min(wide.right(), room.right() - STEP))
+        wide.moveLeft(max(wide.left(), room.left() + STEP))
+        self.pen(theme.text)
+        self.fill(theme.base)
+        self.painter.drawRect(wide)
+        self.words(wide.center(), text, theme.text)
+
+    def _bold(self, points: float) -> QFont:
+        return sized(self._font, points, QFont.Weight.DemiBold)
 
     def arrow(self, start: QPointF, end: QPointF, colour: str) -> None:
         """Draw a straight arrow."""
@@ -165,6 +177,8 @@ class WeightScene:
     def paint(self, brush: Brush, room: QRectF) -> None:
         """Draw crank, angle, weights and their force."""
         theme, arm = brush.theme, ARM * min(room.height(), room.width())
+        hangs = len(self.stack) * LEAST_PIECE + (FORCE if self.weight_N > 0.0 else 0.0)
+        arm = min(arm, max((room.height() - hangs) / 3.4, STEP))
         middle = QPointF(room.center().x(), room.top() + 1.75 * arm)
         brush.pen(theme.muted, THIN, dashed=True)
         brush.painter.drawLine(middle, middle + QPointF(1.9 * arm, 0.0))
@@ -185,7 +199,7 @@ class WeightScene:
         theme, painter = brush.theme, brush.painter
         force = self.weight_N > 0.0
         height = min(
-            4.0 * STEP, (room.bottom() - top - (5 * STEP if force else 0)) / len(self.stack)
+            4.0 * STEP, (room.bottom() - top - (FORCE if force else 0.0)) / len(self.stack)
         )
         width = 13.0 * STEP
         left = min(max(pin.x() - width / 2, room.left()), room.right() - width)
@@ -265,14 +279,8 @@ class ProbeScene:
         half = 0.13 * room.height()
         middle = room.left() + 6.0 * unit
         at = middle + 2.0 * unit * self._share(self.position_um)
-        brush.pen(theme.text)
-        brush.fill(theme.base)
-        painter.drawRect(
-            QRectF(room.left() + 0.4 * unit, level - 0.6 * half, 2.6 * unit, 1.2 * half)
-        )
-        brush.words(
-            QPointF(room.left() + 1.7 * unit, level), tr("Probe {}", self.probe), theme.text
-        )
+        box = QRectF(room.left() + 0.4 * unit, level - 0.6 * half, 2.6 * unit, 1.2 * half)
+        brush.boxed(box, tr("Probe {}", self.probe))
         brush.pen(theme.highlight)
         brush.fill(theme.tint)
         painter.drawRect(QRectF(at, level - half, 0.5 * unit, 2.0 * half))
@@ -330,8 +338,8 @@ class RollScene:
 
     def paint(self, brush: Brush, room: QRectF) -> None:
         """Draw pin and bushing, the probes, and the turn."""
-        theme, painter = brush.theme, brush.painter
-        radius = 0.2 * min(room.height(), room.width())
+        theme = brush.theme
+        radius = min(0.2 * room.height(), 0.15 * room.width())
         middle = room.center() + QPointF(0.0, 0.3 * radius)
         brush.pen(theme.secondary)
         brush.fill(theme.base)
@@ -341,16 +349,11 @@ class RollScene:
         brush.disc(middle + QPointF(0.06 * radius, 0.04 * radius), 0.72 * radius)
         colour = theme.highlight if self.turning else theme.strong
         brush.turn(middle, 1.35 * radius, math.radians(200), math.radians(220), colour)
-        brush.pen(theme.text)
-        brush.fill(theme.base)
         along, across = QPointF(2.4 * radius, 0.0), QPointF(0.0, -1.95 * radius)
         for number, away in enumerate((along, across), 1):
             box = QRectF(0.0, 0.0, 1.6 * radius, 0.5 * radius)
             box.moveCenter(middle + away)
-            brush.pen(theme.text)
-            brush.fill(theme.base)
-            painter.drawRect(box)
-            brush.words(box.center(), tr("Probe {}", number), theme.text)
+            brush.boxed(box, tr("Probe {}", number))
         below = QPointF(room.center().x(), room.bottom() - 2.0 * STEP)
         brush.words(below, self.words, theme.highlight, VALUE_PT)
 
@@ -363,6 +366,7 @@ class Picture(QWidget):
         named(self, name, spoken)
         self._theme = theme
         self.scene: Scene | None = None
+        self._tallest = 0
         self.setMinimumSize(LEAST)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
@@ -372,20 +376,27 @@ class Picture(QWidget):
             self.scene = scene
             self.update()
 
+    def stay_within(self, tallest: int) -> None:
+        """Draw no higher than this, in pixels, so that all of it is seen at once."""
+        self._tallest = max(tallest, LEAST.height())
+        self.update()
+
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
         self._theme = theme
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the ground and the scene."""
+        """Paint the ground and the scene; nothing where there is none."""
+        if self.scene is None:
+            return
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QColor(self._theme.hairline))
         painter.setBrush(QColor(self._theme.alternate))
         ground = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
+        ground.setHeight(min(ground.height(), self._tallest or ground.height()))
         painter.drawRoundedRect(ground, STEP, STEP)
-        if self.scene is not None:
-            room = ground.adjusted(2 * STEP, 2 * STEP, -2 * STEP, -2 * STEP)
-            self.scene.paint(Brush(painter, self._theme, self.font()), room)
+        room = ground.adjusted(2 * STEP, 2 * STEP, -2 * STEP, -2 * STEP)
+        self.scene.paint(Brush(painter, self._theme, self.font()), room)
         painter.end()

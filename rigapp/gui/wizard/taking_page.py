@@ -7,16 +7,15 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QAbstractItemView,
     QHeaderView,
     QProgressBar,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
-    QWizardPage,
+    QWidget,
 )
 
 from calibration.taking.procedure import StepKind
@@ -24,14 +23,17 @@ from calibration.taking.signals import Readiness
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import CAPTION_PT, GAP, STEP, VALUE_PT, Theme
+from rigapp.gui.look.tokens import CAPTION_PT, GAP, Theme
 from rigapp.gui.widgets.build import button, edit, filled, named, row, tell
+from rigapp.gui.widgets.reflow import WrappingRow
+from rigapp.gui.wizard.guide_page import FOUR, TWO, GuidePage
 from rigapp.gui.wizard.hands import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import (
     MeasuredCard,
     PlotNames,
     ResidualPlot,
+    give_room_for_hint,
     labelled,
     number,
     prefix_of,
@@ -68,23 +70,17 @@ class TakingWords:
     read_off: bool = False
 
 
-class TakingPage(QWizardPage):
+class TakingPage(GuidePage):
     """Take all readings of the plan; the session says what the widgets show."""
 
     def __init__(
         self, live: LiveCalibration, theme: Theme, words: TakingWords, plot: PlotNames
     ) -> None:
         """Make the widgets; plot: of the residuals so far."""
-        super().__init__()
+        super().__init__("Readings")
         self.live_calibration, self._words, self.plot = live, words, ResidualPlot(theme, plot)
         prefix = prefix_of(words.stem)
-        self.setTitle(tr("Readings"))
-        asked: Text = "What to do now"
-        self.instruction = sentence(f"{prefix}instruction", asked)
-        self.instruction.setFont(sized(self.font(), VALUE_PT, QFont.Weight.DemiBold))
-        self.instruction.setAlignment(Qt.AlignmentFlag.AlignTop)
-        # Two lines for the longest sentence, so that nothing below moves from step to step.
-        self.instruction.setMinimumHeight(2 * self.instruction.fontMetrics().lineSpacing())
+        self.instruction = self.asking(f"{prefix}instruction")
         self.progress = named(
             QProgressBar(), f"{words.stem}_progress", "Progress of the calibration"
         )
@@ -96,7 +92,6 @@ class TakingPage(QWizardPage):
         self.live = sentence(f"{prefix}live_signal", words.live)
         self.live.setProperty("role", "caption")
         self.record = button(f"{prefix}record", RECORD, self._record, rank="primary")
-        self.record.setProperty("large", True)
         self.leave_out = button(f"{prefix}leave_out", LEAVE_OUT, self._leave_out)
         self.problem = sentence(f"{prefix}reading_problem", "What stands against it")
         self.table = _readings_table(f"{prefix}readings_table", words.columns)
@@ -105,8 +100,7 @@ class TakingPage(QWizardPage):
             marked("why the selected reading does not count"),
         )
         self.reason = edit(f"{prefix}reject_reason", spoken, self._enable, hint=hint)
-        room = self.reason.fontMetrics().horizontalAdvance(self.reason.placeholderText())
-        self.reason.setMinimumWidth(room + 4 * STEP)
+        give_room_for_hint(self.reason)
         text: Text = "Re&ject and repeat its series"
         self.reject_button = button(f"{prefix}reject", text, self._reject, words.reject)
         position: Text = "Position that the micrometer shows"
@@ -114,34 +108,44 @@ class TakingPage(QWizardPage):
         entered = labelled("Micrometer &shows", self.shown) if words.read_off else None
         self.hands = HandsPanel(live, f"{prefix}hands", words.do)
         beside = [one for one in (self.measured, self.live, entered) if one is not None]
-        does = (self.record, self.leave_out, self.problem)
-        now = filled(QVBoxLayout(), (*beside, None, *does))
-        look = row((self.picture, 5), (now, 4))
+        now = filled(QVBoxLayout(), (*beside, None, self.problem))
+        look = self.beside(TWO, (self.picture, 5), (now, 4))
         how_far = row((self.left, 1), (self.progress, 2))
         left = filled(QVBoxLayout(), (self.instruction, (look, 1), how_far))
-        why = row(words.reason, (self.reason, 1), self.reject_button)
+        given = QWidget()
+        row(words.reason, (self.reason, 1), on=given).setContentsMargins(0, 0, 0, 0)
+        why = WrappingRow(given, self.reject_button, stretching=(given,))
         right = filled(QVBoxLayout(), ((self.plot, 3), (self.table, 4), why))
         for one in (left, right, now):
             one.setSpacing(GAP)
-        both = row((left, 1), (right, 1))
-        both.setSpacing(GAP)
-        filled(QVBoxLayout(self), ((both, 1), self.hands))
+        both = self.beside(FOUR, (left, 1), (right, 1))
+        self.hold((both, 1), self.hands)
         self.table.itemSelectionChanged.connect(self._enable)
         live.looked.connect(self._look)
         live.moved.connect(self._move)
         live.said.connect(self.problem.setText)
 
     def initializePage(self) -> None:
-        """Show the step under way, with the focus where it records."""
+        """Show the step under way, and offer to record."""
         self.hands.setVisible(self.live_calibration.rig.simulated)
         self._move()
         self._look()
-        self.record.setFocus()
+
+    def take_focus(self) -> None:
+        """Wait with the focus for what can be recorded."""
+        (self.record if self.record.isEnabled() else self).setFocus()
 
     def isComplete(self) -> bool:
         """Tell whether all readings are taken."""
         session = self.live_calibration.session
         return session is not None and bool(session.procedure.done)
+
+    def foot(self) -> tuple[tuple[QAbstractButton, bool], ...]:
+        """Return what records, until all is taken, and what leaves out a step that may be."""
+        session = self.live_calibration.session
+        under_way = session is not None and not session.procedure.done
+        optional = under_way and session.procedure.step.optional
+        return ((self.leave_out, optional), (self.record, under_way))
 
     def progress_words(self) -> str:
         """Return how many readings stand, of how many."""
@@ -155,11 +159,9 @@ class TakingPage(QWizardPage):
         self.instruction.setText(retold(procedure.instruction).replace(" um", " µm"))
         self.progress.setRange(0, len(procedure.steps))
         self.progress.setValue(procedure.position)
-        for widget in (self.stability, self.record):
-            widget.setVisible(not procedure.done)
+        self.measured.setVisible(not procedure.done)
         tell(self.record, "rank", "" if procedure.done else "primary")
         self._show_scene()
-        self.leave_out.setVisible(not procedure.done and procedure.step.optional)
         if procedure.done:
             self.left.setText(tr("All steps are done."))
             self.shown.setEnabled(False)
@@ -191,12 +193,10 @@ class TakingPage(QWizardPage):
         readiness = live.readiness
         self.stability.show_readiness(readiness, "no signals from the engine")
         usable = readiness is not None and readiness.ready and not live.session.procedure.done
-        had_focus = self.record.hasFocus()
+        waits = self.hasFocus() or self.record.hasFocus()
         self.record.setEnabled(usable and not live.goes_ahead and not live.hands_busy)
-        if had_focus and not self.record.isEnabled():
-            self.setFocus()
-        elif self.record.isEnabled() and self.focusWidget() in (None, self, self.record):
-            self.record.setFocus()
+        if waits:
+            self.take_focus()
         known = readiness is not None and not math.isnan(readiness.felt)
         self.live.setText(retold(live.session.told_live(readiness)) if known else "")
         self._show_measured(readiness if known else None)
@@ -244,8 +244,6 @@ class TakingPage(QWizardPage):
     def _record(self) -> None:
         self.shown.interpretText()
         self.live_calibration.take(1e-6 * self.shown.value() if self._words.read_off else None)
-        if self.record.isEnabled():
-            self.record.setFocus()
 
     def _leave_out(self) -> None:
         self.live_calibration.attempt(lambda session: session.leave_out())

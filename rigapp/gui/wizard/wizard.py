@@ -6,21 +6,22 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QMargins, QSize
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QWidget, QWizard, QWizardPage
+from PySide6.QtWidgets import QWidget, QWizard
 
 from rigapp.calibrating.session import Rig
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.dress import dress_part
-from rigapp.gui.look.tokens import STEP, TIGHT_WIDTH, Theme
+from rigapp.gui.look.tokens import TIGHT_WIDTH, Theme
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import tell
 from rigapp.gui.widgets.steps import ShownStep
 from rigapp.gui.wizard.angle_page import AnglePage
 from rigapp.gui.wizard.certificate_page import CertificatePage
 from rigapp.gui.wizard.faces import FACES
+from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import AskLater
 from rigapp.gui.wizard.parts import ResidualPlot, Sign, prefix_of
 from rigapp.gui.wizard.plan_page import PlanPage
@@ -35,8 +36,15 @@ FORWARD = (
 )
 """What leads on: the primary button of a page that asks for nothing more."""
 
-AROUND = 8 * STEP
-"""Pixels beside a page, and half of those above and below it: margins, title, buttons."""
+ORDER = (
+    QWizard.WizardButton.BackButton,
+    QWizard.WizardButton.Stretch,
+    QWizard.WizardButton.CancelButton,
+    QWizard.WizardButton.CustomButton1,
+    QWizard.WizardButton.CustomButton2,
+    *FORWARD,
+)
+"""Of the buttons in the foot, which is seen on a page of any height; what leads on is the last."""
 
 BUTTONS: dict[QWizard.WizardButton, tuple[Text, Text]] = {
     QWizard.WizardButton.CommitButton: ("Begin &readings", "Begin readings"),
@@ -76,6 +84,8 @@ class CalibrationWizard(QWizard):
         self.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
         self.setModal(False)
         self.live = face.live(line, rig, session)
+        self._held: QWidget | None = None
+        self.live.judged.connect(self._hold_focus)
         self.plan = PlanPage(
             self.live, folder, settings, face.asks, of.plan, face.sketch, theme, fields
         )
@@ -84,12 +94,20 @@ class CalibrationWizard(QWizard):
         plot = ResidualPlot(theme, face.plot) if face.fitted else None
         self.result_page = ResultPage(self.live, theme, folder, prefix, plot)
         self.certificate = CertificatePage(self.live, prefix, of.place)
-        before: list[QWizardPage] = [self.plan] if self.angle is None else [self.plan, self.angle]
+        before: list[GuidePage] = [self.plan] if self.angle is None else [self.plan, self.angle]
         before[-1].setCommitPage(True)
-        self._pages = (*before, self.readings, self.result_page, self.certificate)
-        self.steps = StepsColumn(tr("Calibration of {}", tr(face.what)), len(self._pages), theme)
+        self._pages: tuple[GuidePage, ...] = (
+            *before,
+            self.readings,
+            self.result_page,
+            self.certificate,
+        )
+        self.steps = StepsColumn(
+            _sentence(tr("Calibrate {}", tr(face.what))), len(self._pages), theme
+        )
         self.setSideWidget(self.steps)
         for page in self._pages:
+            page.completeChanged.connect(self._hold_focus)
             self.addPage(page)
             page.completeChanged.connect(self._mark)
         for button, (text, spoken) in BUTTONS.items():
@@ -97,7 +115,12 @@ class CalibrationWizard(QWizard):
             widget = self.button(button)
             widget.setObjectName(f"wizard_{spoken.partition(';')[0].lower().replace(' ', '_')}")
             widget.setAccessibleName(tr(spoken))
+        for which, (own, _) in zip(ORDER[3:5], self.readings.foot(), strict=True):
+            self.setButton(which, own)
+        self.setButtonLayout(ORDER)
         self.currentIdChanged.connect(self._mark)
+        self.currentIdChanged.connect(self._make_room)
+        self.currentIdChanged.connect(self._begin_page)
         self.live.moved.connect(self._mark)
         self.finished.connect(lambda _: self.live.close())
         if parent is None:  # else it is put in the theme where it is shown, once
@@ -114,39 +137,73 @@ class CalibrationWizard(QWizard):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Leave the room of the steps to the page where it is narrow."""
         super().resizeEvent(event)
-        self.steps.setVisible(self.width() >= TIGHT_WIDTH - WIDTH)
+        self._make_room()
 
-    def minimumSizeHint(self) -> QSize:
-        """Return what the page needs with what stands around it: Qt asks for less, and cuts."""
+    def _make_room(self) -> None:
+        """Fit what is seen to the size of the wizard."""
+        alone = self.width() < TIGHT_WIDTH - WIDTH
+        # Qt keeps margins about what is hidden, too.
+        beside: Any = self.steps.parentWidget()
+        beside.setVisible(not alone)
+        for frame in (beside, beside.parentWidget()):
+            frame.layout().setContentsMargins(QMargins())
+        around = 0 if alone else WIDTH
+        for page in self._pages:
+            page.make_room(self.width() - around, self.height(), alone=alone)
+
+    def _begin_page(self) -> None:
+        """Give the focus to the page, which its buttons wait for, and name those of the readings.
+
+        Qt hides all pages while it changes them, so that the focus leaves the wizard, and sets
+        back the words of buttons.
+        """
         page = self.currentPage()
-        around = QSize(AROUND, 2 * AROUND)
-        if page is None:
-            return super().minimumSizeHint()
-        needed = page.minimumSizeHint() + around
-        if not self.steps.isHidden():
-            needed += QSize(WIDTH, 0)
-        return needed.expandedTo(super().minimumSizeHint())
+        if isinstance(page, GuidePage):
+            self.live.moved.emit()
+            page.take_focus()
+            self._mark()
+
+    def _hold_focus(self) -> None:
+        """Remember what has the focus, before Qt hides it and shows it again."""
+        one = self.focusWidget()
+        if one is not None and one.hasFocus():
+            self._held = one
 
     def _mark(self) -> None:
         """Mark what leads on, and in the column where the calibration stands."""
         page = self.currentPage()
-        if page is None:
+        if not isinstance(page, GuidePage):
             return
+        held, self._held = self._held, None
+        if held is not None:
+            held.setFocus()
+        for own, wanted in self.readings.foot():
+            left = own.hasFocus()
+            own.setVisible(wanted and page is self.readings)
+            if left and own.isHidden():
+                page.setFocus()
         for one in FORWARD:
             tell(self.button(one), "rank", "primary" if page.isComplete() else "")
             self.button(one).updateGeometry()
-        self.updateGeometry()
+        if self.readings.foot()[-1][1] and page is self.readings:
+            self.button(QWizard.WizardButton.NextButton).hide()
+        if page.isComplete() and page.hasFocus():
+            next(one for one in map(self.button, FORWARD) if not one.isHidden()).setFocus()
         here = self._pages.index(page)
         self.steps.show_steps(
             [
-                ShownStep(other.title(), self._line(other), place < here, place == here)
+                ShownStep(other.step, self._line(other), place < here, place == here)
                 for place, other in enumerate(self._pages)
             ]
         )
 
-    def _line(self, page: QWizardPage) -> str:
+    def _line(self, page: GuidePage) -> str:
         """Return how far the readings are, nothing for the other pages."""
         session = self.live.session
         if page is not self.readings or session is None:
             return ""
         return str(page.progress_words())
+
+
+def _sentence(words: str) -> str:
+    return words[:1].upper() + words[1:]
