@@ -949,7 +949,7 @@
     </message>
     <message>
         <source>It should be {:.1f} {}</source>
-        <translation>Es sollten {:.1f} {} sein</translation>
+        <translation>Soll: {:.1f} {}</translation>
     </message>
     <message>
         <source>Joint force over one revolution</source>
