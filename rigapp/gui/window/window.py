@@ -270,8 +270,8 @@ class MainWindow(QMainWindow):
         self.dress(THEMES["dark" if self.theme.name == "light" else "light"])
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
-        self.theme = theme
+        """Take a theme; the focus stays, though a wizard hides its page meanwhile."""
+        self.theme, held = theme, self.focusWidget()
         application = QApplication.instance()
         if isinstance(application, QApplication):
             apply_theme(application, theme)
@@ -281,6 +281,8 @@ class MainWindow(QMainWindow):
             part.dress(theme)
         if self._calibration is not None:
             self._calibration.dress(theme)
+        if held is not None and held.isVisible():
+            held.setFocus()
         self._paint_frame()
         self.draw_now()
 
