@@ -11,11 +11,11 @@ import pytest
 from patience import PATIENCE_S
 
 from calibration.records import unseal
-from rigapp.calibrating.session import Rig
 from rigapp.config.loading import read_rig
 from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.wizard.wizard import CalibrationWizard
 from tests.gui_calibration.test_story import EXAMPLE, HostLine, line
+from tests.gui_calibration.tour import rolling_rig
 
 __all__ = ["line"]
 FEW = {"routine": 6, "full": 4}
@@ -32,8 +32,7 @@ def pump(wizard: CalibrationWizard, line: HostLine, until: Callable[[], bool], w
 
 
 def opened(qtbot: Any, line: HostLine, folder: Path) -> CalibrationWizard:
-    rig = Rig("Simulated slider-crank", True, "E. Sample", folder / "rig.toml", folder / "t.toml")
-    wizard = CalibrationWizard(line, rig, LIGHT, folder, subject="run-out")
+    wizard = CalibrationWizard(line, rolling_rig(folder), LIGHT, folder, subject="run-out")
     qtbot.addWidget(wizard)
     wizard.live._timer.stop()
     wizard.show()

@@ -19,6 +19,14 @@ from tests.gui_calibration.test_probe_wizard import ScriptedProbes
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RIG = Rig("Rig", True, "E. Sample", EXAMPLES / "simulated.toml", EXAMPLES / "quick.toml")
+
+
+def rolling_rig(folder: Path) -> Rig:
+    """Return the simulated rig whose files stand in a folder, for slow rolls."""
+    simulated = "Simulated slider-crank"
+    return Rig(simulated, True, "E. Sample", folder / "rig.toml", folder / "t.toml")
+
+
 LOOKS = 3000
 Made = Callable[..., CalibrationWizard]
 """Make a wizard: what answers it, the key of what is chosen, and more of its arguments."""

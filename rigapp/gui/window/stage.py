@@ -43,14 +43,16 @@ class Stage(QStackedWidget):
         (guide.focusWidget() or guide).setFocus()
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
-        guide = self._area.widget()
+        """Take a theme; the focus stays, though a wizard hides its page meanwhile."""
+        guide, held = self._area.widget(), self.window().focusWidget()
         for bar in (self._area.verticalScrollBar(), self._area.horizontalScrollBar()):
             dress_part(bar, theme)
         if isinstance(guide, Dressed):
             guide.dress(theme)
         elif guide is not None:
             dress_part(guide, theme)
+        if held is not None and held.isVisible():
+            held.setFocus()
 
     def end(self) -> None:
         """Let the guide go, and show the pages."""

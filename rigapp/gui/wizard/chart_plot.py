@@ -21,15 +21,13 @@ class ChartPlot(QWidget):
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
-        self._theme = theme
         self.plot = QuietPlot("daily_chart", tr("Sensitivity of the daily checks"), theme)
         self.plot.label("bottom", tr("Check"))
-        colour = theme.curves["first"]
-        self._line = pg.PlotDataItem(
-            pen=line_pen(colour), symbol="o", symbolSize=8, symbolBrush=colour, symbolPen=colour
-        )
+        self._line = pg.PlotDataItem(symbol="o", symbolSize=8)
         self.plot.addItem(self._line)
         self._guides: list[pg.InfiniteLine] = []
+        self._found: DailyHistory | None = None
+        self.dress(theme)
         self.words = sentence("daily_words", "What the control charts say")
         column(
             caption("Felt / applied force"),
@@ -38,8 +36,19 @@ class ChartPlot(QWidget):
             on=self,
         )
 
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme, colour = theme, theme.curves["first"]
+        self.plot.dress(theme)
+        self._line.setPen(line_pen(colour))
+        self._line.setSymbolPen(colour)
+        self._line.setSymbolBrush(colour)
+        if self._found is not None:
+            self.show_history(self._found)
+
     def show_history(self, found: DailyHistory) -> None:
         """Show the checks, the limits, and the sentences."""
+        self._found = found
         one = found.charts["sensitivity_ratio"]
         self._line.setData(np.arange(1.0, len(one.values) + 1.0), one.values)
         for guide in self._guides:

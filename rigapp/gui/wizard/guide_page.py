@@ -22,7 +22,7 @@ from rigapp.gui.widgets.build import Item, column, filled, row, scrolling
 from rigapp.gui.wizard.parts import MeasuredCard, caption, sentence
 from rigapp.gui.wizard.scenes import Picture
 
-TWO, FOUR = 58 * STEP, 108 * STEP
+TWO, FOUR = 64 * STEP, 112 * STEP
 """Least widths of a page on which two and four parts find room beside each other."""
 ABOVE_AND_BELOW = 20 * STEP
 """What else is to be seen with a picture: the sentence above it, the buttons below."""

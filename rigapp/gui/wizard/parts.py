@@ -200,10 +200,12 @@ class MeasuredCard(QFrame):
         large = sized(self.font(), LARGE_PT, QFont.Weight.DemiBold)
         self.value = FittedLabel(f"{name}_measured_value", title, large)
         self.wanted = sentence(f"{name}_measured_wanted", "What it should be")
+        self.wanted.setWordWrap(False)  # a line that wraps may be squeezed
+        self.wanted.setWordWrap(False)
         self.stability = Stability(theme)
         numbers = column(self.caption, self.value, self.wanted)
         self._halves = column((numbers, 1), self.stability, on=self)
-        self.setMinimumWidth(28 * STEP)
+        self.setMinimumWidth(30 * STEP)
         self.make_room(low=False)
         self.show_value("")
 
@@ -244,19 +246,27 @@ class ResidualPlot(QWidget):
         self.plot = QuietPlot(f"{names.stem}_plot", tr(names.spoken), theme)
         self.plot.label("bottom", tr(names.bottom))
         self.plot.guide(0.0, horizontal=True)
-        self._points = []
-        for role, symbol in (("first", "o"), ("second", "t")):
-            colour = theme.curves[role]
-            item = pg.ScatterPlotItem(size=8, symbol=symbol, pen=line_pen(colour), brush=colour)
+        self._points = {
+            role: pg.ScatterPlotItem(size=8, symbol=symbol)
+            for role, symbol in (("first", "o"), ("second", "t"))
+        }
+        for item in self._points.values():
             self.plot.addItem(item)
-            self._points.append(item)
+        self.dress(theme)
         self.words = sentence(f"{names.stem}_words", "Residuals in words")
         title, plot = caption(f"{tr(names.left)} ({names.unit})"), taking_what_is_left(self.plot)
         column(title, (plot, 1), self.words, on=self)
 
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self.plot.dress(theme)
+        for role, item in self._points.items():
+            item.setPen(line_pen(theme.curves[role]))
+            item.setBrush(theme.curves[role])
+
     def show_residuals(self, found: ResidualsSoFar) -> None:
         """Show what is left of the readings so far."""
-        for item, (x, residual) in zip(self._points, found.curves, strict=True):
+        for item, (x, residual) in zip(self._points.values(), found.curves, strict=True):
             item.setData(x, residual)
         self.plot.setXRange(*found.span, padding=0.0)
         self.plot.setYRange(-found.reach, found.reach, padding=0.0)

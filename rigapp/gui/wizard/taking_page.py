@@ -105,9 +105,9 @@ class TakingPage(GuidePage):
         self.reject_button = button(f"{prefix}reject", text, self._reject, words.reject)
         position: Text = "Position that the micrometer shows"
         self.shown = number(f"{prefix}shown", position, -20000.0, 20000.0, 1, 1.0, "µm")
-        entered = labelled("Micrometer &shows", self.shown) if words.read_off else None
+        self._entered = labelled("Micrometer &shows", self.shown) if words.read_off else None
         self.hands = HandsPanel(live, f"{prefix}hands", words.do)
-        beside = [one for one in (self.measured, self.live, entered) if one is not None]
+        beside = [one for one in (self.measured, self.live, self._entered) if one is not None]
         now = filled(QVBoxLayout(), (*beside, None, self.problem))
         look = self.beside(TWO, (self.picture, 5), (now, 4))
         how_far = row((self.left, 1), (self.progress, 2))
@@ -160,11 +160,12 @@ class TakingPage(GuidePage):
         self.progress.setRange(0, len(procedure.steps))
         self.progress.setValue(procedure.position)
         self.measured.setVisible(not procedure.done)
+        if self._entered is not None:
+            self._entered.setRowVisible(0, not procedure.done)
         tell(self.record, "rank", "" if procedure.done else "primary")
         self._show_scene()
         if procedure.done:
             self.left.setText(tr("All steps are done."))
-            self.shown.setEnabled(False)
             return
         if self._words.read_off:
             self.shown.setValue(1e6 * procedure.step.value)

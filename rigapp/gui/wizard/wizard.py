@@ -15,11 +15,11 @@ from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.tokens import TIGHT_WIDTH, Theme
-from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import tell
 from rigapp.gui.widgets.steps import ShownStep
 from rigapp.gui.wizard.angle_page import AnglePage
 from rigapp.gui.wizard.certificate_page import CertificatePage
+from rigapp.gui.wizard.chart_plot import ChartPlot
 from rigapp.gui.wizard.faces import FACES
 from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import AskLater
@@ -131,7 +131,8 @@ class CalibrationWizard(QWizard):
         """Take a theme."""
         dress_part(self, theme)
         parts: list[Any] = [self.steps, *self.findChildren(Picture), *self.findChildren(Sign)]
-        for part in (*parts, *self.findChildren(QuietPlot)):
+        plots = (*self.findChildren(ResidualPlot), *self.findChildren(ChartPlot))
+        for part in (*parts, *plots):
             part.dress(theme)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
