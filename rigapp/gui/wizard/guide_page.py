@@ -31,16 +31,11 @@ LEAST_HEIGHT = 24 * STEP
 
 
 class Yielding(QWidget):
-    """What shrinks to the least that its content needs before its page scrolls."""
+    """What is as high as its content needs at its width, and no higher."""
 
     def minimumSizeHint(self) -> QSize:
         """Return the least width; the height follows from it."""
         return QSize(super().minimumSizeHint().width(), 0)
-
-    def heightForWidth(self, width: int) -> int:
-        """Return the least height, in pixels."""
-        layout = self.layout()
-        return -1 if layout is None else layout.totalMinimumHeightForWidth(width)
 
 
 class GuidePage(QWizardPage):
