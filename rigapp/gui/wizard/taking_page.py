@@ -81,7 +81,7 @@ class TakingPage(GuidePage):
         super().__init__("Readings")
         self.live_calibration, self._words, self.plot = live, words, ResidualPlot(theme, plot)
         prefix = prefix_of(words.stem)
-        self.instruction = self.asking(f"{prefix}instruction")
+        self.instruction = self.asking(f"{prefix}instruction", 2)
         self.progress = named(
             QProgressBar(), f"{words.stem}_progress", "Progress of the calibration"
         )
