@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QPushButton, QScrollArea, QWidget
 
 from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, speak_language
 from rigapp.gui.window.window import MainWindow
+from rigapp.gui.wizard.parts import MeasuredCard
 from rigapp.gui.wizard.scenes import Brush
 from rigapp.gui.wizard.wizard import CalibrationWizard
 from rigapp.schema.messages import Reply, RunState
@@ -56,6 +57,10 @@ def out_of_sight(top: MainWindow, wizard: QWidget) -> Iterator[str]:
     stage = top.stage
     if wizard.minimumSizeHint().width() > stage.width():
         yield "wider than the window"
+    for card in wizard.findChildren(MeasuredCard):
+        needed = card.heightForWidth(card.width())
+        if card.isVisibleTo(top) and card.height() < needed:
+            yield f"{card.objectName()}: {card.height()} of {needed} pixels high"
     leading = [
         one
         for one in wizard.findChildren(QPushButton)

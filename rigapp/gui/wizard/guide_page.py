@@ -31,16 +31,11 @@ LEAST_HEIGHT = 24 * STEP
 
 
 class Yielding(QWidget):
-    """What shrinks to the least that its content needs before its page scrolls."""
+    """What is as high as its content needs at its width, and no higher."""
 
     def minimumSizeHint(self) -> QSize:
         """Return the least width; the height follows from it."""
         return QSize(super().minimumSizeHint().width(), 0)
-
-    def heightForWidth(self, width: int) -> int:
-        """Return the least height, in pixels."""
-        layout = self.layout()
-        return -1 if layout is None else layout.totalMinimumHeightForWidth(width)
 
 
 class GuidePage(QWizardPage):
@@ -56,6 +51,7 @@ class GuidePage(QWizardPage):
         self._where = caption(self.step)
         self._where.hide()
         self._asking: QLabel | None = None
+        self._lines = 1
         self._progress: tuple[object, ...] = ()
         self._pairs: list[tuple[QBoxLayout, int]] = []
 
@@ -71,8 +67,12 @@ class GuidePage(QWizardPage):
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         column(area, on=self)
 
-    def asking(self, name: str) -> QLabel:
-        """Return the sentence that says what to do now, to be read from where the hands are."""
+    def asking(self, name: str, lines: int = 1) -> QLabel:
+        """Return the sentence that says what to do now, to be read from where the hands are.
+
+        lines: that it has at least, so that nothing below moves from step to step.
+        """
+        self._lines = lines
         self._asking = sentence(name, "What to do now")
         self._asking.setAlignment(Qt.AlignmentFlag.AlignTop)
         return self._asking
@@ -107,6 +107,8 @@ class GuidePage(QWizardPage):
         if self._asking is not None:
             points = BODY_PT if low else VALUE_PT
             self._asking.setFont(sized(self.font(), points, QFont.Weight.DemiBold))
+            line = self._asking.fontMetrics().lineSpacing()
+            self._asking.setMinimumHeight(0 if low else self._lines * line)
         for made, least in self._pairs:
             narrow = width < least
             way = QBoxLayout.Direction.TopToBottom if narrow else QBoxLayout.Direction.LeftToRight

@@ -99,11 +99,14 @@ def give_room_for_hint(line: QLineEdit) -> None:
     line.setMinimumWidth(room + 4 * STEP)
 
 
-def taking_what_is_left(plot: QWidget) -> QHBoxLayout:
-    """Return a plot that takes the room that is left; a page would grow to what it likes best."""
-    plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
-    made = row(plot)
-    made.addStrut(LEAST_PLOT)
+def taking_what_is_left(shown: QWidget, least: int = LEAST_PLOT) -> QHBoxLayout:
+    """Return a plot or table that takes the room that is left, not what it would like best.
+
+    least: its height, in pixels, below which the page scrolls.
+    """
+    shown.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+    made = row(shown)
+    made.addStrut(least)
     return made
 
 

@@ -38,6 +38,7 @@ from rigapp.gui.wizard.parts import (
     number,
     prefix_of,
     sentence,
+    taking_what_is_left,
 )
 from rigapp.gui.wizard.scenes import Picture, Scene
 
@@ -80,7 +81,7 @@ class TakingPage(GuidePage):
         super().__init__("Readings")
         self.live_calibration, self._words, self.plot = live, words, ResidualPlot(theme, plot)
         prefix = prefix_of(words.stem)
-        self.instruction = self.asking(f"{prefix}instruction")
+        self.instruction = self.asking(f"{prefix}instruction", 2)
         self.progress = named(
             QProgressBar(), f"{words.stem}_progress", "Progress of the calibration"
         )
@@ -115,7 +116,8 @@ class TakingPage(GuidePage):
         given = QWidget()
         row(words.reason, (self.reason, 1), on=given).setContentsMargins(0, 0, 0, 0)
         why = WrappingRow(given, self.reject_button, stretching=(given,))
-        right = filled(QVBoxLayout(), ((self.plot, 3), (self.table, 4), why))
+        taken = taking_what_is_left(self.table, 6 * self.table.fontMetrics().height())
+        right = filled(QVBoxLayout(), ((self.plot, 3), (taken, 4), why))
         for one in (left, right, now):
             one.setSpacing(GAP)
         both = self.beside(FOUR, (left, 1), (right, 1))
@@ -267,7 +269,6 @@ def _readings_table(name: str, columns: tuple[str, ...]) -> QTableWidget:
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
     table.setFont(sized(table.font(), CAPTION_PT))
-    table.setMinimumHeight(6 * table.fontMetrics().height())
     table.setTabKeyNavigation(False)
     table.verticalHeader().setAccessibleName(tr("Number of the reading"))
     table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
