@@ -151,7 +151,7 @@ def test_results_are_found_sorted_looked_at_and_compared(
     page.ending.setCurrentIndex(0)
     qtbot.keyClicks(page.words, "QUICK hands")
     assert names(page) == ["stopped.h5"]
-    assert page.count.whole.startswith("1 of 4 tests")
+    assert page.count.text().startswith("1 of 4 tests")
     page.words.clear()
     table.sort_by(TITLES.index("Ended"))
     assert names(page)[0] == "tripped.h5"
@@ -264,7 +264,7 @@ def test_why_nothing_can_be_read_is_said(
 
     qtbot.waitUntil(told, timeout=PATIENCE_MS)
     assert said[0].startswith("1 tests in ")
-    assert page.count.whole == said[0]
+    assert page.count.text() == said[0]
 
 
 def test_a_reader_that_is_left_alone_ends_quietly(recorded: Path, monkeypatch: Any) -> None:

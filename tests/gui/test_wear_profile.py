@@ -52,7 +52,7 @@ def test_the_panel_draws_only_what_the_pin_reached(qtbot: Any) -> None:
     assert panel._band.high == pytest.approx(40.0)
     assert len(panel._band.high) == 41
     assert "measured 20.0 ± 20.0" in panel.plot.accessibleDescription()
-    words = panel.title.whole
+    words = panel.title.text()
     assert "cycle 20" in words
     assert "-20° to 20°" in words
 
@@ -66,7 +66,7 @@ def test_unknown_profiles_say_so(qtbot: Any) -> None:
         nothing[name][:] = np.nan
     data.profile = shown_profile(profile_message(nothing, 0))
     panel.show_news(News(data=data))
-    words = panel.title.whole
+    words = panel.title.text()
     assert "measured: not known yet, cycle 3" in words
     assert "model: not known" in words
     panel.dress(LIGHT)

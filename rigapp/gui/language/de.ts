@@ -5266,6 +5266,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zu einer Umdrehung gehen</translation>
     </message>
     <message>
+        <source>HELD</source>
+        <translation>FESTGEHALTEN</translation>
+    </message>
+    <message>
         <source>Health of the device</source>
         <translation>Zustand des Geräts</translation>
     </message>
@@ -5992,6 +5996,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Nothing is lost; the test goes on and is recorded.</source>
         <translation>Nichts ist verloren; der Versuch geht weiter und wird aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Nothing is running: there is nothing to stop.</source>
+        <translation>Nichts läuft: Es gibt nichts zu stoppen.</translation>
     </message>
     <message>
         <source>Nothing lost</source>

@@ -9,7 +9,7 @@ from typing import Final
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QFont, QKeyEvent, QMouseEvent
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QLayout, QWidget
 
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.texts import dated
@@ -23,6 +23,7 @@ from rigapp.gui.widgets.build import (
     button,
     column,
     edit,
+    fit_hint,
     named,
     prose,
     row,
@@ -31,6 +32,7 @@ from rigapp.gui.widgets.build import (
     tell,
     whole_number,
 )
+from rigapp.gui.widgets.reflow import FoldingSplitter, flowing
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.schema.loglines import ALARM
 from rigapp.schema.messages import NOTE_CHARACTERS, Alarm, Event, RunState, Severity
@@ -48,6 +50,11 @@ LINES: Final[dict[str, Text]] = {
 """Fields of an alarm that are told in full, as a card names them."""
 
 RECORDED: Final[Text] = "This is a replay: what was recorded stays as it was"
+BESIDE_FROM, LIST = 100 * STEP, 32 * STEP
+"""Width for limits and journal beside each other, height of each below the other."""
+TITLE_WIDTH = 16 * STEP
+CARDS_HEIGHT = 32 * STEP
+"""Of the alarms: one whole card, and the tools below it."""
 JOURNAL_LINES = 500
 """Newest lines of the journal; all of them are in the log."""
 
@@ -103,13 +110,13 @@ class AlarmCard(QFrame):
             grid.addWidget(self.texts[key], place, 1)
         self.texts["action"].setProperty("role", "title")
         if large:
-            first = row(self.chip, (self.title, 1), self.state, self.since)
-            head = column(first)
+            head: list[QWidget | QLayout] = [
+                flowing(self.chip, (self.title, 1), self.state, self.since)
+            ]
+            self.title.setMinimumWidth(TITLE_WIDTH)
         else:
-            first = row(self.chip, None, self.since)
-            head = column(first, self.title, self.state)
-        first.setSpacing(GAP)
-        made = column(head, grid, on=self)
+            head = [flowing(self.chip, None, self.since), self.title, self.state]
+        made = column(*head, grid, on=self)
         made.setContentsMargins(GAP, STEP, GAP, STEP)
         made.setSpacing(STEP)
 
@@ -319,9 +326,11 @@ class AlarmPanel(QWidget):
             tip="The deliberate action before another start: every critical alarm must be"
             " acknowledged and its cause gone. Nothing moves.",
         )
-        tools = row(
+        tools = flowing(
             self.all, self.acknowledge, self.reset, (self.reason, 1), self.minutes, self.shelve
         )
+        fit_hint(self.reason)
+        self.setMinimumHeight(CARDS_HEIGHT)
         column((self.area, 1), tools, on=self).setSpacing(STEP)
         self._enable()
 
@@ -389,7 +398,7 @@ class AlarmJournal(QFrame):
         self.table = PlainTable(
             "journal_table", "Journal of the alarms", ("Time", "Cycle", "What happened", "Who")
         )
-        self.table.horizontalHeader().setStretchLastSection(True)
+
         made = column(title, (self.table, 1), on=self)
         made.setContentsMargins(GAP, STEP, GAP, GAP)
         made.setSpacing(STEP)
@@ -420,5 +429,7 @@ def alarm_page(host: Host) -> QWidget:
     journal = host.add("journal", AlarmJournal())
     for panel in (alarms, limits):
         panel.wanted.connect(host.ask)
-    below = split("alarm_below", Qt.Orientation.Horizontal, [460, 460], journal, limits)
+    below = FoldingSplitter("alarm_below", BESIDE_FROM).divide(
+        (journal, 460, LIST), (limits, 460, LIST)
+    )
     return split("alarm_split", Qt.Orientation.Vertical, [360, 340], alarms, below)

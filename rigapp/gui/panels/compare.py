@@ -16,16 +16,18 @@ from rigapp.gui.data.recording import StoredTest, load_history
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.language.words import Text, tr
-from rigapp.gui.look.tokens import Theme
+from rigapp.gui.look.tokens import STEP, Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName, Spot
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import PlotPanel, QuietPlot
-from rigapp.gui.widgets.build import choice, column, row
+from rigapp.gui.widgets.build import choice, column
 from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.gui.widgets.reflow import flowing
 from rigapp.schema.channels import BASE
 
 CHOOSE: Final[Text] = "Choose one or more tests above and press Compare."
+MESSAGE_WIDTH = 30 * STEP
 MOST = 6
 BUCKETS = 1500
 COLOURS = {
@@ -101,7 +103,8 @@ class ComparePanel(PlotPanel):
         self.message = ElidedLabel("compare_message", "State of the comparison")
         self.message.show_text(CHOOSE)
         self.plot.empty(CHOOSE)
-        top = row("&Quantity", self.quantity, "Against", self.axis, (self.message, 1))
+        self.message.setMinimumWidth(MESSAGE_WIDTH)
+        top = flowing("&Quantity", self.quantity, "Against", self.axis, (self.message, 1))
         column(top, (self.plot, 1), on=self)
 
     @property

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
-    QSplitter,
     QTableWidget,
     QTableWidgetItem,
     QWidget,
@@ -19,67 +19,111 @@ from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.recording import StoredRevolution
 from rigapp.gui.language.words import Text, tr
-from rigapp.gui.look.tokens import Theme
+from rigapp.gui.look.tokens import STEP, Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.channelcurves import ChannelCurvePanel
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.polar import PolarPanel
-from rigapp.gui.widgets.build import button, named, page, row, split, whole_number
+from rigapp.gui.widgets.build import button, named, page, split, whole_number
+from rigapp.gui.widgets.reflow import FoldingSplitter, flowing
 
 STATISTICS: Final[tuple[Text, ...]] = ("max", "min", "RMS")
+BESIDE_FROM = 112 * STEP
+TALL = 60 * STEP
+"""Height of curves and of vector and channels, where they stand below each other."""
 KINDS: Final[tuple[Text, ...]] = ("meas.", "model", "diff.")
+
+COMPONENTS, VALUES = 3, len(STATISTICS) * len(KINDS)
+UPRIGHT_BELOW = 104 * STEP
+"""Of the table of values, in pixels: ten columns of numbers, and their names."""
 
 
 class ValueTable(QTableWidget):
-    """Repeat in numbers what the overlay shows, for eyes, ears and the clipboard."""
+    """Repeat in numbers what the overlay shows, for eyes, ears and the clipboard.
+
+    A row a component; in a narrow window, where its values would be cut, a column each.
+    """
 
     def __init__(self, prefix: str) -> None:
-        headings = [f"{tr(one)}\n{tr(kind)}" for one in STATISTICS for kind in KINDS]
-        super().__init__(3, len(headings))
+        super().__init__(COMPONENTS, VALUES)
+        self._upright = False
+        self._names: list[str] = [""] * COMPONENTS
         named(self, f"{prefix}_values", "Statistics of the revolution shown, in N")
-        self.setHorizontalHeaderLabels(headings)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setTabKeyNavigation(False)
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        for line in range(3):
-            for column in range(len(headings)):
-                item = QTableWidgetItem("–")
-                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-                self.setItem(line, column, item)
-        self._fit()
+        self._fill([["–"] * VALUES] * COMPONENTS)
 
     def show_values(self, shown: RevolutionCurves | None, frame: ForceFrame) -> None:
         """Fill the table, with dashes when nothing is shown."""
         first, second = map(tr, COMPONENT_NAMES[frame])
-        self.setVerticalHeaderLabels(["|F| (N)", f"{first} (N)", f"{second} (N)"])
-        unknown = [float("nan")] * self.columnCount()
-        table = [unknown] * 3 if shown is None else [values for _, values in statistics(shown)]
-        for line, values in enumerate(table):
-            for column, value in enumerate(values):
-                sign = "+" if column % 3 == 2 else ""
-                text = "–" if value != value else f"{value:{sign}.2f}"
-                item = self.item(line, column)
-                if item is not None and item.text() != text:
+        self._names = ["|F| (N)", f"{first} (N)", f"{second} (N)"]
+        unknown = [float("nan")] * VALUES
+        table = [unknown] * COMPONENTS
+        if shown is not None:
+            table = [list(values) for _, values in statistics(shown)]
+        self._fill([[_signed(value, at) for at, value in enumerate(line)] for line in table])
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Turn to where the values have room."""
+        super().resizeEvent(event)
+        upright = self.width() < UPRIGHT_BELOW
+        if upright is not self._upright:
+            texts = self.texts()
+            self._upright = upright
+            self.setRowCount(VALUES if upright else COMPONENTS)
+            self.setColumnCount(COMPONENTS if upright else VALUES)
+            self._fill(texts)
+
+    def texts(self) -> list[list[str]]:
+        """Return what is shown, a list a component."""
+        return [
+            [
+                item.text() if (item := self._cell(line, at)) is not None else "–"
+                for at in range(VALUES)
+            ]
+            for line in range(COMPONENTS)
+        ]
+
+    def _cell(self, line: int, at: int) -> QTableWidgetItem | None:
+        return self.item(at, line) if self._upright else self.item(line, at)
+
+    def _fill(self, texts: list[list[str]]) -> None:
+        between = " " if self._upright else "\n"
+        kinds = [f"{tr(one)}{between}{tr(kind)}" for one in STATISTICS for kind in KINDS]
+        across, down = (self._names, kinds) if self._upright else (kinds, self._names)
+        self.setHorizontalHeaderLabels(across)
+        self.setVerticalHeaderLabels(down)
+        for line, values in enumerate(texts):
+            for at, text in enumerate(values):
+                item = self._cell(line, at)
+                if item is None:
+                    item = QTableWidgetItem()
+                    item.setTextAlignment(
+                        Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+                    )
+                    self.setItem(*((at, line) if self._upright else (line, at)), item)
+                if item.text() != text:
                     item.setText(text)
-
-    def _fit(self) -> None:
         height = self.horizontalHeader().sizeHint().height() + 4
-        height += sum(self.sizeHintForRow(row) for row in range(3)) + 6
-        self.setFixedHeight(height)
+        self.setFixedHeight(height + sum(map(self.sizeHintForRow, range(self.rowCount()))) + 6)
 
 
-class CyclePanel(QSplitter):
+def _signed(value: float, at: int) -> str:
+    sign = "+" if at % len(KINDS) == 2 else ""
+    return "–" if value != value else f"{value:{sign}.2f}"
+
+
+class CyclePanel(FoldingSplitter):
     """Hold the overlay with its tools on the left, vector and other channels on the right."""
 
     revolution_wanted = Signal(int)
     takes = Takes.REVOLUTION
 
     def __init__(self, theme: Theme) -> None:
-        super().__init__(Qt.Orientation.Horizontal)
-        named(self, "cycle_split", "One revolution")
-        self.setChildrenCollapsible(False)
+        super().__init__("cycle_split", BESIDE_FROM, "One revolution")
         self.overlay = OverlayPanel("cycle", theme)
         self.values = ValueTable("cycle")
         self.polar = PolarPanel("cycle", theme)
@@ -94,9 +138,8 @@ class CyclePanel(QSplitter):
             self.channels,
             spoken="Vector and other channels",
         )
-        self.addWidget(page(self.tools, (self.overlay, 1), self.values))
-        self.addWidget(self.right)
-        self.setSizes([860, 500])
+        left = page(self.tools, (self.overlay, 1), self.values)
+        self.divide((left, 860, TALL), (self.right, 500, TALL))
 
     def _add_tools(self) -> None:
         self.hold = button("cycle_hold", "&Hold", self._held, "Hold the picture", checkable=True)
@@ -110,7 +153,7 @@ class CyclePanel(QSplitter):
             "Compare with the stored revolution",
             checkable=True,
         )
-        self.tools = row(self.hold, "Stored revol&ution", self.stored, self.show_stored, None)
+        self.tools = flowing(self.hold, "Stored revol&ution", self.stored, self.show_stored, None)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""

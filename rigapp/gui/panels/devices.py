@@ -25,12 +25,13 @@ from rigapp.gui.widgets.build import (
     column,
     edit,
     filled,
+    fit_hint,
     named,
     prose,
-    row,
     scrolling,
     tell,
 )
+from rigapp.gui.widgets.reflow import WrappingGrid, flowing
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.schema.messages import ChannelView, DeviceView, RunState, Status
 
@@ -51,7 +52,8 @@ LINK_LOOKS = 256
 """Looks at a link that are kept: two a second fill the window twice."""
 
 TABLE_HEIGHT = 26 * STEP
-CARDS_IN_A_ROW = 2
+CARD_WIDTH = 42 * STEP
+"""Of a card at least; more of them stand beside each other where there is room."""
 
 
 class LinkWatch:
@@ -120,8 +122,7 @@ class DeviceCard(QFrame):
         ):
             grid.addWidget(QLabel(caption), place, 0)
             grid.addWidget(label, place, 1)
-        head = row(self.chip, (self.title, 1), self.more, self.reconnect)
-        head.setSpacing(GAP)
+        head = flowing(self.chip, (self.title, 1), self.more, self.reconnect)
         made = column(head, self.identity, grid, self.details, on=self)
         made.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
         made.setSpacing(STEP)
@@ -188,7 +189,7 @@ class DevicePanel(QWidget):
         self.cards: dict[str, DeviceCard] = {}
         named(self, "device_panel", "Devices and channels")
         self.channels = PlainTable(
-            "channel_table", "Channels, live", CHANNEL_HEADINGS, stretch=(4, 5)
+            "channel_table", "Channels, live", CHANNEL_HEADINGS, stretch=(4, 5), cut=(0, 4)
         )
         self.drive = PlainTable("drive_table", "Drive", ("Drive", "Now"))
         self.health = PlainTable("health_table", "Engine and window", ("Engine and window", "Now"))
@@ -219,16 +220,13 @@ class DevicePanel(QWidget):
             tip="Take the present signals as zero force: the crank stands, the pin carries nothing."
             " Old and new zero are logged; the calibration is not touched.",
         )
-        tools = row(self.reconnect, "Zero, with its reason", (self.reason, 1), self.zero)
-        self._cards = QGridLayout()
-        self._cards.setSpacing(GAP)
-        for side in range(CARDS_IN_A_ROW):
-            self._cards.setColumnStretch(side, 1)
+        fit_hint(self.reason)
+        tools = flowing(self.reconnect, "Zero, with its reason", (self.reason, 1), self.zero)
+        self._cards = WrappingGrid(CARD_WIDTH)
         inside = QWidget()
-        lower = row(
-            (_carded("Drive", self.drive), 1), (_carded("Engine and window", self.health), 1)
-        )
-        lower.setSpacing(GAP)
+        lower = WrappingGrid(CARD_WIDTH)
+        for title, table in (("Drive", self.drive), ("Engine and window", self.health)):
+            lower.addWidget(_carded(title, table))
         made = filled(
             QVBoxLayout(inside), (self._cards, tools, _carded("Channels", self.channels), lower)
         )
@@ -257,12 +255,12 @@ class DevicePanel(QWidget):
         names = [device.name for device in status.devices]
         for gone in self.cards.keys() - names:
             self.cards.pop(gone).deleteLater()
-        for place, device in enumerate(status.devices):
+        for device in status.devices:
             if device.name not in self.cards:
                 card = DeviceCard(device.name, self._clock)
                 card.reconnect_wanted.connect(self._reconnect)
                 self.cards[device.name] = card
-                self._cards.addWidget(card, place // CARDS_IN_A_ROW, place % CARDS_IN_A_ROW)
+                self._cards.addWidget(card)
             self.cards[device.name].show_device(device)
 
     def _show_channels(self, status: Status) -> None:

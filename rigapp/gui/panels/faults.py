@@ -20,15 +20,19 @@ from rigapp.gui.widgets.build import (
     column,
     edit,
     filled,
+    fit_hint,
     named,
     prose,
     row,
 )
 from rigapp.gui.widgets.numbers import number
+from rigapp.gui.widgets.reflow import FoldingSplitter
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.schema.channels import BASE
 from rigapp.service.faults import FaultChoice, fault_choices
 
+BESIDE_FROM, LIST_HEIGHT, CARD_HEIGHT = 90 * STEP, 32 * STEP, 36 * STEP
+"""Width of list and card beside each other; height of each below the other."""
 SIGNAL: Final = "signal"
 """Where a fault of a signal is; its duration is simulated time, that of any other the clock's."""
 
@@ -87,6 +91,7 @@ class FaultPanel(QWidget):
         card = named(QFrame(), "fault_card", "The chosen fault")
         card.setProperty("role", "card")
         form = QFormLayout()
+        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         for caption, field in (
             (tr("Channel (signal faults)"), self.channel),
             (tr("Duration, empty: until ended"), row((self.duration, 1), self.seconds)),
@@ -100,9 +105,16 @@ class FaultPanel(QWidget):
         made.setContentsMargins(2 * STEP, GAP, 2 * STEP, GAP)
         made.setSpacing(GAP)
         left = filled(QVBoxLayout(), (self.search, (self.list, 1)))
-        whole = row((left, 1), (card, 1), on=self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.setSpacing(GAP)
+        found = QWidget()
+        found.setLayout(left)
+        left.setContentsMargins(0, 0, 0, 0)
+        for one in (self.search, self.duration, self.value):
+            fit_hint(one)
+        card.setMinimumHeight(CARD_HEIGHT)
+        parts = FoldingSplitter("fault_split", BESIDE_FROM).divide(
+            (found, 500, LIST_HEIGHT), (card, 500, CARD_HEIGHT)
+        )
+        column(parts, on=self)
 
     def show_news(self, news: News) -> None:
         """Offer the faults of the devices that are there, and the inputs of the rig."""

@@ -17,8 +17,10 @@ from rigapp.gui.data.levels import levels_of, unit_of_quantity
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
-from rigapp.gui.widgets.build import button, edit, filled, named, prose, row
+from rigapp.gui.look.tokens import STEP
+from rigapp.gui.widgets.build import button, edit, filled, fit_hint, named, prose
 from rigapp.gui.widgets.numbers import number
+from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.schema.loglines import newest_limits
@@ -26,6 +28,7 @@ from rigapp.schema.messages import NOTE_CHARACTERS, RunState
 from rigapp.schema.states import ACTIVE
 
 REVOLUTIONS = "revolutions"
+VALUE_WIDTH = 10 * STEP
 WORDS: Final[dict[str, tuple[Text, str]]] = {
     REVOLUTIONS: ("Test complete after so many revolutions", ""),
     "overload_N": ("Switch the drive off when any |F| sample is above", "N"),
@@ -92,7 +95,9 @@ class LimitPanel(QGroupBox):
             "limit_change", "Chan&ge limit", self._change, "Change the chosen limit", guarded=True
         )
         self.problem = prose("limit_problem", "Why the limit cannot be changed")
-        first = row("New value", (self.value, 1), (self.reason, 3), self.change)
+        self.value.setMinimumWidth(VALUE_WIDTH)
+        fit_hint(self.reason)
+        first = flowing("New value", (self.value, 1), (self.reason, 3), self.change)
         filled(QVBoxLayout(self), ((self.table, 1), first, self.problem))
         self._enable()
 

@@ -6,11 +6,17 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.data.quantities import LARGEST
+from rigapp.gui.look.tokens import STEP
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.trendview import TrendView
 from rigapp.gui.widgets.build import split
+from rigapp.gui.widgets.reflow import FoldingSplitter
+
+BESIDE_FROM = 90 * STEP
+OVERLAY, TRENDS = 45 * STEP, 50 * STEP
+"""Heights of the plots where they stand below each other."""
 
 
 def overview_page(host: Host) -> QWidget:
@@ -23,4 +29,6 @@ def overview_page(host: Host) -> QWidget:
         "overview_trend", TrendPanel("overview", theme, LARGEST, view=view, leads=False)
     )
     right = split("overview_right", Qt.Orientation.Vertical, [320, 320], wear, trend)
-    return split("overview_split", Qt.Orientation.Horizontal, [700, 700], overlay, right)
+    return FoldingSplitter("overview_split", BESIDE_FROM).divide(
+        (overlay, 700, OVERLAY), (right, 700, TRENDS)
+    )

@@ -14,7 +14,8 @@ from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import GAP
 from rigapp.gui.panel import Host
-from rigapp.gui.widgets.build import button, column, named, prose, row
+from rigapp.gui.widgets.build import button, column, named, prose
+from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.schema.queue import ItemState, QueuedTest
 
@@ -53,6 +54,7 @@ class QueuePanel(QWidget):
             "Tests of the queue",
             ("Number", "State", "Test", "File", "How it ended"),
             stretch=(4,),
+            cut=(2, 3),
         )
         self.list.itemSelectionChanged.connect(self._offer)
         self.begin = button(
@@ -78,7 +80,7 @@ class QueuePanel(QWidget):
             tip="Take the chosen test out of the queue; what it has recorded stays",
             guarded=True,
         )
-        buttons = row(self.begin, self.halt, None, self.add, self.take_out)
+        buttons = flowing(self.begin, self.halt, None, self.add, self.take_out)
         made = column(self.told, (self.list, 1), buttons, on=self)
         made.setSpacing(GAP)
         self._show((), works=False)
@@ -127,7 +129,8 @@ class QueuePanel(QWidget):
         dialog.setFileMode(QFileDialog.FileMode.ExistingFiles)
         dialog.filesSelected.connect(self.add_files)
         dialog.finished.connect(dialog.deleteLater)
-        dialog.open()
+        dialog.setModal(False)  # so that Stop can be pressed
+        dialog.show()
 
 
 def _texts(one: QueuedTest) -> tuple[str, ...]:

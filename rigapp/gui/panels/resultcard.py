@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
@@ -24,6 +24,7 @@ from rigapp.gui.results.outcome import (
 )
 from rigapp.gui.widgets.build import column, named, prose, row, signed
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
+from rigapp.gui.widgets.reflow import WrappingGrid
 from rigapp.schema.results import HowEnded, TestResult
 
 SHAPES = {
@@ -38,6 +39,8 @@ SHAPES = {
 
 MOST_TRUST = 4
 SHAPE = QSize(6 * STEP, 6 * STEP)
+NUMBER_WIDTH = 17 * STEP
+"""Of a number with its words, at least."""
 SMALL = QSize(2 * STEP, 2 * STEP)
 
 
@@ -54,10 +57,10 @@ class NumberTile(QWidget):
         super().__init__()
         named(self, f"{name}_number_{place}", "Number of the result")
         small = sized(self.font(), CAPTION_PT)
-        self.caption = ElidedLabel(f"{name}_caption_{place}", "What the number is")
+        self.caption = prose(f"{name}_caption_{place}", "What the number is")
         bold = sized(self.font(), VALUE_PT, QFont.Weight.DemiBold)
         self.value = FittedLabel(f"{name}_value_{place}", "Value", bold)
-        self.line = ElidedLabel(f"{name}_line_{place}", "What it rests on")
+        self.line = prose(f"{name}_line_{place}", "What it rests on")
         for label in (self.caption, self.line):
             label.setFont(small)
             label.setProperty("role", "caption")
@@ -65,12 +68,9 @@ class NumberTile(QWidget):
 
     def show_number(self, number: KeyNumber) -> None:
         """Show a number."""
-        for label, text in zip(
-            (self.caption, self.value, self.line),
-            (number.caption, number.value, number.line),
-            strict=True,
-        ):
-            label.show_text(text)
+        self.caption.setText(tr(number.caption))
+        self.value.show_text(number.value)
+        self.line.setText(tr(number.line))
         self.setAccessibleDescription(f"{number.caption}: {number.value}, {number.line}")
 
 
@@ -80,14 +80,14 @@ class TrustRow(QWidget):
     def __init__(self, name: str, place: int) -> None:
         super().__init__()
         named(self, f"{name}_trust_{place}", "Whether the result can be trusted")
-        self.text = ElidedLabel(f"{name}_trust_text_{place}", "What was looked at")
-        self.line = ElidedLabel(f"{name}_trust_line_{place}", "How it stands")
+        self.text = prose(f"{name}_trust_text_{place}", "What was looked at")
+        self.line = prose(f"{name}_trust_line_{place}", "How it stands")
         self.sign = signed(SMALL, self.text, self.line, self)
 
     def show_line(self, line: TrustLine, theme: Theme) -> None:
         """Show a line."""
-        self.text.show_text(line.text)
-        self.line.show_text(line.line)
+        self.text.setText(tr(line.text))
+        self.line.setText(tr(line.line))
         made = icon(
             Icon.FINE if line.good else Icon.WARNING,
             theme.secondary if line.good else theme.warning_text,
@@ -118,7 +118,7 @@ class ResultCard(QFrame):
         self.trust = [TrustRow(name, place) for place in range(MOST_TRUST)]
         self.file = ElidedLabel(f"{name}_file", "File of the test")
         self.file.setFont(sized(self.font(), BODY_PT, QFont.Weight.DemiBold))
-        self.about = ElidedLabel(f"{name}_about", "What the file holds")
+        self.about = prose(f"{name}_about", "What the file holds")
         self.about.setProperty("role", "caption")
         self._body = QWidget()
         self._lay_out(across)
@@ -130,19 +130,11 @@ class ResultCard(QFrame):
         head = row((self.shape, 0), (words, 1))
         head.setAlignment(self.shape, Qt.AlignmentFlag.AlignTop)
         head.setSpacing(MARGIN)
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(MARGIN)
-        grid.setVerticalSpacing(GAP)
-        for place, one in enumerate(self.numbers):
-            grid.addWidget(one, place // across, place % across)
-            grid.setColumnStretch(place % across, 1)
-        trust = QGridLayout()
-        trust.setHorizontalSpacing(MARGIN)
-        trust.setVerticalSpacing(STEP)
-        for place, line in enumerate(self.trust):
-            wide = across if across >= len(self.trust) else 1
-            trust.addWidget(line, place // wide, place % wide)
-            trust.setColumnStretch(place % wide, 1)
+        grid = WrappingGrid(NUMBER_WIDTH, across)
+        trust = WrappingGrid(NUMBER_WIDTH, across if across >= len(self.trust) else 1)
+        for made, parts in ((grid, self.numbers), (trust, self.trust)):
+            for one in parts:
+                made.addWidget(one)
         body = column(grid, trust, column(self.file, self.about), on=self._body)
         body.setSpacing(GAP)
         whole = column(head, self._body, on=self)
@@ -184,7 +176,7 @@ class ResultCard(QFrame):
                 shown.show_line(lines[place], self._theme)
         self.file.show_text(Path(result.path).name)
         self.file.setToolTip(result.path)
-        self.about.show_text(file_line(result))
+        self.about.setText(tr(file_line(result)))
         self._frame(critical=outcome is HowEnded.TRIPPED)
 
     def _frame(self, *, critical: bool) -> None:

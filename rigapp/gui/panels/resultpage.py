@@ -18,13 +18,16 @@ from rigapp.gui.panels.documents import HTML, DocumentPanel
 from rigapp.gui.panels.resultcard import ResultCard
 from rigapp.gui.panels.results import ResultsPanel, ShelfPump
 from rigapp.gui.plots.trend import TrendPanel
-from rigapp.gui.widgets.build import button, column, named, row
+from rigapp.gui.widgets.build import button, column, named
 from rigapp.gui.widgets.labels import heading
+from rigapp.gui.widgets.reflow import flowing
 from rigapp.schema.messages import Status
 from rigapp.schema.results import RESUMABLE, HowEnded, TestResult
 from rigapp.schema.states import ACTIVE
 
 TALL = 5 * STEP
+PAPERS_WIDTH, PLOT_WIDTH = 38 * STEP, 40 * STEP
+"""Of documents and plot, at least; the documents go below where they do not fit beside it."""
 GO_ON: Final[Text] = "Go on with the test in its own file"
 READING: Final[Text] = "Reading what the test came to …"
 
@@ -87,16 +90,16 @@ class EndPage(QWidget):
         then = QLabel(tr("Then"))
         then.setProperty("role", "caption")
         made = self.buttons
-        acts = row(made["report"], made["compare"], None, then, made["new"], made["on"])
+        acts = flowing(made["report"], made["compare"], None, then, made["new"], made["on"])
         acts.setSpacing(STEP)
         papers = QFrame()
         papers.setProperty("role", "card")
         inner = column(heading("end_documents_title", "Documents"), self.documents, None, on=papers)
         inner.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
         inner.setSpacing(STEP)
-        papers.setFixedWidth(38 * STEP)
-        below = row((plot, 1), papers)
-        below.setSpacing(GAP)
+        papers.setMinimumWidth(PAPERS_WIDTH)
+        plot.setMinimumWidth(PLOT_WIDTH)
+        below = flowing((plot, 1), papers)
         whole = column(self.card, acts, (below, 1), on=self)
         whole.setSpacing(GAP)
 

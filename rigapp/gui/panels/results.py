@@ -22,8 +22,19 @@ from rigapp.gui.panels.resultcard import ResultCard
 from rigapp.gui.panels.resulttable import ResultTable
 from rigapp.gui.results.outcome import HEADLINES
 from rigapp.gui.results.shelf import ResultShelf
-from rigapp.gui.widgets.build import button, choice, column, edit, named, row, split
-from rigapp.gui.widgets.labels import ElidedLabel, heading
+from rigapp.gui.widgets.build import (
+    button,
+    choice,
+    column,
+    edit,
+    fit_hint,
+    named,
+    prose,
+    row,
+    split,
+)
+from rigapp.gui.widgets.labels import heading
+from rigapp.gui.widgets.reflow import FoldingSplitter, flowing
 from rigapp.schema.results import RESUMABLE, HowEnded, TestResult
 
 PUMP_MS = 50
@@ -33,6 +44,8 @@ QUIET_PUMP_MS = 250
 SETTLED_MS = 300
 """A test that stays chosen so long is looked at closely: a second of another process."""
 CARD_WIDTH = 42 * STEP
+BESIDE_FROM, LIST_HEIGHT, CARD_HEIGHT = 112 * STEP, 44 * STEP, 60 * STEP
+"""Width of list and card beside each other; height of each below the other."""
 NO_CHOICE: Final[Text] = "Choose a test: what it came to stands here."
 
 
@@ -79,7 +92,7 @@ class ResultsPanel(QWidget):
         self.ending = choice(
             "result_ending", "Show only tests that ended so", endings, self._filter
         )
-        self.count = ElidedLabel("result_count", "Tests in the folder")
+        self.count = prose("result_count", "Tests in the folder")
         self.count.setProperty("role", "caption")
         self.again = button("result_again", "&Look again", self.look, tip="Read the folder again")
         self.card = ResultCard("result_card", theme, across=2)
@@ -115,8 +128,8 @@ class ResultsPanel(QWidget):
         self._choose()
 
     def _lay_out(self) -> None:
-        top = row("Find", (self.words, 2), "Ended", self.ending, (self.count, 1), self.again)
-        top.setSpacing(STEP)
+        fit_hint(self.words)
+        top = flowing("Find", (self.words, 2), "Ended", self.ending, self.again)
         card = QFrame()
         card.setProperty("role", "card")
         inner = column(heading("documents_title", "Documents"), self.documents, on=card)
@@ -132,18 +145,20 @@ class ResultsPanel(QWidget):
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setWidget(inside)
-        area.setFixedWidth(CARD_WIDTH)
+        area.setMinimumWidth(CARD_WIDTH)
         self._compared = QWidget()
         column(row(None, self.away), (self.compare, 1), on=self._compared)
         self._compared.hide()
         both = split(
             "results_split", Qt.Orientation.Vertical, [260, 340], self.table, self._compared
         )
-        left = column(top, (both, 1))
-        left.setSpacing(GAP)
-        whole = row((left, 1), area, on=self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.setSpacing(GAP)
+        left = QWidget()
+        column(top, self.count, (both, 1), on=left).setSpacing(STEP)
+        self._parts = FoldingSplitter("results_fold", BESIDE_FROM).divide(
+            (left, 900, LIST_HEIGHT), (area, CARD_WIDTH, CARD_HEIGHT)
+        )
+        self._parts.setStretchFactor(0, 1)
+        column(self._parts, on=self)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Look what is there, and take it as it comes."""
@@ -193,7 +208,7 @@ class ResultsPanel(QWidget):
         unread = len(self._shelf.unread)
         if unread:
             text = tr("{} still to be read; {}", grouped(unread), text)
-        self.count.show_text(self._shelf.problem or text)
+        self.count.setText(tr(self._shelf.problem or text))
         if self._shelf.problem:
             self.said.emit(self._shelf.problem, False)
         newest = self.chosen()

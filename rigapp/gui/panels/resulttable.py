@@ -18,7 +18,7 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -45,6 +45,9 @@ Row = tuple[str, TestResult | None]
 """A file, and what is known of it: None before it was read."""
 
 ROW_HEIGHT = 6 * STEP
+TEST_WIDTH = 20 * STEP
+"""Of the title of a test, at least."""
+EXTRA = 4
 READING = "…"
 ASCENDING, DESCENDING = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
 
@@ -63,7 +66,7 @@ def _depth(result: TestResult) -> str:
 class ResultColumn:
     """A column: its heading, its width (0: what is left), what it says, and what sorts it.
 
-    extra: left out of a short list.
+    rank: what is left out first where there is no room; a short list is without the extra ones.
     """
 
     title: Text
@@ -72,14 +75,14 @@ class ResultColumn:
     key: Callable[[TestResult], Any]
     right: bool = False
     tip: Text = ""
-    extra: bool = False
+    rank: int = 0
 
 
 LINE, TEST, ENDED = marked("Wear"), marked("Test"), marked("Ended")
 COLUMNS = (
-    ResultColumn(LINE, 96, lambda _: "", lambda one: one.depth_um),
+    ResultColumn(LINE, 96, lambda _: "", lambda one: one.depth_um, rank=3),
     ResultColumn(TEST, 0, lambda one: one.title, lambda one: one.title.lower()),
-    ResultColumn("Began", 136, lambda one: day(one.started), lambda one: one.started),
+    ResultColumn("Began", 136, lambda one: day(one.started), lambda one: one.started, rank=1),
     ResultColumn(ENDED, 176, lambda one: tr(one.outcome.value), lambda one: one.outcome.value),
     ResultColumn(
         "Cycles",
@@ -87,7 +90,7 @@ COLUMNS = (
         lambda one: grouped(one.revolutions),
         lambda one: one.revolutions,
         right=True,
-        extra=True,
+        rank=EXTRA,
     ),
     ResultColumn(
         "|F| max, N",
@@ -95,7 +98,7 @@ COLUMNS = (
         lambda one: _number(one.force_max_N),
         lambda one: one.force_max_N,
         right=True,
-        extra=True,
+        rank=EXTRA,
     ),
     ResultColumn(
         "Depth, µm",
@@ -103,6 +106,7 @@ COLUMNS = (
         _depth,
         lambda one: one.depth_um,
         right=True,
+        rank=1,
         tip="Wear depth by the probes, with its expanded uncertainty (k = 2)",
     ),
     ResultColumn(
@@ -111,6 +115,7 @@ COLUMNS = (
         lambda one: _number(1e4 * one.coefficient, 2),
         lambda one: one.coefficient,
         right=True,
+        rank=2,
         tip="Wear coefficient in 10⁻⁴ mm³/(N m)",
     ),
 )
@@ -307,13 +312,28 @@ class ResultTable(QTableView):
         header = self.horizontalHeader()
         header.setHighlightSections(False)
         for at, made in enumerate(COLUMNS):
-            header.resizeSection(at, made.width)
-            self.setColumnHidden(at, bool(most) and made.extra)
+            header.resizeSection(at, max(made.width, header.sectionSizeHint(at)))
         header.setSectionResizeMode(TITLES.index(TEST), QHeaderView.ResizeMode.Stretch)
         header.setSectionsClickable(not most)
         header.sectionClicked.connect(self.sort_by)
         self.selectionModel().selectionChanged.connect(lambda *_: self.chosen_changed.emit())
         self.doubleClicked.connect(lambda index: self.opened.emit(self.rows.rows[index.row()][0]))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave out columns for which there is no room: the card of a chosen test has them all."""
+        super().resizeEvent(event)
+        header = self.horizontalHeader()
+        left = self.viewport().width() - TEST_WIDTH
+        for at in sorted(range(len(COLUMNS)), key=lambda at: COLUMNS[at].rank):
+            wide = (
+                0
+                if COLUMNS[at].title == TEST
+                else max(COLUMNS[at].width, header.sectionSizeHint(at))
+            )
+            hidden = wide > left or (bool(self._most) and COLUMNS[at].rank == EXTRA)
+            left -= 0 if hidden else wide
+            if self.isColumnHidden(at) != hidden:
+                self.setColumnHidden(at, hidden)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""

@@ -13,12 +13,13 @@ from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.texts import grouped
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.icons import Icon, icon
-from rigapp.gui.look.tokens import GAP, MARGIN, STEP, VALUE_PT, Theme
+from rigapp.gui.look.tokens import MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.panel import Act, Host
 from rigapp.gui.panels.results import ShelfPump
 from rigapp.gui.panels.resulttable import ROW_HEIGHT, ResultTable
 from rigapp.gui.widgets.build import button, column, named, prose, row
 from rigapp.gui.widgets.labels import heading
+from rigapp.gui.widgets.reflow import WrappingGrid
 from rigapp.schema.states import ACTIVE
 
 LAST = 20
@@ -31,6 +32,8 @@ WAYS: Final[dict[Act, tuple[Icon, Text, Text, Text]]] = {
 }
 """The ways on in their order: icon, title, what it is, and what the button says."""
 SIGN = QSize(24, 24)
+WAY_WIDTH = 22 * STEP
+"""Of a way on, at least."""
 
 
 def may_begin(news: News) -> bool:
@@ -98,8 +101,9 @@ class StartPage(QWidget):
         self.all = button("all_results", "All results", partial(host.do, Act.RESULTS), rank="quiet")
         self._pump = ShelfPump(host.results, self._changed, self)
         below = row(heading("last_title", "Last tests"), None, self.all)
-        cards = row(*((card, 1) for card in self.ways.values()))
-        cards.setSpacing(GAP)
+        cards = WrappingGrid(WAY_WIDTH, len(WAYS))
+        for card in self.ways.values():
+            cards.addWidget(card)
         whole = column(self.title, self.rig, cards, below, (self.table, 1), on=self)
         whole.setSpacing(STEP)
         self.dress(host.theme)

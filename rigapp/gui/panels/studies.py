@@ -18,11 +18,12 @@ from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.data.texts import MOMENT, axis_number, dated, grouped
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
-from rigapp.gui.look.tokens import GAP, Theme
+from rigapp.gui.look.tokens import GAP, STEP, Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.studyplot import StudyPlot
-from rigapp.gui.widgets.build import button, column, named, page, prose, row, split
+from rigapp.gui.widgets.build import button, column, named, page, prose, split
 from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.gui.widgets.reflow import FoldingSplitter, WrappingGrid, flowing
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.study.folder import PowerRow, StudyResults, studies_in
 
@@ -39,6 +40,9 @@ SEEN_TITLE: Final[Text] = (
 DEPENDS: Final[tuple[Text, ...]] = ("Parameter", "Alone", "With all others")
 FAILED: Final[tuple[Text, ...]] = ("Point", "Why there is no result")
 SEEN: Final[tuple[Text, ...]] = ("Factor", "Tests")
+BESIDE_FROM, TOLD_WIDTH, TABLE_WIDTH = 110 * STEP, 40 * STEP, 40 * STEP
+TABLE_HEIGHT, STUDY_HEIGHT = 16 * STEP, 90 * STEP
+"""Width of list and study beside each other; heights below each other."""
 MOST_FAILED = 200
 """Reasons that are listed; the column ``problem`` of the table has them all."""
 
@@ -62,13 +66,13 @@ class StudiesPanel(QWidget):
         self.another = button("studies_open", "Open another stud&y…", self._choose_folder)
         self.again = button("studies_again", "&Look again", self.look, tip="Read the folders again")
         self.list = PlainTable(
-            "study_list", "List of studies", ("Study", "Computes", "Points", "Changed")
+            "study_list", "List of studies", ("Study", "Computes", "Points", "Changed"), cut=(0,)
         )
         self.list.itemSelectionChanged.connect(self._choose)
         self.sentence = prose("study_sentence", "What the study came to")
         self.plot = StudyPlot(theme)
         self.plot.result.currentIndexChanged.connect(self._show_dependence)
-        self.depends = PlainTable("study_depends", "What the result depends on", DEPENDS)
+        self.depends = PlainTable("study_depends", "What the result depends on", DEPENDS, cut=(0,))
         self.power = PlainTable("study_power", "After how many revolutions it is seen", SEEN)
         self.failed = PlainTable("study_failed", "Points without a result", FAILED, stretch=(1,))
         self._lay_out()
@@ -78,14 +82,19 @@ class StudiesPanel(QWidget):
         power_title = prose("study_power_title", "What the table of the power says", SEEN_TITLE)
         self._power = page(power_title, (self.power, 1))
         self._depends = page(self.depends_title, (self.depends, 1))
-        below = row((self._depends, 3), (self._power, 3), (self.failed, 3))
-        below.setSpacing(GAP)
+        below = WrappingGrid(TABLE_WIDTH)
+        for one in (self._depends, self._power, self.failed):
+            one.setMinimumHeight(TABLE_HEIGHT)
+            below.addWidget(one)
         self._under = QWidget()
         self._under.setLayout(below)
         parts = split("study_parts", Qt.Orientation.Vertical, [420, 200], self.plot, self._under)
         right = page(self.sentence, (parts, 1))
-        both = split("studies_split", Qt.Orientation.Horizontal, [360, 960], self.list, right)
-        whole = column(row((self.told, 1), self.another, self.again), (both, 1), on=self)
+        both = FoldingSplitter("studies_split", BESIDE_FROM).divide(
+            (self.list, 360, TABLE_HEIGHT), (right, 960, STUDY_HEIGHT)
+        )
+        self.told.setMinimumWidth(TOLD_WIDTH)
+        whole = column(flowing((self.told, 1), self.another, self.again), (both, 1), on=self)
         whole.setSpacing(GAP)
         self._show(None)
 
@@ -119,7 +128,8 @@ class StudiesPanel(QWidget):
         dialog.setFileMode(QFileDialog.FileMode.Directory)
         dialog.fileSelected.connect(self.open_folder)
         dialog.finished.connect(dialog.deleteLater)
-        dialog.open()
+        dialog.setModal(False)  # so that Stop can be pressed
+        dialog.show()
 
     def _list(self, found: tuple[StudyResults, ...]) -> None:
         """Show what was found; the one that is shown or wanted stays chosen, else the newest."""

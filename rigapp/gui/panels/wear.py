@@ -7,7 +7,6 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.data.knownwear import KnownWear, known_wear, newest_wear
@@ -16,11 +15,14 @@ from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.data.texts import grouped
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import tr
-from rigapp.gui.look.tokens import Theme
+from rigapp.gui.look.tokens import STEP, Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.knownwear import DepthBandPanel, NarrowingPanel
-from rigapp.gui.widgets.build import column, prose, split
+from rigapp.gui.widgets.build import column, named, prose
+from rigapp.gui.widgets.reflow import FoldingSplitter
 
+BESIDE_FROM, TALL = 90 * STEP, 35 * STEP
+"""Width for both plots beside each other, height of each below the other."""
 REST_S = 3.0
 """Between two computations: at the highest speed of a simulated rig bins come faster than that."""
 NOTHING = KnownWear("")
@@ -35,6 +37,7 @@ class WearPanel(QWidget):
 
     def __init__(self, theme: Theme, worker: TaskWorker, read: Read = known_wear) -> None:
         super().__init__()
+        named(self, "wear_panel", "Wear")
         self._reader = read
         self._worker = worker
         self._known, self._said = NOTHING, ""
@@ -46,8 +49,8 @@ class WearPanel(QWidget):
         font.setBold(True)
         self.sentence.setFont(font)
         self.bands, self.narrowing = DepthBandPanel(theme), NarrowingPanel(theme)
-        plots = split(
-            "wear_split", Qt.Orientation.Horizontal, [800, 600], self.bands, self.narrowing
+        plots = FoldingSplitter("wear_split", BESIDE_FROM).divide(
+            (self.bands, 800, TALL), (self.narrowing, 600, TALL)
         )
         column(self.sentence, (plots, 1), on=self)
 

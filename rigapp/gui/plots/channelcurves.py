@@ -19,7 +19,8 @@ from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, detail
-from rigapp.gui.widgets.build import choice, column, row
+from rigapp.gui.widgets.build import choice, column
+from rigapp.gui.widgets.reflow import flowing
 from rigapp.schema.channels import BASE, PROBES, Channel, ChannelTable, Kind
 
 ROLES = ("first", "second")
@@ -66,7 +67,7 @@ class ChannelCurvePanel(PlotPanel):
         )
         self.title = detail(f"{prefix}_channel_title", "Unit and mean")
         self._curves = [self.plot.curve(LinePen(role)) for role in ROLES]
-        column(row(self.choice, (self.title, 1)), (self.plot, 1), on=self)
+        column(flowing(self.choice, (self.title, 1)), (self.plot, 1), on=self)
         self._offer(BASE)
         self._nothing(NO_REVOLUTION)
 
@@ -136,7 +137,7 @@ class ChannelCurvePanel(PlotPanel):
         means = ", ".join(f"{mean:.1f}" for mean in self._means)
         unit = unit_text(group.channels[0].unit)
         mean = tr("{} less means {}") if group.centred else tr("{}, mean {}")
-        self.title.show_text(mean.format(unit, means))
+        self.title.show_text(mean.format(unit, means), unit)
         self.plot.show_marks(
             names=tuple(
                 CurveName(text.split(",")[0], LinePen(role), end)

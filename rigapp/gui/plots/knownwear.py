@@ -16,8 +16,8 @@ from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.limitlines import limit_lines
 from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.palette import LinePen
-from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, detail, plot_heading
-from rigapp.gui.widgets.build import column, row
+from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, plot_heading, remark
+from rigapp.gui.widgets.build import column
 
 BUCKETS = 1200
 """Points of a line across: about one for each pixel."""
@@ -57,9 +57,9 @@ class DepthBandPanel(PlotPanel):
         self.plot.steady = SteadyRange(2.0)
         self.early, self.newest = ShadedCurve(self.plot, EARLY), ShadedCurve(self.plot, NEWEST)
         self._measured = self.plot.curve(MEASURED)
-        self.title = detail("wear_band_title", "Unit")
-        self.title.show_text("µm, to the planned end; bands 95 %")
-        column(row(plot_heading("Wear depth"), (self.title, 1)), (self.plot, 1), on=self)
+        self.title = remark("wear_band_title", "Unit")
+        self.title.setText(tr("µm, to the planned end; bands 95 %"))
+        column(plot_heading("Wear depth"), self.title, (self.plot, 1), on=self)
 
     def draw(self, known: KnownWear, news: News, waiting: Text) -> None:
         """Draw what is known, over the newest measured depths; waiting: why there is nothing."""
@@ -107,9 +107,9 @@ class NarrowingPanel(PlotPanel):
         )
         self.plot.label("bottom", "Cycle, by decades")
         self.band = ShadedCurve(self.plot, MEASURED)
-        self.title = detail("wear_narrowing_title", "Unit, and what the band is")
-        self.title.show_text(tr("10⁻⁶ {}; band 95 %", UNIT))
-        column(row(plot_heading("Wear coefficient"), (self.title, 1)), (self.plot, 1), on=self)
+        self.title = remark("wear_narrowing_title", "Unit, and what the band is")
+        self.title.setText(tr("10⁻⁶ {}; band 95 %", UNIT))
+        column(plot_heading("Wear coefficient"), self.title, (self.plot, 1), on=self)
         waiting = tr("what is known of the wear coefficient is drawn here.")
         self.plot.empty(f"{tr(NO_REVOLUTION)}: {waiting}")
 

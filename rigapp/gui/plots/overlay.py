@@ -42,7 +42,8 @@ from rigapp.gui.plots.plotting import (
     detail,
     plot_heading,
 )
-from rigapp.gui.widgets.build import button, choice, column, row
+from rigapp.gui.widgets.build import button, choice, column
+from rigapp.gui.widgets.reflow import flowing
 
 RESIDUAL_BIN_DEG = 2.0
 """Short enough for the model's sharpest turn, long enough that noise averages out."""
@@ -142,9 +143,9 @@ class OverlayPanel(PlotPanel):
         )
         self.readout = detail(f"{prefix}_cursor", "Values at the cursor")
         column(
-            row(plot_heading("Force"), (self.title, 1), self.freeze, self.frame_box),
+            flowing(plot_heading("Force"), (self.title, 1), self.freeze, self.frame_box),
             (self.plot, 5),
-            row(plot_heading("Measured − model"), (self.readout, 1)),
+            flowing(plot_heading("Measured − model"), (self.readout, 1)),
             (self.residual_plot, 2),
             on=self,
         )
@@ -297,7 +298,8 @@ class OverlayPanel(PlotPanel):
         title = tr("N, cycle {}", grouped(shown.measured_revolution))
         if shown.model_revolution not in (None, shown.measured_revolution):
             title += tr(", model {}", grouped(shown.model_revolution or 0))
-        self.title.show_text(title + (tr(", HELD") if self.held else ""))
+        held = tr("HELD") if self.held else "N"
+        self.title.show_text(title + (tr(", HELD") if self.held else ""), held)
         names = self._names(shown)
         place = int(np.argmax(shown.measured[SIZE]))
         angle, largest = float(shown.angle_deg[place]), float(shown.measured[SIZE][place])
@@ -332,16 +334,16 @@ class OverlayPanel(PlotPanel):
 
     def _read_out(self) -> None:
         """Say below the plot what is measured less what the model says, at the cursor."""
-        text = tr("N, grey: every sample")
+        text, short = tr("N, grey: every sample"), "N"
         if self._doubt.unfollowed:
-            text = f"▲ {tr(UNFOLLOWED)}"
+            text, short = f"▲ {tr(UNFOLLOWED)}", "▲"
         elif self.shown is not None and self._cursor is not None and self.shown.model is not None:
             values = values_at(self.shown, self._cursor)
             text = "N: " + ", ".join(
                 f"{word} {measured - model:+.1f}".replace("-", "−")
                 for word, (measured, model) in zip(self._words, values.values(), strict=True)
             )
-        self.readout.show_text(text)
+        self.readout.show_text(text, short)
 
     def _freeze(self, wanted: bool) -> None:
         if wanted and self._newest is None:

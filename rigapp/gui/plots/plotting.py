@@ -33,8 +33,8 @@ from rigapp.gui.plots.marks import (
     paint_spots,
 )
 from rigapp.gui.plots.palette import LinePen
-from rigapp.gui.widgets.build import named
-from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.gui.widgets.build import named, prose
+from rigapp.gui.widgets.labels import ShortLabel
 
 LEAST_ROOM = 2 * STEP
 """Beside a plot without names: half of the last tick's text stands there."""
@@ -365,9 +365,16 @@ def plot_heading(text: Text) -> QLabel:
     return made
 
 
-def detail(name: str, spoken: Text) -> ElidedLabel:
-    """Return what stands beside a title: unit, revolution."""
-    made = ElidedLabel(name, spoken)
+def remark(name: str, spoken: Text) -> QLabel:
+    """Return what is said in a few words below a title; it wraps."""
+    made = prose(name, spoken)
+    made.setProperty("role", "caption")
+    return made
+
+
+def detail(name: str, spoken: Text) -> ShortLabel:
+    """Return what stands beside a title: unit, revolution; its short text has always room."""
+    made = ShortLabel(name, spoken)
     made.setProperty("role", "secondary")
     made.setContentsMargins(STEP // 2, 0, STEP // 2, 0)
     return made

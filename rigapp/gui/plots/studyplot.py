@@ -18,8 +18,9 @@ from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP, Theme
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import PlotPanel, QuietPlot
-from rigapp.gui.widgets.build import choice, column, row
+from rigapp.gui.widgets.build import choice, column
 from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.gui.widgets.reflow import flowing
 from rigapp.study.folder import StudyColumn, StudyResults
 
 NOTHING: Final[Text] = "Choose a study: its points are drawn here."
@@ -59,7 +60,7 @@ class StudyPlot(PlotPanel):
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
             )
             box.setMinimumContentsLength(LEAST_LETTERS)
-        choices = row("Of", (self.result, 1), "Against", (self.parameter, 1))
+        choices = flowing("Of", (self.result, 1), "Against", (self.parameter, 1))
         choices.setSpacing(STEP)
         column(choices, self.range, (self.plot, 1), on=self)
         self.plot.empty(NOTHING)

@@ -34,6 +34,7 @@ from rigapp.gui.plots.plotting import (
 )
 from rigapp.gui.plots.trendview import FOLLOWED, LAST, WHOLE, TrendView
 from rigapp.gui.widgets.build import button, choice, column, row
+from rigapp.gui.widgets.reflow import flowing
 from rigapp.schema.channels import BASE, ChannelTable
 
 BUCKETS = 1200
@@ -135,7 +136,9 @@ class TrendPanel(PlotPanel):
                 )
             }
         self.title = detail(f"{prefix}_trend_title", "Unit of the trend")
-        column(row(self.choice, (self.title, 1), *self.modes.values()), (self.plot, 1), on=self)
+        wraps = flowing if leads else row
+        head = wraps(self.choice, (self.title, 1), *self.modes.values())
+        column(head, (self.plot, 1), on=self)
 
     def _mode_button(self, prefix: str, mode: str, text: Text, spoken: Text) -> QPushButton:
         made = button(f"{prefix}_trend_{mode}", text, None, spoken, checkable=True)
@@ -221,7 +224,7 @@ class TrendPanel(PlotPanel):
         cursor = self.view.cursor
         when = tr("Now") if cursor is None else tr("At cycle {:.0f}", cursor)
         self.words = f"{when}: " + ", ".join(texts) if texts else ""
-        self.title.show_text(self.quantity.unit)
+        self.title.show_text(self.quantity.unit, self.quantity.unit)
 
     def _nothing(self, revolutions: int) -> str:
         """Return why nothing is drawn."""

@@ -23,8 +23,8 @@ from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.palette import MODEL, LinePen
-from rigapp.gui.plots.plotting import PlotPanel, QuietPlot, detail, plot_heading
-from rigapp.gui.widgets.build import column, row
+from rigapp.gui.plots.plotting import PlotPanel, QuietPlot, plot_heading, remark
+from rigapp.gui.widgets.build import column
 
 Floats = NDArray[np.float64]
 
@@ -77,8 +77,8 @@ class WearProfilePanel(PlotPanel):
         self._measured = self.plot.curve(MEASURED)
         self._model = self.plot.curve(MODEL)
         self.plot.steady = SteadyRange(2.0)
-        self.title = detail(f"{prefix}_profile_title", "Depths, and what of the bushing was seen")
-        column(row(plot_heading("Worn profile"), (self.title, 1)), (self.plot, 1), on=self)
+        self.title = remark(f"{prefix}_profile_title", "Depths, and what of the bushing was seen")
+        column(plot_heading("Worn profile"), self.title, (self.plot, 1), on=self)
         self._show_entries(_depth(MEASURED_DEPTH, math.nan), _depth(MODEL_DEPTH, math.nan), "")
         self.plot.empty(NO_DEPTH)
 
@@ -160,7 +160,7 @@ class WearProfilePanel(PlotPanel):
         ]
         self.plot.show_marks(names=tuple(names))
         unknown = [entry.text for entry in (measured, model) if not entry.known]
-        self.title.show_text(", ".join(("µm", *unknown, *filter(None, (words,)))))
+        self.title.setText(", ".join(("µm", *unknown, *filter(None, (words,)))))
 
 
 def _depth(texts: tuple[Text, Text], depth: float) -> Entry:

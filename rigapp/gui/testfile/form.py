@@ -26,6 +26,7 @@ from rigapp.gui.testfile.fields import (
     show_value,
 )
 from rigapp.gui.widgets.build import choice, column, named, prose, row, tell
+from rigapp.gui.widgets.reflow import WrappingRow, together
 from rigapp.schema.criteria import CRITERIA
 
 Editor = QLineEdit | QComboBox | QCheckBox
@@ -84,10 +85,10 @@ class FieldLine(QWidget):
             label.setFixedWidth(CAPTION_WIDTH)
             label.setWordWrap(True)
         self.note = prose(f"note_{field.path}", tr("Range or error of {}", field.label))
-        self._line = row(label)
+        self._line = WrappingRow()
         self._line.setSpacing(STEP)
+        self._line.add(label, 0)
         self._add(field, editor)
-        self._line.addStretch(1 if editor.maximumWidth() < self.maximumWidth() else 0)
         below = row((self.note, 1))
         below.setContentsMargins(
             CAPTION_WIDTH + STEP if field.path not in SENTENCES else 0, 0, 0, 0
@@ -100,14 +101,13 @@ class FieldLine(QWidget):
         self.fields.append(field)
         label = QLabel(tr(word))
         label.setBuddy(editor)
-        self._line.insertWidget(self._line.count() - 1, label)
-        self._add(field, editor, self._line.count() - 1)
+        self._add(field, editor, label)
 
-    def _add(self, field: FieldSpec, editor: Editor, place: int = -1) -> None:
-        self._line.insertWidget(place, editor)
-        if field.unit:
-            at = place if place < 0 else place + 1
-            self._line.insertWidget(at, QLabel(field.unit))
+    def _add(self, field: FieldSpec, editor: Editor, before: QLabel | None = None) -> None:
+        """Put a field at the end, with its unit and the word before it beside it."""
+        wide = int(isinstance(editor, QLineEdit) and field.kind not in WIDTHS)
+        unit = QLabel(field.unit) if field.unit else None
+        self._line.add(together(before, (editor, wide), unit), wide)
 
     def show_errors(self, errors: Mapping[str, str]) -> None:
         """Show what is wrong with the fields of the line, or what they may be."""

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtGui import QFont, QFontMetrics, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QFileDialog,
     QFrame,
@@ -27,7 +27,8 @@ from rigapp.config.recipe import TestFile
 from rigapp.config.writing import whole_file
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
-from rigapp.gui.look.tokens import GAP, MARGIN, STEP
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.tokens import BODY_PT, GAP, MARGIN, STEP
 from rigapp.gui.testfile.armed import ArmedTest, read_armed
 from rigapp.gui.testfile.fields import (
     differences,
@@ -46,6 +47,7 @@ from rigapp.gui.testfile.tomltext import edited
 from rigapp.gui.testfile.unsaved import UnsavedBar
 from rigapp.gui.widgets.build import button, column, named, prose, row, scrolling, tell
 from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.gui.widgets.reflow import flowing
 
 NO_FILE: Final[Text] = "New test, not saved yet"
 LEAST_HEIGHT = 24 * STEP
@@ -253,8 +255,7 @@ class RecipePanel(QWidget):
         shortcut.activated.connect(self.buttons["save"].click)
         tools = QWidget()
         buttons = list(self.buttons.values())
-        line = row(*buttons[:3], None, *buttons[3:5], *buttons[5:], on=tools)
-        line.setContentsMargins(0, 0, 0, 0)
+        flowing(*buttons[:3], None, *buttons[3:], on=tools)
         self.unsaved_bar = UnsavedBar(self._save, tools)
         card = self._tools = named(QFrame(), "recipe_tools", "Test file")
         card.setProperty("role", "card")
@@ -279,6 +280,9 @@ class RecipePanel(QWidget):
                 ("▾ " if on else "▸ ") + tr("Mechanism, joint and materials")
             )
         )
+        bold = QFontMetrics(sized(self.unfold.font(), BODY_PT, QFont.Weight.DemiBold))
+        title = tr("Mechanism, joint and materials")
+        self.unfold.setMinimumWidth(bold.horizontalAdvance(f"▾ {title}") + 4 * STEP)
         self.unfold.setChecked(True)
         self.unfold.setChecked(False)
         head = QWidget()
@@ -313,7 +317,7 @@ class RecipePanel(QWidget):
             self.pages.addWidget(checks)
         elif (last := self.pages.widget(len(STEPS))) is not None:
             self.pages.removeWidget(last)
-        self.steps.buttons[-1].setVisible(checks is not None)
+        self.steps.offer(len(STEPS) + (checks is not None))
         self.show_step(self._now)
 
     def show_checks(self, words: str, blocking: int) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from string import Formatter
 from typing import Any, Final
 
 import numpy as np
@@ -14,7 +13,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QFrame,
     QGroupBox,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QVBoxLayout,
@@ -38,8 +36,9 @@ from rigapp.gui.data.news import News
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP
 from rigapp.gui.testfile.fields import show_value
-from rigapp.gui.widgets.build import button, choice, column, edit, filled, named, prose, row, tell
+from rigapp.gui.widgets.build import button, choice, column, edit, filled, named, prose, tell
 from rigapp.gui.widgets.numbers import number, whole
+from rigapp.gui.widgets.reflow import SentencePart, flowing, sentence_row
 from rigapp.schema.channels import BASE, ChannelTable
 
 SENTENCE: Final[Text] = "{action} when {quantity} is {side} {value} in {revolutions} revolutions"
@@ -50,6 +49,7 @@ WHOLE_NUMBER: Final[Text] = "Type a whole number in place of {}."
 SIDES: Final[tuple[tuple[Text, str], ...]] = (("above", "above"), ("below", "below"))
 
 NUMBER_WIDTH = 9 * STEP
+NOTE_WIDTH = 24 * STEP
 COUNT_WIDTH = 7 * STEP
 QUANTITY_LETTERS = 10
 """Room for a quantity that is always there; the list of them is as wide as it needs."""
@@ -109,32 +109,24 @@ class LevelRow(QFrame):
         self.quantity.currentIndexChanged.connect(self._show_unit)
 
     def _lay_out(self) -> None:
-        first = self._line(SENTENCE, self.quantity, self.units[0])
-        second = self._line(ENDS, self.note, self.units[1])
+        first = sentence_row(tr(SENTENCE), self._field(self.quantity, self.units[0]))
+        second = sentence_row(tr(ENDS), self._field(self.note, self.units[1]))
         if self.level.steps:
-            second.addWidget(QLabel(tr("in step {} only", listed(self.level.steps))))
-        second.addWidget(self.remove)
-        for line in (first, second):
-            line.setSpacing(STEP)
+            second.add(QLabel(tr("in step {} only", listed(self.level.steps))), 0)
+        second.add(self.remove, 0)
+        self.note.setMinimumWidth(NOTE_WIDTH)
         made = column(first, second, on=self)
         made.setContentsMargins(0, STEP, 0, STEP)
         made.setSpacing(STEP // 2)
 
-    def _line(self, sentence: Text, wide: QWidget, unit: QLabel) -> QHBoxLayout:
-        """Return a sentence with the fields that it names; the unit follows the number."""
-        made = row()
-        for words, name, _, _ in Formatter().parse(tr(sentence)):
-            label = QLabel(words.strip())
-            if label.text():
-                made.addWidget(label)
-            if name is None:
-                continue
+    def _field(self, wide: QWidget, unit: QLabel) -> Callable[[str], SentencePart]:
+        """Return what finds the field of a name, and the unit that follows a number."""
+
+        def found(name: str) -> SentencePart:
             field: QWidget = getattr(self, name)
-            label.setBuddy(field)
-            made.addWidget(field, 1 if field is wide else 0)
-            if field in (self.value, self.back):
-                made.addWidget(unit)
-        return made
+            return field, unit if field in (self.value, self.back) else None, field is wide
+
+        return found
 
     def _fill(self, pair: tuple[str, str]) -> None:
         level = self.level
@@ -246,7 +238,7 @@ class LimitSentences(QGroupBox):
             "no_limits", "No limits", "None yet: a limit tells when the joint changes."
         )
         self.none.setProperty("role", "secondary")
-        tools = row(self.add, self.chip, None, self.discard, self.keep)
+        tools = flowing(self.add, self.chip, None, self.discard, self.keep)
         filled(QVBoxLayout(self), (self.none, self._list, tools))
         self._show()
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from string import Formatter
 from typing import Any, Final
 
 from PySide6.QtCore import Signal
@@ -21,6 +20,7 @@ from rigapp.gui.testfile.fields import show_value
 from rigapp.gui.testfile.rules import NUMBER, WHOLE_NUMBER
 from rigapp.gui.widgets.build import button, choice, column, edit, filled, named, prose, row, tell
 from rigapp.gui.widgets.numbers import number, whole
+from rigapp.gui.widgets.reflow import SentencePart, sentence_row
 
 SENTENCE: Final[Text] = "{name} {length} {kind} at {speed_rpm} rpm, then rest {rest_s} s"
 """The line of a step, with its fields in the place of the braces."""
@@ -68,20 +68,15 @@ class StepLine(QFrame):
         self.kind.currentIndexChanged.connect(self.changed)
 
     def _lay_out(self) -> None:
-        first = row(self.place)
-        for words, name, _, _ in Formatter().parse(tr(SENTENCE)):
-            label = QLabel(words.strip())
-            if label.text():
-                first.addWidget(label)
-            if name is not None:
-                first.addWidget(getattr(self, name))
-        first.addStretch(1)
+        first = sentence_row(tr(SENTENCE), self._field, before=self.place)
         second = row((self.note, 1), self.sooner, self.remove)
-        for line in (first, second):
-            line.setSpacing(STEP)
+        second.setSpacing(STEP)
         made = column(first, second, on=self)
         made.setContentsMargins(0, STEP, 0, STEP)
         made.setSpacing(STEP // 2)
+
+    def _field(self, name: str) -> SentencePart:
+        return getattr(self, name), None, False
 
     def _fill(self) -> None:
         given = self._given

@@ -8,7 +8,7 @@ from functools import partial
 from typing import Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QFontMetrics
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
 
 from rigapp.config.ranges import unit_of
@@ -17,11 +17,15 @@ from rigapp.config.rules import ALWAYS
 from rigapp.gui.data.texts import grouped, unit_text
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP
-from rigapp.gui.widgets.build import column, named, row, tell
+from rigapp.gui.widgets.build import choice, column, named, row, tell
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.schema.criteria import CRITERIA
 
 HEIGHT = 7 * STEP
+SIGN_ROOM = 6 * STEP
+"""Of a step, in pixels: its sign, and what is around it and its words."""
+NAMED_BY_OTHERS = 1
+"""The words of so many first steps are names that others have chosen: they may be cut."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,9 +116,19 @@ class StepButton(QPushButton):
         layout.setSpacing(STEP)
         for one in (self.mark, self.title, self.words):
             one.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self.setMinimumWidth(
-            4 * STEP + 3 * STEP + QFontMetrics(self.font()).horizontalAdvance(tr(title))
+
+    @property
+    def room(self) -> tuple[int, int]:
+        """Return the widths that it needs without and with its words, in pixels."""
+        title, words = (
+            one.fontMetrics().horizontalAdvance(one.whole) for one in (self.title, self.words)
         )
+        return SIGN_ROOM + title, SIGN_ROOM + max(title, words)
+
+    @property
+    def listed(self) -> str:
+        """Return the step as a line of a list."""
+        return "  ".join(filter(None, (self.mark.text(), self.title.whole, self.words.whole)))
 
     def show_step(self, state: str, words: str) -> None:
         """Show a state (done, now, later, wrong) and a few words."""
@@ -126,23 +140,50 @@ class StepButton(QPushButton):
 
 
 class StepBar(QFrame):
-    """The steps in a row; one of them is shown."""
+    """The steps in a row; one of them is shown.
+
+    Where there is no room for their words the names stand alone, and where there is none for the
+    names either, a list to choose from takes their place.
+    """
 
     chosen = Signal(int)
 
     def __init__(self, titles: Sequence[Text]) -> None:
         super().__init__()
         named(self, "steps", "Steps of preparing a test").setProperty("role", "card")
+        self._offered = len(titles)
         self.buttons = [StepButton(place, title) for place, title in enumerate(titles)]
         for place, one in enumerate(self.buttons):
             one.clicked.connect(partial(self._choose, place))
+        self.choice = choice("step_choice", "Step", (), None)
+        self.choice.activated.connect(self._choose)
         parts: list[tuple[QWidget, int]] = [(one, 1) for one in self.buttons]
-        layout = row(*parts, on=self)
+        layout = row(*parts, (self.choice, 1), on=self)
         layout.setContentsMargins(1, 1, 1, 1)
         layout.setSpacing(0)
 
     def _choose(self, place: int, checked: bool = True) -> None:
         self.chosen.emit(place)
+
+    def offer(self, count: int) -> None:
+        """Offer the first so many steps."""
+        self._offered = count
+        self._fit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show as much of the steps as there is room for."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        offered = self.buttons[: self._offered]
+        share = (self.width() - 2) // max(len(offered), 1)
+        names = max(one.room[0] for one in offered)
+        words = max(one.room[1] for one in offered[NAMED_BY_OTHERS:])
+        for place, one in enumerate(self.buttons):
+            one.setVisible(place < self._offered and names <= share)
+            one.words.setVisible(words <= share)
+        self.choice.setVisible(names > share)
 
     def show_steps(self, now: int, words: Sequence[str], wrong: Sequence[int]) -> None:
         """Show the step that is open, a few words on each, and how many mistakes each has."""
@@ -151,3 +192,12 @@ class StepBar(QFrame):
             state = "wrong" if count else "now" if place == now else "done" if text else "later"
             mistakes = tr("{} mistakes", count) if count > 1 else tr("1 mistake")
             one.show_step(state, mistakes if count else text)
+        self._show_list(now)
+        self._fit()
+
+    def _show_list(self, now: int) -> None:
+        texts = [one.listed for one in self.buttons[: self._offered]]
+        if texts != [self.choice.itemText(at) for at in range(self.choice.count())]:
+            self.choice.clear()
+            self.choice.addItems(texts)
+        self.choice.setCurrentIndex(now)

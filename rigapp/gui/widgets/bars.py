@@ -6,11 +6,15 @@ from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QPushButton
 
 from rigapp.gui.language.words import Text, tr
-from rigapp.gui.look.tokens import GAP, MARGIN
-from rigapp.gui.widgets.build import named, prose, row
+from rigapp.gui.look.tokens import GAP, MARGIN, STEP
+from rigapp.gui.widgets.build import named, prose
+from rigapp.gui.widgets.reflow import flowing
+
+TEXT_WIDTH = 34 * STEP
+"""Of the sentence beside the buttons; with less room they stand below it."""
 
 
 class Bar(QFrame):
@@ -29,8 +33,8 @@ class Bar(QFrame):
 
     def lay_out(self, buttons: Sequence[QPushButton]) -> None:
         """Put the buttons beside the sentence."""
-        parts: list[QWidget | tuple[QWidget, int]] = [(self.text, 1), *buttons]
-        row(*parts, on=self).setContentsMargins(MARGIN, 0, GAP, 0)
+        self.text.setMinimumWidth(TEXT_WIDTH)
+        flowing((self.text, 1), *buttons, on=self).setContentsMargins(MARGIN, 0, GAP, 0)
 
     def say(self, text: Text) -> None:
         """Show a sentence; nothing is laid out again when it is the one shown."""

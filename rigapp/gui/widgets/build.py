@@ -25,12 +25,16 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.gui.language.words import Text, tr
-from rigapp.gui.look.tokens import GAP
+from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.gui.widgets.wheel import ScrolledChoice, ScrolledNumber
 
 Made = TypeVar("Made", bound=QWidget)
 Layout = TypeVar("Layout", bound=QBoxLayout)
 Item = QWidget | QLayout | Text | None
+
+HINT_FRAME = 4 * STEP
+"""Around the hint of a line: its edges, and the sign that empties it."""
 Called = Callable[..., Any]
 
 
@@ -99,11 +103,17 @@ def edit(
     return made
 
 
+def fit_hint(line: QLineEdit) -> None:
+    """Give a line the room that its hint needs."""
+    hint = line.fontMetrics().horizontalAdvance(line.placeholderText())
+    line.setMinimumWidth(hint + HINT_FRAME)
+
+
 def choice(
     name: str, spoken: Text, items: Iterable[tuple[Text, Any]], chosen: Called | None = None
 ) -> QComboBox:
     """Return a box to choose from; items: text and the value that it stands for."""
-    made = named(QComboBox(), name, spoken)
+    made = named(ScrolledChoice(), name, spoken)
     made.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
     for text, value in items:
         made.addItem(tr(text), value)
@@ -114,7 +124,7 @@ def choice(
 
 def whole_number(name: str, spoken: Text, low: int, high: int) -> QSpinBox:
     """Return a field for a whole number, read when it is complete."""
-    made = named(QSpinBox(), name, spoken)
+    made = named(ScrolledNumber(), name, spoken)
     made.setRange(low, high)
     made.setGroupSeparatorShown(True)
     made.setKeyboardTracking(False)

@@ -64,6 +64,17 @@ class ElidedLabel(QLabel):
         self.setText(cut)
 
 
+class ShortLabel(ElidedLabel):
+    """Show one line, or its short text where there is no room for it: that one has it always."""
+
+    def show_text(self, text: Text, short: Text = "") -> None:
+        """Show a text; see ``ElidedLabel``."""
+        around = self.contentsMargins()
+        needs = QFontMetrics(self.font()).horizontalAdvance(tr(short) or "–")
+        self.setMinimumWidth(needs + around.left() + around.right() + 2)
+        super().show_text(text, short)
+
+
 class FittedLabel(ElidedLabel):
     """Show one line, smaller where it does not fit; cut only when half its size is too large."""
 

@@ -1,13 +1,18 @@
-"""A row that goes on in a next line where the window is too narrow for it."""
+"""Rows and divided panels that go on below where the window is too narrow for them."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from string import Formatter
+from typing import Self
 
-from PySide6.QtCore import QMargins, QPoint, QRect, QSize, Qt
-from PySide6.QtWidgets import QLayout, QLayoutItem, QWidget
+from PySide6.QtCore import QEvent, QMargins, QRect, QSize, Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QLabel, QLayout, QLayoutItem, QSpacerItem, QSplitter, QWidget
 
-from rigapp.gui.look.tokens import GAP
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.tokens import GAP, STEP
+from rigapp.gui.widgets.build import Item, named, row
 
 Line = list[tuple[QLayoutItem, QSize]]
 
@@ -15,17 +20,22 @@ Line = list[tuple[QLayoutItem, QSize]]
 class WrappingRow(QLayout):
     """Widgets beside each other, at their own widths; those that find no room go to a next line.
 
-    stretching: these take what is left of their line.
+    What has a stretch takes what is left of its line, and a spacer does so where nothing else does.
     """
 
-    def __init__(self, *widgets: QWidget, stretching: Sequence[QWidget] = ()) -> None:
-        super().__init__()
+    def __init__(self, on: QWidget | None = None) -> None:
+        super().__init__(on)
         self._items: list[QLayoutItem] = []
-        self._stretching = tuple(stretching)
+        self._stretching: set[QWidget] = set()
+        self._tall = 0
         self.setContentsMargins(QMargins())
         self.setSpacing(GAP)
-        for one in widgets:
-            self.addWidget(one)
+
+    def add(self, widget: QWidget, stretch: int) -> None:
+        """Put a widget at the end; with a stretch it takes what is left of its line."""
+        self.addWidget(widget)
+        if stretch:
+            self._stretching.add(widget)
 
     def addItem(self, item: QLayoutItem) -> None:
         """Take an item at the end."""
@@ -44,8 +54,10 @@ class WrappingRow(QLayout):
         return self._items.pop(index) if 0 <= index < len(self._items) else None
 
     def expandingDirections(self) -> Qt.Orientation:
-        """Take the width that there is."""
-        return Qt.Orientation.Horizontal
+        """Take the width that there is, and the height where an item does."""
+        seen = [(item, QSize()) for item in self._seen() if item.spacerItem() is None]
+        tall = Qt.Orientation.Vertical if _grows(seen) else Qt.Orientation(0)
+        return Qt.Orientation.Horizontal | tall
 
     def hasHeightForWidth(self) -> bool:
         """Say that the height follows from the width."""
@@ -53,61 +65,261 @@ class WrappingRow(QLayout):
 
     def heightForWidth(self, width: int) -> int:
         """Return the height of all lines at a width, in pixels."""
-        lines = self._lines(width)
-        return sum(_height(line) for line in lines) + self.spacing() * max(len(lines) - 1, 0)
+        around = self.contentsMargins()
+        lines = self._lines(width - around.left() - around.right())
+        gaps = self.spacing() * max(len(lines) - 1, 0)
+        return sum(map(_height, lines)) + gaps + around.top() + around.bottom()
 
     def sizeHint(self) -> QSize:
         """Return the size of a single line."""
-        sizes = [item.sizeHint() for item in self._seen()]
+        sizes = [_wanted(item) for item in self._seen() if item.spacerItem() is None]
         gaps = self.spacing() * max(len(sizes) - 1, 0)
-        wide = sum(size.width() for size in sizes) + gaps
-        return QSize(wide, max((size.height() for size in sizes), default=0))
+        return self._framed(sum(size.width() for size in sizes) + gaps, sizes)
 
     def minimumSize(self) -> QSize:
-        """Return the width of the widest item, and the height of a line."""
-        sizes = [item.minimumSize() for item in self._seen()]
-        wide = max((size.width() for size in sizes), default=0)
-        return QSize(wide, max((size.height() for size in sizes), default=0))
+        """Return the width of the widest item, and the height of the lines as they are laid now.
+
+        So those know it too that do not ask for the height at a width, as a splitter.
+        """
+        seen = self._seen()
+        wide = max((item.minimumSize().width() for item in seen), default=0)
+        least = self._framed(
+            wide, [one.minimumSize() for one in seen if not one.hasHeightForWidth()]
+        )
+        return least.expandedTo(QSize(0, self._tall))
+
+    def _framed(self, width: int, sizes: Sequence[QSize]) -> QSize:
+        around = self.contentsMargins()
+        height = max((size.height() for size in sizes), default=0)
+        return QSize(
+            width + around.left() + around.right(), height + around.top() + around.bottom()
+        )
 
     def setGeometry(self, rect: QRect) -> None:
         """Lay the lines below each other."""
         super().setGeometry(rect)
-        y = rect.y()
-        for line in self._lines(rect.width()):
-            self._lay(line, QPoint(rect.x(), y), rect.width())
-            y += _height(line) + self.spacing()
+        room = rect.marginsRemoved(self.contentsMargins())
+        y = room.y()
+        lines = self._lines(room.width())
+        growing = [line for line in lines if _grows(line)]
+        over = max(rect.height() - self.heightForWidth(rect.width()), 0) // max(len(growing), 1)
+        if not growing:
+            y += (rect.height() - self.heightForWidth(rect.width())) // 2
+        for line in lines:
+            height = _height(line) + (over if line in growing else 0)
+            self._lay(line, QRect(room.x(), y, room.width(), height))
+            y += height + self.spacing()
+        tall, on = self.heightForWidth(rect.width()), self.parentWidget()
+        # Before the window is shown no width is the one that stays.
+        if tall != self._tall and on is not None and on.window().isVisible():
+            self._tall = tall
+            self.update()
 
     def _seen(self) -> list[QLayoutItem]:
-        return [item for item in self._items if not item.isEmpty()]
+        return [one for one in self._items if one.spacerItem() is not None or not one.isEmpty()]
 
     def _lines(self, width: int) -> list[Line]:
         lines: list[Line] = []
         left = 0
         for item in self._seen():
-            size = item.sizeHint().expandedTo(item.minimumSize())
+            size = _wanted(item)
             size.setWidth(min(size.width(), max(width, item.minimumSize().width())))
             if not lines or size.width() > left:
+                if item.spacerItem() is not None:
+                    continue
                 lines.append([])
                 left = width
             lines[-1].append((item, size))
-            left -= size.width() + self.spacing()
-        return lines
+            left -= size.width() + (self.spacing() if item.spacerItem() is None else 0)
+        return [self._filled(line, width) for line in lines]
 
-    def _lay(self, line: Line, at: QPoint, width: int) -> None:
-        taken = sum(size.width() for _, size in line) + self.spacing() * (len(line) - 1)
+    def _filled(self, line: Line, width: int) -> Line:
+        """Return a line whose items have what is left of its width."""
+        parts = [size.width() for item, size in line if item.spacerItem() is None]
+        over = width - sum(parts) - self.spacing() * (len(parts) - 1)
         greedy = [item for item, _ in line if item.widget() in self._stretching]
-        more = max(width - taken, 0) // max(len(greedy), 1)
-        height, x = _height(line), at.x()
+        greedy = greedy or [item for item, _ in line if item.spacerItem() is not None]
+        more = max(over, 0) // max(len(greedy), 1)
+        return [
+            (item, QSize(size.width() + more, size.height()))
+            if any(item is one for one in greedy)
+            else (item, size)
+            for item, size in line
+        ]
+
+    def _lay(self, line: Line, room: QRect) -> None:
+        height, x = room.height(), room.x()
         for item, size in line:
-            wide = size.width() + (more if item in greedy else 0)
+            if item.spacerItem() is not None:
+                x += size.width()
+                continue
             grows = bool(item.expandingDirections() & Qt.Orientation.Vertical)
             tall = height if grows or item.hasHeightForWidth() else min(size.height(), height)
-            item.setGeometry(QRect(x, at.y() + (height - tall) // 2, wide, tall))
-            x += wide + self.spacing()
+            item.setGeometry(QRect(x, room.y() + (height - tall) // 2, size.width(), tall))
+            x += size.width() + self.spacing()
+
+
+def _wanted(item: QLayoutItem) -> QSize:
+    return item.sizeHint().expandedTo(item.minimumSize())
 
 
 def _height(line: Line) -> int:
     return max(
-        item.heightForWidth(size.width()) if item.hasHeightForWidth() else size.height()
+        max(item.heightForWidth(size.width()), item.minimumHeightForWidth(size.width()))
+        if item.hasHeightForWidth()
+        else size.height()
         for item, size in line
     )
+
+
+def _grows(line: Line) -> bool:
+    """Tell whether a line takes more height where there is more."""
+    return any(item.expandingDirections() & Qt.Orientation.Vertical for item, _ in line)
+
+
+def flowing(*items: Item | tuple[Item, int], on: QWidget | None = None) -> WrappingRow:
+    """Return items side by side, going on in a next line; see ``build.filled``.
+
+    A caption stays with the widget after it.
+    """
+    made = WrappingRow(on)
+    caption: Text = ""
+    for one in items:
+        item, stretch = one if isinstance(one, tuple) else (one, 0)
+        if item is None:
+            made.addItem(QSpacerItem(0, 0))
+        elif isinstance(item, str):
+            caption = item
+        elif isinstance(item, QWidget):
+            made.add(_captioned(caption, item, stretch) if caption else item, stretch)
+            caption = ""
+    return made
+
+
+SentencePart = tuple[QWidget, QWidget | None, bool]
+"""A field, the unit behind it, and whether the field takes the rest of the line."""
+
+
+def sentence_row(
+    sentence: str, field_of: Callable[[str], SentencePart], before: QWidget | None = None
+) -> WrappingRow:
+    """Return a sentence with fields in the place of its braces; it wraps between them.
+
+    The words before a field, and the unit behind it, stay with it. before: what stands first.
+    """
+    made = WrappingRow()
+    made.setSpacing(STEP)
+    if before is not None:
+        made.add(before, 0)
+    for words, name, _, _ in Formatter().parse(sentence):
+        label = QLabel(words.strip())
+        if name is None:
+            made.add(label, 0)
+            continue
+        field, unit, wide = field_of(name)
+        label.setBuddy(field)
+        before = label if label.text() else None
+        made.add(together(before, (field, int(wide)), unit), int(wide))
+    return made
+
+
+def together(*parts: QWidget | tuple[QWidget, int] | None) -> QWidget:
+    """Return parts that stay side by side; those that are None are left out."""
+    there = [one for one in parts if one is not None]
+    if len(there) == 1:
+        return there[0][0] if isinstance(there[0], tuple) else there[0]
+    made = QWidget()
+    line = row(*there, on=made)
+    line.setContentsMargins(0, 0, 0, 0)
+    line.setSpacing(STEP)
+    return made
+
+
+def _captioned(caption: Text, field: QWidget, stretch: int) -> QWidget:
+    """Return a field with its caption before it."""
+    label = QLabel(tr(caption))
+    label.setBuddy(field)
+    return together(label, (field, stretch))
+
+
+class WrappingGrid(WrappingRow):
+    """Cards of equal width beside each other, as many as have their least width, at most two."""
+
+    def __init__(self, least: int, most: int = 2, on: QWidget | None = None) -> None:
+        super().__init__(on)
+        self._least, self._most = least, most
+
+    def _lines(self, width: int) -> list[Line]:
+        seen = self._seen()
+        fits = (width + self.spacing()) // (self._least + self.spacing())
+        across = max(1, min(fits, self._most, len(seen)))
+        wide = (width - (across - 1) * self.spacing()) // across
+        cards = [(item, QSize(wide, _wanted(item).height())) for item in seen]
+        return [cards[at : at + across] for at in range(0, len(cards), across)]
+
+
+class FoldingSplitter(QSplitter):
+    """Panels beside each other with movable borders; below each other in a narrow window.
+
+    width: in pixels, what they need to stand beside each other.
+    """
+
+    def __init__(self, name: str, width: int, spoken: Text = "Divided panels") -> None:
+        super().__init__(Qt.Orientation.Horizontal)
+        named(self, name, spoken)
+        self._least = width
+        self._sizes: list[int] = []
+        self._heights: tuple[int, ...] = ()
+        self.setChildrenCollapsible(False)
+        self.setHandleWidth(GAP)
+        self.splitterMoved.connect(self._moved)
+
+    def divide(self, *parts: tuple[QWidget, int, int]) -> Self:
+        """Take panels, each with its width beside the others and its height below them."""
+        for part, _, _ in parts:
+            self.addWidget(part)
+        self._sizes = [width for _, width, _ in parts]
+        self._heights = tuple(height for _, _, height in parts)
+        self.setSizes(self._sizes)
+        return self
+
+    @property
+    def folded(self) -> bool:
+        """Tell whether the panels stand below each other."""
+        return self.orientation() is Qt.Orientation.Vertical
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Turn to where the panels have room."""
+        super().resizeEvent(event)
+        if (self.width() < self._least) is not self.folded:
+            self._turn(folded=not self.folded)
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the width of the widest panel: the others can stand below it."""
+        least = super().minimumSizeHint()
+        parts = [part for at in range(self.count()) if (part := self.widget(at)) is not None]
+        wide = max((part.minimumSizeHint().width() for part in parts), default=0)
+        return QSize(wide, least.height())
+
+    def event(self, event: QEvent) -> bool:
+        """Give each panel the height that its texts need after they have wrapped."""
+        if event.type() is QEvent.Type.LayoutRequest:
+            self._hold_heights()
+        return super().event(event)
+
+    def _moved(self) -> None:
+        if not self.folded:
+            self._sizes = self.sizes()
+
+    def _hold_heights(self) -> None:
+        for at, height in enumerate(self._heights):
+            part = self.widget(at)
+            least = max(height, part.minimumSizeHint().height()) if part and self.folded else 0
+            if part is not None and part.minimumHeight() != least:
+                part.setMinimumHeight(least)
+
+    def _turn(self, *, folded: bool) -> None:
+        self.setOrientation(Qt.Orientation.Vertical if folded else Qt.Orientation.Horizontal)
+        self._hold_heights()
+        self.setSizes(list(self._heights) if folded else self._sizes)
+        self.updateGeometry()

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt
-from PySide6.QtGui import QBrush, QColor
+from PySide6.QtGui import QBrush, QColor, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -17,12 +17,17 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.tokens import STEP
 from rigapp.gui.widgets.build import named
 
 Index = QModelIndex | QPersistentModelIndex
 Mark = tuple[str, str] | None
 """Background and ink of a marked cell; None: it has no colour of its own."""
 
+HEADING_FRAME, WORD_FRAME = 2 * STEP, STEP
+"""Around a word of a heading and of a cell, in pixels."""
+ROWS_LOOKED_AT = 50
+"""First rows of a table whose words are given room."""
 ROW_LINES = 1.5
 """Height of a row that does not wrap, in lines of text: room above and below it."""
 
@@ -37,11 +42,27 @@ class MarkDelegate(QStyledItemDelegate):
             option.state &= ~QStyle.StateFlag.State_Selected
 
 
+def shared(wanted: Mapping[int, int], least: Mapping[int, int], room: int) -> dict[int, int]:
+    """Return a width for each column: what it wants, the widest ones less where there is no room.
+
+    All in pixels; least: what none goes below.
+    """
+    over = sum(wanted.values()) > room
+    low, cap = 0, max(wanted.values(), default=0)
+    while over and cap - low > 1:
+        middle = (low + cap) // 2
+        taken = sum(max(min(wide, middle), least[at]) for at, wide in wanted.items())
+        low, cap = (low, middle) if taken > room else (middle, cap)
+    cap = low if over else cap
+    return {at: max(min(wide, cap), least[at]) for at, wide in wanted.items()}
+
+
 class PlainTable(QTableWidget):
     """A table to read: rows of texts, repainted only where a text changed.
 
-    marked: the column that a mark colours. stretch: columns that share what room is left, in the
-    place of the last one; their texts are wrapped.
+    It never scrolls sideways: texts wrap where there is no room for them. marked: the column that a
+    mark colours. stretch: columns that share what room is left, in the place of the last
+    one. cut: columns of names that others have chosen, which may be cut; tool tips have them whole.
     """
 
     def __init__(
@@ -52,11 +73,12 @@ class PlainTable(QTableWidget):
         *,
         marked: int = 1,
         stretch: Sequence[int] = (),
+        cut: Sequence[int] = (),
     ) -> None:
         super().__init__(0, len(headings))
         named(self, name, spoken)
         self._marked = marked
-        self._wraps = bool(stretch)
+        self._wraps = False
         self.setHorizontalHeaderLabels([tr(one) for one in headings])
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -65,17 +87,15 @@ class PlainTable(QTableWidget):
         self._delegate = MarkDelegate(self)
         self.setItemDelegateForColumn(marked, self._delegate)
         self.verticalHeader().hide()
-        header, fit = self.horizontalHeader(), QHeaderView.ResizeMode.ResizeToContents
-        header.setSectionResizeMode(fit)
-        header.setStretchLastSection(not stretch)
-        for at in stretch:
-            header.setSectionResizeMode(at, QHeaderView.ResizeMode.Stretch)
-        if stretch:
-            self.setWordWrap(True)
-            self.verticalHeader().setSectionResizeMode(fit)
-        else:
-            height = int(ROW_LINES * self.fontMetrics().height())
-            self.verticalHeader().setDefaultSectionSize(height)
+        header = self.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._stretch = tuple(stretch) or (len(headings) - 1,)
+        self._cut = frozenset(cut)
+        self._fitted: object = None
+        self.verticalHeader().setDefaultSectionSize(self._line_height)
+        self.verticalScrollBar().valueChanged.connect(self._fit_rows)
 
     def show_rows(
         self,
@@ -84,7 +104,8 @@ class PlainTable(QTableWidget):
         tip: Callable[[str], str] = str,
     ) -> None:
         """Show rows; marks: one a row, or none. tip: what a text's tool tip says."""
-        if self.rowCount() != len(rows):
+        changed = self.rowCount() != len(rows)
+        if changed:
             self.setRowCount(len(rows))
         for row, texts in enumerate(rows):
             for at, text in enumerate(texts):
@@ -92,13 +113,71 @@ class PlainTable(QTableWidget):
                 if item.text() != text:
                     item.setText(text)
                     item.setToolTip(tip(text))
+                    changed = True
             if marks:
                 self._mark(row, marks[row])
+        if changed:
+            self._fit()
+
+    @property
+    def _line_height(self) -> int:
+        return int(ROW_LINES * self.fontMetrics().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Share the width anew."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Share the width as the style has it now."""
+        super().showEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        """Give each column what its texts need; where there is no room for that, they wrap."""
+        if not self.isVisible():
+            return
+        header, room = self.horizontalHeader(), self.viewport().width()
+        shown = [at for at in range(self.columnCount()) if not self.isColumnHidden(at)]
+        wanted = {at: max(self.sizeHintForColumn(at), header.sectionSizeHint(at)) for at in shown}
+        widths = shared(wanted, {at: self._longest_word(at) for at in shown}, room)
+        greedy = [at for at in self._stretch if at in shown] or shown[-1:]
+        more = max(room - sum(widths.values()), 0) // max(len(greedy), 1)
+        for at in greedy:
+            widths[at] += more
+        self._wraps = any(widths[at] < wanted[at] for at in shown)
+        for at, wide in widths.items():
+            header.resizeSection(at, wide)
+        if not self._wraps and self._fitted:
+            for row in range(self.rowCount()):
+                self.setRowHeight(row, self._line_height)
+        self._fitted = self._wraps
+        self._fit_rows()
+
+    def _fit_rows(self) -> None:
+        """Give the rows that are seen the height that their wrapped texts need."""
+        if not self._wraps:
+            return
+        first, last = max(self.rowAt(0), 0), self.rowAt(self.viewport().height())
+        for row in range(first, (self.rowCount() if last < 0 else last + 1)):
+            tall = max(self.sizeHintForRow(row), self._line_height)
+            if self.rowHeight(row) != tall:
+                self.setRowHeight(row, tall)
+
+    def _longest_word(self, at: int) -> int:
+        """Return the width that the longest word of a column needs, in pixels."""
+        rows = 0 if at in self._cut else min(self.rowCount(), ROWS_LOOKED_AT)
+        cells = [self.item(row, at) for row in range(rows)]
+        wide = HEADING_FRAME + self._widest([self.horizontalHeaderItem(at)])
+        return max(wide, WORD_FRAME + self._widest(cells))
+
+    def _widest(self, items: Sequence[QTableWidgetItem | None]) -> int:
+        words = {word for one in items if one is not None for word in one.text().split()}
+        return max(map(self.fontMetrics().horizontalAdvance, words), default=0)
 
     def _new_item(self, row: int, at: int) -> QTableWidgetItem:
         item = QTableWidgetItem()
-        if self._wraps:
-            item.setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
+        item.setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self.setItem(row, at, item)
         return item
 

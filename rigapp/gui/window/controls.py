@@ -47,9 +47,14 @@ class ButtonSpec:
 
 
 STARTABLE = frozenset({RunState.IDLE, RunState.READY, RunState.STOPPED})
+AT_REST = STARTABLE
+"""States in which there is nothing to stop."""
+ASKED = "asked by the operator"
 START_AFTER_CONNECT_S = 60.0  # the slowest device is identified and set within half of it
 IDLE_BEFORE_START_S = 2.0
 """An idle engine is about to connect by itself; when it does not, the start makes it."""
+
+STOP_KEY = "F12"
 
 BUTTONS = (
     ButtonSpec(
@@ -80,7 +85,7 @@ BUTTONS = (
     ButtonSpec(
         "stop",
         "S&top",
-        "F12",
+        STOP_KEY,
         ACTIVE | {RunState.CONNECTING, RunState.FAULT},
         "End the test: controlled stop of the spindle, file closed. This is not the emergency stop",
         Icon.STOP,
@@ -132,7 +137,9 @@ class ControlRow(QFrame):
         )
         QShortcut(QKeySequence("F8"), self, self._to_text)
         for key in dict.fromkeys(spec.key for spec in BUTTONS):
-            QShortcut(QKeySequence(key), self, partial(self._press, key))
+            shortcut = QShortcut(QKeySequence(key), self, partial(self._press, key))
+            if key == STOP_KEY:  # in the window of the help too
+                shortcut.setContext(Qt.ShortcutContext.ApplicationShortcut)
         self.answer = ElidedLabel("answer", "Answer to the last command")
         self.answer.hide()
         self.test = ElidedLabel("identity", "Test")
@@ -203,14 +210,14 @@ class ControlRow(QFrame):
         self._paint_answer()
 
     def show_status(self, status: Status | None, connection: ConnectionState) -> None:
-        """Enable what applies now; Stop stays enabled when the state is not known."""
+        """Enable what applies now; Stop is always allowed."""
         self._state = status.state if status is not None else None
         self._start_when_ready()
         self._show_identity(status)
         for command in BUTTONS:
             applies = status is not None and self._applies(command, status)
             if command.verb == "stop":
-                applies = applies or connection is not ConnectionState.ATTACHED
+                applies = True
             elif connection is ConnectionState.LOST:
                 applies = False
             self.buttons[command.verb].setEnabled(applies)
@@ -243,9 +250,14 @@ class ControlRow(QFrame):
             self.start_wanted.emit()
             return
         arguments: dict[str, Any] = {}
+        if verb == "stop" and self._state in AT_REST:
+            # It is asked for all the same: a test may have begun since the engine spoke.
+            arguments["reason"] = self.text.text().strip() or ASKED
+            self._send(verb, arguments, self._stopped_at_rest)
+            return
         if verb in ("pause", "stop"):
             reason = self.text.text().strip()
-            arguments["reason"] = reason or "asked by the operator"
+            arguments["reason"] = reason or ASKED
             if reason:
                 self.text.clear()
             else:
@@ -315,6 +327,12 @@ class ControlRow(QFrame):
             told = tr("{} refused: {}", label, retold(reply.sentence))
         self.show_answer(f"{stamp}  {told}", good=reply.ok)
 
+    def _stopped_at_rest(self, reply: Reply) -> None:
+        if reply.ok:
+            self._answered(tr("stop"), reply)
+        else:
+            self.show_answer("Nothing is running: there is nothing to stop.", good=True)
+
     def _tip(self, command: ButtonSpec, applies: bool, status: Status | None) -> str:
         tip = tr(command.tip)
         if applies:
@@ -365,6 +383,7 @@ class ControlRow(QFrame):
             hint = tr("Why was the test {}? Enter adds it to the log", tr(self._asked_why))
         short: Text = "Why?" if self._asked_why else "Note"
         self.text.setPlaceholderText(tr(short) if self._tight else hint)
-        room = 0 if self._tight else self.text.fontMetrics().horizontalAdvance(tr(NOTE_HINT))
+        shown = tr(short) if self._tight else tr(NOTE_HINT)
+        room = self.text.fontMetrics().horizontalAdvance(shown)
         self.text.setMinimumWidth(room + 4 * STEP)
         self.text.setToolTip(hint)

@@ -230,7 +230,7 @@ def _wear(status: Status, measured: NewestMeasured) -> TileText:
 
 def _agreement(status: Status) -> TileText:
     if status.twin_revolution <= 0 or not math.isfinite(status.residual_rms_N):
-        return TileText("–", "no prediction")
+        return TileText("–", "no prediction", short="none")
     behind = status.revolution - status.twin_revolution
     value = f"±{status.residual_rms_N:.1f} N"
     if is_stale(status):

@@ -5,8 +5,16 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import Qt, QUrl
-from PySide6.QtGui import QKeySequence, QPixmap, QShortcut, QTextDocument
+from PySide6.QtCore import Qt, QTimer, QUrl
+from PySide6.QtGui import (
+    QKeySequence,
+    QPixmap,
+    QResizeEvent,
+    QShortcut,
+    QTextCursor,
+    QTextDocument,
+    QTextOption,
+)
 from PySide6.QtWidgets import QHBoxLayout, QTextBrowser, QVBoxLayout, QWidget
 
 from rigapp.config.errors import UnusableInput
@@ -16,7 +24,7 @@ from rigapp.gui.window.controls import BUTTONS
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.prepare.shipped import GUIDE, guides_folder
 
-MARGIN = 40  # px: the bar at the side and the page's own margins
+MARGIN = 64  # px: the bar at the side, and what a list is set in from the page's edge
 
 KEYS: Text = """
 | Key | Does |
@@ -54,6 +62,11 @@ class GuidePages(QTextBrowser):
     def __init__(self) -> None:
         super().__init__()
         self.setOpenLinks(False)
+        self._loaded_for = 0
+        # Not while it is being laid out.
+        self._resized = QTimer(self, singleShot=True, interval=0)
+        self._resized.timeout.connect(self._fit_pictures)
+        self.setWordWrapMode(QTextOption.WrapMode.WrapAtWordBoundaryOrAnywhere)
         self.anchorClicked.connect(self._follow)
 
     def loadResource(self, kind: int, name: QUrl | str) -> Any:
@@ -68,6 +81,47 @@ class GuidePages(QTextBrowser):
         if picture.width() <= room:
             return picture
         return picture.scaledToWidth(room, Qt.TransformationMode.SmoothTransformation)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Make the pictures as wide as there is room."""
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self._resized.start()
+
+    def _fit_pictures(self) -> None:
+        if self._loaded_for != self.viewport().width() and self.source().isValid():
+            bar = self.verticalScrollBar()
+            share = bar.value() / max(bar.maximum(), 1)
+            self.reload()
+            bar.setValue(round(share * bar.maximum()))
+
+    def doSetSource(
+        self,
+        name: QUrl | str,
+        /,
+        type: QTextDocument.ResourceType = QTextDocument.ResourceType.UnknownResource,
+    ) -> None:
+        """Show a guide; its examples wrap as its text does."""
+        self._loaded_for = self.viewport().width()
+        super().doSetSource(name, type)
+        self._wrap()
+
+    def show_markdown(self, text: str) -> None:
+        """Show a text that is no file."""
+        self.setMarkdown(text)
+        self._wrap()
+
+    def _wrap(self) -> None:
+        """Let lines wrap that Markdown would keep whole, wherever they have to."""
+        cursor = QTextCursor(self.document())
+        block = self.document().begin()
+        while block.isValid():
+            if block.blockFormat().nonBreakableLines():
+                cursor.setPosition(block.position())
+                shape = block.blockFormat()
+                shape.setNonBreakableLines(False)
+                cursor.setBlockFormat(shape)
+            block = block.next()
 
     def _follow(self, link: QUrl) -> None:
         """Go to another guide, or to a heading of this one; nowhere else."""
@@ -112,4 +166,4 @@ class HelpWindow(QWidget):
 
     def show_keys(self) -> None:
         """Show what each key does."""
-        self.browser.setMarkdown(keys())
+        self.browser.show_markdown(keys())

@@ -1,10 +1,13 @@
-"""The line below the strip: one message, of one height, so that nothing moves when it changes."""
+"""The line below the strip: one message, of one height, so that nothing moves when it changes.
+
+In a window too narrow for a sentence the line is as high as its words need.
+"""
 
 from __future__ import annotations
 
 import time
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from rigapp.gui.data.texts import dated
@@ -17,22 +20,39 @@ HEIGHT = 6 * STEP
 
 
 class MessageLine(QFrame):
-    """Hold the bars that tell or ask something, the answer to the last command, and the time."""
+    """Hold the bars that tell or ask something, the answer to the last command, and the time.
+
+    bars: what asks first; while a bar is shown the next ones wait, and so does the answer.
+    """
 
     def __init__(self, bars: tuple[Bar, ...], answer: QWidget, theme: Theme) -> None:
         super().__init__()
         named(self, "message_line", "Messages")
-        self.setFixedHeight(HEIGHT)
+        self.setMinimumHeight(HEIGHT)
         self.clock = named(QLabel(), "clock", "Time")
         self.clock.setFixedWidth(18 * STEP)
         self.clock.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._row = row(*((bar, 5) for bar in bars), (answer, 2), self.clock, on=self)
+        *asking, telling = bars
+        self._asking, self._told = tuple(asking), QWidget()
+        told = row((telling, 5), (answer, 2), on=self._told)
+        told.setContentsMargins(0, 0, 0, 0)
+        told.setSpacing(GAP)
+        self._row = row(*((bar, 1) for bar in asking), (self._told, 1), self.clock, on=self)
         self._row.setSpacing(GAP)
         self.make_room(tight=False)
         for bar in bars:
-            bar.setFixedHeight(HEIGHT - 1)
+            bar.setMinimumHeight(HEIGHT - 1)
+            bar.installEventFilter(self)
         answer.setContentsMargins(MARGIN, 0, 0, 0)
         self.dress(theme)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Show one bar at a time."""
+        if event.type() in (QEvent.Type.ShowToParent, QEvent.Type.HideToParent):
+            asking = any(not bar.isHidden() for bar in self._asking)
+            if self._told.isHidden() is not asking:
+                self._told.setHidden(asking)
+        return super().eventFilter(watched, event)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""

@@ -73,7 +73,7 @@ class Rail(QFrame):
         self._above = QWidget()
         self._above.setLayout(above)
         made = column(self._above, *places, None, self.theme_button, self.help_button, on=self)
-        made.setContentsMargins(STEP // 2, STEP, STEP // 2, STEP)
+        made.setContentsMargins(1, STEP, 1, STEP)
         made.setSpacing(STEP // 2)
         self.make_room(tight=False)
         self.dress(theme)
@@ -94,7 +94,7 @@ class Rail(QFrame):
             f" QToolButton {{ border: 0; border-radius: 6px; color: {theme.secondary}; }}"
             f" QToolButton:hover {{ background: {theme.alternate}; }}"
             f" QToolButton:checked {{ background: {theme.tint}; color: {theme.highlight};"
-            " font-weight: 600; }"
+            " }"
             f" QToolButton:focus {{ border: 2px solid {theme.highlight}; }}"
             f" #rail_rig {{ font-size: {CAPTION_PT}pt; font-weight: 600; }}"
             f" #rail_kind {{ color: {theme.secondary}; font-size: {CAPTION_PT - 1.5}pt;"
@@ -143,7 +143,7 @@ class Rail(QFrame):
         made.setCheckable(True)
         made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
         made.setIconSize(ICON)
-        made.setFixedSize(RAIL_WIDTH - STEP, ITEM_HEIGHT)
+        made.setFixedSize(RAIL_WIDTH - 2, ITEM_HEIGHT)
         key = f"Alt+{list(RailPlace).index(place) + 1}"
         made.setToolTip(f"{tr(place.value)} ({key})")
         made.clicked.connect(partial(self.chosen.emit, place))

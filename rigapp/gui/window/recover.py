@@ -38,6 +38,9 @@ BUTTONS: Final[dict[str, Text]] = {
 }
 """What the button says for the request that does the step."""
 
+BUTTON_PLACE: Final = 4
+"""Of the button among what stands on the panel, below the sentence of the next step."""
+
 UNDER_WAY: Final = ACTIVE - {RunState.STOPPING}
 """States in which nothing has to be recovered."""
 
@@ -70,7 +73,7 @@ class RecoverPanel(QFrame):
         super().__init__()
         self._theme = theme
         self._status: Status | None = None
-        self._asked = False
+        self._asked = self._tight = False
         self._why = ""
         named(self, "recover_panel", "Recover")
         self.title = named(QLabel(tr("Recover")), "recover_title", "Recover")
@@ -91,6 +94,14 @@ class RecoverPanel(QFrame):
         self._lay_out()
         self.dress(theme)
         self.hide()
+
+    def make_room(self, *, tight: bool) -> None:
+        """Leave out, in a tight window, all but the next step, and begin with its button."""
+        self._tight = tight
+        self.title.setHidden(tight)
+        self._column.removeWidget(self.button)
+        self._column.insertWidget(0 if tight else BUTTON_PLACE, self.button)
+        self._show()
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -148,6 +159,7 @@ class RecoverPanel(QFrame):
         self.next.setText(retold(told.sentence))
         for number, (step, label) in enumerate(self.steps.items(), 1):
             now = step is told.step
+            label.setHidden(self._tight and not now)
             mark = "▶" if now else "○" if step in told.left or not told.left else "✔"
             label.setText(f"{mark} {number} {tr(STEPS[step])}")
             label.setStyleSheet(self._step_style(now=now, left=mark == "○"))
@@ -185,7 +197,7 @@ class RecoverPanel(QFrame):
     def _lay_out(self) -> None:
         steps = column(*self.steps.values())
         steps.setSpacing(STEP // 2)
-        made = column(
+        made = self._column = column(
             self.title, self.cause, steps, self.next, self.button, self.other, self.away, on=self
         )
         made.setContentsMargins(MARGIN, GAP, MARGIN, GAP)

@@ -26,6 +26,8 @@ from rigapp.gui.window.recover import RecoverPanel
 
 WIDTH = 42 * STEP
 NARROW_WIDTH = 39 * STEP
+MOST_WIDTH = 16_777_215
+"""Any width there is."""
 NARROW_WINDOW = 1440
 """A window less wide has the narrow column."""
 
@@ -258,9 +260,14 @@ class SideColumn(QScrollArea):
         self.setWidget(held)
         self.make_room(NARROW_WINDOW, tight=False)
 
-    def make_room(self, width: int, *, tight: bool) -> None:
-        """Take the width of the window; a tight one leaves its room to the recovery."""
-        self.setFixedWidth(WIDTH if width >= NARROW_WINDOW else NARROW_WIDTH)
+    def make_room(self, width: int, *, tight: bool, alone: bool = False) -> None:
+        """Take the width of the window; a tight one leaves its room to the recovery.
+
+        alone: the column has the whole width, since no page stands beside it.
+        """
+        beside = WIDTH if width >= NARROW_WINDOW else NARROW_WIDTH
+        self.setMinimumWidth(0 if alone else beside)
+        self.setMaximumWidth(MOST_WIDTH if alone else beside)
         self.live.setVisible(not tight)
 
     def dress(self, theme: Theme) -> None:

@@ -23,11 +23,12 @@ from rigapp.gui.widgets.build import (
     edit,
     named,
     prose,
-    row,
     tell,
     whole_number,
 )
+from rigapp.gui.widgets.reflow import flowing
 
+FILE_WIDTH, TOLD_WIDTH = 24 * STEP, 28 * STEP
 MOST_REVOLUTIONS = int(RANGES["run.revolutions"].high)
 
 
@@ -57,15 +58,16 @@ class StartBar(QFrame):
         self.go = button("start_now", "Start no&w", self._go, guarded=True, rank="primary")
         cancel = button("start_cancel", "Cancel", self.hide, "Do not start")
         self.told = prose("start_told", "What is started")
-        self.told.setFixedHeight(5 * STEP)
+        self.told.setMinimumSize(TOLD_WIDTH, 5 * STEP)
         self.read = button("start_read", "Read it again", self._read_again)
         self.save = button("start_save", "Save the changes", self._save)
-        fields = row(
+        self.out.setMinimumWidth(FILE_WIDTH)
+        fields = flowing(
             "Test &file", (self.test, 2), browse,
             "Re&volutions", (self.revolutions, 1),
             "Write t&o", (self.out, 3),
         )  # fmt: skip
-        below = row((self.told, 1), self.read, self.save, self.go, cancel)
+        below = flowing((self.told, 1), self.read, self.save, self.go, cancel)
         column(fields, below, on=self).setContentsMargins(MARGIN, GAP, MARGIN, GAP)
         self.offer(tests)
         recipe.armed_changed.connect(self._show_armed)

@@ -17,7 +17,13 @@ from PySide6.QtGui import (
     QResizeEvent,
     QShortcut,
 )
-from PySide6.QtWidgets import QApplication, QMainWindow, QPushButton, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QGridLayout,
+    QMainWindow,
+    QPushButton,
+    QWidget,
+)
 
 from rigapp.gui.data.connection import ConnectionState, EngineConnection
 from rigapp.gui.data.news import News
@@ -92,6 +98,12 @@ LEAST = (640, 360)
 BESIDE = frozenset({RailPlace.WATCH, RailPlace.RIG})
 """Places with newest values and the way out of a fault beside them; the others need the width."""
 
+NARROW_WIDTH = 800
+"""A window less wide shows the way out of a fault in the place of the pages."""
+
+BESIDE_PAGES, OF_PAGES = (0, 1, 2, 1), (1, 0, 1, 1)
+"""Row, column and how many of each, of the side column beside the pages and in their place."""
+
 FRAME_HEIGHT = 40
 """Room for the frame that the window manager puts around a window."""
 
@@ -125,7 +137,7 @@ class MainWindow(QMainWindow):
         self._start_wanted: Path | None = None
         self._closing = ""
         self._discard = False
-        self._tight = False
+        self._tight = self._narrow = self._passed_by = False
         self._results_folder = results_folder
         self._rig_file = rig
         self._calibration: CalibrationWizard | None = None
@@ -171,7 +183,9 @@ class MainWindow(QMainWindow):
 
     def start(self) -> None:
         """Begin to pull; called when the window is on the screen."""
-        if self.tabs.place is RailPlace.WATCH and self._start_wanted is None and self._rig_file:
+        if not self._rig_file:  # a recorded test, whatever page was seen last
+            self.tabs.show_page("overview")
+        elif self.tabs.place is RailPlace.WATCH and self._start_wanted is None:
             self.tabs.show_page("start")
         self._timer.start()
         self._part_timer.start()
@@ -288,7 +302,7 @@ class MainWindow(QMainWindow):
         bars = (self.header, self.rail, self.messages, self.notice, self.viewer_bar, self.controls)
         for part in (*bars, self.replay_bar):
             yield partial(part.dress, theme)
-        for plain in (self.page_bar, self.start_bar, self.side, self._help):
+        for plain in (self.page_bar, self.recover_button, self.start_bar, self.side, self._help):
             if plain is not None:
                 yield partial(dress_part, plain, theme)
         yield partial(self.stage.dress, theme)
@@ -520,10 +534,16 @@ class MainWindow(QMainWindow):
             guarded=True,
         )
         self.page_bar = PageBar(((RailPlace.RIG, self.calibrate_button),))
-        pages = column(self.page_bar, (self.stage, 1))
-        content = row((pages, 1), self.side)
+        self.recover_button = button("show_recover", "Recover", self._show_recover, rank="primary")
+        content = self._content = QGridLayout()
+        content.addLayout(row((self.page_bar, 1), self.recover_button), 0, 0)
+        content.addWidget(self.stage, 1, 0)
+        content.addWidget(self.side, *BESIDE_PAGES)
+        content.setRowStretch(1, 1)
+        content.setColumnStretch(0, 1)
         content.setContentsMargins(MARGIN, STEP, MARGIN, GAP)
-        content.setSpacing(GAP)
+        content.setHorizontalSpacing(GAP)
+        content.setVerticalSpacing(2)
         upper = column(self.header, self.messages, (content, 1), self.controls, self.replay_bar)
         upper.setSpacing(0)
         layout = row(self.rail, (upper, 1), on=self.body)
@@ -553,20 +573,43 @@ class MainWindow(QMainWindow):
     def _make_room(self) -> None:
         """Fit the shell to the size of the window."""
         tight = self.width() < TIGHT_WIDTH or self.height() < TIGHT_HEIGHT
-        self.side.make_room(self.width(), tight=tight)
+        self.side.make_room(self.width(), tight=tight, alone=self._narrow)
         if tight is not self._tight:
             self._tight = tight
-            for part in (self.header, self.messages, self.rail, self.controls):
+            for part in (self.header, self.messages, self.rail, self.controls, self.recover):
                 part.make_room(tight=tight)
-            self._show_side()
+        self._show_side()
 
     def _show_side(self) -> None:
         guiding = self.stage.guiding
         self.page_bar.setVisible(not (guiding and self.height() < TIGHT_HEIGHT))
         tight = self._tight or guiding
-        beside = self.tabs.place in BESIDE and (not tight or not self.recover.isHidden())
-        if self.side.isVisibleTo(self) != beside:
-            self.side.setVisible(beside)
+        recovering = not self.recover.isHidden()
+        wanted = self.tabs.place in BESIDE and (not tight or recovering)
+        narrow = wanted and self.width() < NARROW_WIDTH
+        self._passed_by = self._passed_by and recovering
+        if narrow is not self._narrow:
+            self._narrow = narrow
+            self._content.removeWidget(self.side)
+            self._content.addWidget(self.side, *(OF_PAGES if narrow else BESIDE_PAGES))
+            self.side.make_room(self.width(), tight=self._tight, alone=narrow)
+        passed = narrow and self._passed_by
+        for part, seen in (
+            (self.side, wanted and not passed),
+            (self.stage, not narrow or passed),
+            (self.recover_button, passed),
+        ):
+            if part.isVisibleTo(self) != seen:
+                part.setVisible(seen)
+
+    def _pass_by(self) -> None:
+        """Show the pages in a window too narrow for them and the way out of a fault."""
+        self._passed_by = True
+        self._show_side()
+
+    def _show_recover(self) -> None:
+        self._passed_by = False
+        self._show_side()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """RailPlace the card of a start when it appears."""
@@ -577,8 +620,8 @@ class MainWindow(QMainWindow):
     def _place_start_bar(self) -> None:
         if self.start_bar.isHidden():
             return
-        height = self.start_bar.sizeHint().height()
         left, room = self.rail.width() + MARGIN, self.width() - self.rail.width() - 2 * MARGIN
+        height = self.start_bar.heightForWidth(room)
         bottom = self.height() - self.controls.height() - STEP
         self.start_bar.setGeometry(left, bottom - height, room, height)
         self.start_bar.raise_()
@@ -599,6 +642,8 @@ class MainWindow(QMainWindow):
         self.page_bar.chosen.connect(self.tabs.setCurrentIndex)
         for chosen in (self.rail.chosen, self.page_bar.chosen, self.tabs.currentChanged):
             chosen.connect(self._show_pages)
+        for chosen in (self.rail.chosen, self.page_bar.chosen):
+            chosen.connect(self._pass_by)
         self.controls.start_wanted.connect(self.start_bar.open)
         self.tabs.prepare.recipe.armed_changed.connect(self._name_armed)
         self._name_armed()

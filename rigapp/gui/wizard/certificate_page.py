@@ -8,7 +8,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.widgets.build import button, prose
-from rigapp.gui.widgets.reflow import WrappingRow
+from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import sentence
@@ -39,8 +39,8 @@ class CertificatePage(GuidePage):
         leave: Text = "Leave the rig file as it is"
         self.no = button(f"{prefix}leave_rig_file", "N&o, leave it", self._leave, leave)
         self.used = sentence(f"{prefix}use_words", "What happens to the rig file")
-        upper = (about, self.saved, WrappingRow(self.pdf, self.html), self.words)
-        self.hold(*upper, self.used, WrappingRow(self.use, self.no), None)
+        upper = (about, self.saved, flowing(self.pdf, self.html), self.words)
+        self.hold(*upper, self.used, flowing(self.use, self.no), None)
         self._asked = False
         live.said.connect(self.words.setText)
         self.setFinalPage(True)

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QWidget
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.widgets.build import button, choice, named, row
-from rigapp.gui.widgets.reflow import WrappingRow
+from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 
 
@@ -37,7 +37,7 @@ class HandsPanel(QFrame):
         )
         mistake = QWidget()
         row(None, "&Mistake", self.mistake, on=mistake).setContentsMargins(0, 0, 0, 0)
-        made = WrappingRow(title, self.do, self.ahead, mistake, stretching=(mistake,))
+        made = flowing(title, self.do, self.ahead, (mistake, 1))
         row(made, on=self).setContentsMargins(GAP, STEP, GAP, STEP)
         live.looked.connect(self._show)
 

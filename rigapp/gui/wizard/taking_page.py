@@ -25,7 +25,7 @@ from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, Theme
 from rigapp.gui.widgets.build import button, edit, filled, named, row, tell
-from rigapp.gui.widgets.reflow import WrappingRow
+from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.wizard.guide_page import FOUR, TWO, GuidePage
 from rigapp.gui.wizard.hands import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
@@ -115,7 +115,7 @@ class TakingPage(GuidePage):
         left = filled(QVBoxLayout(), (self.instruction, (look, 1), how_far))
         given = QWidget()
         row(words.reason, (self.reason, 1), on=given).setContentsMargins(0, 0, 0, 0)
-        why = WrappingRow(given, self.reject_button, stretching=(given,))
+        why = flowing((given, 1), self.reject_button)
         taken = taking_what_is_left(self.table, 6 * self.table.fontMetrics().height())
         right = filled(QVBoxLayout(), ((self.plot, 3), (taken, 4), why))
         for one in (left, right, now):

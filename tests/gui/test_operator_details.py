@@ -1,0 +1,117 @@
+"""Hands that rest on the wheel, and a Stop that always answers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QComboBox, QSpinBox, QVBoxLayout, QWidget
+
+from rigapp.gui.data.connection import EngineConnection
+from rigapp.gui.data.showntest import ShownTest
+from rigapp.gui.look.tokens import LIGHT
+from rigapp.gui.widgets.build import choice, scrolling, whole_number
+from rigapp.gui.window.tabs import NUMBERS
+from rigapp.gui.window.window import MainWindow
+from rigapp.replay.client import ReplayClient
+from rigapp.schema.messages import Reply, RunState
+
+Attach = Callable[[], None]
+
+
+def roll(over: QWidget) -> bool:
+    """Turn the wheel by a notch over the middle of a widget; return whether the widget took it."""
+    middle = over.rect().center()
+    event = QWheelEvent(
+        QPointF(middle),
+        QPointF(over.mapToGlobal(middle)),
+        QPoint(),
+        QPoint(0, -120),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    event.ignore()
+    return over.event(event) and event.isAccepted()
+
+
+@pytest.mark.parametrize("kind", ["choice", "number"])
+def test_the_wheel_scrolls_a_form_and_changes_only_what_has_the_focus(
+    kind: str, qtbot: Any, light_application: Any
+) -> None:
+    inside = QWidget()
+    field: Any = whole_number("number", "Number", 0, 9)
+    if kind == "choice":
+        field = choice("side", "Side", [("above", 1), ("below", 2)])
+    other = whole_number("other", "Other", 0, 9)
+    QVBoxLayout(inside).addWidget(field)
+    inside.layout().addWidget(other)
+    inside.setMinimumHeight(2000)
+    area = scrolling("form", "Form", inside)
+    qtbot.addWidget(area)
+    area.resize(300, 200)
+    with qtbot.waitActive(area):
+        area.show()
+        area.activateWindow()
+    other.setFocus()
+
+    def value() -> int:
+        return field.currentIndex() if isinstance(field, QComboBox) else field.value()
+
+    if isinstance(field, QSpinBox):
+        field.setValue(5)
+    before = value()
+    assert not roll(field)  # so the page has it
+    assert value() == before
+    assert other.hasFocus()
+    field.setFocus()
+    assert roll(field)
+    assert value() != before
+
+
+@pytest.mark.parametrize("state", [RunState.IDLE, RunState.READY, RunState.STOPPED])
+def test_stop_is_never_grey_and_says_when_nothing_runs(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any, state: RunState
+) -> None:
+    engine.say(count=0, curves=False, state=state, file="")
+    attach()
+    stop = window.controls.buttons["stop"]
+    assert stop.isEnabled()
+    engine.reply = Reply(ok=False, sentence="stop is not possible now")
+    stop.click()
+    attach()
+    qtbot.waitUntil(lambda: bool(window.tick() or "Nothing" in window.controls.answer.whole))
+    assert window.controls.answer.whole == "Nothing is running: there is nothing to stop."
+    assert engine.verbs == ["stop"]  # a test may have begun since
+
+
+def test_stop_is_pressed_from_the_window_of_the_help_too(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any
+) -> None:
+    engine.say(count=3)
+    attach()
+    window.show_help()
+    helped = window._help
+    assert helped is not None
+    with qtbot.waitActive(helped):
+        helped.activateWindow()
+    qtbot.keyClick(helped.browser, Qt.Key.Key_F12)
+    qtbot.waitUntil(lambda: bool(window.tick() or engine.verbs))
+    assert engine.verbs == ["stop"]
+
+
+def test_a_recorded_test_is_opened_at_the_overview(recorded: Path, qtbot: Any, qapp: Any) -> None:
+    client = ReplayClient(recorded, speed=4.0)
+    window = MainWindow(EngineConnection(lambda: client), ShownTest(), LIGHT)
+    qtbot.addWidget(window)
+    window.tabs.show_page("log")  # as it was left the last time
+    window.show()
+    window.start()
+    assert window.tabs.currentIndex() == NUMBERS["overview"]
+    window._discard = True
+    window.close()
