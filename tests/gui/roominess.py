@@ -28,9 +28,14 @@ from rigapp.gui.widgets.labels import ElidedLabel
 SCALES = (1.0, 1.5, 2.0)
 SIZES = ((1366, 768), (1920, 1080))
 
-OF_ANY_LENGTH = {"identity", "identity_line", "answer", "state_detail", "alarms_detail"} | {
-    "step_specimen_words"
-}
+OF_ANY_LENGTH = {
+    "identity",
+    "identity_line",
+    "answer",
+    "state_detail",
+    "alarms_detail",
+    "studies_told",
+} | {"step_specimen_words"}
 """Labels of what others have named or told: cut with an ellipsis, whole in the tool tip."""
 
 HEADING_FRAME, CELL_FRAME, BUTTON_FRAME, ROWS = 16, 6, 8, 40

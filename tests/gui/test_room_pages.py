@@ -358,6 +358,10 @@ def test_bars_and_help(desk: Desk) -> None:
     window.notice.take_status(make_status(engine_pid=1))
     window.notice.take_status(make_status(engine_pid=2, state=RunState.READY))
     found |= look(desk, "restart", window.messages)
+    window._frame_replay(replay=True)
+    window.replay_bar.show_status(make_status(), 21377)
+    found |= look(desk, "replay", window.replay_bar)
+    window._frame_replay(replay=False)
     window.show_help()
     helped = window.findChild(HelpWindow)
     for _, width, height in ROOMS:

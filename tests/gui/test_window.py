@@ -188,7 +188,7 @@ def test_buttons_apply_to_their_states(window: MainWindow, engine: Any, attach: 
         assert ("resume" in enabled) == (state is RunState.PAUSED), state
         standing = state in {RunState.IDLE, RunState.READY, RunState.STOPPED}
         assert ("start" in enabled) == standing, state
-        assert ("stop" in enabled) != standing, state
+        assert "stop" in enabled, state
 
 
 def test_a_dead_engine_is_said_and_attached_again(

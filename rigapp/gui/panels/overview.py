@@ -14,7 +14,9 @@ from rigapp.gui.plots.trendview import TrendView
 from rigapp.gui.widgets.build import split
 from rigapp.gui.widgets.reflow import FoldingSplitter
 
-BESIDE_FROM = 90 * STEP
+BESIDE_FROM = 102 * STEP
+FORCE, DIFFERENCE, TREND = 18 * STEP, 11 * STEP, 12 * STEP
+"""Heights of the plots at least: a low window scrolls."""
 OVERLAY, TRENDS = 45 * STEP, 50 * STEP
 """Heights of the plots where they stand below each other."""
 
@@ -28,6 +30,13 @@ def overview_page(host: Host) -> QWidget:
     trend = host.add(
         "overview_trend", TrendPanel("overview", theme, LARGEST, view=view, leads=False)
     )
+    for plot, least in (
+        (overlay.plot, FORCE),
+        (overlay.residual_plot, DIFFERENCE),
+        (wear.plot, TREND),
+        (trend.plot, TREND),
+    ):
+        plot.setMinimumHeight(least)
     right = split("overview_right", Qt.Orientation.Vertical, [320, 320], wear, trend)
     return FoldingSplitter("overview_split", BESIDE_FROM).divide(
         (overlay, 700, OVERLAY), (right, 700, TRENDS)

@@ -93,8 +93,10 @@ class FittedLabel(ElidedLabel):
         font = QFont(self._largest)
         room = max(self.contentsRect().width(), 1)
         smallest = SMALLEST * font.pointSizeF()
+        right = Qt.TextElideMode.ElideRight
         while (
-            QFontMetrics(font).horizontalAdvance(self._whole) > room
+            # By what would be cut: a width in whole pixels may be a little less.
+            QFontMetrics(font).elidedText(self._whole, right, room) != self._whole
             and font.pointSizeF() > smallest
         ):
             font.setPointSizeF(0.95 * font.pointSizeF())

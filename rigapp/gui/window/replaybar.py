@@ -19,7 +19,8 @@ from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import GAP, MARGIN, RADIUS, STEP, VALUE_PT, Theme
-from rigapp.gui.widgets.build import button, choice, named, row, whole_number
+from rigapp.gui.widgets.build import button, choice, named, whole_number
+from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.window.controls import BAR_HEIGHT, BUTTON_HEIGHT
 from rigapp.schema.messages import RunState, Status
 
@@ -27,6 +28,7 @@ SPEEDS = (0.1, 1.0, 10.0, 100.0, 1000.0, 10_000.0)
 FRAME = STEP // 2
 """Width of the frame around a replay."""
 
+PLACE_WIDTH = 12 * STEP
 STEPS = 1000
 """Places of the slider; the field beside it takes any revolution."""
 
@@ -67,7 +69,7 @@ class ReplayBar(QFrame):
         self._first, self._last = 1, 1
         self._playing = True
         named(self, "replay_bar", "Replay")
-        self.setFixedHeight(BAR_HEIGHT)
+        self.setMinimumHeight(BAR_HEIGHT)
         self.word = named(QLabel(tr("REPLAY")), "replay_word", "Replay of a recorded test")
         self.word.setFont(sized(self.font(), VALUE_PT, QFont.Weight.DemiBold))
         self.word.setFixedHeight(BUTTON_HEIGHT)
@@ -96,7 +98,8 @@ class ReplayBar(QFrame):
             "Replay from the start",
         )
         self.again.setFixedHeight(BUTTON_HEIGHT)
-        whole = row(
+        self.place.setMinimumWidth(PLACE_WIDTH)
+        whole = flowing(
             self.word,
             self.play,
             self.again,
@@ -106,7 +109,6 @@ class ReplayBar(QFrame):
             on=self,
         )  # fmt: skip
         whole.setContentsMargins(MARGIN, 0, MARGIN, 0)
-        whole.setSpacing(GAP)
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
