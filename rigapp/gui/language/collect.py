@@ -48,7 +48,7 @@ SPEAKERS: Final = (
     "calibration/probes/live", "rigapp/calibrating/session", "rigapp/calibrating/probe_session",
     "rigapp/calibrating/load_cell_session", "rigapp/calibrating/load_cell_result",
     "rigapp/calibrating/probe_result", "rigapp/calibrating/run_out", "rigapp/calibrating/rolls",
-    "rigapp/calibrating/spindle",
+    "rigapp/calibrating/spindle", "rigapp/calibrating/daily_history",
 )  # fmt: skip
 """Modules whose sentences the window shows; files and terminals have them in English."""
 MARK: Final = "Text"

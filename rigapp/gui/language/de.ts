@@ -2786,6 +2786,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>, in Schritt {}</translation>
     </message>
     <message>
+        <source>1 check</source>
+        <translation>1 Prüfung</translation>
+    </message>
+    <message>
         <source>1: the error is within the tolerance</source>
         <translation>1: der Fehler liegt innerhalb der Toleranz</translation>
     </message>
@@ -3062,6 +3066,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kritisch unter</translation>
     </message>
     <message>
+        <source>Cross-talk of axis 1 by a force along 2</source>
+        <translation>Übersprechen auf Achse 1 durch eine Kraft längs Achse 2</translation>
+    </message>
+    <message>
+        <source>Cross-talk of axis 2 by a force along 1</source>
+        <translation>Übersprechen auf Achse 2 durch eine Kraft längs Achse 1</translation>
+    </message>
+    <message>
         <source>Cycles</source>
         <translation>Zyklen</translation>
     </message>
@@ -3218,6 +3230,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Fr</translation>
     </message>
     <message>
+        <source>From the eighth check on the history has limits of its own</source>
+        <translation>Ab der achten Prüfung hat der Verlauf eigene Grenzen</translation>
+    </message>
+    <message>
         <source>From the start</source>
         <translation>Von Anfang an</translation>
     </message>
@@ -3236,6 +3252,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Full: three times up and down</source>
         <translation>Voll: dreimal auf und ab</translation>
+    </message>
+    <message>
+        <source>Gain of axis 1</source>
+        <translation>Verstärkung der Achse 1</translation>
+    </message>
+    <message>
+        <source>Gain of axis 2</source>
+        <translation>Verstärkung der Achse 2</translation>
     </message>
     <message>
         <source>Go a&amp;head</source>
@@ -5642,6 +5666,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Sie haben das Kommando</translation>
     </message>
     <message>
+        <source>Zero of axis 1</source>
+        <translation>Nullpunkt der Achse 1</translation>
+    </message>
+    <message>
+        <source>Zero of axis 2</source>
+        <translation>Nullpunkt der Achse 2</translation>
+    </message>
+    <message>
         <source>Zero the load cell</source>
         <translation>Den Kraftsensor nullen</translation>
     </message>
@@ -6454,6 +6486,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>was die Kalibrierung sagt</translation>
     </message>
     <message>
+        <source>when (UTC)         sensitivity  cross-talk   largest N  verdict  operator</source>
+        <translation>Zeit (UTC)         Empfindlichkeit  Übersprechen   größte N  Urteil  Bediener</translation>
+    </message>
+    <message>
         <source>why the selected reading does not count</source>
         <translation>warum die gewählte Messung nicht zählt</translation>
     </message>
@@ -7153,6 +7189,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Kraftsensor zeigt in Ruhe {} mV/V {}</translation>
     </message>
     <message>
+        <source>{} checks</source>
+        <translation>{} Prüfungen</translation>
+    </message>
+    <message>
         <source>{} revolutions at {:g} rpm, {:.3g} h</source>
         <translation>{} Umdrehungen mit {} rpm, {} h</translation>
     </message>
@@ -7167,6 +7207,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Check cable and power of {}, reconnect</source>
         <translation>Kabel und Versorgung von {} prüfen, neu verbinden</translation>
+    </message>
+    <message>
+        <source>Limits of the history for the sensitivity: {:.5f} to {:.5f}</source>
+        <translation>Grenzen des Verlaufs für die Empfindlichkeit: {:.5f} bis {:.5f}</translation>
+    </message>
+    <message>
+        <source>The last check failed: {}</source>
+        <translation>Die letzte Prüfung ist nicht bestanden: {}</translation>
     </message>
     <message>
         <source>Turn the micrometer {} back past the position, to {}, then forward to {}</source>
@@ -7485,6 +7533,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} s alt</translation>
     </message>
     <message>
+        <source>{:.2f} N off, {:.2f} N are allowed</source>
+        <translation>{:.2f} N daneben, {:.2f} N sind erlaubt</translation>
+    </message>
+    <message>
         <source>{:.3g} {} is at the end of the range</source>
         <translation>{} {} ist am Ende des Bereichs</translation>
     </message>
@@ -7677,6 +7729,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} lag bei oder {} {} {} in {} Umdrehungen in Folge, zuletzt bei {} {}</translation>
     </message>
     <message>
+        <source>{} with this calibration: in control</source>
+        <translation>{} mit dieser Kalibrierung: unter Kontrolle</translation>
+    </message>
+    <message>
         <source>{} {}: give {} or more different speeds from {:g} to {:g} rpm</source>
         <translation>{} {}: {} oder mehr verschiedene Drehzahlen von {} bis {} rpm angeben</translation>
     </message>
@@ -7757,6 +7813,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: limits.overspeed_rpm = {} muss über {} = {} liegen</translation>
     </message>
     <message>
+        <source>{}: line {} was changed or a line before it is missing; the store is append-only. Begin another one, and keep this</source>
+        <translation>{}: Zeile {} wurde geändert, oder eine Zeile davor fehlt; an die Datei wird nur angehängt. Eine neue beginnen und diese aufheben</translation>
+    </message>
+    <message>
         <source>{}: nothing is left to do. {}</source>
         <translation>{}: es bleibt nichts zu tun. {}</translation>
     </message>
@@ -7779,6 +7839,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}: the record {} is in N per {}; the rig measures mV/V</source>
         <translation>{}: der Datensatz {} ist in N je {}; der Prüfstand misst mV/V</translation>
+    </message>
+    <message>
+        <source>{}: there are no daily checks yet; take one first</source>
+        <translation>{}: Es gibt noch keine täglichen Prüfungen; zuerst eine vornehmen</translation>
+    </message>
+    <message>
+        <source>{}: there is no daily check of the rig {}</source>
+        <translation>{}: Es gibt keine tägliche Prüfung des Prüfstands {}</translation>
     </message>
     <message>
         <source>{}: this is the record of a {}, not of a {}</source>
