@@ -234,7 +234,8 @@ def verdict_lines(found: DailyHistory) -> list[str]:
         told = f"{last['largest_N']:.2f} N off, {last['allowed_N']:.2f} N are allowed."
         lines.insert(0, f"The last check failed: {last.get('sentence', told)}")
     if not lines:
-        lines = [f"{count} check{'s' if count > 1 else ''} with this calibration: in control."]
+        checks = "1 check" if count == 1 else f"{count} checks"
+        lines = [f"{checks} with this calibration: in control."]
     limits = found.charts["sensitivity_ratio"].limits
     if limits is None:
         lines.append("From the eighth check on the history has limits of its own.")

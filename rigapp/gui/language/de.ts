@@ -4482,6 +4482,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>- at `$</translation>
     </message>
     <message>
+        <source>1 check</source>
+        <translation>1 Prüfung</translation>
+    </message>
+    <message>
         <source>1 draft</source>
         <translation>1 Entwurf</translation>
     </message>
@@ -10205,6 +10209,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Kraftsensor zeigt in Ruhe {} mV/V {}</translation>
     </message>
     <message>
+        <source>{} checks</source>
+        <translation>{} Prüfungen</translation>
+    </message>
+    <message>
         <source>{} revolutions at {:g} rpm, {:.3g} h</source>
         <translation>{} Umdrehungen mit {} rpm, {} h</translation>
     </message>
@@ -12737,10 +12745,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} kann hier nicht fortgesetzt werden: {}</translation>
     </message>
     <message>
-        <source>{} check{} with this calibration: in control</source>
-        <translation>{}-mal{} mit dieser Kalibrierung geprüft: unter statistischer Kontrolle</translation>
-    </message>
-    <message>
         <source>{} counts per revolution are not four times a whole number</source>
         <translation>{} Schritte je Umdrehung sind nicht das Vierfache einer ganzen Zahl</translation>
     </message>
@@ -13023,6 +13027,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} was replaced by another file while the test writes it</source>
         <translation>{} wurde durch eine andere Datei ersetzt, während der Versuch sie schreibt</translation>
+    </message>
+    <message>
+        <source>{} with this calibration: in control</source>
+        <translation>{} mit dieser Kalibrierung: unter Kontrolle</translation>
     </message>
     <message>
         <source>{} words to function {} instead of {} to {}</source>
