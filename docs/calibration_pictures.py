@@ -48,9 +48,13 @@ def take_calibrations(folder: Path, rig: Path, images: Path) -> None:
     from PySide6.QtWidgets import QApplication
 
     from rigapp.config.loading import read_rig
+    from rigapp.gui.look.dress import apply_theme
+    from rigapp.gui.look.tokens import LIGHT
     from rigapp.service.host import EngineHost
 
     application = QApplication.instance() or QApplication([])
+    assert isinstance(application, QApplication)
+    apply_theme(application, LIGHT)
     host = EngineHost(read_rig(rig), 20.0)
     line = Line(host)
     try:
