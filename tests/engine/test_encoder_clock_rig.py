@@ -96,7 +96,7 @@ def test_direction_and_index_come_from_digital_lines(tmp_path: Path) -> None:
         engine = Engine(rig, ports=devices.ports(test.record.model))
         engine.connect()
         view = next(one for one in engine.status().devices if one.name == "daq")
-        assert "B to D0, Z to D1" in view.wiring
+        assert "line B to D0, line Z to D1" in view.wiring
         engine.start(test, path, operator="Ada")
         eventually(lambda: engine.status().revolution >= 4)
         engine.stop("Ada")
