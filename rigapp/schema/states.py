@@ -121,6 +121,11 @@ def transition(state: RunState, trigger: Trigger) -> RunState:
     return following
 
 
+def is_untimely(sentence: str, trigger: Trigger) -> bool:
+    """Tell whether a refusal says that a trigger means nothing now, and not that it failed."""
+    return sentence.startswith(f'"{trigger.value}" is not possible while ')
+
+
 def allowed(state: RunState, trigger: Trigger) -> bool:
     """Tell whether a trigger is possible in a state."""
     return (state, trigger) in TABLE

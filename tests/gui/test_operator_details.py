@@ -19,6 +19,7 @@ from rigapp.gui.window.tabs import NUMBERS
 from rigapp.gui.window.window import MainWindow
 from rigapp.replay.client import ReplayClient
 from rigapp.schema.messages import Reply, RunState
+from rigapp.schema.states import Refused, Trigger, transition
 
 Attach = Callable[[], None]
 
@@ -82,12 +83,27 @@ def test_stop_is_never_grey_and_says_when_nothing_runs(
     attach()
     stop = window.controls.buttons["stop"]
     assert stop.isEnabled()
-    engine.reply = Reply(ok=False, sentence="stop is not possible now")
+    with pytest.raises(Refused) as refused:
+        transition(state, Trigger.STOP)
+    engine.reply = Reply(ok=False, sentence=str(refused.value))
     stop.click()
     attach()
     qtbot.waitUntil(lambda: bool(window.tick() or "Nothing" in window.controls.answer.whole))
     assert window.controls.answer.whole == "Nothing is running: there is nothing to stop."
     assert engine.verbs == ["stop"]  # a test may have begun since
+
+
+def test_a_stop_that_fails_at_rest_is_never_called_needless(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any
+) -> None:
+    engine.say(count=0, curves=False, state=RunState.READY, file="")
+    attach()
+    engine.reply = Reply(ok=False, sentence="the engine does not answer")
+    window.controls.buttons["stop"].click()
+    attach()
+    answer = window.controls.answer
+    qtbot.waitUntil(lambda: bool(window.tick() or "does not answer" in answer.whole))
+    assert answer.whole.startswith("\u25b2")
 
 
 def test_stop_is_pressed_from_the_window_of_the_help_too(

@@ -10229,6 +10229,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>„{}“ ist nicht quittiert; das zuerst tun</translation>
     </message>
     <message>
+        <source>&quot;{}&quot; is not possible while</source>
+        <translation>„{}“ ist nicht möglich im Zustand</translation>
+    </message>
+    <message>
         <source>&quot;{}&quot; is not possible while {}; possible now: {}</source>
         <translation>„{}“ ist nicht möglich im Zustand {}; möglich sind jetzt: {}</translation>
     </message>

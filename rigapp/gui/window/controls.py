@@ -24,7 +24,7 @@ from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.window.command import CommandLine
 from rigapp.gui.window.headline import identity
 from rigapp.schema.messages import NOTE_CHARACTERS, Remedy, Reply, RunState, Status
-from rigapp.schema.states import ACTIVE
+from rigapp.schema.states import ACTIVE, Trigger, is_untimely
 
 Send = Callable[[str, dict[str, Any], Callable[[Reply], None]], None]
 
@@ -328,10 +328,11 @@ class ControlRow(QFrame):
         self.show_answer(f"{stamp}  {told}", good=reply.ok)
 
     def _stopped_at_rest(self, reply: Reply) -> None:
-        if reply.ok:
-            self._answered(tr("stop"), reply)
-        else:
+        """Say that nothing runs only where the engine says so: any other refusal is shown."""
+        if is_untimely(reply.sentence, Trigger.STOP):
             self.show_answer("Nothing is running: there is nothing to stop.", good=True)
+        else:
+            self._answered(tr("stop"), reply)
 
     def _tip(self, command: ButtonSpec, applies: bool, status: Status | None) -> str:
         tip = tr(command.tip)
