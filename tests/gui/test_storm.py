@@ -41,11 +41,8 @@ LONG_UPDATES = int(os.environ.get("RIGAPP_STORM_UPDATES", "100000"))
 ROUNDS = 5
 """Tests of the long form, one after the other: each forgets the one before it."""
 
-WARM = 2
-"""Tests until every buffer has had its largest size and the allocator has found its own."""
-
-GROWTH = 4 * MEGABYTE
-"""Of memory between the end of the first warm test and that of the last: what the allocator leaves
+GROWTH = 8 * MEGABYTE
+"""Of memory between the end of the second test and that of the last: what the allocator leaves
 unused differs by some megabytes from one end to the next."""
 
 SPARED = ("_write_", "_open_", "help_button")
@@ -203,5 +200,5 @@ def test_memory_stays_after_many_updates_on_every_page(
             QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
         gc.collect()
         held.append((footprint(os.getpid()).memory, len(QApplication.allWidgets())))
-    assert held[-1][0] - held[WARM][0] < GROWTH, held
-    assert held[-1][1] <= held[WARM][1], held
+    assert held[-1][0] - held[1][0] < GROWTH, held
+    assert held[-1][1] <= held[1][1], held
