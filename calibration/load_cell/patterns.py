@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy import stats
+from scipy import special
 
 from calibration.arrays import Array, Whole
 from calibration.load_cell.evidence import Evidence, applied_forces, examine, runs
@@ -219,7 +219,7 @@ def _search(evidence: Evidence, cells: Averages) -> Found | None:
             return None
         best = int(np.argmax(np.where(told, np.abs(sizes) / sigmas, 0.0)))
         free = (degrees - 1) / float(fewer[best])
-        limit = float(stats.t.isf(FALSE_ALARMS / 2.0 / np.count_nonzero(told), free))
+        limit = -float(special.stdtrit(free, FALSE_ALARMS / 2.0 / np.count_nonzero(told)))
         size, sigma = float(sizes[best]), float(sigmas[best])
         sure = abs(size) > max(limit * sigma, tried[best].least)
         found = Found(tried[best], size, sure)

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import stats
+from scipy import special
 
 from calibration.arrays import Array
 
@@ -239,4 +239,4 @@ def _f_test(smaller: TwoAxisFit, larger: TwoAxisFit) -> float:
     reduced = float(np.sum(smaller.residual**2))
     full = max(float(np.sum(larger.residual**2)), 1e-12)
     ratio = max(reduced - full, 0.0) / more / (full / rest)
-    return float(stats.f.cdf(ratio, more, rest))
+    return float(special.fdtr(more, rest, ratio))

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import stats
+from scipy import special
 
 from calibration.arrays import Array
 
@@ -65,7 +65,7 @@ class Chart:
 def limit_factor(count: int) -> float:
     """Return how many standard deviations, known from ``count`` values, a next one may be off."""
     spread = math.sqrt(1.0 + 1.0 / count)
-    return float(stats.t.isf(BEYOND, RANGE_DEGREES * (count - 1))) * spread
+    return -float(special.stdtrit(RANGE_DEGREES * (count - 1), BEYOND)) * spread
 
 
 def chart(
