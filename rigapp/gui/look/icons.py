@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import enum
+from functools import cache
+from pathlib import Path
 
 import qtawesome
 from PySide6.QtGui import QIcon
+from qtawesome.iconic_font import IconicFont
 
 
 class Icon(enum.StrEnum):
@@ -43,7 +46,15 @@ class Icon(enum.StrEnum):
 
 def icon(meaning: Icon, colour: str, disabled: str | None = None) -> QIcon:
     """Return an icon in a colour, and in another one while what bears it cannot be pressed."""
-    made: QIcon = qtawesome.icon(
+    made: QIcon = _phosphor().icon(
         meaning.value, color=colour, color_disabled=disabled or colour, scale_factor=1.0
     )
     return made
+
+
+@cache
+def _phosphor() -> IconicFont:
+    """Load the one set that is used; the package's own function loads all twelve."""
+    fonts = Path(qtawesome.__file__).parent / "fonts"
+    font, names = (next(fonts.glob(f"phosphor-*.{ending}")).name for ending in ("ttf", "json"))
+    return IconicFont(("ph", font, names))

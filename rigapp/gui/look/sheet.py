@@ -6,6 +6,7 @@ quiet), ``role`` of a frame or label (card, caption, value).
 
 from __future__ import annotations
 
+from functools import cache
 from string import Template
 
 from rigapp.gui.look.tokens import CAPTION_PT, CARD_RADIUS, RADIUS, VALUE_PT, Theme
@@ -140,6 +141,7 @@ QLabel[role="secondary"] { color: $secondary; }
 )
 
 
+@cache
 def style_sheet(theme: Theme) -> str:
     """Return the style sheet of a theme."""
     colours = {

@@ -7,7 +7,7 @@ or comes next, and Stop alone is red at rest. Curves are told apart by eyes with
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Final
 
@@ -46,7 +46,7 @@ class Theme:
     critical_tint: str
     on_signal: str
     on_critical: str
-    curves: Mapping[str, str]
+    curves: Mapping[str, str] = field(hash=False)
 
     def mark(self, *, critical: bool) -> tuple[str, str]:
         """Return background and ink of what is not normal."""

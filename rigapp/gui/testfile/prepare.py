@@ -87,7 +87,7 @@ class PreparePanel(QWidget):
 
     def parts(self) -> list[QWidget]:
         """Return what is put in a theme for itself."""
-        return [self.checks, *(one for one in self.recipe.parts() if one is not self.checks)]
+        return [self.checks, *self.recipe.parts()]
 
     def set_rig(self, rig: Path) -> None:
         """Take the rig file, for its ranges and its calibration records."""

@@ -16,6 +16,7 @@ from PySide6.QtGui import QFont, QFontMetrics, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QFileDialog,
     QFrame,
+    QScrollArea,
     QSizePolicy,
     QStackedWidget,
     QWidget,
@@ -82,7 +83,9 @@ class RecipePanel(QWidget):
         self.pages = named(QStackedWidget(), "step_pages", "The open step")
         self.pages.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
         self.pages.setMinimumHeight(LEAST_HEIGHT)
+        self._built = False
         self._build()
+        self._built = True
         self._judge()
 
     @property
@@ -200,9 +203,11 @@ class RecipePanel(QWidget):
         return frozenset(field.section for field in form_fields() if field.optional)
 
     def parts(self) -> list[QWidget]:
-        """Return what is put in a theme for itself: each step, and what stands around them."""
-        steps = (self.pages.widget(number) for number in range(self.pages.count()))
-        return [self.steps, self._tools, *(step for step in steps if step is not None)]
+        """Return what is put in a theme for itself: each card of a step, and what is around it."""
+        cards = [*self.form.sections.values(), self.sequence, self.rules, self.unfold]
+        areas = (self.pages.widget(number) for number in range(self.pages.count()))
+        bars = [area.verticalScrollBar() for area in areas if isinstance(area, QScrollArea)]
+        return [self.steps, self._tools, *cards, *bars]
 
     def show_step(self, place: int) -> None:
         """Open a step; one beyond the last is a page that somebody else put behind them."""
@@ -291,6 +296,8 @@ class RecipePanel(QWidget):
 
     def _judge(self) -> None:
         """Check the whole form; every mistake stands at its field, the verdict counts them."""
+        if not self._built:
+            return
         tree, errors = self._read()
         self.test, wrong = judged_test(tree if not errors else self._with_the_file_s(tree, errors))
         others = self._place_faults(wrong, errors)
