@@ -48,6 +48,7 @@ class ValueTable(QTableWidget):
         super().__init__(COMPONENTS, VALUES)
         self._upright = False
         self._names: list[str] = [""] * COMPONENTS
+        self._headed: tuple[list[str], list[str]] = ([], [])
         named(self, f"{prefix}_values", "Statistics of the revolution shown, in N")
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setTabKeyNavigation(False)
@@ -90,12 +91,18 @@ class ValueTable(QTableWidget):
     def _cell(self, line: int, at: int) -> QTableWidgetItem | None:
         return self.item(at, line) if self._upright else self.item(line, at)
 
-    def _fill(self, texts: list[list[str]]) -> None:
+    def _head(self) -> None:
+        """Name rows and columns; names that stay cost nothing, others lay out the whole table."""
         between = " " if self._upright else "\n"
         kinds = [f"{tr(one)}{between}{tr(kind)}" for one in STATISTICS for kind in KINDS]
-        across, down = (self._names, kinds) if self._upright else (kinds, self._names)
-        self.setHorizontalHeaderLabels(across)
-        self.setVerticalHeaderLabels(down)
+        names = (self._names, kinds) if self._upright else (kinds, self._names)
+        if names != self._headed:
+            self._headed = names
+            self.setHorizontalHeaderLabels(names[0])
+            self.setVerticalHeaderLabels(names[1])
+
+    def _fill(self, texts: list[list[str]]) -> None:
+        self._head()
         for line, values in enumerate(texts):
             for at, text in enumerate(values):
                 item = self._cell(line, at)
