@@ -10,6 +10,7 @@ import enum
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -64,6 +65,12 @@ SIZES = {
 routine, what tells all coefficients in an hour; daily, what tells a change of the cell."""
 
 
+@lru_cache
+def _steps_of(plan: LoadCellPlan) -> tuple[Step, ...]:
+    """Return the steps of a plan: a page that tells of it asks at each key."""
+    return tuple(plan._steps())
+
+
 @dataclass(frozen=True, slots=True)
 class LoadCellPlan:
     """What is taken: how much, the heaviest load (kg), the laboratory's pieces (kg)."""
@@ -74,7 +81,7 @@ class LoadCellPlan:
 
     def steps(self) -> tuple[Step, ...]:
         """Return the steps; the loads are those that the pieces can make."""
-        return tuple(self._steps())
+        return _steps_of(self)
 
     def _steps(self) -> Iterator[Step]:
         size = SIZES[self.kind]

@@ -96,7 +96,7 @@ def test_daily_check_is_kept_once_and_charted(wizard: Any, qtbot: Any, tmp_path:
 
         def charted() -> bool:
             wizard.live.tick()
-            return page.chart.isVisible()
+            return page.chart is not None and page.chart.isVisible()
 
         qtbot.waitUntil(charted, timeout=PATIENCE_MS)
         # The hidden matrix has cross-talk that the calibration in use has not.

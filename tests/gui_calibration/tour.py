@@ -112,7 +112,7 @@ def daily(make: Made, folder: Path) -> Iterator[str]:
     yield "daily: readings"
     ahead(wizard, wizard.readings.isComplete)
     wizard.next()
-    looked(wizard, lambda: not wizard.result_page.chart.isHidden())
+    looked(wizard, lambda: wizard.result_page.chart is not None)
     yield "daily: result"
     wizard.reject()
 

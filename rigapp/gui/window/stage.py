@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from functools import partial
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QScrollArea, QStackedWidget, QWidget
 
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.tokens import Theme
-from rigapp.gui.panel import Dressed
+from rigapp.gui.panel import Dressed, InParts
 from rigapp.gui.widgets.build import named
 
 
@@ -29,12 +32,11 @@ class Stage(QStackedWidget):
         """Tell whether the guide is seen."""
         return self.currentIndex() == 1
 
-    def take(self, guide: QWidget, theme: Theme) -> None:
-        """Put a guide in the place of the one before it, unseen; its sheet is set here, once."""
+    def take(self, guide: QWidget) -> None:
+        """Put a guide in the place of the one before it, unseen; see ``dress_calls``."""
         self._let_go()
         guide.setWindowFlags(Qt.WindowType.Widget)
         self._area.setWidget(guide)
-        self.dress(theme)
 
     def guide(self, guide: QWidget) -> None:
         """Show the guide that was taken in the place of the pages."""
@@ -42,17 +44,16 @@ class Stage(QStackedWidget):
         self.setCurrentIndex(1)
         (guide.focusWidget() or guide).setFocus()
 
-    def dress(self, theme: Theme) -> None:
-        """Take a theme; the focus stays, though a wizard hides its page meanwhile."""
-        guide, held = self._area.widget(), self.window().focusWidget()
-        for bar in (self._area.verticalScrollBar(), self._area.horizontalScrollBar()):
-            dress_part(bar, theme)
+    def dress_calls(self, theme: Theme) -> Iterator[Callable[[], object]]:
+        """Give what puts the guide in a theme, a part each."""
+        guide = self._area.widget()
+        if guide is None:
+            return
+        inside = guide.parts() if isinstance(guide, InParts) else [guide]
+        for part in (*inside, self._area.verticalScrollBar(), self._area.horizontalScrollBar()):
+            yield partial(dress_part, part, theme)
         if isinstance(guide, Dressed):
-            guide.dress(theme)
-        elif guide is not None:
-            dress_part(guide, theme)
-        if held is not None and held.isVisible():
-            held.setFocus()
+            yield partial(guide.dress, theme)
 
     def end(self) -> None:
         """Let the guide go, and show the pages."""

@@ -57,6 +57,7 @@ from rigapp.gui.window.stage import Stage
 from rigapp.gui.window.startbar import StartBar
 from rigapp.gui.window.tabs import Tabs
 from rigapp.gui.window.watchdog import IDLE_PERIOD_S, PERIOD_S, Watchdog
+from rigapp.process.memory import begin_to_load, end_of_loading
 from rigapp.schema.messages import Snapshot, Status
 from rigapp.schema.states import ACTIVE
 
@@ -305,7 +306,7 @@ class MainWindow(QMainWindow):
         for plain in (self.page_bar, self.recover_button, self.start_bar, self.side, self._help):
             if plain is not None:
                 yield partial(dress_part, plain, theme)
-        yield partial(self.stage.dress, theme)
+        yield from self.stage.dress_calls(theme)
         yield from self.tabs.dress_calls(theme)
 
     def show_help(self) -> None:
@@ -327,7 +328,9 @@ class MainWindow(QMainWindow):
         chooser = CalibrationChooser(self)
         chooser.chosen.connect(self.calibrate_what)
         chooser.rejected.connect(self._end_calibration)
-        self.stage.take(chooser, self.theme)
+        self.stage.take(chooser)
+        for call in self.stage.dress_calls(self.theme):
+            call()
         # Fits and statistics are loaded while somebody chooses, not before, and not here.
         if self._make_wizard is None:
             self._reader.submit(_load_wizards, self._take_wizards, self._tell_problem)
@@ -356,7 +359,7 @@ class MainWindow(QMainWindow):
             line, rig, self.theme, folder, parent=self, subject=choice.subject, fields=choice.fields
         )
         self._calibration.finished.connect(self._end_calibration)
-        self._turns.then((self._take_calibration, self._show_calibration))
+        self._turns.then((self._take_calibration,))
 
     def _take_wizards(self, make: type[CalibrationWizard]) -> None:
         self._make_wizard = make
@@ -368,7 +371,8 @@ class MainWindow(QMainWindow):
 
     def _take_calibration(self) -> None:
         if self._calibration is not None:
-            self.stage.take(self._calibration, self.theme)
+            self.stage.take(self._calibration)
+            self._turns.then((*self.stage.dress_calls(self.theme), self._show_calibration))
 
     def _show_calibration(self) -> None:
         if self._calibration is not None:
@@ -707,6 +711,10 @@ class MainWindow(QMainWindow):
 
 
 def _load_wizards() -> type[CalibrationWizard]:
-    from rigapp.gui.wizard.wizard import CalibrationWizard
-
+    """Load what calibrates; on a worker, where a search for garbage would hold the window up."""
+    begin_to_load()
+    try:
+        from rigapp.gui.wizard.wizard import CalibrationWizard
+    finally:
+        end_of_loading()
     return CalibrationWizard

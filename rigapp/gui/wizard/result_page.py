@@ -17,7 +17,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import Theme
-from rigapp.gui.widgets.build import edit, named, row
+from rigapp.gui.widgets.build import column, edit, named, row
 from rigapp.gui.wizard.chart_plot import ChartPlot
 from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
@@ -37,20 +37,21 @@ class ResultPage(GuidePage):
     ) -> None:
         """Make the widgets; prefix: of their names; plot: of the residuals, if it is shown."""
         super().__init__("Result")
-        self._live, self.plot = live, plot
+        self._live, self.plot, self.theme = live, plot, theme
         self._store = folder / STORE
         self.verdict = sentence(f"{prefix}verdict", "Verdict", 1.8, bold=True)
         self.problems = sentence(f"{prefix}problems", "Problems", 1.15)
         self.matrix = named(QTableWidget(), f"{prefix}matrix", "Matrix and zero")
         self.matrix.setTabKeyNavigation(False)
         self.words = sentence(f"{prefix}result_words", "Numbers and uncertainty")
-        self.chart = ChartPlot(theme)
+        self.chart: ChartPlot | None = None
+        self._charts = column()
         self.target = edit(f"{prefix}record_file", "Record to make")
         self.target_label = QLabel(tr("Save the &record as"))
         self.target_label.setBuddy(self.target)
         self.problem = sentence(f"{prefix}result_problem", "What is wrong on this page")
         upper = (self.verdict, self.problems, self.matrix, self.words)
-        plots = ((one, 4) for one in (plot, self.chart) if one is not None)
+        plots = ((one, 4) for one in (plot, self._charts) if one is not None)
         last = row(self.target_label, (self.target, 1))
         self.hold(*upper, *plots, None, self.problem, last)
         live.judged.connect(self._show)
@@ -63,7 +64,8 @@ class ResultPage(GuidePage):
             label.clear()
             label.show()
         for widget in (self.matrix, self.target, self.target_label, self.chart):
-            widget.hide()
+            if widget is not None:
+                widget.hide()
         session = self._live.session
         if session is not None:
             self.target.setText(str(session.journal.path.with_suffix(".json")))
@@ -122,6 +124,9 @@ class ResultPage(GuidePage):
         self.completeChanged.emit()
 
     def _show_history(self, found: DailyHistory) -> None:
+        if self.chart is None:
+            self.chart = ChartPlot(self.theme)
+            self._charts.addWidget(self.chart)
         self.chart.show_history(found)
         self.chart.show()
         if self._live.outcome is not None and self._live.outcome.accepted and not found.in_control:

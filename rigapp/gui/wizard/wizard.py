@@ -36,9 +36,11 @@ FORWARD = (
 )
 """What leads on: the primary button of a page that asks for nothing more."""
 
+SPACE = QWizard.WizardButton.Stretch
+
 ORDER = (
     QWizard.WizardButton.BackButton,
-    QWizard.WizardButton.Stretch,
+    SPACE,
     QWizard.WizardButton.CancelButton,
     QWizard.WizardButton.CustomButton1,
     QWizard.WizardButton.CustomButton2,
@@ -127,9 +129,14 @@ class CalibrationWizard(QWizard):
             dress_part(self, theme)
         self.resize(QSize(1040, 820))
 
+    def parts(self) -> list[QWidget]:
+        """Return what is put in a theme for itself; a sheet on the wizard would hide its page."""
+        buttons = [self.button(which) for which in ORDER if which is not SPACE]
+        return [self.steps, *self._pages, *buttons]
+
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
-        dress_part(self, theme)
+        """Take the colours of steps, pictures and plots, also of those that are made later."""
+        self.result_page.theme = theme
         parts: list[Any] = [self.steps, *self.findChildren(Picture), *self.findChildren(Sign)]
         plots = (*self.findChildren(ResidualPlot), *self.findChildren(ChartPlot))
         for part in (*parts, *plots):
