@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QFont, QImage, QPainter
 from snapshots import ALARM, REVOLUTION_NAMES, make_snapshot
 
 from rigapp.config.loading import parse_test
@@ -21,8 +23,20 @@ from rigapp.gui.data.ranges import round_places
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.texts import axis_number
 from rigapp.gui.look.tokens import DARK, LIGHT
-from rigapp.gui.plots.marks import name_room, spread
+from rigapp.gui.plots.marks import (
+    CurveName,
+    LimitLine,
+    PlotFrame,
+    Spot,
+    name_room,
+    paint_names,
+    paint_next_limits,
+    paint_spots,
+    small_font,
+    spread,
+)
 from rigapp.gui.plots.overlay import OverlayPanel
+from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.trendview import TrendView
 from rigapp.schema.loglines import AlarmChange, alarm_line
@@ -97,6 +111,54 @@ def test_names_stand_apart_in_the_order_of_their_curves(wanted: list[float]) -> 
     assert all(b - a >= 12.0 - 1e-6 for a, b in itertools.pairwise(placed))
     order = sorted(range(len(wanted)), key=lambda one: wanted[one])
     assert [found[one] for one in order] == placed
+
+
+class Written:
+    """A painter that remembers the lines of text, and how high each stands."""
+
+    def __init__(self) -> None:
+        self.lines: list[tuple[float, str]] = []
+
+    def drawText(self, place: QPointF, text: str) -> None:
+        self.lines.append((place.y(), text))
+
+    def setFont(self, font: QFont) -> None:
+        pass
+
+    def setPen(self, pen: Any) -> None:
+        pass
+
+
+@pytest.mark.parametrize(("height", "most"), [(20.0, 1), (50.0, 4), (300.0, 4)])
+def test_names_that_have_no_room_are_left_out_the_last_ones_first(
+    qapp: Any, height: float, most: int
+) -> None:
+    texts = ("maximum", "RMS", "minimum", "model")
+    names = [CurveName(text, LinePen("text"), 50.0) for text in texts]
+    frame = PlotFrame(QRectF(0.0, 0.0, 200.0, height), (0.0, 1.0), (0.0, 100.0))
+    painter: Any = Written()
+    paint_names(painter, frame, names, LIGHT)
+    assert {text for _, text in painter.lines} == set(texts[: len(painter.lines)])
+    assert len(painter.lines) <= most
+    capitals = small_font(strong=True)[1].capHeight()
+    places = sorted(y for y, _ in painter.lines)
+    assert all(b - a > capitals for a, b in itertools.pairwise(places))
+
+
+@pytest.mark.parametrize("at", [0.05, 0.5, 0.95])
+def test_the_next_limit_is_written_where_no_peak_stands(qapp: Any, at: float) -> None:
+    frame = PlotFrame(QRectF(0.0, 0.0, 300.0, 120.0), (0.0, 1.0), (0.0, 100.0))
+    taken: list[QRectF] = []
+    picture = QImage(400, 200, QImage.Format.Format_RGB32)
+    painter = QPainter(picture)
+    paint_spots(painter, frame, [Spot(at, 98.0, "87.1 N at 193°", LinePen("text"))], LIGHT, taken)
+    assert len(taken) == 2
+    limit = LimitLine(380.0, "drive off above 380 N")
+    paint_next_limits(painter, frame, [limit], LIGHT, taken)
+    painter.end()
+    *peak, words = taken
+    assert len(peak) == 2
+    assert not any(words.intersects(one) for one in peak)
 
 
 @given(st.floats(-1e6, 1e6), st.floats(1e-3, 1e6))

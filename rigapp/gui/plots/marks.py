@@ -25,6 +25,8 @@ NEAREST = 1e-9
 """Of a range: what is less wide is none."""
 GROUND = 200
 """Opacity of what lies below the words of a spot, of 255: a curve there is still seen."""
+CLOSEST = 0.8
+"""Of a line's height, between two names: its letters are so high, and do not touch."""
 MOST_NAME = 24
 """Characters of the words at a moment; its whole text stands in the log."""
 
@@ -199,9 +201,8 @@ def paint_limit_words(
     theme: Theme,
     taken: list[QRectF],
 ) -> None:
-    """Write what happens at each limit in the range, and at the edges the next ones beyond it."""
+    """Write what happens at each limit in the range."""
     low, high = frame.y_range
-    rect = frame.rect
     font, metrics = small_font()
     painter.setFont(font)
     height = float(metrics.height())
@@ -211,7 +212,22 @@ def paint_limit_words(
             tops = (at - height, at) if one.below else (at, at - height)
             text = f"◆ {one.words}" if one.passed else one.words
             colour = theme.critical if one.passed else theme.secondary
-            _words(painter, frame, text, colour, _along(rect, metrics, text, tops), taken)
+            _words(painter, frame, text, colour, _along(frame.rect, metrics, text, tops), taken)
+
+
+def paint_next_limits(
+    painter: QPainter,
+    frame: PlotFrame,
+    limits: Sequence[LimitLine],
+    theme: Theme,
+    taken: list[QRectF],
+) -> None:
+    """Write at the edges of the range the next limits beyond it, where no spot stands."""
+    low, high = frame.y_range
+    rect = frame.rect
+    font, metrics = small_font()
+    painter.setFont(font)
+    height = float(metrics.height())
     above = min((one for one in limits if one.value > high), key=_value, default=None)
     under = max((one for one in limits if one.value < low), key=_value, default=None)
     for edge, caret, tops in (
@@ -221,7 +237,7 @@ def paint_limit_words(
         if edge is not None:
             text = f"{edge.words} {caret}"
             places = reversed(_along(rect, metrics, text, tops))
-            _words(painter, frame, text, theme.muted, places, taken)
+            _words(painter, frame, text, theme.muted, places, taken, _ground(theme))
 
 
 def _value(one: LimitLine) -> float:
@@ -259,11 +275,15 @@ def _words(
 def paint_names(
     painter: QPainter, frame: PlotFrame, names: Sequence[CurveName], theme: Theme
 ) -> None:
-    """Write the names of curves at the right of them, apart from each other."""
+    """Write the names of curves at the right of them, apart from each other.
+
+    Where not all have room the last ones are left out.
+    """
     font, metrics = small_font(strong=True)
     painter.setFont(font)
     half = metrics.height() / 2.0
     low, high = frame.rect.top() + half, frame.rect.bottom() - half
+    names = names[: 1 + int(max(high - low, 0.0) / (CLOSEST * metrics.height()))]
     wanted = [min(max(frame.y(one.at), low), high) for one in names]
     for one, at in zip(names, spread(wanted, metrics.height(), low, high), strict=True):
         painter.setPen(one.pen.ink(theme))
@@ -310,9 +330,15 @@ def paint_spots(
             for top in (y - size - height, y - size, y + size)
             for left in (x + STEP, x - STEP - width)
         ]
-        ground = QColor(theme.base)
-        ground.setAlpha(GROUND)
-        _words(painter, frame, one.text, colour.name(), places, taken, ground)
+        taken.append(QRectF(x - size, y - size, 2 * size, 2 * size))
+        _words(painter, frame, one.text, colour.name(), places, taken, _ground(theme))
+
+
+def _ground(theme: Theme) -> QColor:
+    """Return what is laid below words that stand over curves."""
+    ground = QColor(theme.base)
+    ground.setAlpha(GROUND)
+    return ground
 
 
 def paint_moments(

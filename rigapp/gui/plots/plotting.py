@@ -30,6 +30,7 @@ from rigapp.gui.plots.marks import (
     paint_limits,
     paint_moments,
     paint_names,
+    paint_next_limits,
     paint_spots,
 )
 from rigapp.gui.plots.palette import LinePen
@@ -244,7 +245,9 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
             return
         frame, marks = self._frame(), self._marks
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        paint_spots(painter, frame, marks.spots, self.theme, list(self._taken))
+        taken = list(self._taken)
+        paint_spots(painter, frame, marks.spots, self.theme, taken)
+        paint_next_limits(painter, frame, marks.limits, self.theme, taken)
         paint_names(painter, frame, marks.names, self.theme)
 
     def _repaint(self, *_: object) -> None:
