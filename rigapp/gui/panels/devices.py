@@ -46,6 +46,9 @@ SIGNS: Final[dict[str, Text]] = {
 }
 """What a positive value means; see Signs and frames in rig.md."""
 
+RAW_PLACES = 4
+"""Of a raw value: a tenth of a microvolt per volt, below the noise of every device."""
+
 LINK_WINDOW_S = 60.0
 """Losses within it are told as of now: an operator looks again within a minute."""
 LINK_LOOKS = 256
@@ -267,7 +270,7 @@ class DevicePanel(QWidget):
         rows = [
             (
                 channel.name,
-                f"{channel.raw:.5g} {unit_text(channel.raw_unit)}",
+                f"{round(channel.raw, RAW_PLACES):.5g} {unit_text(channel.raw_unit)}",
                 _value(channel),
                 f"±{channel.uncertainty:.3g} {unit_text(channel.unit)}"
                 if channel.uncertainty

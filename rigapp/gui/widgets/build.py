@@ -27,7 +27,7 @@ from PySide6.QtWidgets import (
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.widgets.guarded import GuardedButton
-from rigapp.gui.widgets.wheel import ScrolledChoice, ScrolledNumber
+from rigapp.gui.widgets.wheel import steady_field
 
 Made = TypeVar("Made", bound=QWidget)
 Layout = TypeVar("Layout", bound=QBoxLayout)
@@ -113,7 +113,7 @@ def choice(
     name: str, spoken: Text, items: Iterable[tuple[Text, Any]], chosen: Called | None = None
 ) -> QComboBox:
     """Return a box to choose from; items: text and the value that it stands for."""
-    made = named(ScrolledChoice(), name, spoken)
+    made = named(steady_field(QComboBox()), name, spoken)
     made.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
     for text, value in items:
         made.addItem(tr(text), value)
@@ -124,7 +124,7 @@ def choice(
 
 def whole_number(name: str, spoken: Text, low: int, high: int) -> QSpinBox:
     """Return a field for a whole number, read when it is complete."""
-    made = named(ScrolledNumber(), name, spoken)
+    made = named(steady_field(QSpinBox()), name, spoken)
     made.setRange(low, high)
     made.setGroupSeparatorShown(True)
     made.setKeyboardTracking(False)

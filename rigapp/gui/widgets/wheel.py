@@ -2,36 +2,34 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QComboBox, QSpinBox
+from typing import TypeVar
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtWidgets import QAbstractSpinBox, QComboBox, QWidget
+
+from rigapp.gui.look.tokens import STEP
+
+Field = TypeVar("Field", bound=QComboBox | QAbstractSpinBox)
 
 
-class ScrolledChoice(QComboBox):
-    """A box to choose from, which leaves the wheel to the page unless it has the focus."""
+class WheelGuard(QObject):
+    """Leave the wheel over a field to the page unless the field has the focus."""
 
-    def __init__(self) -> None:
-        super().__init__()
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Choose by the wheel only with the focus."""
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keep the wheel from a field without the focus."""
+        if event.type() is not QEvent.Type.Wheel or not isinstance(watched, QWidget):
+            return False
+        if watched.hasFocus():
+            return False
+        event.ignore()
+        return True
 
 
-class ScrolledNumber(QSpinBox):
-    """A field for a whole number, which leaves the wheel to the page unless it has the focus."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Count by the wheel only with the focus."""
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
+def steady_field(field: Field) -> Field:
+    """Return a field that takes the wheel with the focus only, its number where texts begin."""
+    field.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    field.installEventFilter(WheelGuard(field))
+    if isinstance(field, QAbstractSpinBox):
+        # A style sheet's padding does not reach the line inside.
+        field.lineEdit().setTextMargins(STEP + 2, 0, 0, 0)
+    return field

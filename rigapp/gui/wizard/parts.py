@@ -30,6 +30,7 @@ from rigapp.gui.plots.palette import line_pen
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import column, named, prose, row
 from rigapp.gui.widgets.labels import FittedLabel, scaled_font
+from rigapp.gui.widgets.wheel import steady_field
 
 LEAST_PLOT = 15 * STEP
 """Height of a plot below which its residuals are not told apart."""
@@ -66,7 +67,8 @@ def number(
     name: str, spoken: Text, low: float, high: float, decimals: int, step: float, unit: str
 ) -> QDoubleSpinBox:
     """Return a field for a number; its text counts while it is typed."""
-    box = named(QDoubleSpinBox(), name, f"{tr(spoken)}, {tr(UNIT_NAMES.get(unit, unit))}")
+    aloud = f"{tr(spoken)}, {tr(UNIT_NAMES.get(unit, unit))}"
+    box = named(steady_field(QDoubleSpinBox()), name, aloud)
     box.setRange(low, high)
     box.setDecimals(decimals)
     box.setSingleStep(step)
