@@ -16,7 +16,8 @@ from rigapp.gui.look.tokens import CAPTION_PT, GAP, MARGIN, STEP, Theme
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import named, row
 
-HEIGHT = 6 * STEP
+HEIGHT = 13 * STEP // 2
+"""Of the line: three lines of text, as many as a cause and its remedy have at 1366 pixels."""
 
 
 class MessageLine(QFrame):

@@ -38,8 +38,9 @@ BUTTONS: Final[dict[str, Text]] = {
 }
 """What the button says for the request that does the step."""
 
-BUTTON_PLACE: Final = 4
-"""Of the button among what stands on the panel, below the sentence of the next step."""
+BUTTON_PLACE: Final = 2
+"""Of the button among what stands on the panel, below the sentence of the next step: both come
+before the way and the cause, so that they are in sight in every window."""
 
 UNDER_WAY: Final = ACTIVE - {RunState.STOPPING}
 """States in which nothing has to be recovered."""
@@ -198,7 +199,7 @@ class RecoverPanel(QFrame):
         steps = column(*self.steps.values())
         steps.setSpacing(STEP // 2)
         made = self._column = column(
-            self.title, self.cause, steps, self.next, self.button, self.other, self.away, on=self
+            self.title, self.next, self.button, self.other, self.away, steps, self.cause, on=self
         )
         made.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
         made.setSpacing(STEP)
