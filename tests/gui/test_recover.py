@@ -75,6 +75,28 @@ def test_the_panel_marks_the_next_step_and_asks_for_it(
     assert panel.isHidden()
 
 
+def test_the_button_stays_under_the_mouse_while_the_next_step_is_done(
+    window: MainWindow, engine: Any, attach: Callable[[], None], qtbot: Any
+) -> None:
+    window.resize(1366, 640)
+    window.tabs.show_page("devices")
+    engine.say(state=RunState.FAULT, alarms=(LOST,), recovery=CONNECT)
+    attach()
+    panel, bar = window.recover, window.side.verticalScrollBar()
+    qtbot.waitUntil(lambda: bar.maximum() > 0, timeout=PATIENCE_MS)
+    place = panel.button.mapTo(window, panel.button.rect().topLeft())
+    qtbot.mouseClick(panel.button, Qt.MouseButton.LeftButton)
+    assert not panel.button.isEnabled()
+    qtbot.waitUntil(lambda: "connect" in engine.verbs, timeout=PATIENCE_MS)
+    acknowledge = Recovery(Remedy.ACKNOWLEDGE, "acknowledge", "Acknowledge it.", (), LOST.key)
+    engine.say(state=RunState.READY, alarms=(LOST,), recovery=acknowledge)
+    attach()
+    assert panel.button.isEnabled()
+    assert panel.button.hasFocus()
+    assert bar.value() == 0
+    assert panel.button.mapTo(window, panel.button.rect().topLeft()) == place
+
+
 def test_start_is_closed_with_the_next_step_as_its_reason(
     window: MainWindow, engine: Any, attach: Callable[[], None], qtbot: Any
 ) -> None:

@@ -54,10 +54,10 @@ QLineEdit[wrong="true"] { border: 2px solid $critical; padding: 0 7px; }
 
 QComboBox, QAbstractSpinBox {
     background: $base; color: $text; border: 1px solid $border; border-radius: ${radius}px;
-    padding: 0 10px; min-height: 28px; selection-background-color: $highlight;
+    padding: 0 7px; min-height: 28px; selection-background-color: $highlight;
     selection-color: $highlighted_text;
 }
-QComboBox:focus, QAbstractSpinBox:focus { border: 2px solid $highlight; padding: 0 9px; }
+QComboBox:focus, QAbstractSpinBox:focus { border: 2px solid $highlight; padding: 0 6px; }
 QAbstractSpinBox { min-height: 25px; padding: 0; }
 QAbstractSpinBox:focus { padding: 0; }
 QComboBox:disabled, QAbstractSpinBox:disabled {

@@ -22,7 +22,13 @@ class GuardedButton(QPushButton):
         self._wanted = enabled
         allowed = enabled and not self._why
         if allowed != self.isEnabled():
+            around = self.parentWidget()
+            if not allowed and self.hasFocus() and around is not None:
+                # Qt would give the focus to the next field, and scroll the page to it.
+                around.setFocus()
             super().setEnabled(allowed)
+            if allowed and around is not None and around.hasFocus():
+                self.setFocus()
 
     def setToolTip(self, tip: str) -> None:
         """Take the tool tip; while forbidden, the reason is shown in its place."""

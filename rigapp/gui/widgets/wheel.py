@@ -31,5 +31,5 @@ def steady_field(field: Field) -> Field:
     field.installEventFilter(WheelGuard(field))
     if isinstance(field, QAbstractSpinBox):
         # A style sheet's padding does not reach the line inside.
-        field.lineEdit().setTextMargins(STEP + 2, 0, 0, 0)
+        field.lineEdit().setTextMargins(STEP - 2, 0, 0, 0)
     return field
