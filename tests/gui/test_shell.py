@@ -181,6 +181,29 @@ def _place(widget: QWidget, window: MainWindow) -> QRect:
     return QRect(widget.mapTo(window, widget.rect().topLeft()), widget.size())
 
 
+REFUSAL = (
+    "/srv/laboratory/results/ptfe-bushing-20261124-193535.h5: the file needs 84 MB and 0 MB are"
+    " free; free some, or write to another folder."
+)
+
+
+def test_the_reason_of_a_refusal_is_read_whole_and_moves_nothing(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any
+) -> None:
+    window.resize(1366, 728)
+    engine.say(state=RunState.READY)
+    attach()
+    line, answer = window.messages, window.controls.answer
+    height = line.height()
+    window.controls.show_answer(f"19:37:22  start refused: {REFUSAL}", good=False)
+    qtbot.waitUntil(lambda: REFUSAL in answer.text(), timeout=PATIENCE_MS)
+    assert line.height() == height
+    assert answer.height() >= answer.heightForWidth(answer.width())
+    window.controls.show_answer(f"{REFUSAL} " * 9, good=False)
+    assert answer.text().endswith("…")
+    assert answer.toolTip().count(REFUSAL) == 9
+
+
 def test_the_way_out_takes_the_place_of_the_limits_and_gives_it_back(
     window: MainWindow, engine: Any, attach: Attach
 ) -> None:

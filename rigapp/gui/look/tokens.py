@@ -140,6 +140,8 @@ STEP: Final = 8
 """The grid on which everything stands, in pixels that follow the scale of the screen."""
 GAP: Final = 12
 MARGIN: Final = 16
+MESSAGE_LINES: Final = 3
+"""Lines of text in the line of messages."""
 TIGHT_WIDTH: Final = 1200
 TIGHT_HEIGHT: Final = 600
 """A window less wide or high (a small screen at a scale of 150 or 200 %) shows what is needed only:

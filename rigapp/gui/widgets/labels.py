@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from bisect import bisect_left
+
+from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import BODY_PT
+
+WRAPPED = int(Qt.TextFlag.TextWordWrap)
 
 SMALLEST = 0.5
 """Of its font's size, the smallest to which a value shrinks before it is cut."""
@@ -73,6 +77,27 @@ class ShortLabel(ElidedLabel):
         needs = QFontMetrics(self.font()).horizontalAdvance(tr(short) or "–")
         self.setMinimumWidth(needs + around.left() + around.right() + 2)
         super().show_text(text, short)
+
+
+class FewLinesLabel(ElidedLabel):
+    """Show a sentence in a few lines; cut with an ellipsis only where these are too few."""
+
+    def __init__(self, name: str, spoken: Text, lines: int) -> None:
+        super().__init__(name, spoken)
+        self._lines = lines
+        self.setWordWrap(True)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+
+    def _cut(self) -> None:
+        metrics = QFontMetrics(self.font())
+        room = QRect(0, 0, max(self.contentsRect().width(), 1), self._lines * metrics.lineSpacing())
+
+        def fits(text: str) -> bool:
+            return room.height() >= metrics.boundingRect(room, WRAPPED, text).height()
+
+        whole = self._whole
+        most = bisect_left(range(len(whole)), True, key=lambda end: not fits(f"{whole[:end]}…"))
+        self.setText(whole if fits(whole) else f"{whole[: most - 1].rstrip()}…")
 
 
 class FittedLabel(ElidedLabel):

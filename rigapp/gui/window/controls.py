@@ -18,9 +18,9 @@ from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import Icon, icon
-from rigapp.gui.look.tokens import MARGIN, STEP, VALUE_PT, Theme
+from rigapp.gui.look.tokens import MARGIN, MESSAGE_LINES, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import button, column, edit, filled, named, row
-from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.gui.widgets.labels import ElidedLabel, FewLinesLabel
 from rigapp.gui.window.command import CommandLine
 from rigapp.gui.window.headline import identity
 from rigapp.schema.messages import NOTE_CHARACTERS, Remedy, Reply, RunState, Status
@@ -109,6 +109,8 @@ class ControlRow(QFrame):
 
     start_wanted = Signal()
     answered = Signal()
+    refused = Signal(bool)
+    """Whether the newest answer is a refusal, whose reason needs room."""
 
     def __init__(self, send: Send, theme: Theme) -> None:
         super().__init__()
@@ -140,7 +142,7 @@ class ControlRow(QFrame):
             shortcut = QShortcut(QKeySequence(key), self, partial(self._press, key))
             if key == STOP_KEY:  # in the window of the help too
                 shortcut.setContext(Qt.ShortcutContext.ApplicationShortcut)
-        self.answer = ElidedLabel("answer", "Answer to the last command")
+        self.answer = FewLinesLabel("answer", "Answer to the last command", MESSAGE_LINES)
         self.answer.hide()
         self.test = ElidedLabel("identity", "Test")
         self.test.setProperty("role", "title")
@@ -312,6 +314,7 @@ class ControlRow(QFrame):
         self.answer.setVisible(bool(sentence))
         self._good = good
         self._paint_answer()
+        self.refused.emit(not good)
 
     def _paint_answer(self) -> None:
         colour = self._theme.secondary if self._good else self._theme.critical

@@ -17,7 +17,7 @@ from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import named, row
 
 HEIGHT = 13 * STEP // 2
-"""Of the line: three lines of text, as many as a cause and its remedy have at 1366 pixels."""
+"""Of the line: ``MESSAGE_LINES`` of text, as many as a cause and its remedy have at 1366 pixels."""
 
 
 class MessageLine(QFrame):
@@ -35,9 +35,10 @@ class MessageLine(QFrame):
         self.clock.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         *asking, telling = bars
         self._asking, self._told = tuple(asking), QWidget()
-        told = row((telling, 5), (answer, 2), on=self._told)
+        self._shares = told = row((telling, 1), (answer, 1), on=self._told)
         told.setContentsMargins(0, 0, 0, 0)
         told.setSpacing(GAP)
+        self.give_room(refused=False)
         self._row = row(*((bar, 1) for bar in asking), (self._told, 1), self.clock, on=self)
         self._row.setSpacing(GAP)
         self.make_room(tight=False)
@@ -69,6 +70,11 @@ class MessageLine(QFrame):
         """Leave the whole line to the message in a tight window."""
         self.clock.setVisible(not tight)
         self._row.setContentsMargins(0, 0, 0 if tight else MARGIN, 1)
+
+    def give_room(self, *, refused: bool) -> None:
+        """Share the line between message and answer: the reason of a refusal has half of it."""
+        for at, share in enumerate((1, 1) if refused else (5, 2)):
+            self._shares.setStretch(at, share)
 
     def show_time(self) -> None:
         """Show the time of day."""

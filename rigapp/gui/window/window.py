@@ -656,6 +656,7 @@ class MainWindow(QMainWindow):
         self.side.alarms.wanted.connect(self.controls.send)
         self.recover.start_wanted.connect(self.start_bar.open)
         self.controls.answered.connect(self.recover.answered)
+        self.controls.refused.connect(lambda refused: self.messages.give_room(refused=refused))
         self.close_bar.leave.connect(self._leave)
         self.close_bar.stop_first.connect(self._stop_and_close)
         self.replay_bar.wanted.connect(self.controls.send)
