@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -68,8 +68,17 @@ class ValueTable(QTableWidget):
         self._fill([[_signed(value, at) for at, value in enumerate(line)] for line in table])
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Turn to where the values have room."""
+        """Turn to where the values have room; unseen, a table has widths that it never keeps."""
         super().resizeEvent(event)
+        if self.isVisible():
+            self._turn()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Turn to where the values have room."""
+        self._turn()
+        super().showEvent(event)
+
+    def _turn(self) -> None:
         upright = self.width() < UPRIGHT_BELOW
         if upright is not self._upright:
             texts = self.texts()
