@@ -42,7 +42,8 @@ def make_wizard(window: Any, folder: Path, line: Any, which: str, **more: Any) -
     wizard.live._timer.stop()
     window._calibration = wizard
     wizard.finished.connect(window._end_calibration)
-    window.stage.take(wizard, window.theme)
+    window.stage.take(wizard)
+    window.stage.dress(window.theme)
     window._guide(wizard)
     wizard.live.tick()
     return wizard

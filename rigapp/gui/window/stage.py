@@ -44,6 +44,11 @@ class Stage(QStackedWidget):
         self.setCurrentIndex(1)
         (guide.focusWidget() or guide).setFocus()
 
+    def dress(self, theme: Theme) -> None:
+        """Put the guide in a theme at once."""
+        for call in self.dress_calls(theme):
+            call()
+
     def dress_calls(self, theme: Theme) -> Iterator[Callable[[], object]]:
         """Give what puts the guide in a theme, a part each."""
         guide = self._area.widget()

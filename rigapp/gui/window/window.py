@@ -329,8 +329,7 @@ class MainWindow(QMainWindow):
         chooser.chosen.connect(self.calibrate_what)
         chooser.rejected.connect(self._end_calibration)
         self.stage.take(chooser)
-        for call in self.stage.dress_calls(self.theme):
-            call()
+        self.stage.dress(self.theme)
         # Fits and statistics are loaded while somebody chooses, not before, and not here.
         if self._make_wizard is None:
             self._reader.submit(_load_wizards, self._take_wizards, self._tell_problem)
