@@ -15,7 +15,7 @@ from typing import Any, Literal
 import numpy as np
 
 from calibration.arrays import Array, Whole
-from calibration.problems import Problem
+from calibration.problems import Problem, blocked
 from calibration.taking.readings import (
     check_columns,
     check_steps,
@@ -79,7 +79,7 @@ class ChannelCalibration:
     @property
     def accepted(self) -> bool:
         """Tell whether nothing stands against its use."""
-        return not any(problem.blocks for problem in self.problems)
+        return not blocked(self.problems)
 
 
 def parse_channel(text: str) -> ChannelReadings:
@@ -96,13 +96,13 @@ def parse_channel(text: str) -> ChannelReadings:
 def calibrate_channel(readings: ChannelReadings, settings: ChannelSettings) -> ChannelCalibration:
     """Fit the readings; what is wrong with them is in the result's ``problems``."""
     problems = list(_unusable(readings))
-    if any(problem.blocks for problem in problems):
+    if blocked(problems):
         return ChannelCalibration(tuple(problems))
     place = _points_of(readings.reference)
     if settings.method == "table":
         points = _means(readings, place)
         problems += _no_table(points, len(readings.signal))
-        if any(problem.blocks for problem in problems):
+        if blocked(problems):
             return ChannelCalibration(tuple(problems))
         scale = offset = None
         lines = _of_table(readings, points, place)

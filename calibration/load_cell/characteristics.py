@@ -15,7 +15,8 @@ import numpy as np
 from calibration.arrays import Array, Marks, Whole
 from calibration.load_cell.readings import HungReadings, LoadCellReadings
 from calibration.load_cell.two_axis import TwoAxisFit
-from calibration.problems import Problem
+from calibration.problems import Problem, note
+from calibration.taking.readings import each_series
 
 CREEP_AT = (30.0, 300.0)
 """Seconds after the load change at which ISO 376 reads the creep."""
@@ -64,10 +65,10 @@ class Loads:
     direction: Array
 
     def runs(self) -> Whole:
-        """Return the number (n,) of the series at one pin angle to which each reading belongs."""
-        names = np.unique(self.series, return_inverse=True)[1]
-        number = np.unique(np.column_stack((names, self.group)), axis=0, return_inverse=True)[1]
-        return np.asarray(number, np.int64).reshape(-1)
+        """Return the number (n,) of the run (a series at one pin angle) of each, as taken."""
+        numbers: dict[tuple[str, int], int] = {}
+        runs = zip(self.series, self.group.tolist(), strict=True)
+        return np.array([numbers.setdefault(one, len(numbers)) for one in runs], dtype=np.int64)
 
 
 def angle_groups(angle: Array) -> Whole:
@@ -189,8 +190,7 @@ def _spread(found: Loads, enough: Marks, *, between_angles: bool) -> float | Non
 def _zero_return(found: Loads, full_scale: float) -> float | None:
     """Return the mean change of the zero over a series, per cent of full scale."""
     changes = []
-    for name in dict.fromkeys(found.series):
-        members = np.array([one == name for one in found.series])
+    for _, members in each_series(found.series):
         zeros = np.flatnonzero(members & (found.applied == 0.0))
         if len(zeros) > 1:
             changes.append(
@@ -262,11 +262,10 @@ def unusable_creep(hung: HungReadings) -> Iterator[Problem]:
     elif hung.mass[0] != hung.mass[1] or not hung.mass[0] > 0.0:
         why = "they are not of one load"
     if why:
-        yield Problem(
+        yield note(
             "creep_unusable",
             f"The readings of the creep are passed over, {why}: the creep that the settings state"
             " counts.",
-            blocks=False,
         )
 
 

@@ -11,6 +11,7 @@ from calibration.load_cell.readings import LoadCellReadings
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import forces
 from calibration.load_cell.weights import pin_force, weight_force
+from calibration.taking.readings import each_series
 
 WEIGHT_SHARE = 0.005
 """Of the weight: half of what class 2 of ISO 376 allows between angles and up and down together."""
@@ -58,14 +59,13 @@ def daily_check(
     weight = weight_force(readings.mass, settings.weights, settings.place)
     applied = pin_force(weight, readings.angle, settings.angle_offset)
     felt = forces(readings.signal, matrix, zero, quadratic)
-    names = np.array(readings.series)
     empty = readings.mass == 0.0
     rest = np.empty_like(felt)
-    for name in dict.fromkeys(readings.series):
-        zeros = felt[(names == name) & empty]
+    for name, members in each_series(readings.series):
+        zeros = felt[members & empty]
         if not len(zeros):
             raise ValueError(f"series {name} has no reading without weights")
-        rest[names == name] = zeros.mean(axis=0)
+        rest[members] = zeros.mean(axis=0)
     loaded = ~empty
     if not loaded.any():
         raise ValueError("no reading has a weight on it")

@@ -13,7 +13,7 @@ from calibration.probes.cylinder import apparent_gap, sensitivity_gain
 from calibration.probes.positions import robust_line
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
-from calibration.problems import Problem
+from calibration.problems import Problem, blocked
 from calibration.taking.uncertainty import Budget, Contribution, combine
 
 
@@ -52,7 +52,7 @@ class ProbeCalibration:
 def calibrate_probe(readings: ProbeReadings, settings: ProbeSettings) -> ProbeCalibration:
     """Fit, check and judge; a calibration with a blocking problem is not accepted."""
     problems = list(unusable(readings, settings))
-    if any(problem.blocks for problem in problems):
+    if blocked(problems):
         return ProbeCalibration(False, tuple(problems))
     line = robust_line(readings.position, readings.signal)
     if line.slope == 0.0:
@@ -112,7 +112,7 @@ def _result(
         ),
     )
     return ProbeCalibration(
-        accepted=not any(problem.blocks for problem in problems),
+        accepted=not blocked(problems),
         problems=tuple(problems),
         sensitivity=float(1.0 / (slope * gain)),
         offset=float(intercept),

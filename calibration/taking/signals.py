@@ -69,9 +69,19 @@ class Readiness:
         return self.state is SignalState.STEADY
 
 
-@dataclass(frozen=True, slots=True)
-class Demand:
-    """What a step asks of the signals.
+def assess(
+    window: SignalWindow,
+    *,
+    since: float,
+    wait: float,
+    spread: float,
+    slope: float,
+    first: Judgement | None,
+    set_up: Callable[[Steadiness], Judgement | None],
+    felt: Callable[[Array], float],
+    unsteady: str = "",
+) -> Readiness:
+    """Judge a window for a step.
 
     since: device time (s) of the last change; only what came after it counts. wait: seconds that
     must pass after it. spread, slope: the most that steady signals spread, and change a second, in
@@ -79,45 +89,28 @@ class Demand:
     judgement of a step at which nothing is read, None of one at which something is. felt: what the
     calibration in use makes of a mean (2,). unsteady: what is said in place of how it moves.
     """
-
-    since: float
-    wait: float
-    spread: float
-    slope: float
-    first: Judgement | None
-    set_up: Callable[[Steadiness], Judgement | None]
-    felt: Callable[[Array], float]
-    unsteady: str = ""
-
-
-def assess(window: SignalWindow, demand: Demand) -> Readiness:
-    """Judge a window for a step."""
-    fresh = window.time > demand.since
+    fresh = window.time > since
     time, signal = window.time[fresh], window.signal[fresh]
-    found = judge(time, signal, demand.spread, demand.slope)
-    elapsed = window.newest - demand.since
-    left = max(0.0, demand.wait - elapsed) if math.isfinite(elapsed) else 0.0
-    state, words = _judgement(window, demand, found, left, time)
-    return Readiness(state, words, found, demand.felt(found.mean), left)
+    found = judge(time, signal, spread, slope)
+    elapsed = window.newest - since
+    left = max(0.0, wait - elapsed) if math.isfinite(elapsed) else 0.0
 
+    def judged() -> Judgement:
+        if not len(window.time):
+            return SignalState.WAITING, "waiting for samples"
+        if first is not None:
+            return first
+        if len(time) < 2:
+            return SignalState.WAITING, "listening"
+        if (nothing_read := set_up(found)) is not None:
+            return nothing_read
+        if time[-1] - time[0] < WHOLE_S:
+            return SignalState.WAITING, "listening"
+        if not found.steady:
+            numbers = bool(np.isfinite(found.mean).all())
+            return SignalState.MOVING, unsteady if numbers and unsteady else found.reason
+        if left > 0.0:
+            return SignalState.WAITING, f"steady; {math.ceil(left)} s of the waiting time are left"
+        return SignalState.STEADY, "steady"
 
-def _judgement(
-    window: SignalWindow, demand: Demand, found: Steadiness, left: float, time: Array
-) -> Judgement:
-    if not len(window.time):
-        return SignalState.WAITING, "waiting for samples"
-    if demand.first is not None:
-        return demand.first
-    if len(time) < 2:
-        return SignalState.WAITING, "listening"
-    set_up = demand.set_up(found)
-    if set_up is not None:
-        return set_up
-    if time[-1] - time[0] < WHOLE_S:
-        return SignalState.WAITING, "listening"
-    if not found.steady:
-        numbers = bool(np.isfinite(found.mean).all())
-        return SignalState.MOVING, demand.unsteady if numbers and demand.unsteady else found.reason
-    if left > 0.0:
-        return SignalState.WAITING, f"steady; {math.ceil(left)} s of the waiting time are left"
-    return SignalState.STEADY, "steady"
+    return Readiness(*judged(), found, felt(found.mean), left)

@@ -14,7 +14,7 @@ from calibration.load_cell.characteristics import Creep, creep_words
 from calibration.load_cell.force_uncertainty import too_uncertain
 from calibration.load_cell.readings import parse_load_cell
 from calibration.load_cell.settings import LoadCellSettings
-from calibration.problems import Problem
+from calibration.problems import Problem, blocked
 from calibration.taking.uncertainty import Budget
 from rigapp.calibrating.records import budget_lines, finite, problems_of
 from rigapp.calibrating.session import NumberTable, Outcome
@@ -31,7 +31,7 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
     fit, traits, budget, zero = found.fit, found.traits, found.budget, found.zero
     problems = (*found.problems, *_too_uncertain(found, settings))
     result: dict[str, Any] = {
-        "accepted": found.accepted and not any(one.blocks for one in problems),
+        "accepted": found.accepted and not blocked(problems),
         "problems": problems_of(problems),
         "classification": found.classification,
         "full_scale_N": settings.cell.full_scale,
