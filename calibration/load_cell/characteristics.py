@@ -34,9 +34,8 @@ class Characteristics:
     """Hold what is defined by the readings; None where they cannot tell. Percentages; N for drift.
 
     reproducibility b: between pin angles. repeatability b': between series at one angle.
-    interpolation fc, zero_return f0, reversibility v (hysteresis); loop: the signed mean of falling
-    less rising over all loads. drift: change of the zero over the whole calibration, N. Loads below
-    a tenth of full scale are left out.
+    interpolation fc, zero_return f0, reversibility v (hysteresis). drift: change of the zero over
+    the whole calibration, N. Loads below a tenth of full scale are left out.
     """
 
     reproducibility: float | None
@@ -44,7 +43,6 @@ class Characteristics:
     interpolation: float | None
     zero_return: float | None
     reversibility: float | None
-    loop: float | None
     drift: float | None
 
 
@@ -116,36 +114,26 @@ def characteristics(found: Loads, full_scale: float, residual: Array) -> Charact
         interpolation=interpolation,
         zero_return=_zero_return(found, full_scale),
         reversibility=_reversibility(found, enough),
-        loop=_loop(found, enough),
         drift=_drift(found),
     )
 
 
 def _reversibility(found: Loads, enough: Marks) -> float | None:
-    """Return the mean |falling - rising| over the loads taken both ways, per cent of the load."""
-    both = _both_ways(found, enough)
-    if not both:
-        return None
-    by_load = {load: np.mean([d for _, at, d in both if at == load]) for _, load, _ in both}
-    return float(100.0 * np.mean([abs(d) / load for load, d in by_load.items()]))
+    """Return the mean |falling - rising| over the loads taken both ways, per cent of the load.
 
-
-def _loop(found: Loads, enough: Marks) -> float | None:
-    """Return the mean of falling - rising over all loads, per cent of the load, signed."""
-    both = _both_ways(found, enough)
-    return float(100.0 * np.mean([d / load for _, load, d in both])) if both else None
-
-
-def _both_ways(found: Loads, enough: Marks) -> list[tuple[int, float, float]]:
-    """Return (angle group, load, falling - rising) of each load but the largest of each series."""
+    The largest load, where a series turns, is left out.
+    """
     rising = _means(found, enough & found.rising, by_series=True)
     falling = _means(found, enough & ~found.rising, by_series=True)
     largest = round(float(found.applied.max()), 3)
-    return [
-        (key[0], key[2], falling[key] - rising[key])
-        for key in sorted(set(rising) & set(falling))
-        if key[2] < largest
-    ]
+    by_load: dict[float, list[float]] = {}
+    for key in sorted(set(rising) & set(falling)):
+        if key[2] < largest:
+            by_load.setdefault(key[2], []).append(falling[key] - rising[key])
+    if not by_load:
+        return None
+    shares = [abs(np.mean(changes)) / load for load, changes in by_load.items()]
+    return float(100.0 * np.mean(shares))
 
 
 def hysteresis_by_load(found: Loads) -> dict[float, float]:

@@ -67,14 +67,11 @@ def limit_factor(count: int) -> float:
     return float(stats.t.isf(BEYOND, RANGE_DEGREES * (count - 1))) * spread
 
 
-def chart(
-    values: Sequence[float], promised: float, expanded: float | None, *, least: float = 0.0
-) -> Chart:
+def chart(values: Sequence[float], promised: float, expanded: float | None) -> Chart:
     """Judge values in the order of time.
 
-    expanded: U of one value about ``promised``; None when the calibration does not state it. least:
-    the smallest standard deviation believed in, of the resolution. The last value is what counts: a
-    rule is told when it ends there.
+    expanded: U of one value about ``promised``; None when the calibration does not state it. The
+    last value is what counts: a rule is told when it ends there.
     """
     array = np.asarray(values, np.float64)
     centre = sigma = None
@@ -83,7 +80,7 @@ def chart(
         # The last value is judged by the others.
         before = array[:-1]
         centre = float(before.mean())
-        sigma = max(float(np.abs(np.diff(before)).mean()) / RANGE_FACTOR, least, 1e-12)
+        sigma = max(float(np.abs(np.diff(before)).mean()) / RANGE_FACTOR, 1e-12)
         findings += _rules((array - centre) / sigma)
     findings += _trend(array)
     return Chart(array, promised, expanded, centre, sigma, tuple(findings))

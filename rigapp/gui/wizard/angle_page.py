@@ -148,7 +148,7 @@ class AnglePage(GuidePage):
     def _look(self) -> None:
         live = self._live
         window, now = live.window, None
-        self.stability.show_readiness(live.readiness, "no signals from the engine")
+        self.stability.show_readiness(live.readiness)
         self.turn.setEnabled(self._due() and self.isComplete())
         taken = live.session is not None and not self._due()
         self.instruction.setText(tr(TAKEN if taken else LEVEL))
