@@ -7,8 +7,14 @@ from dataclasses import dataclass
 
 from calibration.arrays import Array
 from calibration.taking.procedure import Step, StepKind
-from calibration.taking.signals import Judgement, Readiness, SignalState, SignalWindow, assess
-from calibration.taking.stability import Steadiness
+from calibration.taking.signals import (
+    Judgement,
+    Readiness,
+    SignalState,
+    SignalWindow,
+    Steadiness,
+    assess,
+)
 
 SPREAD_OF_RANGE = 0.002
 """Part of the probe's range that a steady voltage may spread, beside the noise of its samples:

@@ -32,8 +32,7 @@ from calibration.taking.procedure import (
     begin,
     take_up,
 )
-from calibration.taking.signals import Readiness, SignalState, SignalWindow
-from calibration.taking.stability import Steadiness
+from calibration.taking.signals import Readiness, SignalState, SignalWindow, Steadiness
 from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.practice import Practice
 from rigapp.calibrating.records import keep_record, refuse_existing
