@@ -141,7 +141,7 @@ def rule_of(result: Mapping[str, Any]) -> str:
 
 
 def _unusable(readings: ChannelReadings) -> Iterator[Problem]:
-    yield from check_columns(readings)
+    yield from check_columns(readings.unused)
     odd = list(not_numbers(readings, np.column_stack([readings.reference, readings.signal])))
     if odd:
         yield from odd

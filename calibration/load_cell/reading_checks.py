@@ -40,7 +40,7 @@ WIDEST_GAP = np.radians(130.0)
 def check_readings(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
     """Yield what makes readings or settings unusable whatever the fit says."""
     columns = np.column_stack((readings.mass, readings.angle, readings.signal))
-    yield from check_columns(readings)
+    yield from check_columns(readings.unused)
     yield from not_numbers(readings, columns)
     yield from _angles(readings)
     scale = [

@@ -36,7 +36,7 @@ def unusable(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Probl
     columns = [readings.position, readings.signal]
     if readings.other is not None:
         columns.append(readings.other)
-    yield from check_columns(readings)
+    yield from check_columns(readings.unused)
     odd = list(not_numbers(readings, np.column_stack(columns)))
     if odd:
         yield from odd

@@ -67,11 +67,6 @@ class Step:
     due: float = 0.0
     optional: bool = False
 
-    @property
-    def effort(self) -> float:
-        """Return the seconds that the step takes a technician."""
-        return self.wait + self.handling
-
 
 class Plan(Protocol):
     """What is taken."""
@@ -358,7 +353,7 @@ class Procedure(Generic[PlanType]):
 
 def time_needed(steps: Iterable[Step]) -> float:
     """Return the seconds that the steps take a technician."""
-    return sum(step.effort for step in steps)
+    return sum(step.wait + step.handling for step in steps)
 
 
 def duration_words(steps: Iterable[Step]) -> str:

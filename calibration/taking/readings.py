@@ -36,14 +36,6 @@ class Stepwise(Protocol):
         """Return the step number of each reading."""
 
 
-class Tabled(Protocol):
-    """Readings from a table that may have had columns which nothing reads."""
-
-    @property
-    def unused(self) -> tuple[str, ...]:
-        """Return the names of the columns that were passed over."""
-
-
 def place_of(readings: Stepwise, index: int) -> str:
     """Return where a reading stands, in words."""
     return f"series {readings.series[index]}, step {readings.step[index]}"
@@ -135,10 +127,10 @@ def _runs(runs: Sequence[Hashable], steps: Sequence[int]) -> Iterator[list[int]]
         yield taken[start:]
 
 
-def check_columns(readings: Tabled) -> Iterator[Problem]:
+def check_columns(unused: tuple[str, ...]) -> Iterator[Problem]:
     """Yield a note on columns of the table that nothing reads: one may be misspelt."""
-    if readings.unused:
-        names = ", ".join(readings.unused)
+    if unused:
+        names = ", ".join(unused)
         yield note(
             "unused_columns",
             f"The table has columns that are passed over: {names}; is one of them misspelt?",
