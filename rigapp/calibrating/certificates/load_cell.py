@@ -15,7 +15,6 @@ from calibration.load_cell.readings import parse_load_cell
 from calibration.load_cell.two_axis import forces
 from calibration.load_cell.weights import pin_force
 from rigapp.calibrating.certificates.parts import (
-    SURROUNDINGS,
     UNSTATED,
     Content,
     Parts,
@@ -211,7 +210,6 @@ def _conditions(settings: Content, creep: Content | None) -> list[Row]:
     gravity = say(STATED_GRAVITY, settings, say(FROM_LATITUDE, settings))
     use = settings.get("use")
     return [
-        *rows_of(SURROUNDINGS, settings),
         ("Local gravity", gravity),
         *rows_of(CONDITIONS, told),
         *([] if use is None else rows_of(IN_USE, {**use, "crept": _crept(use, creep)})),

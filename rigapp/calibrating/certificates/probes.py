@@ -7,7 +7,6 @@ import numpy as np
 from calibration.probes.alignment import split_pair
 from calibration.probes.readings import ProbeReadings, parse_probe
 from rigapp.calibrating.certificates.parts import (
-    SURROUNDINGS,
     Content,
     Parts,
     budget_table,
@@ -120,9 +119,9 @@ def _range(name: str, result: Content, readings: ProbeReadings) -> str:
 
 
 def _conditions(content: Content) -> list[Row]:
-    """Return surroundings, micrometer, range and geometry."""
+    """Return micrometer, range and geometry."""
     probe, taken = content["settings"]["probe"], content.get("taken")
-    rows = [*rows_of(SURROUNDINGS, content["settings"]), *rows_of(SETTINGS, probe)]
+    rows = rows_of(SETTINGS, probe)
     for key, lines in GEOMETRY.items():
         if probe.get(key):
             rows += rows_of(lines, probe)
