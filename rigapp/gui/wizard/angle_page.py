@@ -63,7 +63,6 @@ class AnglePage(GuidePage):
         now.setSpacing(GAP)
         look = self.beside(TWO, (self.picture, 5), (now, 4))
         self.hold(self.instruction, self.why, (look, 1), self.hands)
-        self.setCommitPage(True)
         self.follow.toggled.connect(self._follow)
         self._follow(True)
         live.looked.connect(self._look)
