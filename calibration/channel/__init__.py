@@ -25,7 +25,7 @@ from calibration.taking.readings import (
     series_and_steps,
     unused_columns,
 )
-from calibration.taking.uncertainty import Budget, Contribution, combine
+from calibration.taking.uncertainty import Budget, Contribution, combine, half_width
 
 CHANNEL_COLUMNS = ("series", "step", "reference", "signal_V")
 FEWEST_POINTS = 3
@@ -113,10 +113,9 @@ def calibrate_channel(readings: ChannelReadings, settings: ChannelSettings) -> C
         points = np.stack([ends, scale * (ends - offset)])
         lines = _of_line(readings, points)
     steepest = float(np.abs(np.diff(points[1]) / np.diff(points[0])).max())
-    step = settings.resolution_volts * steepest / math.sqrt(12.0)
     lines += (
         Contribution("reference", settings.reference_uncertainty),
-        Contribution("resolution", step, distribution="rectangular"),
+        half_width("resolution", 0.5 * settings.resolution_volts * steepest),
     )
     budget = combine(0.0, lines)
     problems += _too_uncertain(budget, float(np.ptp(readings.reference)))
@@ -225,7 +224,7 @@ def _of_table(readings: ChannelReadings, points: Array, place: Whole) -> tuple[C
     return (
         Contribution("repeatability of a reading", std, free, "A"),
         Contribution("mean of a point", std / math.sqrt(fewest), free, "A"),
-        Contribution("between the points", between / math.sqrt(3.0), distribution="rectangular"),
+        half_width("between the points", between),
     )
 
 

@@ -13,7 +13,7 @@ from calibration.load_cell.scatter import Scatter
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import design
 from calibration.load_cell.weights import relative_force_uncertainty
-from calibration.taking.uncertainty import Budget, Contribution, Evaluation, combine
+from calibration.taking.uncertainty import Budget, Contribution, combine, half_width
 
 DIRECTIONS = 16
 """Directions of the load of which the worst is stated: of eight or more angles all are alike."""
@@ -57,16 +57,16 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
             distribution="two-point",
             points=points,
         ),
-        _half_width("creep, measured", use.creep * load, "A")
+        half_width("creep, measured", use.creep * load, "A")
         if use.creep_measured
-        else _half_width("creep", use.creep * load),
-        _half_width("temperature, gain", use.gain_per_kelvin * use.temperature * load),
-        _half_width("change until the next calibration", use.change * load),
+        else half_width("creep", use.creep * load),
+        half_width("temperature, gain", use.gain_per_kelvin * use.temperature * load),
+        half_width("change until the next calibration", use.change * load),
     )
     both = (
         Contribution("zero between series", parts.zero_between, 2.0 * free, "A"),
-        _half_width("zero drift during the calibration", parts.drift, "A"),
-        _half_width("temperature, zero", use.zero_per_kelvin * use.temperature * full),
+        half_width("zero drift during the calibration", parts.drift, "A"),
+        half_width("temperature, zero", use.zero_per_kelvin * use.temperature * full),
         Contribution("steps of the display in a mean", steps, parts.degrees, "A"),
         Contribution("repeatability", scatters, parts.degrees, "A", averages=True),
     )
@@ -161,10 +161,6 @@ def _steps(parts: Scatter, settings: LoadCellSettings) -> tuple[float, float]:
         return 0.0, parts.repeatability
     steps = min(parts.steps, parts.repeatability)
     return steps, math.sqrt(parts.repeatability**2 - steps**2)
-
-
-def _half_width(name: str, size: float, evaluation: Evaluation = "B") -> Contribution:
-    return Contribution(name, size / math.sqrt(3.0), math.inf, evaluation, "rectangular")
 
 
 def _fit(parts: Scatter, load: float, *, across: bool) -> Contribution:

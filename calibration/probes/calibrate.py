@@ -14,7 +14,7 @@ from calibration.probes.positions import robust_line
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
 from calibration.problems import Problem, blocked
-from calibration.taking.uncertainty import Budget, Contribution, combine
+from calibration.taking.uncertainty import Budget, Contribution, combine, half_width
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,25 +91,16 @@ def _result(
     spread = float(np.sqrt(np.sum((readings.position - readings.position.mean()) ** 2)))
     relative = std / spread
     hysteresis = _hysteresis(readings, residual)
-    free, even = float(count - 2), math.sqrt(3.0)
-    resolution = settings.resolution_volts / abs(slope) / math.sqrt(12.0)
+    free = float(count - 2)
     lines = (
         Contribution("residual of the line", std, free, "A", averages=True),
         Contribution("slope", 0.5 * span * relative, free, "A"),
         Contribution("micrometer", settings.micrometer_uncertainty),
-        Contribution("resolution", resolution, distribution="rectangular"),
+        half_width("resolution", 0.5 * settings.resolution_volts / abs(slope)),
         Contribution("backlash", abs(hysteresis or 0.0) / 2.0, math.inf, "A", "two-point"),
-        Contribution(
-            "cylindrical target, change of sensitivity", bending / even, distribution="rectangular"
-        ),
-        Contribution(
-            "motion across the axis", _off_axis(settings) / even, distribution="rectangular"
-        ),
-        Contribution(
-            "direction of the probe",
-            settings.direction * settings.off_axis / even,
-            distribution="rectangular",
-        ),
+        half_width("cylindrical target, change of sensitivity", bending),
+        half_width("motion across the axis", _off_axis(settings)),
+        half_width("direction of the probe", settings.direction * settings.off_axis),
     )
     return ProbeCalibration(
         accepted=not blocked(problems),
