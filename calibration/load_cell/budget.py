@@ -67,7 +67,7 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
         Contribution("zero between series", parts.zero_between, 2.0 * free, "A"),
         half_width("zero drift during the calibration", parts.drift, "A"),
         half_width("temperature, zero", use.zero_per_kelvin * use.temperature * full),
-        Contribution("steps of the display in a mean", steps, parts.degrees, "A"),
+        _display(parts, steps),
         Contribution("repeatability", scatters, parts.degrees, "A", averages=True),
     )
     turned = (Contribution("angle reference", settings.angle_uncertainty * load),)
@@ -83,21 +83,10 @@ def zero_uncertainty(parts: Scatter, settings: LoadCellSettings) -> tuple[Budget
     (terms,) = _terms(parts, np.zeros((1, 2)))
     steps = parts.unloaded * _steps(parts, settings)[0]
     one, two = (
-        combine(
-            0.0,
-            (
-                _told(parts, np.outer(row, terms)),
-                Contribution(
-                    "steps of the display in a mean",
-                    steps * float(np.hypot(*row)),
-                    parts.degrees,
-                    "A",
-                ),
-            ),
-        )
+        (_told(parts, np.outer(row, terms)), _display(parts, steps * float(np.hypot(*row))))
         for row in parts.found.sensitivity
     )
-    return one, two
+    return combine(0.0, one), combine(0.0, two)
 
 
 def element_uncertainties(parts: Scatter, settings: LoadCellSettings) -> tuple[Budget, ...]:
@@ -161,6 +150,10 @@ def _steps(parts: Scatter, settings: LoadCellSettings) -> tuple[float, float]:
         return 0.0, parts.repeatability
     steps = min(parts.steps, parts.repeatability)
     return steps, math.sqrt(parts.repeatability**2 - steps**2)
+
+
+def _display(parts: Scatter, steps: float) -> Contribution:
+    return Contribution("steps of the display in a mean", steps, parts.degrees, "A")
 
 
 def _fit(parts: Scatter, load: float, *, across: bool) -> Contribution:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from calibration.arrays import Array
+from calibration.load_cell.characteristics import loads
 from calibration.load_cell.readings import LoadCellReadings
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import forces
@@ -69,15 +70,13 @@ def daily_check(
     loaded = ~empty
     if not loaded.any():
         raise ValueError("no reading has a weight on it")
-    size = weight[loaded]
-    along = applied[loaded] / size[:, None]
-    across = np.stack((-along[:, 1], along[:, 0]), axis=-1)
-    net = (felt - rest)[loaded]
-    parallel, crossed = (net * along).sum(axis=1), (net * across).sum(axis=1)
+    net, size = felt - rest, weight[loaded]
+    seen = loads(readings, applied, net)
+    along, parallel, crossed = (one[loaded] for one in (seen.direction, seen.along, seen.across))
     deviation = np.stack((parallel - size, crossed), axis=-1)
     if np.linalg.matrix_rank(along, tol=0.1) < 2:
         raise ValueError("the weight hung along one axis only; hang it at angles of both")
-    elements = np.linalg.lstsq(applied[loaded], net, rcond=None)[0].T
+    elements = np.linalg.lstsq(applied[loaded], net[loaded], rcond=None)[0].T
     zero = felt[empty].mean(axis=0)
     largest = float(np.abs(deviation).max())
     resolution = settings.cell.resolution
