@@ -25,7 +25,7 @@ from calibration.taking.readings import (
     series_and_steps,
     unused_columns,
 )
-from calibration.taking.uncertainty import Budget, Contribution, combine, half_width
+from calibration.taking.uncertainty import Budget, Contribution, at_most, combine
 
 CHANNEL_COLUMNS = ("series", "step", "reference", "signal_V")
 FEWEST_POINTS = 3
@@ -115,7 +115,7 @@ def calibrate_channel(readings: ChannelReadings, settings: ChannelSettings) -> C
     steepest = float(np.abs(np.diff(points[1]) / np.diff(points[0])).max())
     lines += (
         Contribution("reference", settings.reference_uncertainty),
-        half_width("resolution", 0.5 * settings.resolution_volts * steepest),
+        at_most("resolution", 0.5 * settings.resolution_volts * steepest),
     )
     budget = combine(0.0, lines)
     problems += _too_uncertain(budget, float(np.ptp(readings.reference)))
@@ -224,7 +224,7 @@ def _of_table(readings: ChannelReadings, points: Array, place: Whole) -> tuple[C
     return (
         Contribution("repeatability of a reading", std, free, "A"),
         Contribution("mean of a point", std / math.sqrt(fewest), free, "A"),
-        half_width("between the points", between),
+        at_most("between the points", between),
     )
 
 

@@ -13,7 +13,7 @@ from calibration.load_cell.scatter import Scatter
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import design
 from calibration.load_cell.weights import relative_force_uncertainty
-from calibration.taking.uncertainty import Budget, Contribution, combine, half_width
+from calibration.taking.uncertainty import Budget, Contribution, at_most, combine
 
 DIRECTIONS = 16
 """Directions of the load of which the worst is stated: of eight or more angles all are alike."""
@@ -57,16 +57,16 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
             distribution="two-point",
             points=points,
         ),
-        half_width("creep, measured", use.creep * load, "A")
+        at_most("creep, measured", use.creep * load, "A")
         if use.creep_measured
-        else half_width("creep", use.creep * load),
-        half_width("temperature, gain", use.gain_per_kelvin * use.temperature * load),
-        half_width("change until the next calibration", use.change * load),
+        else at_most("creep", use.creep * load),
+        at_most("temperature, gain", use.gain_per_kelvin * use.temperature * load),
+        at_most("change until the next calibration", use.change * load),
     )
     both = (
         Contribution("zero between series", parts.zero_between, 2.0 * free, "A"),
-        half_width("zero drift during the calibration", parts.drift, "A"),
-        half_width("temperature, zero", use.zero_per_kelvin * use.temperature * full),
+        at_most("zero drift during the calibration", parts.drift, "A"),
+        at_most("temperature, zero", use.zero_per_kelvin * use.temperature * full),
         _display(parts, steps),
         Contribution("repeatability", scatters, parts.degrees, "A", averages=True),
     )

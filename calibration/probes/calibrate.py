@@ -14,7 +14,7 @@ from calibration.probes.positions import robust_line
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
 from calibration.problems import Problem, blocked
-from calibration.taking.uncertainty import Budget, Contribution, combine, half_width
+from calibration.taking.uncertainty import Budget, Contribution, at_most, combine
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,11 +96,11 @@ def _result(
         Contribution("residual of the line", std, free, "A", averages=True),
         Contribution("slope", 0.5 * span * relative, free, "A"),
         Contribution("micrometer", settings.micrometer_uncertainty),
-        half_width("resolution", 0.5 * settings.resolution_volts / abs(slope)),
+        at_most("resolution", 0.5 * settings.resolution_volts / abs(slope)),
         Contribution("backlash", abs(hysteresis or 0.0) / 2.0, math.inf, "A", "two-point"),
-        half_width("cylindrical target, change of sensitivity", bending),
-        half_width("motion across the axis", _off_axis(settings)),
-        half_width("direction of the probe", settings.direction * settings.off_axis),
+        at_most("cylindrical target, change of sensitivity", bending),
+        at_most("motion across the axis", _off_axis(settings)),
+        at_most("direction of the probe", settings.direction * settings.off_axis),
     )
     return ProbeCalibration(
         accepted=not blocked(problems),

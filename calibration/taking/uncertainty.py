@@ -54,7 +54,7 @@ class Contribution:
         return self.points or (self.uncertainty,)
 
 
-def half_width(name: str, size: float, evaluation: Evaluation = "B") -> Contribution:
+def at_most(name: str, size: float, evaluation: Evaluation = "B") -> Contribution:
     """Return the line of what is off by at most so much, either way."""
     return Contribution(name, size / math.sqrt(3.0), math.inf, evaluation, "rectangular")
 
