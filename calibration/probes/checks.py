@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from itertools import combinations, pairwise
+from itertools import pairwise
 
 import numpy as np
 
@@ -148,7 +148,8 @@ def _copies(readings: ProbeReadings) -> Iterator[Problem]:
         name: tuple(readings.signal[members].tolist())
         for name, members in each_series(readings.series)
     }
-    for earlier, name in combinations(values, 2):
+    names = list(values)
+    for name, earlier in ((b, a) for at, b in enumerate(names) for a in names[:at]):
         long = len(values[name]) >= FEWEST_POSITIONS and len(set(values[name])) > 3
         if long and values[name] == values[earlier] and np.any(_rough(values[name])):
             yield Problem(
