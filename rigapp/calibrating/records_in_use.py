@@ -69,7 +69,7 @@ class RecordPlace:
         return len(self.kinds) == 1 or kind != self.kinds[0]
 
 
-def with_records(rig: Rig) -> RigRecords:
+def with_records(rig: Rig, now: float | None = None) -> RigRecords:
     """Read the records that a rig file names (``places_of``).
 
     Paths are relative to the rig file. Each record is fitted again from its readings and compared.
@@ -79,7 +79,7 @@ def with_records(rig: Rig) -> RigRecords:
     texts: dict[str, str] = {}
     blocking: dict[str, str] = {}
     remarks: dict[str, str] = {}
-    now = time.time()
+    now = time.time() if now is None else now
     used = rig.record
     for place in places_of(used):
         section = place.of(used)
