@@ -88,12 +88,9 @@ def _gravity(settings: LoadCellFile) -> Values:
     return {"gravity": load_cell_meaning(settings, "settings").place.gravity}
 
 
-def weight_scene(session: Any, window: Any, readiness: Readiness | None) -> Scene | None:
-    """Return crank and weights of the present step; None when all are done."""
-    procedure = session.procedure
-    if procedure.done:
-        return None
-    step = procedure.step
+def weight_scene(session: Any, window: Any, readiness: Readiness | None) -> Scene:
+    """Return crank and weights of the present step."""
+    procedure, step = session.procedure, session.procedure.step
     before = procedure.steps[procedure.position - 1].pieces if procedure.position else ()
     now = None if window is None else window.angle
     turning = step.kind is StepKind.SET_UP
@@ -149,16 +146,13 @@ def _propose_reach(view: Any, values: Values, settings: ProbeFile) -> Values:
     return {"reach": usual_reach_um(known, range_V, values["positions"])}
 
 
-def probe_scene(session: Any, window: Any, readiness: Readiness | None) -> Scene | None:
-    """Return probe and micrometer of the present step; None when all are done."""
-    procedure = session.procedure
-    if procedure.done:
-        return None
-    step = procedure.step
+def probe_scene(session: Any, window: Any, readiness: Readiness | None) -> Scene:
+    """Return probe and micrometer of the present step."""
+    step = session.procedure.step
     return ProbeScene(
         int(step.set_up or 1),
         1e6 * step.value,
-        1e6 * procedure.plan.reach,
+        1e6 * session.procedure.plan.reach,
         math.nan if readiness is None else 1e6 * readiness.felt,
         step.falling or step.number == 1,
     )

@@ -59,7 +59,7 @@ class TakingWords:
     live: Text
     measured: Text
     unit: str
-    scene: Callable[[Any, Any, Any], Scene | None]
+    scene: Callable[[Any, Any, Any], Scene]
     reject: Text
     reason: Text
     columns: tuple[Text, ...]
@@ -214,8 +214,10 @@ class TakingPage(GuidePage):
         self.measured.show_value(told, wanted.replace("-", "\u2212"))
 
     def _show_scene(self) -> None:
-        live = self.live_calibration
-        self.picture.show_scene(self._words.scene(live.session, live.window, live.readiness))
+        live, scene = self.live_calibration, None
+        if not live.session.procedure.done:
+            scene = self._words.scene(live.session, live.window, live.readiness)
+        self.picture.show_scene(scene)
 
     def _fill(self) -> None:
         """Show all readings."""
