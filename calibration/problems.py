@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 
@@ -12,3 +13,13 @@ class Problem:
     code: str
     sentence: str
     blocks: bool = True
+
+
+def note(code: str, sentence: str) -> Problem:
+    """Return a problem that is only told: nothing is refused because of it."""
+    return Problem(code, sentence, blocks=False)
+
+
+def blocked(problems: Iterable[Problem]) -> bool:
+    """Tell whether something is refused because of any of its problems."""
+    return any(one.blocks for one in problems)

@@ -15,7 +15,7 @@ from typing import Any, Literal
 import numpy as np
 
 from calibration.arrays import Array, Whole
-from calibration.problems import Problem
+from calibration.problems import Problem, blocked
 from calibration.taking.readings import (
     check_columns,
     check_steps,
@@ -25,7 +25,7 @@ from calibration.taking.readings import (
     series_and_steps,
     unused_columns,
 )
-from calibration.taking.uncertainty import Budget, Contribution, combine
+from calibration.taking.uncertainty import Budget, Contribution, at_most, combine
 
 CHANNEL_COLUMNS = ("series", "step", "reference", "signal_V")
 FEWEST_POINTS = 3
@@ -79,7 +79,7 @@ class ChannelCalibration:
     @property
     def accepted(self) -> bool:
         """Tell whether nothing stands against its use."""
-        return not any(problem.blocks for problem in self.problems)
+        return not blocked(self.problems)
 
 
 def parse_channel(text: str) -> ChannelReadings:
@@ -96,13 +96,13 @@ def parse_channel(text: str) -> ChannelReadings:
 def calibrate_channel(readings: ChannelReadings, settings: ChannelSettings) -> ChannelCalibration:
     """Fit the readings; what is wrong with them is in the result's ``problems``."""
     problems = list(_unusable(readings))
-    if any(problem.blocks for problem in problems):
+    if blocked(problems):
         return ChannelCalibration(tuple(problems))
     place = _points_of(readings.reference)
     if settings.method == "table":
         points = _means(readings, place)
         problems += _no_table(points, len(readings.signal))
-        if any(problem.blocks for problem in problems):
+        if blocked(problems):
             return ChannelCalibration(tuple(problems))
         scale = offset = None
         lines = _of_table(readings, points, place)
@@ -113,10 +113,9 @@ def calibrate_channel(readings: ChannelReadings, settings: ChannelSettings) -> C
         points = np.stack([ends, scale * (ends - offset)])
         lines = _of_line(readings, points)
     steepest = float(np.abs(np.diff(points[1]) / np.diff(points[0])).max())
-    step = settings.resolution_volts * steepest / math.sqrt(12.0)
     lines += (
         Contribution("reference", settings.reference_uncertainty),
-        Contribution("resolution", step, distribution="rectangular"),
+        at_most("resolution", 0.5 * settings.resolution_volts * steepest),
     )
     budget = combine(0.0, lines)
     problems += _too_uncertain(budget, float(np.ptp(readings.reference)))
@@ -141,7 +140,7 @@ def rule_of(result: Mapping[str, Any]) -> str:
 
 
 def _unusable(readings: ChannelReadings) -> Iterator[Problem]:
-    yield from check_columns(readings)
+    yield from check_columns(readings.unused)
     odd = list(not_numbers(readings, np.column_stack([readings.reference, readings.signal])))
     if odd:
         yield from odd
@@ -225,7 +224,7 @@ def _of_table(readings: ChannelReadings, points: Array, place: Whole) -> tuple[C
     return (
         Contribution("repeatability of a reading", std, free, "A"),
         Contribution("mean of a point", std / math.sqrt(fewest), free, "A"),
-        Contribution("between the points", between / math.sqrt(3.0), distribution="rectangular"),
+        at_most("between the points", between),
     )
 
 

@@ -13,7 +13,7 @@ from calibration.load_cell.scatter import Scatter
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import design
 from calibration.load_cell.weights import relative_force_uncertainty
-from calibration.taking.uncertainty import Budget, Contribution, Evaluation, combine
+from calibration.taking.uncertainty import Budget, Contribution, at_most, combine
 
 DIRECTIONS = 16
 """Directions of the load of which the worst is stated: of eight or more angles all are alike."""
@@ -57,17 +57,17 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
             distribution="two-point",
             points=points,
         ),
-        _half_width("creep, measured", use.creep * load, "A")
+        at_most("creep, measured", use.creep * load, "A")
         if use.creep_measured
-        else _half_width("creep", use.creep * load),
-        _half_width("temperature, gain", use.gain_per_kelvin * use.temperature * load),
-        _half_width("change until the next calibration", use.change * load),
+        else at_most("creep", use.creep * load),
+        at_most("temperature, gain", use.gain_per_kelvin * use.temperature * load),
+        at_most("change until the next calibration", use.change * load),
     )
     both = (
         Contribution("zero between series", parts.zero_between, 2.0 * free, "A"),
-        _half_width("zero drift during the calibration", parts.drift, "A"),
-        _half_width("temperature, zero", use.zero_per_kelvin * use.temperature * full),
-        Contribution("steps of the display in a mean", steps, parts.degrees, "A"),
+        at_most("zero drift during the calibration", parts.drift, "A"),
+        at_most("temperature, zero", use.zero_per_kelvin * use.temperature * full),
+        _display(parts, steps),
         Contribution("repeatability", scatters, parts.degrees, "A", averages=True),
     )
     turned = (Contribution("angle reference", settings.angle_uncertainty * load),)
@@ -83,21 +83,10 @@ def zero_uncertainty(parts: Scatter, settings: LoadCellSettings) -> tuple[Budget
     (terms,) = _terms(parts, np.zeros((1, 2)))
     steps = parts.unloaded * _steps(parts, settings)[0]
     one, two = (
-        combine(
-            0.0,
-            (
-                _told(parts, np.outer(row, terms)),
-                Contribution(
-                    "steps of the display in a mean",
-                    steps * float(np.hypot(*row)),
-                    parts.degrees,
-                    "A",
-                ),
-            ),
-        )
+        (_told(parts, np.outer(row, terms)), _display(parts, steps * float(np.hypot(*row))))
         for row in parts.found.sensitivity
     )
-    return one, two
+    return combine(0.0, one), combine(0.0, two)
 
 
 def element_uncertainties(parts: Scatter, settings: LoadCellSettings) -> tuple[Budget, ...]:
@@ -163,8 +152,8 @@ def _steps(parts: Scatter, settings: LoadCellSettings) -> tuple[float, float]:
     return steps, math.sqrt(parts.repeatability**2 - steps**2)
 
 
-def _half_width(name: str, size: float, evaluation: Evaluation = "B") -> Contribution:
-    return Contribution(name, size / math.sqrt(3.0), math.inf, evaluation, "rectangular")
+def _display(parts: Scatter, steps: float) -> Contribution:
+    return Contribution("steps of the display in a mean", steps, parts.degrees, "A")
 
 
 def _fit(parts: Scatter, load: float, *, across: bool) -> Contribution:

@@ -26,7 +26,7 @@ from calibration.load_cell.characteristics import (
     unusable_creep,
 )
 from calibration.load_cell.checks import check_fit
-from calibration.load_cell.evidence import applied_forces, examine
+from calibration.load_cell.evidence import examine
 from calibration.load_cell.plausible import impossible
 from calibration.load_cell.reading_checks import check_readings
 from calibration.load_cell.readings import LoadCellReadings
@@ -34,7 +34,7 @@ from calibration.load_cell.scatter import Scatter, scatter
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import TwoAxisFit, choose_terms
 from calibration.load_cell.weights import weight_force
-from calibration.problems import Problem
+from calibration.problems import Problem, blocked
 from calibration.taking.uncertainty import Budget
 
 STEADY_CODES = frozenset(
@@ -89,7 +89,7 @@ class LoadCellCalibration:
     @property
     def accepted(self) -> bool:
         """Tell whether there is a fit and nothing blocks it."""
-        return self.fit is not None and not any(problem.blocks for problem in self.problems)
+        return self.fit is not None and not blocked(self.problems)
 
 
 def calibrate_load_cell(
@@ -109,7 +109,7 @@ def calibrate_load_cell(
         words = "The loads do not tell the two axes apart; take more pin angles and loads."
         return replace(refused, problems=(*problems, Problem("not_solvable", words)))
     problems += check_fit(evidence)
-    applied = applied_forces(evidence)
+    applied = evidence.force
     found, terms = choose_terms(applied, readings.signal, drift)
     measured = found.force(readings.signal)
     full = settings.cell.full_scale

@@ -15,7 +15,8 @@ import numpy as np
 from calibration.arrays import Array, Marks, Whole
 from calibration.load_cell.readings import HungReadings, LoadCellReadings
 from calibration.load_cell.two_axis import TwoAxisFit
-from calibration.problems import Problem
+from calibration.problems import Problem, note
+from calibration.taking.readings import each_series
 
 CREEP_AT = (30.0, 300.0)
 """Seconds after the load change at which ISO 376 reads the creep."""
@@ -33,9 +34,8 @@ class Characteristics:
     """Hold what is defined by the readings; None where they cannot tell. Percentages; N for drift.
 
     reproducibility b: between pin angles. repeatability b': between series at one angle.
-    interpolation fc, zero_return f0, reversibility v (hysteresis); loop: the signed mean of falling
-    less rising over all loads. drift: change of the zero over the whole calibration, N. Loads below
-    a tenth of full scale are left out.
+    interpolation fc, zero_return f0, reversibility v (hysteresis). drift: change of the zero over
+    the whole calibration, N. Loads below a tenth of full scale are left out.
     """
 
     reproducibility: float | None
@@ -43,7 +43,6 @@ class Characteristics:
     interpolation: float | None
     zero_return: float | None
     reversibility: float | None
-    loop: float | None
     drift: float | None
 
 
@@ -64,10 +63,10 @@ class Loads:
     direction: Array
 
     def runs(self) -> Whole:
-        """Return the number (n,) of the series at one pin angle to which each reading belongs."""
-        names = np.unique(self.series, return_inverse=True)[1]
-        number = np.unique(np.column_stack((names, self.group)), axis=0, return_inverse=True)[1]
-        return np.asarray(number, np.int64).reshape(-1)
+        """Return the number (n,) of the run (a series at one pin angle) of each, as taken."""
+        numbers: dict[tuple[str, int], int] = {}
+        runs = zip(self.series, self.group.tolist(), strict=True)
+        return np.array([numbers.setdefault(one, len(numbers)) for one in runs], dtype=np.int64)
 
 
 def angle_groups(angle: Array) -> Whole:
@@ -115,36 +114,26 @@ def characteristics(found: Loads, full_scale: float, residual: Array) -> Charact
         interpolation=interpolation,
         zero_return=_zero_return(found, full_scale),
         reversibility=_reversibility(found, enough),
-        loop=_loop(found, enough),
         drift=_drift(found),
     )
 
 
 def _reversibility(found: Loads, enough: Marks) -> float | None:
-    """Return the mean |falling - rising| over the loads taken both ways, per cent of the load."""
-    both = _both_ways(found, enough)
-    if not both:
-        return None
-    by_load = {load: np.mean([d for _, at, d in both if at == load]) for _, load, _ in both}
-    return float(100.0 * np.mean([abs(d) / load for load, d in by_load.items()]))
+    """Return the mean |falling - rising| over the loads taken both ways, per cent of the load.
 
-
-def _loop(found: Loads, enough: Marks) -> float | None:
-    """Return the mean of falling - rising over all loads, per cent of the load, signed."""
-    both = _both_ways(found, enough)
-    return float(100.0 * np.mean([d / load for _, load, d in both])) if both else None
-
-
-def _both_ways(found: Loads, enough: Marks) -> list[tuple[int, float, float]]:
-    """Return (angle group, load, falling - rising) of each load but the largest of each series."""
+    The largest load, where a series turns, is left out.
+    """
     rising = _means(found, enough & found.rising, by_series=True)
     falling = _means(found, enough & ~found.rising, by_series=True)
     largest = round(float(found.applied.max()), 3)
-    return [
-        (key[0], key[2], falling[key] - rising[key])
-        for key in sorted(set(rising) & set(falling))
-        if key[2] < largest
-    ]
+    by_load: dict[float, list[float]] = {}
+    for key in sorted(set(rising) & set(falling)):
+        if key[2] < largest:
+            by_load.setdefault(key[2], []).append(falling[key] - rising[key])
+    if not by_load:
+        return None
+    shares = [abs(np.mean(changes)) / load for load, changes in by_load.items()]
+    return float(100.0 * np.mean(shares))
 
 
 def hysteresis_by_load(found: Loads) -> dict[float, float]:
@@ -189,8 +178,7 @@ def _spread(found: Loads, enough: Marks, *, between_angles: bool) -> float | Non
 def _zero_return(found: Loads, full_scale: float) -> float | None:
     """Return the mean change of the zero over a series, per cent of full scale."""
     changes = []
-    for name in dict.fromkeys(found.series):
-        members = np.array([one == name for one in found.series])
+    for _, members in each_series(found.series):
         zeros = np.flatnonzero(members & (found.applied == 0.0))
         if len(zeros) > 1:
             changes.append(
@@ -262,11 +250,10 @@ def unusable_creep(hung: HungReadings) -> Iterator[Problem]:
     elif hung.mass[0] != hung.mass[1] or not hung.mass[0] > 0.0:
         why = "they are not of one load"
     if why:
-        yield Problem(
+        yield note(
             "creep_unusable",
             f"The readings of the creep are passed over, {why}: the creep that the settings state"
             " counts.",
-            blocks=False,
         )
 
 

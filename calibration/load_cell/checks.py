@@ -15,13 +15,13 @@ import numpy as np
 
 from calibration.arrays import Array
 from calibration.load_cell.characteristics import hysteresis_by_load
-from calibration.load_cell.evidence import SURE, Evidence, applied_forces, examine
+from calibration.load_cell.evidence import SURE, Evidence, examine
 from calibration.load_cell.patterns import check_patterns
 from calibration.load_cell.reading_checks import coarse
 from calibration.load_cell.reading_faults import single_faults
 from calibration.load_cell.two_axis import Terms, huber_fit
 from calibration.load_cell.wiring import check_wiring
-from calibration.problems import Problem
+from calibration.problems import Problem, note
 from calibration.taking.readings import place_of
 
 NOTED_TURN = np.radians(2.0)
@@ -64,13 +64,12 @@ def _no_reference(evidence: Evidence) -> Iterator[Problem]:
     """Say what no reading can show: an error that all pin angles have in common."""
     if not evidence.settings.angle_stated:
         full = evidence.settings.cell.full_scale
-        yield Problem(
+        yield note(
             "no_angle_reference",
             "No angle reference is stated: an error that all pin angles have in common leaves no"
             f" trace in the readings (1 degree turns every force by {full * np.radians(1.0):.1f} N"
             f" at {full:g} N), and U does not hold it. Take it with a level on the flat of the"
             " crank, and write [angle] offset_deg.",
-            blocks=False,
         )
 
 
@@ -116,11 +115,10 @@ def _turned(a: Array) -> Iterator[Problem]:
             f" {abs(np.degrees(turn)):.1f} degrees off; repeat the angle reference step.",
         )
     elif abs(turn) > NOTED_TURN:
-        yield Problem(
+        yield note(
             "angle_reference",
             f"The axes stand as if every pin angle were {abs(np.degrees(turn)):.1f} degrees off."
             " It can be the cell's own cross-talk; only the angle reference step can tell.",
-            blocks=False,
         )
 
 
@@ -133,8 +131,7 @@ def _saturated(evidence: Evidence) -> Iterator[Problem]:
     small = evidence.loads.applied <= 0.6 * evidence.loads.applied.max()
     if np.count_nonzero(small) < 8:
         return
-    force = applied_forces(evidence)
-    rows = np.column_stack((force, np.ones(len(force))))
+    rows = np.column_stack((evidence.force, np.ones(len(signal))))
     coefficients = np.linalg.lstsq(rows[small], signal[small], rcond=None)[0]
     predicted = rows @ coefficients
     noise = np.std(signal[small] - predicted[small], axis=0)
@@ -214,7 +211,7 @@ def _drift(evidence: Evidence) -> tuple[Problem, Array] | None:
     if np.count_nonzero(evidence.loads.applied == 0.0) < 3:
         return None
     terms = Terms(quadratic=evidence.found.terms.quadratic, drift=True)
-    force, floor = applied_forces(evidence), cell.resolution / np.sqrt(12.0)
+    force, floor = evidence.force, cell.resolution / np.sqrt(12.0)
     try:
         found, _ = huber_fit(force, evidence.readings.signal, floor, terms)
     except np.linalg.LinAlgError:
@@ -246,11 +243,10 @@ def _hysteresis(evidence: Evidence) -> tuple[Problem | None, Evidence]:
     by_load = hysteresis_by_load(evidence.loads)
     if not by_load:
         return (
-            Problem(
+            note(
                 "no_descending_series",
                 "No load was read both going up and going down, so hysteresis is unknown; add a"
                 " descending series.",
-                blocks=False,
             ),
             evidence,
         )
@@ -277,9 +273,8 @@ def _hysteresis(evidence: Evidence) -> tuple[Problem | None, Evidence]:
 def _range(evidence: Evidence) -> Iterator[Problem]:
     heaviest, full = float(evidence.loads.applied.max()), evidence.settings.cell.full_scale
     if heaviest < 0.8 * full:
-        yield Problem(
+        yield note(
             "range_not_covered",
             f"The largest load is {heaviest:.0f} N of {full:.0f} N; above it the calibration is"
             " extrapolated.",
-            blocks=False,
         )

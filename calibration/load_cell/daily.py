@@ -7,10 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from calibration.arrays import Array
+from calibration.load_cell.characteristics import loads
 from calibration.load_cell.readings import LoadCellReadings
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import forces
 from calibration.load_cell.weights import pin_force, weight_force
+from calibration.taking.readings import each_series
 
 WEIGHT_SHARE = 0.005
 """Of the weight: half of what class 2 of ISO 376 allows between angles and up and down together."""
@@ -58,26 +60,23 @@ def daily_check(
     weight = weight_force(readings.mass, settings.weights, settings.place)
     applied = pin_force(weight, readings.angle, settings.angle_offset)
     felt = forces(readings.signal, matrix, zero, quadratic)
-    names = np.array(readings.series)
     empty = readings.mass == 0.0
     rest = np.empty_like(felt)
-    for name in dict.fromkeys(readings.series):
-        zeros = felt[(names == name) & empty]
+    for name, members in each_series(readings.series):
+        zeros = felt[members & empty]
         if not len(zeros):
             raise ValueError(f"series {name} has no reading without weights")
-        rest[names == name] = zeros.mean(axis=0)
+        rest[members] = zeros.mean(axis=0)
     loaded = ~empty
     if not loaded.any():
         raise ValueError("no reading has a weight on it")
-    size = weight[loaded]
-    along = applied[loaded] / size[:, None]
-    across = np.stack((-along[:, 1], along[:, 0]), axis=-1)
-    net = (felt - rest)[loaded]
-    parallel, crossed = (net * along).sum(axis=1), (net * across).sum(axis=1)
+    net, size = felt - rest, weight[loaded]
+    seen = loads(readings, applied, net)
+    along, parallel, crossed = (one[loaded] for one in (seen.direction, seen.along, seen.across))
     deviation = np.stack((parallel - size, crossed), axis=-1)
     if np.linalg.matrix_rank(along, tol=0.1) < 2:
         raise ValueError("the weight hung along one axis only; hang it at angles of both")
-    elements = np.linalg.lstsq(applied[loaded], net, rcond=None)[0].T
+    elements = np.linalg.lstsq(applied[loaded], net[loaded], rcond=None)[0].T
     zero = felt[empty].mean(axis=0)
     largest = float(np.abs(deviation).max())
     resolution = settings.cell.resolution

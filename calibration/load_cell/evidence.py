@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibration.arrays import Array, Whole
+from calibration.arrays import Array
 from calibration.load_cell.characteristics import Loads, loads
 from calibration.load_cell.readings import LoadCellReadings
 from calibration.load_cell.settings import LoadCellSettings
@@ -19,7 +19,10 @@ SURE = 5.0
 
 @dataclass(frozen=True, slots=True)
 class Evidence:
-    """What the second round looks at: readings, robust fit, noise (N), loads, N per kg."""
+    """What the second round looks at: readings, robust fit, noise (N), loads, N per kg.
+
+    force (n, 2): applied to the pin, N.
+    """
 
     readings: LoadCellReadings
     settings: LoadCellSettings
@@ -27,6 +30,7 @@ class Evidence:
     noise: float
     loads: Loads
     newton_per_kg: float
+    force: Array
 
 
 def examine(readings: LoadCellReadings, settings: LoadCellSettings) -> Evidence:
@@ -36,18 +40,4 @@ def examine(readings: LoadCellReadings, settings: LoadCellSettings) -> Evidence:
     found, noise = robust_fit(applied, readings.signal, settings.cell.resolution / np.sqrt(12.0))
     seen = loads(readings, applied, found.force(readings.signal))
     newton_per_kg = force_per_mass(settings.weights, settings.place)
-    return Evidence(readings, settings, found, noise, seen, newton_per_kg)
-
-
-def applied_forces(evidence: Evidence) -> Array:
-    """Return the applied forces (n, 2) on the pin, N."""
-    return pin_force(
-        evidence.loads.applied, evidence.readings.angle, evidence.settings.angle_offset
-    )
-
-
-def runs(evidence: Evidence) -> Whole:
-    """Return the number of the run (a series at one pin angle) of each reading, as taken."""
-    numbers: dict[tuple[str, int], int] = {}
-    names = zip(evidence.readings.series, evidence.loads.group.tolist(), strict=True)
-    return np.array([numbers.setdefault(name, len(numbers)) for name in names], dtype=np.int64)
+    return Evidence(readings, settings, found, noise, seen, newton_per_kg, applied)

@@ -28,8 +28,6 @@ from calibration.arrays import Array
 from calibration.coverage import COVERAGE, NORMAL_FACTOR
 from calibration.records import RecordError, unseal
 
-Floats = Array
-
 RIG_FILE_FACTOR = 2.0
 """Coverage factor of ``load_cell.uncertainty_N`` of a rig file."""
 
@@ -66,7 +64,7 @@ class ForceUncertainty:
         *,
         of_magnitude: bool = False,
         component: ArrayLike | None = None,
-    ) -> Floats:
+    ) -> Array:
         """Return the expanded uncertainty of components, N, that are means of so many samples.
 
         force: magnitudes of the whole force. of_magnitude: of |F| instead. component: of components
@@ -79,7 +77,7 @@ class ForceUncertainty:
         )
         return np.asarray(np.hypot(stated, random), np.float64)
 
-    def _stated(self, size: Floats, *, of_magnitude: bool, component: ArrayLike | None) -> Floats:
+    def _stated(self, size: Array, *, of_magnitude: bool, component: ArrayLike | None) -> Array:
         """Return what does not average out."""
         own = self.magnitude if of_magnitude else None
         constant, relative = own or (self.constant_N, self.relative)
@@ -144,7 +142,7 @@ def too_uncertain(expanded_N: float, full_scale_N: float) -> str:
 
 
 def noise_of_sample(
-    matrix: Floats, noise: tuple[float, float] | None, resolution_N: float
+    matrix: Array, noise: tuple[float, float] | None, resolution_N: float
 ) -> tuple[float, str]:
     """Return the standard deviation (N) of one sample of a component, and where it is from.
 
@@ -268,8 +266,5 @@ def _known(found: ForceUncertainty | None) -> ForceUncertainty | None:
     """Return an uncertainty whose numbers are numbers, else None."""
     if found is None:
         return None
-    return (
-        found
-        if np.isfinite([found.constant_N, found.relative, found.coverage_factor]).all()
-        else None
-    )
+    stated = (found.constant_N, found.relative, found.coverage_factor)
+    return found if np.isfinite(stated).all() else None

@@ -13,14 +13,7 @@ from calibration.load_cell.two_axis import forces
 from calibration.load_cell.weights import STANDARD_GRAVITY, pin_force
 from calibration.load_cell.wiring import told_by_one_load
 from calibration.taking.procedure import Step, StepKind
-from calibration.taking.signals import (
-    Demand,
-    Judgement,
-    Readiness,
-    SignalState,
-    SignalWindow,
-    assess,
-)
+from calibration.taking.signals import Judgement, Readiness, SignalState, SignalWindow, assess
 
 SPREAD_SHARE = 0.25
 """Part of the cell's resolution that a steady signal may spread: below what a reading can tell."""
@@ -53,23 +46,21 @@ class LoadCellWindow(SignalWindow):
 def assess_load(
     window: LoadCellWindow, step: Step, resolution: float, since: float, wait: float
 ) -> Readiness:
-    """Judge a window for a step; resolution: of the cell, N; since, wait: see ``Demand``."""
+    """Judge a window for a step; resolution: of the cell, N; since, wait: see ``assess``."""
     per_newton = 1.0 / max(float(np.sqrt(abs(np.linalg.det(window.matrix)))), 1e-12)
     return assess(
         window,
-        Demand(
-            since=since,
-            wait=wait,
-            spread=resolution * (SPREAD_SHARE + NOISE_SHARE * window.noise_share) * per_newton,
-            slope=resolution * SLOPE_SHARE * per_newton,
-            first=_first(window),
-            set_up=lambda found: (
-                _stands(window, step)
-                or _hangs(window, step, found.mean)
-                or _plugs(window, step, found.mean)
-            ),
-            felt=window.force,
+        since=since,
+        wait=wait,
+        spread=resolution * (SPREAD_SHARE + NOISE_SHARE * window.noise_share) * per_newton,
+        slope=resolution * SLOPE_SHARE * per_newton,
+        first=_first(window),
+        set_up=lambda found: (
+            _stands(window, step)
+            or _hangs(window, step, found.mean)
+            or _plugs(window, step, found.mean)
         ),
+        felt=window.force,
     )
 
 

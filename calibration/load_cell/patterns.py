@@ -16,7 +16,7 @@ import numpy as np
 from scipy import special
 
 from calibration.arrays import Array, Whole
-from calibration.load_cell.evidence import Evidence, applied_forces, examine, runs
+from calibration.load_cell.evidence import Evidence, examine
 from calibration.load_cell.two_axis import HUBER, Terms, design
 from calibration.problems import Problem
 from calibration.taking.readings import place_of
@@ -98,8 +98,7 @@ def check_patterns(evidence: Evidence) -> tuple[list[Problem], Evidence]:
 
 
 def _cells(evidence: Evidence) -> Averages:
-    force, found = applied_forces(evidence), evidence.found
-    run = runs(evidence)
+    force, found, run = evidence.force, evidence.found, evidence.loads.runs()
     loads, load = np.unique(np.round(evidence.loads.applied, 3), return_inverse=True)
     keys, cell = np.unique(run * len(loads) + load, return_inverse=True)
     count = np.bincount(cell)

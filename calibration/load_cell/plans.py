@@ -17,7 +17,7 @@ import numpy as np
 from calibration.load_cell.characteristics import CREEP_AT
 from calibration.load_cell.readings import LoadCellReadings
 from calibration.taking.pieces import WeightChange, next_change, possible_loads, told_pieces
-from calibration.taking.procedure import Event, Method, Procedure, Step, StepKind
+from calibration.taking.procedure import Method, Procedure, Step, StepKind
 
 
 class PlanKind(enum.StrEnum):
@@ -166,12 +166,12 @@ def wrong_angle(angle: float, step: Step) -> str:
     )
 
 
-def _told(plan: LoadCellPlan) -> Event:
-    return {"kind": plan.kind.value, "heaviest": plan.heaviest, "pieces": list(plan.pieces)}
-
-
 WEIGHING = Method(
-    told=_told,
+    told=lambda plan: {
+        "kind": plan.kind.value,
+        "heaviest": plan.heaviest,
+        "pieces": list(plan.pieces),
+    },
     plan=lambda e: LoadCellPlan(PlanKind(e["kind"]), e["heaviest"], tuple(e["pieces"])),
     set_up="turned",
     place="angle",
@@ -183,11 +183,4 @@ WEIGHING = Method(
 
 def load_cell_readings(procedure: Procedure[LoadCellPlan]) -> LoadCellReadings:
     """Return the readings that stand, in the order taken; those of the creep are left out."""
-    kept = procedure.standing(of=lambda step: not step.due)
-    return LoadCellReadings(
-        series=tuple(step.series for step, _ in kept),
-        step=np.array([step.number for step, _ in kept], dtype=np.int64),
-        mass=np.array([one.value for _, one in kept]),
-        angle=np.array([one.place for _, one in kept]),
-        signal=np.array([one.signal for _, one in kept]).reshape(-1, 2),
-    )
+    return LoadCellReadings(*procedure.columns(of=lambda step: not step.due))

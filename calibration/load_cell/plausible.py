@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.weights import STANDARD_GRAVITY
-from calibration.problems import Problem
+from calibration.problems import Problem, note
 
 OVERLOADING = 1.2
 """A cell bears so many times its full scale: the safe load that makers of such cells state."""
@@ -129,9 +129,8 @@ def _gravity(settings: LoadCellSettings) -> Iterator[Problem]:
             f" mean {expected:.4f} m/s2; correct one of them.",
         )
     elif settings.gravity_stated and expected is None and abs(gravity - STANDARD_GRAVITY) < 5e-6:
-        yield Problem(
+        yield note(
             "standard_gravity",
             "gravity_m_s2 = 9.80665 is the standard value, not a local one (up to 0.27 % off);"
             " write the local value, or latitude and height.",
-            blocks=False,
         )

@@ -13,8 +13,14 @@ from calibration.load_cell.plausible import RATED_OUTPUT, check_settings, heavie
 from calibration.load_cell.readings import LoadCellReadings
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.weights import weight_force
-from calibration.problems import Problem
-from calibration.taking.readings import check_columns, check_steps, not_numbers, place_of
+from calibration.problems import Problem, blocked
+from calibration.taking.readings import (
+    check_columns,
+    check_steps,
+    each_series,
+    not_numbers,
+    place_of,
+)
 
 FEWEST_LOADED = 12
 """Twice the coefficients of the linear model: fewer leave no mistake to be seen."""
@@ -34,7 +40,7 @@ WIDEST_GAP = np.radians(130.0)
 def check_readings(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
     """Yield what makes readings or settings unusable whatever the fit says."""
     columns = np.column_stack((readings.mass, readings.angle, readings.signal))
-    yield from check_columns(readings)
+    yield from check_columns(readings.unused)
     yield from not_numbers(readings, columns)
     yield from _angles(readings)
     scale = [
@@ -43,7 +49,7 @@ def check_readings(readings: LoadCellReadings, settings: LoadCellSettings) -> It
         *_dead_or_stuck(readings, settings),
     ]
     yield from scale
-    if not any(problem.blocks for problem in scale):
+    if not blocked(scale):
         yield from _rated_output(readings, settings)
     loaded = int(np.count_nonzero(readings.mass > 0.0))
     if loaded < FEWEST_LOADED:
@@ -183,12 +189,11 @@ def coarse(readings: LoadCellReadings) -> bool:
 
 def _copied(readings: LoadCellReadings) -> Iterator[Problem]:
     """Two series with the same digits, where the cell's noise would have changed some."""
-    names = list(dict.fromkeys(readings.series))
-    series, group = np.array(readings.series), angle_groups(readings.angle)
-    members = {name: np.flatnonzero(series == name) for name in names}
+    group = angle_groups(readings.angle)
+    members = {name: np.flatnonzero(marks) for name, marks in each_series(readings.series)}
     alike = [
         (name, other)
-        for other, name in combinations(names, 2)
+        for other, name in combinations(members, 2)
         if len(members[name]) > FEWEST_COPIED
         and np.array_equal(readings.signal[members[name]], readings.signal[members[other]])
     ]

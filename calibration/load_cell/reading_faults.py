@@ -12,7 +12,7 @@ import numpy as np
 from calibration.arrays import Array, Marks
 from calibration.load_cell.evidence import SURE, Evidence
 from calibration.problems import Problem
-from calibration.taking.readings import place_of
+from calibration.taking.readings import each_series, place_of
 
 ANGLE_OFF = np.radians(0.5)
 """An angle set by eye and read from a protractor is right to a few tenths: that is scatter, which
@@ -38,17 +38,22 @@ def _off(evidence: Evidence) -> tuple[Array, Array]:
     return evidence.loads.along - evidence.loads.applied, evidence.loads.across
 
 
+def _along_only(evidence: Evidence) -> Marks:
+    """Tell which readings are off along their load, and little across it."""
+    (off, across), sure = _off(evidence), _sure(evidence)
+    return (np.abs(off) > sure) & (np.abs(across) < np.maximum(sure, 0.5 * np.abs(off)))
+
+
 # --- angles --------------------------------------------------------------------------------------
 
 
 def _angle_off(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     """A pin angle at which every load seems turned by the same amount."""
     found, readings = evidence.loads, evidence.readings
-    series = np.array(readings.series)
     turns: list[tuple[float, float, Marks]] = []
-    for name in dict.fromkeys(readings.series):
-        for group in np.unique(found.group[series == name]):
-            block = (series == name) & (found.group == group)
+    for _, members in each_series(readings.series):
+        for group in np.unique(found.group[members]):
+            block = members & (found.group == group)
             turn = _turn(evidence, block & (found.applied > 0.0))
             if turn is not None:
                 turns.append((*turn, block))
@@ -132,14 +137,9 @@ def _angle_of_one(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
 
 def _steps(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     """Readings that fit another step's mass than their own: skipped, repeated, swapped."""
-    readings = evidence.readings
-    off, across = _off(evidence)
-    sure = _sure(evidence)
-    wrong = (np.abs(off) > sure) & (np.abs(across) < np.maximum(sure, 0.5 * np.abs(off)))
-    wrong &= ~explained
-    series = np.array(readings.series)
-    for name in dict.fromkeys(readings.series):
-        members = [int(i) for i in np.flatnonzero(series == name)]
+    wrong = _along_only(evidence) & ~explained
+    for _, marks in each_series(evidence.readings.series):
+        members = np.flatnonzero(marks).tolist()
         yield from _shifted(evidence, members, wrong, explained)
         yield from _swapped(evidence, members, wrong, explained)
 
@@ -196,12 +196,10 @@ def _swapped(
 
 def _swinging(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     """A series in which the readings are off to and fro, along and across."""
-    readings, found = evidence.readings, evidence.loads
     off, across = _off(evidence)
     size = np.hypot(off, across)
-    series = np.array(readings.series)
-    for name in dict.fromkeys(readings.series):
-        members = (series == name) & (found.applied > 0.0) & ~explained
+    for name, members in each_series(evidence.readings.series):
+        members &= (evidence.loads.applied > 0.0) & ~explained
         bad = members & (size > 4.0 * evidence.noise)
         if np.count_nonzero(bad) < max(3.0, 0.4 * np.count_nonzero(members)):
             continue
@@ -239,10 +237,7 @@ def _loose_cable(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
 
 def _wrong_weight(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     readings, found = evidence.readings, evidence.loads
-    off, across = _off(evidence)
-    sure = _sure(evidence)
-    wrong = (np.abs(off) > sure) & (np.abs(across) < np.maximum(sure, 0.5 * np.abs(off)))
-    wrong &= ~explained
+    wrong = _along_only(evidence) & ~explained
     if np.count_nonzero(wrong) > 0.4 * len(readings):
         return
     for index in np.flatnonzero(wrong):
@@ -280,10 +275,9 @@ def _scatter(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     """A series, or one reading, that scatters more than the cell can."""
     size = np.hypot(*_off(evidence))
     readings, allowed = evidence.readings, _allowed(evidence)
-    series = np.array(readings.series)
     worst: tuple[float, str] = (0.0, "")
-    for name in dict.fromkeys(readings.series):
-        members = (series == name) & ~explained
+    for name, members in each_series(readings.series):
+        members &= ~explained
         if np.count_nonzero(members) >= 4:
             spread = float(np.sqrt(np.mean(size[members] ** 2) / 2.0))
             worst = max(worst, (spread, name))

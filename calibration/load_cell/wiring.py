@@ -13,7 +13,7 @@ from itertools import combinations
 import numpy as np
 
 from calibration.arrays import Array, Marks
-from calibration.load_cell.evidence import Evidence, applied_forces, runs
+from calibration.load_cell.evidence import Evidence
 from calibration.problems import Problem
 
 FITS = 0.1
@@ -77,8 +77,8 @@ def told_by_one_load(change: Array, direction: Array) -> Problem | None:
 
 def check_wiring(evidence: Evidence) -> Iterator[Problem]:
     """Yield what is wired wrongly in some series; a bridge that is dead in all of them."""
-    run = runs(evidence)
-    force, signal = applied_forces(evidence), evidence.readings.signal
+    run = evidence.loads.runs()
+    force, signal = evidence.force, evidence.readings.signal
     slopes, directions, used = [], [], []
     for number in range(int(run.max()) + 1):
         members = run == number

@@ -24,7 +24,7 @@ from calibration.arrays import Array
 from calibration.probes.calibrate import ProbeCalibration, calibrate_probe
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
-from calibration.problems import Problem
+from calibration.problems import Problem, blocked
 
 LARGEST_ANGLE = math.radians(15.0)
 """A probe that is mounted by eye stands within five degrees; three times that is a mistake."""
@@ -58,7 +58,7 @@ class PairCalibration:
     @property
     def accepted(self) -> bool:
         """Tell whether nothing blocks the pair."""
-        return self.alignment is not None and not any(one.blocks for one in self.problems)
+        return self.alignment is not None and not blocked(self.problems)
 
 
 def calibrate_pair(

@@ -13,8 +13,8 @@ from calibration.probes.cylinder import apparent_gap, sensitivity_gain
 from calibration.probes.positions import robust_line
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
-from calibration.problems import Problem
-from calibration.taking.uncertainty import Budget, Contribution, combine
+from calibration.problems import Problem, blocked
+from calibration.taking.uncertainty import Budget, Contribution, at_most, combine
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +52,7 @@ class ProbeCalibration:
 def calibrate_probe(readings: ProbeReadings, settings: ProbeSettings) -> ProbeCalibration:
     """Fit, check and judge; a calibration with a blocking problem is not accepted."""
     problems = list(unusable(readings, settings))
-    if any(problem.blocks for problem in problems):
+    if blocked(problems):
         return ProbeCalibration(False, tuple(problems))
     line = robust_line(readings.position, readings.signal)
     if line.slope == 0.0:
@@ -91,28 +91,19 @@ def _result(
     spread = float(np.sqrt(np.sum((readings.position - readings.position.mean()) ** 2)))
     relative = std / spread
     hysteresis = _hysteresis(readings, residual)
-    free, even = float(count - 2), math.sqrt(3.0)
-    resolution = settings.resolution_volts / abs(slope) / math.sqrt(12.0)
+    free = float(count - 2)
     lines = (
         Contribution("residual of the line", std, free, "A", averages=True),
         Contribution("slope", 0.5 * span * relative, free, "A"),
         Contribution("micrometer", settings.micrometer_uncertainty),
-        Contribution("resolution", resolution, distribution="rectangular"),
+        at_most("resolution", 0.5 * settings.resolution_volts / abs(slope)),
         Contribution("backlash", abs(hysteresis or 0.0) / 2.0, math.inf, "A", "two-point"),
-        Contribution(
-            "cylindrical target, change of sensitivity", bending / even, distribution="rectangular"
-        ),
-        Contribution(
-            "motion across the axis", _off_axis(settings) / even, distribution="rectangular"
-        ),
-        Contribution(
-            "direction of the probe",
-            settings.direction * settings.off_axis / even,
-            distribution="rectangular",
-        ),
+        at_most("cylindrical target, change of sensitivity", bending),
+        at_most("motion across the axis", _off_axis(settings)),
+        at_most("direction of the probe", settings.direction * settings.off_axis),
     )
     return ProbeCalibration(
-        accepted=not any(problem.blocks for problem in problems),
+        accepted=not blocked(problems),
         problems=tuple(problems),
         sensitivity=float(1.0 / (slope * gain)),
         offset=float(intercept),

@@ -12,8 +12,8 @@ from calibration.arrays import Marks
 from calibration.probes.positions import RobustLine, falling, positions, robust_line
 from calibration.probes.readings import FEWEST_POSITIONS, ProbeReadings
 from calibration.probes.settings import ProbeSettings
-from calibration.problems import Problem
-from calibration.taking.readings import check_columns, check_steps, not_numbers
+from calibration.problems import Problem, blocked, note
+from calibration.taking.readings import check_columns, check_steps, each_series, not_numbers
 
 GOOD_POSITIONS = 11
 """With ten steps a bend of the line stands out from what single positions are off."""
@@ -36,7 +36,7 @@ def unusable(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Probl
     columns = [readings.position, readings.signal]
     if readings.other is not None:
         columns.append(readings.other)
-    yield from check_columns(readings)
+    yield from check_columns(readings.unused)
     odd = list(not_numbers(readings, np.column_stack(columns)))
     if odd:
         yield from odd
@@ -51,7 +51,7 @@ def unusable(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Probl
         return
     numbering = list(check_steps(readings, readings.series))
     yield from numbering
-    if any(problem.blocks for problem in numbering):
+    if blocked(numbering):
         return
     if settings.gap_at_zero and settings.gap_at_zero + float(readings.position.min()) <= 0.0:
         yield Problem(
@@ -93,16 +93,14 @@ def checks(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -
         found = [*_monotonic(readings, line), *_systematic(readings, line)]
     yield from found
     if len(np.unique(readings.position)) < GOOD_POSITIONS:
-        yield Problem(
+        yield note(
             "few_positions",
             f"Fewer than {GOOD_POSITIONS} positions; linearity is known only roughly.",
-            blocks=False,
         )
     if not np.any(falling(readings)):
-        yield Problem(
+        yield note(
             "one_direction",
             "No position was read both going out and coming back; backlash is unknown.",
-            blocks=False,
         )
 
 
@@ -146,18 +144,19 @@ def _saturation(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Pr
 
 
 def _copies(readings: ProbeReadings) -> Iterator[Problem]:
-    names = list(dict.fromkeys(readings.series))
-    series = np.array(readings.series)
-    values = {name: tuple(readings.signal[series == name].tolist()) for name in names}
-    for index, name in enumerate(names):
-        for earlier in names[:index]:
-            long = len(values[name]) >= FEWEST_POSITIONS and len(set(values[name])) > 3
-            if long and values[name] == values[earlier] and np.any(_rough(values[name])):
-                yield Problem(
-                    "copied_series",
-                    f"Series {name} repeats series {earlier} digit for digit; take it again.",
-                )
-                return
+    values = {
+        name: tuple(readings.signal[members].tolist())
+        for name, members in each_series(readings.series)
+    }
+    names = list(values)
+    for name, earlier in ((b, a) for at, b in enumerate(names) for a in names[:at]):
+        long = len(values[name]) >= FEWEST_POSITIONS and len(set(values[name])) > 3
+        if long and values[name] == values[earlier] and np.any(_rough(values[name])):
+            yield Problem(
+                "copied_series",
+                f"Series {name} repeats series {earlier} digit for digit; take it again.",
+            )
+            return
 
 
 def _rough(values: tuple[float, ...]) -> Marks:

@@ -8,14 +8,13 @@ from dataclasses import dataclass
 from calibration.arrays import Array
 from calibration.taking.procedure import Step, StepKind
 from calibration.taking.signals import (
-    Demand,
     Judgement,
     Readiness,
     SignalState,
     SignalWindow,
+    Steadiness,
     assess,
 )
-from calibration.taking.stability import Steadiness
 
 SPREAD_OF_RANGE = 0.002
 """Part of the probe's range that a steady voltage may spread, beside the noise of its samples:
@@ -42,23 +41,19 @@ class ProbeWindow(SignalWindow):
 def assess_probe(window: ProbeWindow, step: Step, since: float, wait: float) -> Readiness:
     """Judge a window for a step; ``felt`` is the position (m) that the calibration in use shows.
 
-    since, wait: see ``Demand``.
+    since, wait: see ``assess``.
     """
     probe = int(step.set_up or 1) - 1
     return assess(
         window,
-        Demand(
-            since=since,
-            wait=wait,
-            spread=window.range_volts * SPREAD_OF_RANGE * (0.25 + window.noise_share),
-            slope=window.range_volts * SLOPE_OF_RANGE,
-            first=None if window.stands else (SignalState.MOVING, "the crank turns; it must stand"),
-            set_up=lambda found: _mounted(window, step, found),
-            felt=lambda mean: float(
-                window.sensitivity[probe] * (mean[probe] - window.offset[probe])
-            ),
-            unsteady="still moving",
-        ),
+        since=since,
+        wait=wait,
+        spread=window.range_volts * SPREAD_OF_RANGE * (0.25 + window.noise_share),
+        slope=window.range_volts * SLOPE_OF_RANGE,
+        first=None if window.stands else (SignalState.MOVING, "the crank turns; it must stand"),
+        set_up=lambda found: _mounted(window, step, found),
+        felt=lambda mean: float(window.sensitivity[probe] * (mean[probe] - window.offset[probe])),
+        unsteady="still moving",
     )
 
 

@@ -117,11 +117,5 @@ MEASURING = Method(
 
 def probe_readings(procedure: Procedure[ProbePlan], probe: int) -> ProbeReadings:
     """Return the readings of a probe that stand, in the order taken."""
-    kept = procedure.standing(of=lambda step: step.set_up == probe)
-    return ProbeReadings(
-        series=tuple(step.series for step, _ in kept),
-        step=np.array([step.number for step, _ in kept], dtype=np.int64),
-        position=np.array([one.value for _, one in kept], dtype=np.float64),
-        signal=np.array([one.signal[probe - 1] for _, one in kept], dtype=np.float64),
-        other=np.array([one.signal[2 - probe] for _, one in kept], dtype=np.float64),
-    )
+    series, step, position, _, signal = procedure.columns(of=lambda step: step.set_up == probe)
+    return ProbeReadings(series, step, position, signal[:, probe - 1], signal[:, 2 - probe])

@@ -10,7 +10,7 @@ Runs are judged by the rules that are called Western Electric's.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,12 +30,11 @@ RANGE_DEGREES = 0.62
 
 @dataclass(frozen=True, slots=True)
 class ChartFinding:
-    """What a rule found. at: place of the last value (from 0); action: or only attention."""
+    """What a rule found of the last value. action: it asks for one, not for attention only."""
 
     code: str
     sentence: str
-    at: int
-    action: bool
+    action: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,90 +67,70 @@ def limit_factor(count: int) -> float:
     return -float(special.stdtrit(RANGE_DEGREES * (count - 1), BEYOND)) * spread
 
 
-def chart(
-    values: Sequence[float], promised: float, expanded: float | None, *, least: float = 0.0
-) -> Chart:
+def chart(values: Sequence[float], promised: float, expanded: float | None) -> Chart:
     """Judge values in the order of time.
 
-    expanded: U of one value about ``promised``; None when the calibration does not state it. least:
-    the smallest standard deviation believed in, of the resolution. The last value is what counts: a
-    rule is told when it ends there.
+    expanded: U of one value about ``promised``; None when the calibration does not state it. The
+    last value is what counts: a rule is told when it ends there.
     """
     array = np.asarray(values, np.float64)
-    findings: list[ChartFinding] = []
     centre = sigma = None
-    last = len(array) - 1
-    if last >= 0 and expanded is not None and abs(array[last] - promised) > expanded:
-        findings.append(
-            ChartFinding(
-                "beyond_uncertainty",
-                f"The last check is {array[last] - promised:+.5f} off what the calibration says,"
-                f" more than its uncertainty of {expanded:.5f}: calibrate again.",
-                last,
-                True,
-            )
-        )
+    findings = [*_promise(array, promised, expanded)]
     if len(array) >= ENOUGH:
         # The last value is judged by the others.
         before = array[:-1]
         centre = float(before.mean())
-        sigma = max(float(np.abs(np.diff(before)).mean()) / RANGE_FACTOR, least, 1e-12)
+        sigma = max(float(np.abs(np.diff(before)).mean()) / RANGE_FACTOR, 1e-12)
         findings += _rules((array - centre) / sigma)
     findings += _trend(array)
     return Chart(array, promised, expanded, centre, sigma, tuple(findings))
 
 
-def _rules(z: Array) -> list[ChartFinding]:
+def _promise(values: Array, promised: float, expanded: float | None) -> Iterator[ChartFinding]:
+    if len(values) and expanded is not None and abs(values[-1] - promised) > expanded:
+        yield ChartFinding(
+            "beyond_uncertainty",
+            f"The last check is {values[-1] - promised:+.5f} off what the calibration says,"
+            f" more than its uncertainty of {expanded:.5f}: calibrate again.",
+        )
+
+
+def _rules(z: Array) -> Iterator[ChartFinding]:
     """Judge values in standard deviations from the centre, by the first rule that holds."""
-    last = len(z) - 1
     side = float(np.sign(z[-1]))
     above = "above" if side > 0 else "below"
-    if abs(z[-1]) > limit_factor(last):
-        return [
-            ChartFinding(
-                "beyond_limits",
-                f"The last check lies {abs(z[-1]):.1f} standard deviations {above} the mean of all"
-                " before: repeat it; if it stays, look for the cause before testing.",
-                last,
-                True,
-            )
-        ]
+    if abs(z[-1]) > limit_factor(len(z) - 1):
+        yield ChartFinding(
+            "beyond_limits",
+            f"The last check lies {abs(z[-1]):.1f} standard deviations {above} the mean of all"
+            " before: repeat it; if it stays, look for the cause before testing.",
+        )
+        return
     if len(z) >= 8 and np.all(side * z[-8:] > 0.0):
-        return [
-            ChartFinding(
-                "shift",
-                f"Eight checks in a row lie {above} the mean: the cell has shifted; plan a new"
-                " calibration.",
-                last,
-                True,
-            )
-        ]
+        yield ChartFinding(
+            "shift",
+            f"Eight checks in a row lie {above} the mean: the cell has shifted; plan a new"
+            " calibration.",
+        )
+        return
     for code, window, count, bound in (("two_of_three", 3, 2, 2.0), ("four_of_five", 5, 4, 1.0)):
         if len(z) >= window and np.count_nonzero(side * z[-window:] > bound) >= count:
-            return [
-                ChartFinding(
-                    code,
-                    f"{count} of the last {window} checks lie more than {bound:g} standard"
-                    f" deviation{'s' if bound > 1 else ''} {above} the mean: something begins to"
-                    " change; watch it.",
-                    last,
-                    False,
-                )
-            ]
-    return []
+            yield ChartFinding(
+                code,
+                f"{count} of the last {window} checks lie more than {bound:g} standard"
+                f" deviation{'s' if bound > 1 else ''} {above} the mean: something begins to"
+                " change; watch it.",
+                action=False,
+            )
+            return
 
 
-def _trend(values: Array) -> list[ChartFinding]:
+def _trend(values: Array) -> Iterator[ChartFinding]:
     steps = np.diff(values[-7:])
-    if len(steps) < 6 or not (np.all(steps > 0.0) or np.all(steps < 0.0)):
-        return []
-    way = "rose" if steps[0] > 0.0 else "fell"
-    return [
-        ChartFinding(
+    if len(steps) == 6 and (np.all(steps > 0.0) or np.all(steps < 0.0)):
+        way = "rose" if steps[0] > 0.0 else "fell"
+        yield ChartFinding(
             "trend",
             f"The value {way} seven checks in a row, by {abs(float(steps.sum())):.5f} in all: the"
             " cell drifts; plan a new calibration.",
-            len(values) - 1,
-            True,
         )
-    ]

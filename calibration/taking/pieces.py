@@ -45,8 +45,9 @@ def next_change(
     """
     if len(available) > MOST_PIECES:
         raise PiecesError(f"{len(available)} pieces are more than {MOST_PIECES}; name fewer")
-    rest = _without(available, hanging)
-    kept = tuple(sorted(hanging, reverse=True))
+    for strange in _beyond(hanging, available):
+        raise PiecesError(f"a piece of {strange:g} kg hangs but is not in the set")
+    rest, kept = _beyond(available, hanging), _sorted(hanging)
     present = sum(kept)
     if target >= present - tolerance:
         more = _nearest(target - present, rest)
@@ -54,7 +55,7 @@ def next_change(
             return WeightChange(more, (), _sorted((*kept, *more)))
     fewer = _nearest(target, kept)
     if abs(sum(fewer) - target) <= tolerance:
-        return WeightChange((), _without(kept, fewer), _sorted(fewer))
+        return WeightChange((), _beyond(kept, fewer), _sorted(fewer))
     fresh = _nearest(target, available)
     if abs(sum(fresh) - target) > tolerance:
         raise PiecesError(
@@ -95,26 +96,10 @@ def _nearest(target: float, pieces: Sequence[float]) -> tuple[float, ...]:
     return _sorted(reached[best])
 
 
-def _without(pieces: Sequence[float], taken: Sequence[float]) -> tuple[float, ...]:
-    left = list(pieces)
-    for piece in taken:
-        if piece not in left:
-            raise PiecesError(f"a piece of {piece:g} kg hangs but is not in the set")
-        left.remove(piece)
-    return _sorted(left)
-
-
 def _beyond(pieces: Sequence[float], others: Sequence[float]) -> tuple[float, ...]:
     """Return the pieces that are not among the others, each counted as often as it is there."""
-    left = list(others)
-    found = []
-    for piece in pieces:
-        if piece in left:
-            left.remove(piece)
-        else:
-            found.append(piece)
-    return _sorted(found)
+    return _sorted((Counter(pieces) - Counter(others)).elements())
 
 
-def _sorted(pieces: Sequence[float]) -> tuple[float, ...]:
+def _sorted(pieces: Iterable[float]) -> tuple[float, ...]:
     return tuple(sorted(pieces, reverse=True))

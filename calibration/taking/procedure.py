@@ -24,7 +24,7 @@ from typing import Any, Generic, Protocol, Self, TypeVar
 
 import numpy as np
 
-from calibration.arrays import Array
+from calibration.arrays import Array, Whole
 
 Event = Mapping[str, Any]
 Signals = Sequence[float] | Array
@@ -66,11 +66,6 @@ class Step:
     falling: bool = False
     due: float = 0.0
     optional: bool = False
-
-    @property
-    def effort(self) -> float:
-        """Return the seconds that the step takes a technician."""
-        return self.wait + self.handling
 
 
 class Plan(Protocol):
@@ -178,6 +173,19 @@ class Procedure(Generic[PlanType]):
         """Return the readings that stand, of some steps, in the order taken."""
         pairs = ((self.steps[one.step], one) for one in self.taken if not one.rejected)
         return [(step, one) for step, one in pairs if of(step)]
+
+    def columns(
+        self, *, of: Callable[[Step], bool]
+    ) -> tuple[tuple[str, ...], Whole, Array, Array, Array]:
+        """Return series, step (n,), value, place and signals (n, 2) of readings that stand."""
+        kept = self.standing(of=of)
+        return (
+            tuple(step.series for step, _ in kept),
+            np.array([step.number for step, _ in kept], dtype=np.int64),
+            np.array([one.value for _, one in kept], dtype=np.float64),
+            np.array([one.place for _, one in kept], dtype=np.float64),
+            np.array([one.signal for _, one in kept], dtype=np.float64).reshape(-1, 2),
+        )
 
     # --- events ----------------------------------------------------------------------------------
 
@@ -345,7 +353,7 @@ class Procedure(Generic[PlanType]):
 
 def time_needed(steps: Iterable[Step]) -> float:
     """Return the seconds that the steps take a technician."""
-    return sum(step.effort for step in steps)
+    return sum(step.wait + step.handling for step in steps)
 
 
 def duration_words(steps: Iterable[Step]) -> str:

@@ -11,8 +11,8 @@ from typing import Protocol
 
 import numpy as np
 
-from calibration.arrays import Array, Whole
-from calibration.problems import Problem
+from calibration.arrays import Array, Marks, Whole
+from calibration.problems import Problem, note
 
 LARGEST = 1e12
 """No quantity of these tables comes near: a larger number is a slip of exponent or comma."""
@@ -36,17 +36,15 @@ class Stepwise(Protocol):
         """Return the step number of each reading."""
 
 
-class Tabled(Protocol):
-    """Readings from a table that may have had columns which nothing reads."""
-
-    @property
-    def unused(self) -> tuple[str, ...]:
-        """Return the names of the columns that were passed over."""
-
-
 def place_of(readings: Stepwise, index: int) -> str:
     """Return where a reading stands, in words."""
     return f"series {readings.series[index]}, step {readings.step[index]}"
+
+
+def each_series(names: Sequence[str]) -> Iterator[tuple[str, Marks]]:
+    """Yield each series in the order taken: its name, and which readings (n,) are of it."""
+    for name in dict.fromkeys(names):
+        yield name, np.array([one == name for one in names], dtype=np.bool_)
 
 
 def not_numbers(readings: Stepwise, columns: Array) -> Iterator[Problem]:
@@ -92,11 +90,10 @@ def check_steps(readings: Stepwise, runs: Sequence[Hashable]) -> Iterator[Proble
         left_out += [place_of(readings, index) for stride, index in strides if stride != usual]
     if left_out:
         more = f" (and at {len(left_out) - 1} more)" if len(left_out) > 1 else ""
-        yield Problem(
+        yield note(
             "missing_step",
             f"A step number is left out before {left_out[0]}{more}: a reading that does not count"
             " is better kept as a comment with its reason.",
-            blocks=False,
         )
 
 
@@ -130,14 +127,13 @@ def _runs(runs: Sequence[Hashable], steps: Sequence[int]) -> Iterator[list[int]]
         yield taken[start:]
 
 
-def check_columns(readings: Tabled) -> Iterator[Problem]:
+def check_columns(unused: tuple[str, ...]) -> Iterator[Problem]:
     """Yield a note on columns of the table that nothing reads: one may be misspelt."""
-    if readings.unused:
-        names = ", ".join(readings.unused)
-        yield Problem(
+    if unused:
+        names = ", ".join(unused)
+        yield note(
             "unused_columns",
             f"The table has columns that are passed over: {names}; is one of them misspelt?",
-            blocks=False,
         )
 
 

@@ -54,6 +54,11 @@ class Contribution:
         return self.points or (self.uncertainty,)
 
 
+def at_most(name: str, size: float, evaluation: Evaluation = "B") -> Contribution:
+    """Return the line of what is off by at most so much, either way."""
+    return Contribution(name, size / math.sqrt(3.0), math.inf, evaluation, "rectangular")
+
+
 @dataclass(frozen=True, slots=True)
 class Budget:
     """The uncertainty at one value, in its unit: contributions, combined, coverage, expanded.

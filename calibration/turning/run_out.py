@@ -23,7 +23,7 @@ import numpy as np
 from GTC import reporting
 
 from calibration.arrays import Array
-from calibration.problems import Problem
+from calibration.problems import Problem, blocked, note
 
 FEWEST_REVOLUTIONS = 5
 GOOD_REVOLUTIONS = 10
@@ -140,7 +140,7 @@ def make_map(rolls: Sequence[Roll], orders: int, elastic_doubts: Sequence[Array]
     if not 1 <= orders <= MOST_ORDERS:
         raise RunOutError(f"orders: choose 1 to {MOST_ORDERS}")
     problems = list(_unusable(rolls, orders))
-    if any(problem.blocks for problem in problems):
+    if blocked(problems):
         return RunOutMap(False, tuple(problems))
     found = tuple(
         _develop(index, turn, orders) for index, roll in enumerate(rolls) for turn in roll.turns
@@ -172,7 +172,7 @@ def map_of_harmonics(
     problems = (*problems, *_judge(curve, combined, within, between, drift))
     factor = float(reporting.k_factor(max(2.0, float(len(found) - 1))))
     return RunOutMap(
-        accepted=not any(problem.blocks for problem in problems),
+        accepted=not blocked(problems),
         problems=problems,
         harmonics=found,
         coefficients=part.coefficients,
@@ -291,11 +291,10 @@ def _unusable(rolls: Sequence[Roll], orders: int) -> Iterator[Problem]:
             )
             continue
         if count < GOOD_REVOLUTIONS:
-            yield Problem(
+            yield note(
                 "few_revolutions",
                 f"{roll.label}: {count} revolutions; with {GOOD_REVOLUTIONS} the spread is known"
                 " better.",
-                blocks=False,
             )
         if not 0.0 < abs(roll.speed) <= OVER * FASTEST:
             yield Problem(
@@ -349,18 +348,16 @@ def _judge(
                 f" {um * drift[probe]:.2f} um: let the rig warm up and run in, and roll again.",
             )
         if between is not None and between[probe] > max(BETWEEN * size, 4.0 * within[probe]):
-            yield Problem(
+            yield note(
                 "not_run_out",
                 f"{name}: the rolls differ by {um * between[probe]:.2f} um from the map: the pin"
                 " moves in the follower with the load. That part is no run-out; it is"
                 " counted as uncertainty.",
-                blocks=False,
             )
         if size < 2.0 * combined[probe]:
-            yield Problem(
+            yield note(
                 "below_uncertainty",
                 f"{name}: the run-out is not larger than its uncertainty"
                 f" ({um * size:.2f} um, u = {um * combined[probe]:.2f} um); applying the map gains"
                 " nothing.",
-                blocks=False,
             )

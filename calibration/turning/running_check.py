@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from calibration.arrays import Array
-from calibration.problems import Problem
+from calibration.problems import Problem, blocked, note
 
 COVERAGE = 2.0
 """About 95 % (GUM 6.3.3)."""
@@ -93,14 +93,13 @@ def running_check(runs: Sequence[SpeedRun], known: Known) -> RunningCheck:
     fast = max(found, key=lambda one: one.speed)
     if known.moment > 0.0 and abs(fast.known[0]) < fast.expanded:
         faults += (
-            Problem(
+            note(
                 "too_slow",
                 f"At the fastest speed the known term is {abs(fast.known[0]):.2f} N, less than the"
                 f" uncertainty of {fast.expanded:.2f} N: this tells little; run faster.",
-                blocks=False,
             ),
         )
-    accepted = not any(one.blocks for one in faults)
+    accepted = not blocked(faults)
     return RunningCheck(
         accepted, faults, found, moment, expanded, _sentence(accepted, fast, moment, expanded)
     )

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from calibration.records import Record, RecordError, in_future, unseal
-from rigapp.calibrating.certificates.parts import Content, Parts, taken_words, write_page
+from rigapp.calibrating.certificates.parts import Content, Parts, rows_of, taken_words, write_page
 from rigapp.calibrating.subjects import subject_of
 from rigapp.config.errors import UnusableInput
 from rigapp.report.page.manuscript import Block, Manuscript, Row, Section, Table, Text
@@ -20,6 +20,12 @@ from rigapp.report.page.manuscript import Block, Manuscript, Row, Section, Table
 NEEDED = {"laboratory": "the laboratory", "serial_number": "the serial number"}
 """Keys of [paperwork] without which there is only a draft (ISO/IEC 17025, 7.8.2.1 b and g)."""
 
+SURROUNDINGS = {
+    "Temperature": "{place[temperature_degC]:g} °C",
+    "Humidity": "{place[humidity_percent]:g} %",
+    "Pressure": "{place[pressure_hPa]:g} hPa",
+}
+"""Of the settings: what was around at the calibration."""
 EXPANDED = (
     "U is the expanded uncertainty: the standard uncertainty u times the coverage factor k, so that"
     " the value lies within U with a probability of about 95 % (JCGM 100 and 101). Type A:"
@@ -183,8 +189,8 @@ def _method(content: Content, parts: Parts) -> Iterator[Block]:
     yield from map(Text, parts.statements)
     if parts.calibrated:
         yield Text(f"Calibrated range: {parts.calibrated}", strong=True)
-    if parts.conditions:
-        yield Table("Conditions", tuple(parts.conditions))
+    surroundings = rows_of(SURROUNDINGS, content["settings"])
+    yield Table("Conditions", (*surroundings, *parts.conditions))
     yield _standards(content["settings"])
 
 

@@ -12,7 +12,7 @@ from calibration.channel import (
     parse_channel,
     rule_of,
 )
-from rigapp.calibrating.records import budget_lines, finite, problems_of
+from rigapp.calibrating.records import budget_result, problems_of
 from rigapp.calibrating.session import Outcome
 from rigapp.config.calibration_settings import ChannelFile
 
@@ -32,7 +32,7 @@ def fit_channel(text: str, given: ChannelFile, where: str, which: str) -> Outcom
 
 def _result(found: ChannelCalibration, given: ChannelFile) -> dict[str, Any]:
     """Return what ``--json`` prints and the record keeps; ``value`` in a key: in ``unit``."""
-    budget, table = found.budget, None
+    table = None
     if found.points is not None and found.scale is None:
         table = found.points.T.tolist()
     return {
@@ -42,10 +42,7 @@ def _result(found: ChannelCalibration, given: ChannelFile) -> dict[str, Any]:
         "scale_per_V": found.scale,
         "offset_V": found.offset,
         "table": table,
-        "expanded_uncertainty_value": None if budget is None else budget.expanded,
-        "coverage_factor": None if budget is None else budget.coverage_factor,
-        "effective_degrees_of_freedom": None if budget is None else finite(budget.degrees),
-        "budget": [] if budget is None else budget_lines(budget.contributions, "value"),
+        **budget_result(found.budget, "value"),
         "residual_value": None if found.residual is None else found.residual.tolist(),
     }
 

@@ -61,9 +61,8 @@ def draw(found: DailyHistory) -> bytes:
         axes = canvas.add_subplot(rows, columns, place)
         count = np.arange(1, len(one.values) + 1)
         axes.plot(count, one.values, "-o", color=BLUE, ms=4, lw=1, label="checks")
-        flagged = sorted({finding.at for finding in one.findings})
-        if flagged:
-            axes.plot(count[flagged], one.values[flagged], "s", color=ORANGE, ms=9, mfc="none",
+        if one.findings:
+            axes.plot(count[-1:], one.values[-1:], "s", color=ORANGE, ms=9, mfc="none",
                       mew=1.8, label="see the words")  # fmt: skip
         axes.axhline(one.promised, color=GREY, lw=1.0)
         if one.expanded is not None:

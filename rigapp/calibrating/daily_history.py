@@ -7,7 +7,9 @@ import json
 import math
 import time
 from collections.abc import Mapping, Sequence
+from contextlib import closing
 from dataclasses import dataclass
+from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -107,16 +109,13 @@ def entry_of(
 
 def append_check(store: Path, entry: Mapping[str, Any]) -> None:
     """Append a check; the same readings count once. Raises UnusableInput."""
-    journal = Journal(store)
-    try:
+    with closing(Journal(store)) as journal:
         events = journal.read()
         previous = _verify(store, events)
         if events and events[-1].get("source") == entry["source"]:
             return
         body = {**entry, "previous": previous}
         journal.append({**body, "digest": _digest(body)})
-    finally:
-        journal.close()
 
 
 def read_history(store: Path, rig: str | None = None) -> DailyHistory:
@@ -124,13 +123,10 @@ def read_history(store: Path, rig: str | None = None) -> DailyHistory:
 
     rig: only of this rig; None for the one of the last check. Raises UnusableInput.
     """
-    if not store.is_file():
-        raise UnusableInput(f"{store}: there are no daily checks yet; take one first.")
-    journal = Journal(store)
-    try:
-        events = journal.read()
-    finally:
-        journal.close()
+    events: list[dict[str, Any]] = []
+    if store.is_file():
+        with closing(Journal(store)) as journal:
+            events = journal.read()
     _verify(store, events)
     if not events:
         raise UnusableInput(f"{store}: there are no daily checks yet; take one first.")
@@ -139,11 +135,8 @@ def read_history(store: Path, rig: str | None = None) -> DailyHistory:
     if not mine:
         raise UnusableInput(f"{store}: there is no daily check of the rig {wanted!r}.")
     used = mine[-1]["calibration"]
-    present = len(mine)
-    while present > 0 and mine[present - 1]["calibration"] == used:
-        present -= 1
-    entries = tuple(mine[present:])
-    return DailyHistory(entries, present, _charts(entries))
+    entries = tuple(takewhile(lambda one: one["calibration"] == used, reversed(mine)))[::-1]
+    return DailyHistory(entries, len(mine) - len(entries), _charts(entries))
 
 
 def _charts(entries: Sequence[Mapping[str, Any]]) -> dict[str, Chart]:

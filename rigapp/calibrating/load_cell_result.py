@@ -14,9 +14,8 @@ from calibration.load_cell.characteristics import Creep, creep_words
 from calibration.load_cell.force_uncertainty import too_uncertain
 from calibration.load_cell.readings import parse_load_cell
 from calibration.load_cell.settings import LoadCellSettings
-from calibration.problems import Problem
-from calibration.taking.uncertainty import Budget
-from rigapp.calibrating.records import budget_lines, finite, problems_of
+from calibration.problems import Problem, blocked
+from rigapp.calibrating.records import budget_result, finite, problems_of
 from rigapp.calibrating.session import NumberTable, Outcome
 from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
 
@@ -31,7 +30,7 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
     fit, traits, budget, zero = found.fit, found.traits, found.budget, found.zero
     problems = (*found.problems, *_too_uncertain(found, settings))
     result: dict[str, Any] = {
-        "accepted": found.accepted and not any(one.blocks for one in problems),
+        "accepted": found.accepted and not blocked(problems),
         "problems": problems_of(problems),
         "classification": found.classification,
         "full_scale_N": settings.cell.full_scale,
@@ -62,8 +61,8 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
             )
             for name in ("component", "magnitude")
         },
-        **_budget(budget),
-        "magnitude": _budget(found.by_load[-1].magnitude),
+        **budget_result(budget, "N"),
+        "magnitude": budget_result(found.by_load[-1].magnitude, "N"),
         "uncertainty_by_load": [_at_load(one) for one in found.by_load],
         "zero_expanded_uncertainty": [one.expanded for one in zero],
         "zero_standard_uncertainty": [one.combined for one in zero],
@@ -105,16 +104,6 @@ def _at_load(found: LoadUncertainty) -> dict[str, Any]:
         **told,
         "coverage_factor": found.component.coverage_factor,
         "effective_degrees_of_freedom": finite(found.component.degrees),
-    }
-
-
-def _budget(found: Budget) -> dict[str, Any]:
-    """Return a budget and what comes of it."""
-    return {
-        "expanded_uncertainty_N": found.expanded,
-        "coverage_factor": found.coverage_factor,
-        "effective_degrees_of_freedom": finite(found.degrees),
-        "budget": budget_lines(found.contributions, "N"),
     }
 
 

@@ -80,14 +80,15 @@ def parse_pieces(text: str) -> tuple[float, ...]:
     return tuple(sorted(pieces, reverse=True))
 
 
-def load_cell_plan(plan: str, weights: str, settings: LoadCellSettings) -> LoadCellPlan:
+def load_cell_plan(asked: Mapping[str, Any], given: LoadCellFile) -> LoadCellPlan:
     """Return the plan that words ask for, up to what the pieces make and the cell may bear.
 
     Raises UnusableInput naming the word that is wrong.
     """
+    plan, settings = asked["plan"], load_cell_meaning(given, "settings")
     if plan not in PLANS:
         raise UnusableInput(f"--plan {plan}: choose {', '.join(PLANS)}.")
-    pieces = parse_pieces(weights)
+    pieces = parse_pieces(asked["weights"])
     limit = SHARE_OF_FULL_SCALE * settings.cell.full_scale / settings.place.gravity
     heaviest = min(sum(pieces), limit - settings.weights.hanger_mass)
     return LoadCellPlan(PLANS[plan], heaviest, pieces)

@@ -12,7 +12,7 @@ from calibration.probes.alignment import Alignment, PairCalibration, calibrate_p
 from calibration.probes.calibrate import ProbeCalibration, calibrate_probe
 from calibration.probes.readings import parse_probe
 from calibration.probes.settings import ProbeSettings
-from rigapp.calibrating.records import budget_lines, finite, problems_of
+from rigapp.calibrating.records import budget_result, problems_of
 from rigapp.calibrating.session import Outcome
 
 UM = 1e6
@@ -20,7 +20,6 @@ UM = 1e6
 
 def probe_result(found: ProbeCalibration) -> dict[str, Any]:
     """Return what ``--json`` prints and the record keeps, units in the keys."""
-    budget = found.budget
     return {
         "accepted": found.accepted,
         "problems": problems_of(found.problems),
@@ -31,10 +30,7 @@ def probe_result(found: ProbeCalibration) -> dict[str, Any]:
         "residual_std_um": _times(found.residual_std),
         "hysteresis_um": _times(found.hysteresis),
         "cylinder_gain": found.gain,
-        "expanded_uncertainty_um": _times(found.expanded),
-        "coverage_factor": found.coverage_factor,
-        "effective_degrees_of_freedom": None if budget is None else finite(budget.degrees),
-        "budget": [] if budget is None else budget_lines(budget.contributions, "um", UM),
+        **budget_result(found.budget, "um", UM),
         "residual_um": None if found.residual is None else (UM * found.residual).tolist(),
     }
 

@@ -53,13 +53,20 @@ def usual_reach_um(sensitivity_um_per_V: Sequence[float], range_V: float, positi
     return 0.5 * step * (positions - 1)
 
 
-def probe_plan(probe: str, plan: str, reach_um: float, positions: int) -> ProbePlan:
-    """Return the plan that words ask for; raise UnusableInput naming the one that is wrong."""
+def probe_plan(asked: Mapping[str, Any], given: ProbeFile) -> ProbePlan:
+    """Return the plan that words ask for; raise UnusableInput naming the one that is wrong.
+
+    Without a reach it is the usual one, of probes of some sensitivity.
+    """
+    probe, plan, positions = asked["which"], asked["plan"], asked["positions"]
     if probe not in PROBES:
         raise UnusableInput(f"--probe {probe}: choose {', '.join(PROBES)}.")
     if plan not in PROBE_PLANS:
         raise UnusableInput(f"--plan {plan}: choose {', '.join(PROBE_PLANS)}.")
-    wanted = ProbePlan(PROBES[probe], 1e-6 * reach_um, positions, PROBE_PLANS[plan])
+    reach = asked["reach"]
+    if reach is None:
+        reach = usual_reach_um(asked["sensitivity"], given.probe.range_V, max(positions, 2))
+    wanted = ProbePlan(PROBES[probe], 1e-6 * reach, positions, PROBE_PLANS[plan])
     try:
         wanted.steps()
     except ProcedureError as error:

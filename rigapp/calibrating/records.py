@@ -23,7 +23,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
 
 if TYPE_CHECKING:
-    from calibration.taking.uncertainty import Contribution
+    from calibration.taking.uncertainty import Budget
 
 
 def problems_of(problems: Sequence[Problem]) -> list[dict[str, Any]]:
@@ -31,21 +31,24 @@ def problems_of(problems: Sequence[Problem]) -> list[dict[str, Any]]:
     return [{"code": one.code, "sentence": one.sentence, "blocks": one.blocks} for one in problems]
 
 
-def budget_lines(
-    lines: Sequence[Contribution], unit: str, scale: float = 1.0
-) -> list[dict[str, Any]]:
-    """Return the lines of a budget, the unit in the key; ``scale``: units per SI unit."""
-    return [
-        {
-            "name": one.name,
-            f"standard_uncertainty_{unit}": scale * one.uncertainty,
-            "type": one.evaluation,
-            "distribution": one.distribution,
-            "degrees_of_freedom": finite(one.degrees),
-            "averages_out": one.averages,
-        }
-        for one in lines
-    ]
+def budget_result(found: Budget | None, unit: str, scale: float = 1.0) -> dict[str, Any]:
+    """Return what a result has of a budget, the unit in the keys; ``scale``: units per SI unit."""
+    return {
+        f"expanded_uncertainty_{unit}": None if found is None else scale * found.expanded,
+        "coverage_factor": None if found is None else found.coverage_factor,
+        "effective_degrees_of_freedom": None if found is None else finite(found.degrees),
+        "budget": [
+            {
+                "name": one.name,
+                f"standard_uncertainty_{unit}": scale * one.uncertainty,
+                "type": one.evaluation,
+                "distribution": one.distribution,
+                "degrees_of_freedom": finite(one.degrees),
+                "averages_out": one.averages,
+            }
+            for one in (() if found is None else found.contributions)
+        ],
+    }
 
 
 def finite(degrees: float) -> float | None:

@@ -134,7 +134,6 @@ class RollSession:
     refused: ClassVar[str] = (
         "Nothing is saved. The rolls stay as they are; begin a new map when the cause is removed."
     )
-    reference_is_due: ClassVar[bool] = False
 
     def __init__(
         self,

@@ -33,7 +33,6 @@ from calibration.taking.procedure import (
     take_up,
 )
 from calibration.taking.signals import Readiness, SignalState, SignalWindow
-from calibration.taking.stability import Steadiness
 from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.practice import Practice
 from rigapp.calibrating.records import keep_record, refuse_existing
@@ -289,49 +288,43 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         readiness = self.look(window)
         if not readiness.ready:
             raise ProcedureError(f"it cannot be recorded now: {readiness.words}")
-        preload = self.procedure.step.kind is StepKind.PRELOAD
-        self._refuse_late(window.newest)
-        hung = self._hung(window.newest)
-        self.adopt(self._after(readiness.steadiness, self.place_of(window), at, hung))
+        procedure, found, place = self.procedure, readiness.steadiness, self.place_of(window)
+        now, kind = round(time.time(), 3), procedure.step.kind
+        match kind:
+            case StepKind.SET_UP:
+                after = procedure.set_up(place)
+            case StepKind.PRELOAD:
+                after = procedure.exercised(now)
+            case StepKind.READING:
+                hung = self._in_time(window.newest)
+                after = procedure.record(
+                    found.mean, found.spread, now, value=at, place=place, hung=hung
+                )
+            case _:
+                raise ProcedureError("the angle reference is entered, not recorded")
+        self.adopt(after)
         self._since = window.newest
-        if preload:
+        if kind is StepKind.PRELOAD:
             self._preloaded = window.newest
 
     def leave_out(self) -> None:
         """Do without the series under way; raise ProcedureError where it is needed."""
         self.adopt(self.procedure.leave_out())
 
-    def _hung(self, newest: float) -> float:
-        """Return the seconds since the preload, of a step that is due then; practised, as due."""
-        due = self.procedure.step.due
-        return round(newest - self._preloaded, 1) if due and self._patient else due
+    def _in_time(self, newest: float) -> float:
+        """Return the seconds since the preload, of a step that is due then; practised, as due.
 
-    def _refuse_late(self, newest: float) -> None:
-        """Begin the series again, and raise ProcedureError, where a step is long overdue."""
-        due, hung = self.procedure.step.due, self._hung(newest)
+        Begins the series again, and raises ProcedureError, where the step is long overdue.
+        """
+        due = self.procedure.step.due
+        hung = round(newest - self._preloaded, 1) if due and self._patient else due
         if hung <= due * (1.0 + CREEP_TIMES):
-            return
+            return hung
         self.adopt(self.procedure.again(f"read after {hung:.0f} s"))
         raise ProcedureError(
             f"the load hangs for {hung:.0f} s, {due:g} s were wanted: take it off, the creep begins"
             " again"
         )
-
-    def _after(
-        self, found: Steadiness, place: float | None, at: float | None, hung: float
-    ) -> Procedure[PlanType]:
-        """Return the procedure after the step under way."""
-        procedure, now = self.procedure, round(time.time(), 3)
-        match procedure.step.kind:
-            case StepKind.SET_UP:
-                return procedure.set_up(place)
-            case StepKind.PRELOAD:
-                return procedure.exercised(now)
-            case StepKind.READING:
-                return procedure.record(
-                    found.mean, found.spread, now, value=at, place=place, hung=hung
-                )
-        raise ProcedureError("the angle reference is entered, not recorded")
 
     def reject(self, index: int, reason: str) -> None:
         """Reject a reading (from 0) with a reason; its series is taken again."""

@@ -13,9 +13,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from calibration.channel import CHANNEL_COLUMNS
-from calibration.load_cell.plans import LoadCellPlan
 from calibration.load_cell.readings import LOAD_CELL_COLUMNS
-from calibration.probes.plans import ProbePlan
 from calibration.probes.readings import PROBE_COLUMNS
 from rigapp.calibrating.certificates.channel import channel_parts
 from rigapp.calibrating.certificates.load_cell import load_cell_parts
@@ -29,9 +27,9 @@ from rigapp.calibrating.load_cell_result import fit_load_cell
 from rigapp.calibrating.load_cell_session import LoadCellSession, load_cell_plan
 from rigapp.calibrating.probe_result import fit_probes
 from rigapp.calibrating.probe_session import PROBES as WHICH_PROBES
-from rigapp.calibrating.probe_session import ProbeSession, probe_plan, usual_reach_um
+from rigapp.calibrating.probe_session import ProbeSession, probe_plan
 from rigapp.calibrating.records_in_use import LOAD_CELL, PROBES, RUN_OUT, RecordPlace
-from rigapp.calibrating.rolls import REVOLUTIONS, RollPlan, roll_plan
+from rigapp.calibrating.rolls import REVOLUTIONS, roll_plan
 from rigapp.calibrating.run_out import RUN_OUT_COLUMNS
 from rigapp.calibrating.running_check import RUNNING_COLUMNS
 from rigapp.calibrating.session import LiveSession, Outcome
@@ -41,7 +39,6 @@ from rigapp.config.calibration_settings import (
     LoadCellFile,
     ProbeFile,
     RunOutFile,
-    load_cell_meaning,
     probe_meaning,
 )
 from rigapp.config.errors import UnusableInput
@@ -78,23 +75,6 @@ def _fit_probes(text: str, given: ProbeFile, where: str, which: str) -> Outcome:
     return fit_probes(text, [probe_meaning(given)] * len(WHICH_PROBES[which]))
 
 
-def _weighing(asked: Mapping[str, Any], given: LoadCellFile) -> LoadCellPlan:
-    meaning = load_cell_meaning(given, "settings")
-    return load_cell_plan(asked["plan"], asked["weights"], meaning)
-
-
-def _measuring(asked: Mapping[str, Any], given: ProbeFile) -> ProbePlan:
-    """Return the plan; without a reach the usual one, of probes of some sensitivity."""
-    reach, positions = asked["reach"], asked["positions"]
-    if reach is None:
-        reach = usual_reach_um(asked["sensitivity"], given.probe.range_V, max(positions, 2))
-    return probe_plan(asked["which"], asked["plan"], reach, positions)
-
-
-def _rolling(asked: Mapping[str, Any], given: RunOutFile) -> RollPlan:
-    return roll_plan(asked["speeds"], REVOLUTIONS[asked["plan"]], asked["orders"])
-
-
 SUBJECTS: Mapping[str, Subject] = {
     one.name: one
     for one in (
@@ -106,7 +86,7 @@ SUBJECTS: Mapping[str, Subject] = {
             certificate=load_cell_parts,
             fit=lambda text, given, where, _: fit_load_cell(text, given, where),
             session=LoadCellSession,
-            plan=_weighing,
+            plan=load_cell_plan,
             place=LOAD_CELL,
         ),
         Subject(
@@ -117,7 +97,7 @@ SUBJECTS: Mapping[str, Subject] = {
             certificate=probe_parts,
             fit=_fit_probes,
             session=ProbeSession,
-            plan=_measuring,
+            plan=probe_plan,
             place=PROBES,
         ),
         Subject(
@@ -126,7 +106,9 @@ SUBJECTS: Mapping[str, Subject] = {
             columns=RUN_OUT_COLUMNS,
             settings=RunOutFile,
             certificate=run_out_parts,
-            plan=_rolling,
+            plan=lambda asked, _: roll_plan(
+                asked["speeds"], REVOLUTIONS[asked["plan"]], asked["orders"]
+            ),
             place=RUN_OUT,
         ),
         Subject(

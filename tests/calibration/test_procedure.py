@@ -21,7 +21,7 @@ from calibration.taking.procedure import (
     take_up,
     time_needed,
 )
-from calibration.taking.stability import judge
+from calibration.taking.signals import judge
 from tests.calibration.simulated_cell import SETTINGS, Cell
 
 SET = (5.0,) * 8 + (2.0, 2.0, 1.0, 0.5)

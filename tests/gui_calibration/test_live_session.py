@@ -30,7 +30,7 @@ def begin(
     path: Path, settings: Path, rig: Rig, plan: str = "routine", **more: Any
 ) -> LoadCellSession:
     given = read_document(settings, LoadCellFile).record
-    wanted = load_cell_plan(plan, "5x8, 2, 2, 1, 0.5", load_cell_meaning(given, "settings"))
+    wanted = load_cell_plan({"plan": plan, "weights": "5x8, 2, 2, 1, 0.5"}, given)
     more.setdefault("keep_waiting_times", False)
     return LoadCellSession(given, rig, path, wanted, **more)
 

@@ -13,6 +13,7 @@ from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWizard
 
+from calibration.probes.plans import ProbePlan
 from calibration.records import unseal
 from rigapp.calibrating.practice import MicrometerMistake
 from rigapp.calibrating.probe_session import ProbeSession, probe_plan
@@ -272,8 +273,13 @@ def test_chooser_tells_what_was_chosen_by_key(qtbot: Any) -> None:
 # --- the terminal's face ----------------------------------------------------------------------
 
 
+def planned(which: str, plan: str, positions: int) -> ProbePlan:
+    asked = {"which": which, "plan": plan, "reach": 800.0, "positions": positions}
+    return probe_plan(asked, ProbeFile(schema=1))
+
+
 def session(folder: Path, probe: str = "1", name: str = "probe.journal") -> ProbeSession:
-    plan = probe_plan(probe, "routine", 800.0, 5)
+    plan = planned(probe, "routine", 5)
     return ProbeSession(ProbeFile(schema=1), RIG, folder / name, plan, keep_waiting_times=False)
 
 
@@ -324,7 +330,7 @@ def test_terminal_takes_closes_takes_up_and_rejects(probes: ScriptedProbes, tmp_
 def test_practised_mistakes_are_named(
     probes: ScriptedProbes, tmp_path: Path, mistake: MicrometerMistake, code: str
 ) -> None:
-    plan = probe_plan("1", "routine", 800.0, 11)
+    plan = planned("1", "routine", 11)
     live = ProbeSession(
         ProbeFile(schema=1), RIG, tmp_path / "one.journal", plan, keep_waiting_times=False
     )
@@ -352,8 +358,8 @@ def test_foreign_journal_and_impossible_plan_are_refused(tmp_path: Path) -> None
     with pytest.raises(UnusableInput, match="these readings come from the rig 'Scripted rig'"):
         ProbeSession(ProbeFile(schema=1), other, tmp_path / "probe.journal", None)
     with pytest.raises(UnusableInput, match="choose 1, 2, both"):
-        probe_plan("3", "full", 800.0, 11)
+        planned("3", "full", 11)
     with pytest.raises(UnusableInput, match="choose routine, full"):
-        probe_plan("1", "fast", 800.0, 11)
+        planned("1", "fast", 11)
     with pytest.raises(UnusableInput, match="5 to 101"):
-        probe_plan("1", "full", 800.0, 2)
+        planned("1", "full", 2)

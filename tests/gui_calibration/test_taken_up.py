@@ -22,7 +22,7 @@ from rigapp.calibrating.session import LiveSession, Rig
 from rigapp.calibrating.spindle import SpindleRun, SpindleRuns
 from rigapp.commands.live.spindle_runs import plain_test, running_test, take_runs
 from rigapp.commands.live.terminal import SimulatedHands, Terminal
-from rigapp.config.calibration_settings import LoadCellFile, ProbeFile, load_cell_meaning
+from rigapp.config.calibration_settings import LoadCellFile, ProbeFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document, read_rig, read_test
 from rigapp.storage import FilePlan, open_test
@@ -57,12 +57,13 @@ class HandsThatDie(SimulatedHands):
 
 def load_cell(folder: Path, plan: str) -> AnySession:
     given = read_document(folder / "settings.toml", LoadCellFile).record
-    wanted = load_cell_plan(plan, "5x8, 2, 2, 1, 0.5", load_cell_meaning(given, "settings"))
+    wanted = load_cell_plan({"plan": plan, "weights": "5x8, 2, 2, 1, 0.5"}, given)
     return LoadCellSession(given, RIG, folder / "j", wanted, keep_waiting_times=False)
 
 
 def probes(folder: Path, which: str, plan: str, positions: int) -> AnySession:
-    wanted = probe_plan(which, plan, 800.0, positions)
+    asked = {"which": which, "plan": plan, "reach": 800.0, "positions": positions}
+    wanted = probe_plan(asked, ProbeFile(schema=1))
     return ProbeSession(ProbeFile(schema=1), RIG, folder / "j", wanted, keep_waiting_times=False)
 
 

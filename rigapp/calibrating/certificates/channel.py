@@ -5,14 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from calibration.channel import parse_channel, rule_of
-from rigapp.calibrating.certificates.parts import (
-    SURROUNDINGS,
-    Content,
-    Parts,
-    budget_table,
-    plot,
-    rows_of,
-)
+from rigapp.calibrating.certificates.parts import Content, Parts, budget_table, plot
 from rigapp.report.page.manuscript import Table
 
 
@@ -55,8 +48,7 @@ def channel_parts(content: Content) -> Parts:
         calibrated=f"{least:g} {unit} to {most:g} {unit} ({readings.signal.min():.3f} V to"
         f" {readings.signal.max():.3f} V). Beyond it value and uncertainty are extrapolated.",
         conditions=[
-            *rows_of(SURROUNDINGS, settings),
-            ("Reference", f"u = {settings['channel']['reference_standard_uncertainty']:g} {unit}"),
+            ("Reference", f"u = {settings['channel']['reference_standard_uncertainty']:g} {unit}")
         ],
         uncertainty=budget_table("Budget of one value", result, "value", unit),
         readings=[

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
 
 import msgspec
 import numpy as np
 
 from calibration.arrays import ACROSS
 from calibration.load_cell.characteristics import Creep, creep_words
-from calibration.load_cell.readings import parse_load_cell
+from calibration.load_cell.readings import LoadCellReadings, parse_load_cell
 from calibration.load_cell.two_axis import forces
 from calibration.load_cell.weights import pin_force
 from rigapp.calibrating.certificates.parts import (
-    SURROUNDINGS,
     UNSTATED,
     Content,
     Parts,
@@ -85,9 +83,10 @@ HOLDS_THEN = "It holds for the conditions and the time of the calibration."
 
 def load_cell_parts(content: Content) -> Parts:
     """Return what the certificate of a load cell says."""
-    result, loads = content["result"], loads_of(content)
-    full = result["full_scale_N"]
-    extrapolated = " EXTRAPOLATED beyond the calibrated range" * (full > loads[-1].applied)
+    result, taken = content["result"], parse_load_cell(content["readings_csv"])
+    loads = _loads(content, taken)
+    least, most, full = loads[0]["applied"], loads[-1]["applied"], result["full_scale_N"]
+    extrapolated = " EXTRAPOLATED beyond the calibrated range" * (full > most)
     budgets = (
         budget_table(f"Budget of one reading of {what} at {full:g} N{extrapolated}", one, "N", "N")
         for what, one in (
@@ -95,36 +94,25 @@ def load_cell_parts(content: Content) -> Parts:
             ("|F|", result.get("magnitude", {})),
         )
     )
+    angles = np.unique(np.round(np.degrees(taken.angle) % 360.0, 1))
     return Parts(
-        _statements(content, loads, extrapolated),
+        _statements(content, most),
         [_results(loads, result), *_cell_tables(content)],
-        _cell_figures(content),
-        calibrated=_range(loads),
+        _cell_figures(taken, result),
+        calibrated=f"{least:.1f} N to {most:.1f} N, {len(loads)} loads at {len(angles)} pin angles"
+        f" ({', '.join(f'{one:.0f}' for one in angles)} deg).",
         conditions=_conditions(content["settings"], result.get("creep")),
-        uncertainty=[*_by_load(result, loads), *(one for budget in budgets for one in budget)],
-        readings=[_readings_table(content), *_hung_table(content)],
+        uncertainty=[*_by_load(result, most), *(one for budget in budgets for one in budget)],
+        readings=[_readings_table(taken, result), *_hung_table(taken)],
     )
 
 
-@dataclass(frozen=True, slots=True)
-class Load:
-    """The readings at one load: applied and mean indicated force (N), error along and across, N.
+def _loads(content: Content, taken: LoadCellReadings) -> list[Content]:
+    """Return what the cell indicates at each load with the calibration that is certified, N.
 
-    largest: the largest error of a reading. angles: pin angles, deg.
+    Means over the pin angles, along the load and across it; largest: error of a single reading.
     """
-
-    applied: float
-    readings: int
-    indicated: float
-    error: float
-    across: float
-    largest: float
-    angles: tuple[float, ...]
-
-
-def loads_of(content: Content) -> tuple[Load, ...]:
-    """Return what the cell indicates at each load with the calibration that is certified."""
-    taken, result = parse_load_cell(content["readings_csv"]), content["result"]
+    result = content["result"]
     quadratic = result.get("quadratic_unit_per_N2")
     told = forces(
         taken.signal,
@@ -134,37 +122,32 @@ def loads_of(content: Content) -> tuple[Load, ...]:
     )
     offset = math.radians(content["settings"]["angle"]["offset_deg"] or 0.0)
     along = pin_force(np.ones(len(taken)), taken.angle, offset)
-    across = along @ ACROSS
     applied = np.sum(np.array(result["applied_N"]) * along, axis=1)
     indicated = np.sum(told * along, axis=1)
-    aside = np.sum(told * across, axis=1)
+    aside = np.sum(told * (along @ ACROSS), axis=1)
     off = np.hypot(indicated - applied, aside)
-    found = []
+    found: list[Content] = []
     for mass in np.unique(taken.mass):
         here = taken.mass == mass
-        angles = np.unique(np.round(np.degrees(taken.angle[here]) % 360.0, 1))
-        means = (float(one[here].mean()) for one in (applied, indicated, aside))
-        load, shown, side = means
-        largest = float(off[here].max())
-        count = int(here.sum())
-        found.append(Load(load, count, shown, shown - load, side, largest, tuple(angles)))
-    return tuple(found)
+        load, shown, side = (float(one[here].mean()) for one in (applied, indicated, aside))
+        found.append(
+            {
+                "applied": load,
+                "readings": int(here.sum()),
+                "indicated": shown,
+                "error": shown - load,
+                "across": side,
+                "largest": float(off[here].max()),
+                "expanded": _uncertainty(result, load),
+                "mark": "",
+            }
+        )
+    return found
 
 
-def _range(loads: Sequence[Load]) -> str:
-    angles = sorted({one for load in loads for one in load.angles})
-    return (
-        f"{loads[0].applied:.1f} N to {loads[-1].applied:.1f} N, {len(loads)} loads at"
-        f" {len(angles)} pin angles ({', '.join(f'{one:.0f}' for one in angles)} deg)."
-    )
-
-
-def _results(loads: Sequence[Load], result: Content) -> Table:
-    full = result["full_scale_N"]
-    items = [
-        {**asdict(one), "expanded": _uncertainty(result, one.applied), "mark": ""} for one in loads
-    ]
-    if full > loads[-1].applied:
+def _results(loads: Sequence[Content], result: Content) -> Table:
+    items, full = [*loads], result["full_scale_N"]
+    if full > loads[-1]["applied"]:
         expanded = result["expanded_uncertainty_N"]
         items.append({"applied": full, "expanded": expanded, "mark": MARKED})
     title = (
@@ -184,10 +167,10 @@ def _uncertainty(result: Content, load: float) -> float:
     return float(np.interp(load, *np.array(told).T))
 
 
-def _by_load(result: Content, loads: Sequence[Load]) -> list[Table]:
+def _by_load(result: Content, most: float) -> list[Table]:
     """Return U of a component, of |F| and of means at each load that the record states."""
     items = [
-        {**one, "mark": MARKED if one["load_N"] > loads[-1].applied else ""}
+        {**one, "mark": MARKED if one["load_N"] > most else ""}
         for one in result.get("uncertainty_by_load", ())
     ]
     title = "Expanded uncertainty by load, N, about 95 %"
@@ -211,7 +194,6 @@ def _conditions(settings: Content, creep: Content | None) -> list[Row]:
     gravity = say(STATED_GRAVITY, settings, say(FROM_LATITUDE, settings))
     use = settings.get("use")
     return [
-        *rows_of(SURROUNDINGS, settings),
         ("Local gravity", gravity),
         *rows_of(CONDITIONS, told),
         *([] if use is None else rows_of(IN_USE, {**use, "crept": _crept(use, creep)})),
@@ -224,11 +206,11 @@ def _crept(use: Content, creep: Content | None) -> str:
     return f"{creep['half_width_percent']:.3f} % as measured"
 
 
-def _statements(content: Content, loads: Sequence[Load], extrapolated: str) -> list[str]:
+def _statements(content: Content, most: float) -> list[str]:
     result, in_use = content["result"], "use" in content["settings"]
     line, beyond, holds = result["uncertainty_line_N"], "", HOLDS_THEN
-    if extrapolated:
-        beyond = f" Above {loads[-1].applied:.0f} N it is extrapolated: no load was there."
+    if result["full_scale_N"] > most:
+        beyond = f" Above {most:.0f} N it is extrapolated: no load was there."
     if in_use:
         holds = HOLDS_IN_USE
     return [
@@ -311,9 +293,7 @@ def _quadratic(result: Content, unit: str) -> list[Table]:
     return [Table(title, tuple(rows), ("", "f1^2", "f1 f2", "f2^2"))]
 
 
-def _readings_table(content: Content) -> Table:
-    text, result = content["readings_csv"], content["result"]
-    taken = parse_load_cell(text)
+def _readings_table(taken: LoadCellReadings, result: Content) -> Table:
     cell_rows = [
         (name, str(step), f"{mass:g}", f"{math.degrees(angle):.3f}", f"{one:.6f}", f"{two:.6f}",
          f"{off[0]:.3f}", f"{off[1]:.3f}")
@@ -326,8 +306,8 @@ def _readings_table(content: Content) -> Table:
     return Table("Readings as taken, residuals of the fit", tuple(cell_rows), header)
 
 
-def _hung_table(content: Content) -> list[Table]:
-    hung = parse_load_cell(content["readings_csv"]).hung
+def _hung_table(taken: LoadCellReadings) -> list[Table]:
+    hung = taken.hung
     if hung is None:
         return []
     items = (
@@ -339,8 +319,7 @@ def _hung_table(content: Content) -> list[Table]:
     return [table("Readings of the creep, which are not in the fit", HUNG, items)]
 
 
-def _cell_figures(content: Content) -> list[Figure]:
-    taken, result = parse_load_cell(content["readings_csv"]), content["result"]
+def _cell_figures(taken: LoadCellReadings, result: Content) -> list[Figure]:
     residual = np.array(result["residual_N"])
     load = np.hypot(*np.array(result["applied_N"]).T)
     angle = np.mod(np.degrees(taken.angle), 360.0)

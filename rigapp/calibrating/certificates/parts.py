@@ -27,8 +27,8 @@ class Parts:
     """What is particular in the certificate of a subject.
 
     statements: method, and what the results do not say. tables: of the results. heading: of the
-    figures. calibrated: the range that was calibrated, in words. conditions: rows of what was
-    around. uncertainty: budgets. readings: the tables at the end.
+    figures. calibrated: the range that was calibrated, in words. conditions: rows of what
+    else was around. uncertainty: budgets. readings: the tables at the end.
     """
 
     statements: Sequence[str]
@@ -114,14 +114,6 @@ def _degrees(line: Content) -> str:
     if degrees is None or isinstance(degrees, str):
         return "∞" if degrees is None else degrees
     return f"{degrees:.3g}" if degrees < 1000 else f"{degrees:.0f}"
-
-
-SURROUNDINGS = {
-    "Temperature": "{place[temperature_degC]:g} °C",
-    "Humidity": "{place[humidity_percent]:g} %",
-    "Pressure": "{place[pressure_hPa]:g} hPa",
-}
-"""Of the settings: what was around at the calibration."""
 
 
 def taken_words(content: Content) -> str:

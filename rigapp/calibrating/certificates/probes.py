@@ -7,7 +7,6 @@ import numpy as np
 from calibration.probes.alignment import split_pair
 from calibration.probes.readings import ProbeReadings, parse_probe
 from rigapp.calibrating.certificates.parts import (
-    SURROUNDINGS,
     Content,
     Parts,
     budget_table,
@@ -39,20 +38,12 @@ GEOMETRY = {
     "off_axis_um": {"Motion across the axis in use": "{off_axis_um:g} µm"},
 }
 """Of the settings of a probe: a row for what is stated."""
-ANGLES = {
-    "Probe 1 from the follower's axis": (
-        "{angle_deg[0]:+.3f}°",
-        "{angle_standard_uncertainty_deg[0]:.3f}°",
-    ),
-    "Probe 2 from across it": (
-        "{angle_deg[1]:+.3f}°",
-        "{angle_standard_uncertainty_deg[1]:.3f}°",
-    ),
-    "Angle between them less 90°": (
-        "{orthogonality_deg:+.3f}°",
-        "{orthogonality_standard_uncertainty_deg:.3f}°",
-    ),
-}
+ANGLES = (
+    ("Probe 1 from the follower's axis", "angle", "[0]"),
+    ("Probe 2 from across it", "angle", "[1]"),
+    ("Angle between them less 90°", "orthogonality", ""),
+)
+"""Of the alignment: words, and where the result has it."""
 METHOD = (
     "Method: micrometer steps up and down; voltage fitted as a straight line of position (least"
     " squares, best-fit line). Linearity is the largest residual over the range."
@@ -120,9 +111,9 @@ def _range(name: str, result: Content, readings: ProbeReadings) -> str:
 
 
 def _conditions(content: Content) -> list[Row]:
-    """Return surroundings, micrometer, range and geometry."""
+    """Return micrometer, range and geometry."""
     probe, taken = content["settings"]["probe"], content.get("taken")
-    rows = [*rows_of(SURROUNDINGS, content["settings"]), *rows_of(SETTINGS, probe)]
+    rows = rows_of(SETTINGS, probe)
     for key, lines in GEOMETRY.items():
         if probe.get(key):
             rows += rows_of(lines, probe)
@@ -144,7 +135,14 @@ def _statements(content: Content) -> list[str]:
 
 
 def _alignment_table(found: Content) -> Table:
-    rows = [(name, *(say(one, found) for one in both)) for name, both in ANGLES.items()]
+    rows = [
+        (
+            words,
+            say(f"{{{what}_deg{at}:+.3f}}°", found),
+            say(f"{{{what}_standard_uncertainty_deg{at}:.3f}}°", found),
+        )
+        for words, what, at in ANGLES
+    ]
     matrix = elements("m", found, {"matrix": "+.6f", "matrix_standard_uncertainty": ".6f"})
     title = "Alignment: position along and across the follower = matrix (probe 1, probe 2)"
     return Table(title, (*rows, *matrix), ("", "value", "u"))

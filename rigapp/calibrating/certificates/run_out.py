@@ -8,15 +8,7 @@ from collections import defaultdict
 
 import numpy as np
 
-from rigapp.calibrating.certificates.parts import (
-    SURROUNDINGS,
-    Content,
-    Parts,
-    plot,
-    rows_of,
-    say,
-    table,
-)
+from rigapp.calibrating.certificates.parts import Content, Parts, plot, say, table
 from rigapp.report.page.manuscript import Figure, Row, Table
 
 ROLLS = {
@@ -76,7 +68,6 @@ def run_out_parts(content: Content) -> Parts:
             f"the whole turn, orders 1 to {content['taken']['orders']}, rolled at {speeds} rpm; one"
             " pin in one place on the crank."
         ),
-        conditions=rows_of(SURROUNDINGS, content["settings"]),
         uncertainty=[_expanded(result)],
         readings=[_turns_table(content)],
     )

@@ -4,14 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rigapp.calibrating.certificates.parts import (
-    SURROUNDINGS,
-    Content,
-    Parts,
-    plot,
-    rows_of,
-    table,
-)
+from rigapp.calibrating.certificates.parts import Content, Parts, plot, table
 from rigapp.report.page.manuscript import Table
 
 METHOD = (
@@ -56,5 +49,4 @@ def running_parts(content: Content) -> Parts:
         [plot(title, "speed (rpm)", taken[:, 0], taken[:, 1:], "mean force (N)", names)],
         "Forces",
         calibrated=f"{speeds[0]['speed_rpm']:.1f} rpm to {speeds[-1]['speed_rpm']:.1f} rpm.",
-        conditions=rows_of(SURROUNDINGS, content["settings"]),
     )

@@ -6,11 +6,11 @@ Each speed is a test with a file of its own, beside the record; both stay there.
 from __future__ import annotations
 
 import math
-import os
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
+from typing import Any
 
 from calibration.turning.running_check import LEAST_REVOLUTIONS
 from rigapp.calibrating.practice import BARE_PIN
@@ -20,7 +20,7 @@ from rigapp.calibrating.running_check import check_of, known_term
 from rigapp.calibrating.spindle import SLOWEST_RPM, SpindleRun, SpindleRuns, speeds_of
 from rigapp.commands.calibrate import say_outcome
 from rigapp.commands.live.engine_line import Ask, engine_line
-from rigapp.commands.live.terminal import Say, sayer
+from rigapp.commands.live.terminal import Say, operator_of, sayer
 from rigapp.config.calibration_settings import CellSection, LoadCellFile, RunOutFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_document, read_rig, read_test
@@ -95,18 +95,16 @@ def calibrate_run_out(
         )
     given = RunOutFile(schema=1) if settings is None else read_document(settings, RunOutFile).record
     refuse_existing(to)
-    if rig is None:
-        outcome = save_map(recorded, orders, {"rig": ""}, given, to)
-        return say_outcome(outcome, to, as_json=as_json)
-    operator = given.paperwork.operator or os.environ.get("USER", "")
-    document, plan = read_rig(rig), roll_plan(rpm, revolutions, orders)
-    base = plain_test() if test is None else read_test(test).record
-    rolls = rolls_of(document, base, plan, to.with_suffix(""), operator)
-    own = document.record.simulation is not None
-    take_runs(rolls, engine_line(rig, operator, own=own), sayer(as_json))
-    source = {"rig": document.record.name, "simulated": own}
-    outcome = save_map(rolls.files, orders, source, given, to)
-    return say_outcome(outcome, to, as_json=as_json)
+    files, source = recorded, dict[str, Any](rig="")
+    if rig is not None:
+        document, operator = read_rig(rig), operator_of(given)
+        base = plain_test() if test is None else read_test(test).record
+        plan = roll_plan(rpm, revolutions, orders)
+        rolls = rolls_of(document, base, plan, to.with_suffix(""), operator)
+        own = document.record.simulation is not None
+        take_runs(rolls, engine_line(rig, operator, own=own), sayer(as_json))
+        files, source = rolls.files, {"rig": document.record.name, "simulated": own}
+    return say_outcome(save_map(files, orders, source, given, to), to, as_json=as_json)
 
 
 def plain_test() -> TestFile:
@@ -148,7 +146,7 @@ def check_running(
     given = LoadCellFile(schema=1, cell=CellSection(name="load cell"))
     if settings is not None:
         given = read_document(settings, LoadCellFile).record
-    operator = given.paperwork.operator or os.environ.get("USER", "")
+    operator = operator_of(given)
     runs = [
         SpindleRun(
             rpm,

@@ -21,6 +21,7 @@ from rigapp.calibrating.session import LiveSession, Outcome, Rig
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.commands.calibrate import ONE_SOURCE, calibrate_table, say_outcome
 from rigapp.commands.live.engine_line import Ask, engine_line
+from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document, read_rig
 
@@ -187,6 +188,11 @@ class Terminal:
             raise ProcedureError(f"{word!r} is not a number of degrees") from error
 
 
+def operator_of(given: CalibrationFile) -> str:
+    """Return who calibrates: whom the settings name, else who is logged in."""
+    return given.paperwork.operator or os.environ.get("USER", "")
+
+
 def sayer(as_json: bool) -> Say:
     """Return what tells the operator how it goes: on standard error where JSON is printed."""
 
@@ -230,7 +236,7 @@ def calibrate(
     wanted = subject.plan({**asked, "sensitivity": sensitivity}, given)
     refuse_existing(to)
     where = journal or to.with_name(f"{to.name}.journal")
-    operator = given.paperwork.operator or os.environ.get("USER", "")
+    operator = operator_of(given)
     here = Rig(document.record.name, simulated, operator, rig)
     session = subject.session(given, here, where, wanted, keep_waiting_times=not practise)
     say = sayer(as_json)

@@ -63,7 +63,6 @@ class AnglePage(GuidePage):
         now.setSpacing(GAP)
         look = self.beside(TWO, (self.picture, 5), (now, 4))
         self.hold(self.instruction, self.why, (look, 1), self.hands)
-        self.setCommitPage(True)
         self.follow.toggled.connect(self._follow)
         self._follow(True)
         live.looked.connect(self._look)
@@ -148,7 +147,7 @@ class AnglePage(GuidePage):
     def _look(self) -> None:
         live = self._live
         window, now = live.window, None
-        self.stability.show_readiness(live.readiness, "no signals from the engine")
+        self.stability.show_readiness(live.readiness)
         self.turn.setEnabled(self._due() and self.isComplete())
         taken = live.session is not None and not self._due()
         self.instruction.setText(tr(TAKEN if taken else LEVEL))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -12,6 +13,7 @@ from calibration.load_cell.plausible import GRAVITY
 from calibration.probes.plans import ProbePlan
 from calibration.probes.readings import FEWEST_POSITIONS
 from calibration.taking.procedure import Step, StepKind, duration_words
+from calibration.taking.signals import Readiness
 from rigapp.calibrating.probe_session import usual_reach_um
 from rigapp.calibrating.rolls import ORDERS, RollPlan, RollSession
 from rigapp.config.calibration_settings import (
@@ -29,8 +31,7 @@ from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import PlotNames, number
 from rigapp.gui.wizard.plan_page import RIG, Field, Questions, Values
 from rigapp.gui.wizard.rolling_page import RollingCalibration, RollingPage
-from rigapp.gui.wizard.scenes import Piece, ProbeScene, RollScene, Scene, WeightScene
-from rigapp.gui.wizard.stepscenes import probe_scene, weight_scene
+from rigapp.gui.wizard.scenes import Piece, ProbeScene, RollScene, Scene, WeightScene, stack_of
 from rigapp.gui.wizard.taking_page import TakingPage, TakingWords
 
 MOST_POSITIONS = 41
@@ -87,6 +88,21 @@ def _gravity(settings: LoadCellFile) -> Values:
     return {"gravity": load_cell_meaning(settings, "settings").place.gravity}
 
 
+def weight_scene(session: Any, window: Any, readiness: Readiness | None) -> Scene:
+    """Return crank and weights of the present step."""
+    procedure, step = session.procedure, session.procedure.step
+    before = procedure.steps[procedure.position - 1].pieces if procedure.position else ()
+    now = None if window is None else window.angle
+    turning = step.kind is StepKind.SET_UP
+    return WeightScene(
+        step.set_up or 0.0,
+        now,
+        tuple(stack_of(step.pieces, before)),
+        0.0 if turning or not step.pieces else session.expected(),
+        turning,
+    )
+
+
 _WEIGHING_PLANS: tuple[tuple[Text, str], ...] = (
     ("Daily check: one weight at 4 pin angles", "daily"),
     ("Routine: 4 pin angles, 5 loads up and down", "routine"),
@@ -128,6 +144,18 @@ def _propose_reach(view: Any, values: Values, settings: ProbeFile) -> Values:
     """Propose 80 % of the range, once the engine has told the sensitivity in use."""
     known, range_V = view["sensitivity_um_per_V"], settings.probe.range_V
     return {"reach": usual_reach_um(known, range_V, values["positions"])}
+
+
+def probe_scene(session: Any, window: Any, readiness: Readiness | None) -> Scene:
+    """Return probe and micrometer of the present step."""
+    step = session.procedure.step
+    return ProbeScene(
+        int(step.set_up or 1),
+        1e6 * step.value,
+        1e6 * session.procedure.plan.reach,
+        math.nan if readiness is None else 1e6 * readiness.felt,
+        step.falling or step.number == 1,
+    )
 
 
 _PROBES: tuple[tuple[Text, str], ...] = (

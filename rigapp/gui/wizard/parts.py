@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
-    QLineEdit,
     QSizePolicy,
     QWidget,
 )
@@ -93,12 +92,6 @@ def sentence(name: str, spoken: Text, factor: float = 1.0, *, bold: bool = False
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     label.setFont(scaled_font(label, factor, bold=bold))
     return label
-
-
-def give_room_for_hint(line: QLineEdit) -> None:
-    """Let a line to type in be as wide as the hint in it."""
-    room = line.fontMetrics().horizontalAdvance(line.placeholderText())
-    line.setMinimumWidth(room + 4 * STEP)
 
 
 def taking_what_is_left(shown: QWidget, least: int = LEAST_PLOT) -> QHBoxLayout:
@@ -184,10 +177,11 @@ class Stability(QWidget):
         named(self, "stability", "Stability of the signal")
         row(self.sign, (column(self.word, self.why), 1), on=self).setContentsMargins(0, 0, 0, 0)
 
-    def show_readiness(self, readiness: Readiness | None, otherwise: Text) -> None:
-        """Show a judgement; ``otherwise`` is said when there is none."""
-        state = readiness.state if readiness is not None else SignalState.WAITING
-        words = readiness.words if readiness is not None else tr(otherwise)
+    def show_readiness(self, readiness: Readiness | None) -> None:
+        """Show a judgement, or that there is none."""
+        state, words = SignalState.WAITING, tr("no signals from the engine")
+        if readiness is not None:
+            state, words = readiness.state, readiness.words
         self.sign.show_state(state)
         self.word.setText(tr(WORDS[state]))
         words = "" if words == "steady" else retold(words)
@@ -206,7 +200,6 @@ class MeasuredCard(QFrame):
         self.value = FittedLabel(f"{name}_measured_value", title, large)
         self.wanted = sentence(f"{name}_measured_wanted", "What it should be")
         self.wanted.setWordWrap(False)  # a line that wraps may be squeezed
-        self.wanted.setWordWrap(False)
         self.stability = Stability(theme)
         numbers = column(self.caption, self.value, self.wanted)
         self._halves = column((numbers, 1), self.stability, on=self)

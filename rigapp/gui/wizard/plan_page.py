@@ -26,10 +26,10 @@ from rigapp.config.loading import read_document
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import Theme
-from rigapp.gui.widgets.build import button, choice, edit, filled, prose, row
+from rigapp.gui.widgets.build import button, choice, edit, filled, fit_hint, prose, row
 from rigapp.gui.wizard.guide_page import TWO, GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import field, fields_form, give_room_for_hint, prefix_of, sentence
+from rigapp.gui.wizard.parts import field, fields_form, prefix_of, sentence
 from rigapp.gui.wizard.scenes import Picture, Scene
 
 NEW: Text = "Begin a new calibration"
@@ -118,7 +118,7 @@ class PlanPage(GuidePage):
             marked("none: the fields below are enough"),
         )
         self.settings = edit(f"{stem}_settings", spoken, hint=hint)
-        give_room_for_hint(self.settings)
+        fit_hint(self.settings)
         self.settings.setText(str(settings) if settings is not None else "")
         choose: Text = "Choose a settings file"
         self.browse = button(f"{stem}_browse", "Bro&wse…", self._browse, choose)
@@ -138,7 +138,7 @@ class PlanPage(GuidePage):
             widget = one.make(f"{stem}_{one.name}", tr(one.spoken) or tr(one.text).replace("&", ""))
             self.fields[one.name] = widget
             if isinstance(widget, QLineEdit):
-                give_room_for_hint(widget)
+                fit_hint(widget)
             show_value(widget, found.get(one.name) or one.start)
             field(form, one.text, widget)
             for signal in ("textChanged", "valueChanged", "currentIndexChanged"):

@@ -62,17 +62,15 @@ class Brush:
     def __init__(self, painter: QPainter, theme: Theme, font: QFont) -> None:
         self.painter, self.theme, self._font = painter, theme, font
 
-    def pen(self, colour: str, width: float = LINE, *, dashed: bool = False) -> None:
-        """Draw with a pen from now on, and fill nothing."""
+    def pen(
+        self, colour: str, width: float = LINE, *, dashed: bool = False, fill: str = ""
+    ) -> None:
+        """Draw with a pen from now on; fill with a colour, or nothing."""
         pen = QPen(QColor(colour), width)
         if dashed:
             pen.setStyle(Qt.PenStyle.DashLine)
         self.painter.setPen(pen)
-        self.painter.setBrush(Qt.BrushStyle.NoBrush)
-
-    def fill(self, colour: str) -> None:
-        """Fill what is drawn from now on."""
-        self.painter.setBrush(QColor(colour))
+        self.painter.setBrush(QColor(fill) if fill else Qt.BrushStyle.NoBrush)
 
     def words(self, at: QPointF, text: str, colour: str, points: float = BODY_PT) -> None:
         """Write words with their middle at a place."""
@@ -92,8 +90,7 @@ class Brush:
         wide, room = box.adjusted(-more, 0.0, more, 0.0), self.painter.window()
         wide.moveRight(min(wide.right(), room.right() - STEP))
         wide.moveLeft(max(wide.left(), room.left() + STEP))
-        self.pen(theme.text)
-        self.fill(theme.base)
+        self.pen(theme.text, fill=theme.base)
         self.painter.drawRect(wide)
         self.words(wide.center(), text, theme.text)
 
@@ -123,7 +120,7 @@ class Brush:
         for side in (-0.45, 0.45):
             back = way + math.pi + side
             corners.append(tip + QPointF(math.cos(back), math.sin(back)) * HEAD)
-        self.fill(colour)
+        self.pen(colour, fill=colour)
         self.painter.drawPolygon(QPolygonF(corners))
 
     def disc(self, middle: QPointF, radius: float) -> None:
@@ -148,13 +145,11 @@ def paint_crank(brush: Brush, middle: QPointF, arm: float, angle: float, colour:
     pen.setWidthF(0.5 * arm - 2 * LINE)
     painter.setPen(pen)
     painter.drawLine(middle, pin)
-    brush.pen(theme.secondary)
-    brush.fill(theme.base)
+    brush.pen(theme.secondary, fill=theme.base)
     brush.disc(middle, 0.34 * arm)
-    brush.fill(theme.secondary)
+    brush.pen(theme.secondary, fill=theme.secondary)
     brush.disc(middle, 0.07 * arm)
-    brush.pen(theme.highlight)
-    brush.fill(theme.tint)
+    brush.pen(theme.highlight, fill=theme.tint)
     brush.disc(pin, 0.2 * arm)
     return pin
 
@@ -208,8 +203,11 @@ class WeightScene:
         for place, piece in enumerate(self.stack):
             box = QRectF(left, top + place * height, width, height - 2.0)
             new = piece.comes or piece.goes
-            brush.pen(theme.highlight if new else theme.text, dashed=piece.goes)
-            brush.fill(theme.tint if piece.comes else theme.base)
+            brush.pen(
+                theme.highlight if new else theme.text,
+                dashed=piece.goes,
+                fill=theme.tint if piece.comes else theme.base,
+            )
             painter.drawRoundedRect(box, 3.0, 3.0)
             brush.words(box.center(), piece.words, theme.highlight if new else theme.text)
         if force:
@@ -239,14 +237,13 @@ class LevelScene:
         painter.translate(middle)
         painter.rotate(-math.degrees(angle))
         level = QRectF(0.0, -0.25 * arm - 3.5 * STEP, arm, 3.5 * STEP)
-        brush.pen(theme.highlight)
-        brush.fill(theme.tint)
+        brush.pen(theme.highlight, fill=theme.tint)
         painter.drawRoundedRect(level, 4.0, 4.0)
         glass = QRectF(0.0, 0.0, 0.5 * arm, 1.5 * STEP)
         glass.moveCenter(level.center())
-        brush.fill(theme.base)
+        brush.pen(theme.highlight, fill=theme.base)
         painter.drawRoundedRect(glass, 6.0, 6.0)
-        brush.fill(theme.highlight)
+        brush.pen(theme.highlight, fill=theme.highlight)
         painter.drawEllipse(glass.center(), 1.2 * STEP, 0.6 * STEP)
         foot = level.right() if self.turned else level.left()
         painter.drawRect(QRectF(foot - 3.0, level.top(), 6.0, level.height()))
@@ -281,11 +278,9 @@ class ProbeScene:
         at = middle + 2.0 * unit * self._share(self.position_um)
         box = QRectF(room.left() + 0.4 * unit, level - 0.6 * half, 2.6 * unit, 1.2 * half)
         brush.boxed(box, tr("Probe {}", self.probe))
-        brush.pen(theme.highlight)
-        brush.fill(theme.tint)
+        brush.pen(theme.highlight, fill=theme.tint)
         painter.drawRect(QRectF(at, level - half, 0.5 * unit, 2.0 * half))
-        brush.pen(theme.secondary)
-        brush.fill(theme.base)
+        brush.pen(theme.secondary, fill=theme.base)
         thimble = room.left() + 9.6 * unit
         painter.drawRect(QRectF(at + 0.5 * unit, level - 4.0, thimble - at - 0.5 * unit, 8.0))
         painter.drawRoundedRect(QRectF(thimble, level - half, 2.0 * unit, 2.0 * half), 4.0, 4.0)
@@ -317,12 +312,10 @@ class ProbeScene:
             below = QPointF(x, level + 2.0 * STEP)
             brush.words(below, text.replace("-", "\u2212"), theme.muted)
         if math.isfinite(self.felt_um):
-            brush.pen(theme.text)
-            brush.fill(theme.base)
+            brush.pen(theme.text, fill=theme.base)
             brush.disc(QPointF(middle + 2.0 * unit * self._share(self.felt_um), level), 5.0)
         there = middle + 2.0 * unit * self._share(self.position_um)
-        brush.pen(theme.highlight)
-        brush.fill(theme.highlight)
+        brush.pen(theme.highlight, fill=theme.highlight)
         brush.disc(QPointF(there, level), 3.0)
 
 
@@ -341,11 +334,9 @@ class RollScene:
         theme = brush.theme
         radius = min(0.2 * room.height(), 0.15 * room.width())
         middle = room.center() + QPointF(0.0, 0.3 * radius)
-        brush.pen(theme.secondary)
-        brush.fill(theme.base)
+        brush.pen(theme.secondary, fill=theme.base)
         brush.disc(middle, radius)
-        brush.pen(theme.highlight)
-        brush.fill(theme.tint)
+        brush.pen(theme.highlight, fill=theme.tint)
         brush.disc(middle + QPointF(0.06 * radius, 0.04 * radius), 0.72 * radius)
         colour = theme.highlight if self.turning else theme.strong
         brush.turn(middle, 1.35 * radius, math.radians(200), math.radians(220), colour)

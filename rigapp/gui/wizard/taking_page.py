@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
-    QWidget,
 )
 
 from calibration.taking.procedure import StepKind
@@ -24,7 +23,7 @@ from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, Theme
-from rigapp.gui.widgets.build import button, edit, filled, named, row, tell
+from rigapp.gui.widgets.build import button, edit, filled, fit_hint, named, row, tell
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.wizard.guide_page import FOUR, TWO, GuidePage
 from rigapp.gui.wizard.hands import HandsPanel
@@ -33,7 +32,6 @@ from rigapp.gui.wizard.parts import (
     MeasuredCard,
     PlotNames,
     ResidualPlot,
-    give_room_for_hint,
     labelled,
     number,
     prefix_of,
@@ -61,7 +59,7 @@ class TakingWords:
     live: Text
     measured: Text
     unit: str
-    scene: Callable[[Any, Any, Any], Scene | None]
+    scene: Callable[[Any, Any, Any], Scene]
     reject: Text
     reason: Text
     columns: tuple[Text, ...]
@@ -101,7 +99,7 @@ class TakingPage(GuidePage):
             marked("why the selected reading does not count"),
         )
         self.reason = edit(f"{prefix}reject_reason", spoken, self._enable, hint=hint)
-        give_room_for_hint(self.reason)
+        fit_hint(self.reason)
         text: Text = "Re&ject and repeat its series"
         self.reject_button = button(f"{prefix}reject", text, self._reject, words.reject)
         position: Text = "Position that the micrometer shows"
@@ -113,9 +111,7 @@ class TakingPage(GuidePage):
         look = self.beside(TWO, (self.picture, 5), (now, 4))
         how_far = row((self.left, 1), (self.progress, 2))
         left = filled(QVBoxLayout(), (self.instruction, (look, 1), how_far))
-        given = QWidget()
-        row(words.reason, (self.reason, 1), on=given).setContentsMargins(0, 0, 0, 0)
-        why = flowing((given, 1), self.reject_button)
+        why = flowing(words.reason, (self.reason, 1), self.reject_button)
         taken = taking_what_is_left(self.table, 6 * self.table.fontMetrics().height())
         right = filled(QVBoxLayout(), ((self.plot, 3), (taken, 4), why))
         for one in (left, right, now):
@@ -194,7 +190,7 @@ class TakingPage(GuidePage):
         if live.session is None or not self.isVisible():
             return
         readiness = live.readiness
-        self.stability.show_readiness(readiness, "no signals from the engine")
+        self.stability.show_readiness(readiness)
         usable = readiness is not None and readiness.ready and not live.session.procedure.done
         waits = self.hasFocus() or self.record.hasFocus()
         self.record.setEnabled(usable and not live.goes_ahead and not live.hands_busy)
@@ -218,8 +214,10 @@ class TakingPage(GuidePage):
         self.measured.show_value(told, wanted.replace("-", "\u2212"))
 
     def _show_scene(self) -> None:
-        live = self.live_calibration
-        self.picture.show_scene(self._words.scene(live.session, live.window, live.readiness))
+        live, scene = self.live_calibration, None
+        if not live.session.procedure.done:
+            scene = self._words.scene(live.session, live.window, live.readiness)
+        self.picture.show_scene(scene)
 
     def _fill(self) -> None:
         """Show all readings."""
