@@ -1,0 +1,85 @@
+"""Whatever is damaged in a file, a reader gets its data or one sentence with the file's name."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import h5py
+import pytest
+from storage_samples import ended, new_test, write
+
+from rigapp.config.errors import UnusableInput
+from rigapp.storage import TestReader, compact_test, export_test, open_test
+
+STREAMS = ("revolutions", "cycles", "samples", "prediction", "curves", "profiles", "events")
+
+
+def read_all(reader: TestReader) -> None:
+    """Ask for everything that a file holds."""
+    reader.summary(), reader.metadata(), reader.configuration(), reader.calibration()
+    reader.events(), reader.profiles(), reader.checkpoint(), reader.unfinished()
+    list(reader.cycles()), reader.cycle_reasons(), reader.cycle_qualities(), list(reader.texts())
+    for stream in filter(reader.has, STREAMS):
+        for one in reader.variables(stream):
+            reader.column(one.name, stream=stream)
+
+
+def told(path: Path) -> str:
+    """Return the sentence with which a damaged file is refused, or that it is read."""
+    try:
+        with open_test(path) as reader:
+            read_all(reader)
+    except UnusableInput as error:
+        return str(error)
+    return f"{path}: read"
+
+
+def test_a_damaged_byte_anywhere_is_told_with_the_files_name(quick_folder: Path) -> None:
+    path = ended(quick_folder, 30)
+    compact_test(path)
+    whole = path.read_bytes()
+    filled = [place for place in range(len(whole)) if whole[place]]
+    chance, copy, sentences = random.Random(1), quick_folder / "copy.h5", []
+    for place in chance.sample(filled, 80):
+        copy.write_bytes(whole[:place] + bytes([whole[place] ^ 0x41]) + whole[place + 1 :])
+        sentences.append(told(copy))
+    assert all(one.startswith(f"{copy}: ") for one in sentences)
+    assert sum("is damaged" in one for one in sentences) >= 20
+
+
+@pytest.mark.parametrize("counter", ["revolutions/committed", "cycles/committed"])
+@pytest.mark.parametrize("rows", [10**6, -3])
+def test_more_safe_rows_than_there_can_be_are_damage(
+    quick_folder: Path, counter: str, rows: int
+) -> None:
+    path = ended(quick_folder, 30)
+    path.chmod(0o644)
+    with h5py.File(path, "r+") as file:
+        file[f"/entry/{counter}"][...] = rows
+    assert "is damaged" in told(path)
+
+
+def test_rows_that_were_never_written_are_no_revolutions(quick_folder: Path) -> None:
+    with new_test(quick_folder) as writer:
+        write(writer, 1, 30)
+    path = quick_folder / "test.h5"
+    path.chmod(0o644)
+    with h5py.File(path, "r+") as file:
+        file["/entry/revolutions/committed"][...] = 46
+    with open_test(path) as reader, pytest.raises(UnusableInput, match="is damaged"):
+        reader.summary()
+
+
+def test_an_export_of_a_damaged_file_blames_the_file_that_is_damaged(quick_folder: Path) -> None:
+    path = ended(quick_folder, 30)
+    compact_test(path)
+    with h5py.File(path) as file:
+        place = file["/entry/revolutions/force_max"].id.get_chunk_info(0).byte_offset
+    path.chmod(0o644)
+    with path.open("r+b") as raw:
+        raw.seek(place + 20)
+        raw.write(b"\xff\x00\xff\x00")
+    with pytest.raises(UnusableInput, match=f"{path}: the file is damaged, .*/force_max"):
+        export_test(path, quick_folder / "table.csv")
+    assert not (quick_folder / "table.csv").exists()
