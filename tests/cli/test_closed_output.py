@@ -15,9 +15,9 @@ PARAMETERS = Path(__file__).parents[2] / "examples" / "parameters.toml"
 @pytest.mark.parametrize("closed", [">&-", "2>&-", "<&- >&- 2>&-"])
 def test_a_closed_output_is_no_fault(closed: str, tmp_path: Path) -> None:
     table = tmp_path / "pressure.csv"
+    verb = ["model", "pressure", str(PARAMETERS), "--force-N", "10", "--to", str(table)]
     done = subprocess.run(
-        ["sh", "-c", f'"$@" {closed}', "sh", sys.executable, "-m", "rigapp"]
-        + ["model", "pressure", str(PARAMETERS), "--force-N", "10", "--to", str(table)],
+        ["sh", "-c", f'"$@" {closed}', "sh", sys.executable, "-m", "rigapp", *verb],
         capture_output=True,
         text=True,
         timeout=PATIENCE_S,
