@@ -11,6 +11,7 @@ import pytest
 from patience import PATIENCE_S
 from storage_samples import ended, new_test, write
 
+from rigapp.commands.window import replay_file
 from rigapp.config.errors import UnusableInput
 from rigapp.replay.client import ReplayClient
 from rigapp.storage import TestReader, compact_test, export_test, open_test, reopen_test
@@ -153,3 +154,10 @@ def test_a_replay_goes_on_over_a_damaged_cycle_and_says_so(quick_folder: Path) -
 def test_a_replay_that_begins_at_a_damaged_cycle_is_refused(quick_folder: Path) -> None:
     with pytest.raises(UnusableInput, match="is damaged, /entry/cycles/force_1"):
         ReplayClient(with_a_damaged_cycle(quick_folder), at_end=True)
+
+
+def test_a_replay_of_rows_that_cannot_be_read_opens_no_window(quick_folder: Path) -> None:
+    path = ended(quick_folder, 30)
+    spoil(path, place_of(path, "/entry/revolutions/force_max")[0], b"\xff" * 16)
+    with pytest.raises(UnusableInput, match="is damaged, /entry/revolutions/force_max"):
+        replay_file(path)
