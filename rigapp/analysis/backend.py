@@ -96,7 +96,9 @@ def _variable(path: Path, stored: StoredVariable, dims: tuple[str, ...]) -> xarr
     values: Any = indexing.LazilyIndexedArray(StoredArray(path, stored))
     if stored.dtype.kind == "S":
         with open_test(path) as reader:
-            values = np.char.decode(reader.column(stored.name, stream=stored.stream), "utf-8")
+            values = np.char.decode(
+                reader.column(stored.name, stream=stored.stream), "utf-8", "replace"
+            )
     return xarray.Variable(dims, values, stored.attributes)
 
 

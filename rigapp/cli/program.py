@@ -75,6 +75,9 @@ def main() -> NoReturn:
     """Run the command line and exit with its status."""
     # Threads of the linear algebra would fight the acquisition for the cores.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:  # closed by who started this
+            setattr(sys, name, open(os.devnull, "w"))  # noqa: SIM115, for as long as this runs
     debug = "--debug" in sys.argv
     arguments = [word for word in sys.argv[1:] if word != "--debug"]
     try:

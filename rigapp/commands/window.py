@@ -71,12 +71,12 @@ def _tests(rig: Path, test: Path | None) -> list[Path]:
 
 def replay_file(path: Path) -> int:
     """Show a recorded test in the same window; return the exit status."""
+    from rigapp.replay.client import ReplayClient, read_recording
     from rigapp.storage import open_test
 
-    with open_test(path):
-        pass
+    with open_test(path) as test:  # a damaged file is refused before there is a window
+        read_recording(test)
     from rigapp.gui.window.app import main
-    from rigapp.replay.client import ReplayClient
 
     return main(
         lambda: ReplayClient(path), rig_path=path, tests=[], results_folder=path.resolve().parent

@@ -13,6 +13,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.config.errors import UnusableInput
 from rigapp.replay.alarms import RecordedAlarms
 from rigapp.replay.messages import newest_messages, profile_message, recipe_of
 from rigapp.schema.channels import BASE
@@ -83,6 +84,7 @@ class ReplayClient:
         self._reason = ""
         self._stop = threading.Event()
         self._takes = 0
+        self._prepare()
         self._thread = threading.Thread(target=self._play, name="gui-replay", daemon=True)
         self._thread.start()
 
@@ -138,7 +140,10 @@ class ReplayClient:
             self._leap()
             self._advance(now - last)
             last = now
-            self._prepare()
+            try:
+                self._prepare()
+            except UnusableInput as error:  # a damaged cycle; rows and the other cycles go on
+                self._reason = str(error)
             if self._stop.wait(PERIOD_S):
                 return
 

@@ -24,7 +24,7 @@ from rigapp.storage.reading.oldlog import translated
 from rigapp.storage.reading.resample import Method, resample_channels
 from rigapp.storage.reading.texts import texts_of
 from rigapp.storage.structure.events import events_of, first_broken_link
-from rigapp.storage.structure.hdf import is_bare, open_for_reading
+from rigapp.storage.structure.hdf import is_bare, open_for_reading, telling_damage
 from rigapp.storage.structure.layout import (
     CALIBRATION,
     CHECKPOINT_BYTES,
@@ -103,11 +103,9 @@ class TestReader:
     def __init__(self, path: Path, file: h5py.File) -> None:
         self.path = path
         self._file = file
-        try:
+        with telling_damage(path, "its plan"):
             self.plan = msgspec.json.decode(self._text(PLAN), type=FilePlan)
-        except msgspec.DecodeError as error:
-            raise UnusableInput(f"{path}: the file is damaged, its plan cannot be read") from error
-        self._streams = streams_of(self.plan)
+            self._streams = streams_of(self.plan)
 
     def close(self) -> None:
         """Close the file."""
@@ -122,7 +120,8 @@ class TestReader:
     @property
     def compressed(self) -> bool:
         """Tell whether the file is the trimmed, compressed copy of a finished test."""
-        return bool(self._file.attrs[FORM_ATTRIBUTE] == COMPRESSED)
+        with telling_damage(self.path, FORM_ATTRIBUTE):
+            return bool(self._file.attrs[FORM_ATTRIBUTE] == COMPRESSED)
 
     def committed(self, stream: str = "revolutions") -> int:
         """Return the safe rows of a stream.
@@ -137,7 +136,7 @@ class TestReader:
             return CHECKPOINT_SLOTS
         if stream == "unfinished_samples":
             return self.first_free_sample(self.committed("unfinished"), found.group)
-        return int(self._file[found.path(found.counter)][()])
+        return int(self._read(found.path(found.counter)))
 
     def stored_status(self) -> str:
         """Return the word in the file: running, complete, stopped or fault."""
@@ -146,23 +145,33 @@ class TestReader:
     def summary(self) -> dict[str, Any]:
         """Return what ``rigapp info`` shows; its keys are a promise to users."""
         revolutions = self.committed()
-        numbers = self._file["/entry/revolutions/revolution"]
+        first, last = self._first_and_last(revolutions)
         status, reason = self._status(revolutions)
         return {
             "status": status,
             "reason": reason,
             "revolutions": revolutions,
-            "first_revolution": int(numbers[0]) if revolutions else None,
-            "last_revolution": int(numbers[revolutions - 1]) if revolutions else None,
+            "first_revolution": first,
+            "last_revolution": last,
             "gaps": self.state("gaps"),
             "cycles_saved": self.committed("cycles"),
             "started": self._text(START_TIME),
             "schema": int(self._file.attrs[SCHEMA_ATTRIBUTE]),
         }
 
+    def _first_and_last(self, rows: int) -> tuple[int | None, int | None]:
+        """Return the numbers of the first and the last of so many revolutions."""
+        if not rows:
+            return None, None
+        first, last = (int(self.column("revolution", row, row + 1)[0]) for row in (0, rows - 1))
+        with telling_damage(self.path, "the number of its safe revolutions"):
+            if last - first < rows - 1:
+                raise ValueError(f"{rows} revolutions cannot end at number {last}")
+        return first, last
+
     def state(self, name: str) -> int:
         """Return one number of ``/entry/state``, for example ``planned_revolutions``."""
-        return int(self._file[f"{STATE}/{name}"][()])
+        return int(self._read(f"{STATE}/{name}"))
 
     def has_all_revolutions(self) -> bool:
         """Tell whether the last revolution of the plan is committed."""
@@ -190,7 +199,7 @@ class TestReader:
         found: dict[str, Any] = {
             name: self._text(path) if path in self._file else "" for name, path in names.items()
         }
-        found["simulated"] = bool(self._file["/entry/simulated"][()])
+        found["simulated"] = bool(self._read("/entry/simulated"))
         found["planned_revolutions"] = self.state("planned_revolutions")
         found["reason_code"] = self.reason_code()
         return found
@@ -210,7 +219,7 @@ class TestReader:
                 f"there are {', '.join(known)}"
             )
         end = self.committed(stream) if stop is None else min(stop, self.committed(stream))
-        return np.asarray(self._file[found.path(name)][first:end])
+        return self._rows(found.path(name), first, end)
 
     def column_units(self, stream: str = "revolutions") -> dict[str, str]:
         """Return the units of a stream's columns by name, in their order."""
@@ -218,28 +227,25 @@ class TestReader:
 
     def cycle_revolutions(self) -> NDArray[np.int64]:
         """Return the numbers of the revolutions whose whole cycle is saved."""
-        return np.asarray(self._file["/entry/cycles/revolution"][: self.committed("cycles")])
+        return self.column("revolution", stream="cycles")
 
     def cycle_reasons(self) -> list[str]:
         """Return why each saved cycle is kept: scheduled, last, before, trigger or after."""
-        number = self.committed("cycles")
         if not self.plan.cycle_reason:
-            return ["scheduled"] * number
-        return [one.decode() for one in self._file["/entry/cycles/why"][:number].tolist()]
+            return ["scheduled"] * self.committed("cycles")
+        return np.char.decode(self.column("why", stream="cycles"), "ascii", "replace").tolist()
 
     def cycle_qualities(self) -> NDArray[np.int64]:
         """Return the quality flags of each saved cycle's revolution, 0 where not recorded."""
-        number = self.committed("cycles")
         if not self.plan.cycle_reason:
-            return np.zeros(number, dtype=np.int64)
-        return np.asarray(self._file["/entry/cycles/quality"][:number], dtype=np.int64)
+            return np.zeros(self.committed("cycles"), dtype=np.int64)
+        return self.column("quality", stream="cycles").astype(np.int64)
 
     def first_free_sample(self, cycles: int, group: str = "/entry/cycles") -> int:
         """Return the number of samples in the first ``cycles`` saved cycles."""
         if cycles == 0:
             return 0
-        place = self._file[group]
-        return int(place["first"][cycles - 1]) + int(place["count"][cycles - 1])
+        return sum(int(self._read(f"{group}/{one}", cycles - 1)) for one in ("first", "count"))
 
     def cycle(self, index: int) -> StoredCycle:
         """Return the saved cycle ``index``, negative from the end; raises IndexError."""
@@ -261,19 +267,21 @@ class TestReader:
 
     def _ragged(self, stream: str, start: int, stop: int) -> Iterator[StoredCycle]:
         index = self._streams[stream]
-        group = self._file[index.group]
         samples = self._streams["samples" if stream == "cycles" else "unfinished_samples"]
-        datasets = {one.name: group[one.name] for one in samples.fields}
-        known = {one.name: group[one.name][start:stop].tolist() for one in index.fields}
+        known = {
+            one.name: self._rows(index.path(one.name), start, stop).tolist() for one in index.fields
+        }
         whys = known.get("why", [b"scheduled" if stream == "cycles" else b""] * (stop - start))
         qualities = known.get("quality", [0] * (stop - start))
         table = self.plan.table
         for i, (first, count) in enumerate(zip(known["first"], known["count"], strict=True)):
-            part = slice(first, first + count)
             yield StoredCycle(
                 known["revolution"][i],
-                {name: np.asarray(one[part]) for name, one in datasets.items()},
-                whys[i].decode(),
+                {
+                    one.name: self._rows(samples.path(one.name), first, first + count)
+                    for one in samples.fields
+                },
+                whys[i].decode(errors="replace"),
                 qualities[i],
                 table,
             )
@@ -284,20 +292,19 @@ class TestReader:
 
     def curve_revolutions(self) -> NDArray[np.int64]:
         """Return the numbers of the revolutions whose predicted curves are saved."""
-        saved = self._file["/entry/prediction/curve_revolution"]
-        return np.asarray(saved[: self.committed("curves")])
+        return self.column("curve_revolution", stream="curves")
 
     def predicted_curve(self, revolution: int) -> Columns | None:
         """Return the predicted curves of a revolution with their ``angle``, None when not saved."""
-        group = self._file["/entry/prediction"]
         places = np.flatnonzero(self.curve_revolutions() == revolution)
         if places.size == 0:
             return None
         row = int(places[-1])
         curves = {
-            name: np.asarray(group[f"curve_{name}"][row]) for name in self.plan.predicted_curves
+            name: np.asarray(self._read(f"/entry/prediction/curve_{name}", row))
+            for name in self.plan.predicted_curves
         }
-        return {"angle": np.asarray(group["angle"][()]), **curves}
+        return {"angle": self.angles(), **curves}
 
     def profiles(self) -> Columns:
         """Return the committed worn profiles: ``angle`` (deg) and one array a column.
@@ -349,19 +356,20 @@ class TestReader:
     def last_digest(self) -> bytes:
         """Return the digest of the log's last row, empty when there is none."""
         number = self.committed("events")
-        return bytes(self._file["/entry/events/digest"][number - 1]) if number else b""
+        return bytes(self._read("/entry/events/digest", number - 1)) if number else b""
 
     def texts(self) -> Iterator[tuple[str, str]]:
         """Yield every text of the file with its path, the lines of the log left out."""
-        yield from texts_of(self._file)
+        with telling_damage(self.path, "its texts"):
+            yield from texts_of(self._file)
 
     def configuration(self) -> dict[str, Any]:
         """Return the configuration: texts ``rig`` and ``test``, ``parameters``, ``versions``."""
-        return _tree(self._file[CONFIGURATION])
+        return self._below(CONFIGURATION)
 
     def calibration(self) -> dict[str, Any]:
         """Return the calibration records that the test was measured with, nested by name."""
-        return _tree(self._file[CALIBRATION])
+        return self._below(CALIBRATION)
 
     def variables(self, stream: str) -> tuple[StoredVariable, ...]:
         """Return what a stream holds as it stands in the file, shapes cut to the safe rows.
@@ -369,16 +377,17 @@ class TestReader:
         stream: as in ``streams_of``; of ``prediction`` without its curves and profiles.
         """
         found, rows = self._streams[stream], self.committed(stream)
-        return tuple(
-            StoredVariable(
-                one.name,
-                stream,
-                (rows, *one.shape),
-                np.dtype(one.dtype),
-                _attributes(self._file[found.path(one.name)]),
+        with telling_damage(self.path, found.group):
+            return tuple(
+                StoredVariable(
+                    one.name,
+                    stream,
+                    (rows, *one.shape),
+                    np.dtype(one.dtype),
+                    _attributes(self._file[found.path(one.name)]),
+                )
+                for one in found.fields
             )
-            for one in found.fields
-        )
 
     def attributes(self, stream: str) -> dict[str, dict[str, Any]]:
         """Return what each column says of itself, also those that the file is too old to have."""
@@ -396,15 +405,12 @@ class TestReader:
 
     def angles(self) -> NDArray[np.float64]:
         """Return the crank angles of the predicted curves, deg."""
-        return np.asarray(self._file["/entry/prediction/angle"], dtype=np.float64)
+        return np.asarray(self._read("/entry/prediction/angle"), dtype=np.float64)
 
     def _table(self, stream: str, first: int) -> Columns:
         found: FileStream = self._streams[stream]
         end = self.committed(stream)
-        return {
-            one.name: np.asarray(self._file[found.path(one.name)][first:end])
-            for one in found.fields
-        }
+        return {one.name: self._rows(found.path(one.name), first, end) for one in found.fields}
 
     def _status(self, revolutions: int) -> tuple[str, str]:
         stored = self.stored_status()
@@ -432,8 +438,26 @@ class TestReader:
         return self._text(f"{STATE}/{name}")
 
     def _text(self, path: str) -> str:
-        value = self._file[path][()]
-        return value.decode() if isinstance(value, bytes) else str(value)
+        value = self._read(path)
+        with telling_damage(self.path, path):
+            return value.decode() if isinstance(value, bytes) else str(value)
+
+    def _rows(self, path: str, first: int, end: int) -> NDArray[Any]:
+        """Return rows ``first`` .. ``end`` of a dataset, which has them all."""
+        rows = np.asarray(self._read(path, slice(first, end)))
+        with telling_damage(self.path, path):
+            if len(rows) != max(0, end - first):
+                raise ValueError(f"rows {first} to {end} are wanted and there are {len(rows)}")
+        return rows
+
+    def _read(self, path: str, rows: Any = ()) -> Any:
+        """Return a dataset or some of its rows; raise UnusableInput where the file is damaged."""
+        with telling_damage(self.path, path):
+            return self._file[path][rows]
+
+    def _below(self, group: str) -> dict[str, Any]:
+        with telling_damage(self.path, group):
+            return _tree(self._file[group])
 
 
 _OF_HDF5 = ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "DIMENSION_LABELS")
@@ -454,6 +478,8 @@ def _tree(group: h5py.Group) -> dict[str, Any]:
         if isinstance(item, h5py.Group):
             found[name] = _tree(item)
             continue
+        if item is None:
+            raise KeyError(name)
         if is_bare(item):
             continue
         value = item[()]
@@ -497,19 +523,15 @@ def _refusal(path: Path, message: str) -> str:
 
 
 def _refuse_foreign(path: Path, file: h5py.File) -> None:
-    schema = file.attrs.get(SCHEMA_ATTRIBUTE)
+    with telling_damage(path, SCHEMA_ATTRIBUTE):
+        schema = file.attrs.get(SCHEMA_ATTRIBUTE)
+        schema = None if schema is None else int(schema)
     if schema is None:
         raise UnusableInput(
             f"{path}: this HDF5 file is not a test; give a file that rigapp run wrote"
         )
-    if int(schema) > SCHEMA:
+    if schema > SCHEMA:
         raise UnusableInput(
-            f"{path}: the file has schema {int(schema)} and this version reads up to {SCHEMA}; "
+            f"{path}: the file has schema {schema} and this version reads up to {SCHEMA}; "
             "install a newer rigapp"
         )
-    try:
-        damaged = PLAN not in file or "/entry/revolutions/committed" not in file
-    except (OSError, RuntimeError, KeyError):
-        damaged = True
-    if damaged:
-        raise UnusableInput(f"{path}: the file is damaged, its plan cannot be read")

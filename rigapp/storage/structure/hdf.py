@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
+from collections.abc import Iterator
 from pathlib import Path
 
 import h5py
+
+from rigapp.config.errors import UnusableInput
 
 NOT_A_VARIABLE = "This is a netCDF dimension but not a netCDF variable. "
 """How netCDF marks a dimension without coordinates; its length follows in ten characters."""
@@ -23,6 +27,21 @@ def open_for_reading(path: Path) -> h5py.File:
             if "lock" not in str(error):
                 raise
     return h5py.File(path, "r", locking=True)
+
+
+@contextlib.contextmanager
+def telling_damage(path: Path, what: str) -> Iterator[None]:
+    """Raise UnusableInput where a block cannot make sense of what it reads in a file.
+
+    what: the place in the file. HDF5 and NumPy raise one of many errors, as the damage wants.
+    """
+    try:
+        yield
+    except (OSError, RuntimeError, LookupError, ValueError, TypeError, MemoryError) as error:
+        raise UnusableInput(
+            f"{path}: the file is damaged, {what} cannot be read ({error}); "
+            "take a copy made before, and check the disk"
+        ) from error
 
 
 def is_bare(dataset: h5py.Dataset) -> bool:

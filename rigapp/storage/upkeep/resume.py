@@ -20,6 +20,7 @@ from rigapp.storage.filesystem.folder import hidden_name, refuse_little_space, r
 from rigapp.storage.filesystem.system import FILES
 from rigapp.storage.reading.reader import TestReader, open_test
 from rigapp.storage.structure.events import seed_of
+from rigapp.storage.structure.hdf import telling_damage
 from rigapp.storage.structure.layout import FilePlan, planned_rows
 from rigapp.storage.writing.create import Places, fitted_streams, places_of, reserve_stream
 from rigapp.storage.writing.scalars import Counts
@@ -72,12 +73,26 @@ def _writer_at_end(
             _refuse_finished(reader)
             counts, digest, last = _counts(reader)
             plan = reader.plan
-        places = places_of(path)
+        places = _sound_places(path, plan)
         disk = Disk(fd, path)
         reserved = reserve(disk, plan, places, counts.planned_revolutions)
         writer = TestWriter(disk, places, plan, counts, reserved, digest)
         undo.pop_all()
     return writer, last
+
+
+def _sound_places(path: Path, plan: FilePlan) -> Places:
+    """Return where the datasets lie; raise UnusableInput where writing would harm another one."""
+    with telling_damage(path, "its structure"):
+        places, end = places_of(path), 0
+        fitted_streams(plan, places)
+        for name, (offset, size) in sorted(places.items(), key=lambda one: one[1]):
+            if offset < end:
+                raise ValueError(f"{name} lies over another dataset")
+            end = offset + size
+        if end > path.stat().st_size:
+            raise ValueError("a dataset lies beyond its end")
+    return places
 
 
 def _as_planned(disk: Disk, plan: FilePlan, places: Places, revolutions: int) -> dict[str, int]:
