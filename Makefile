@@ -26,10 +26,12 @@ export PIP_DISABLE_PIP_VERSION_CHECK = 1
 run: kernels
 	@$(BIN)/python -m rigapp.start
 
-# Three workers on two cores: stories of whole rigs wait more than they compute. One file or folder
-# is quicker without workers and without the checks of the whole source.
+# Three workers on two cores: stories of whole rigs wait more than they compute. Each begins with a
+# part of its own, so that most modules are tested by one worker, which makes their fixtures once; who
+# is done takes work from the others. One file or folder is quicker without workers and without the
+# checks of the whole source.
 test: $(if $(TESTS),$(TEST_READY),lint) kernels
-	$(BIN)/python -m pytest $(or $(TESTS),-n 3 --dist loadgroup) -m "not soak"
+	$(BIN)/python -m pytest $(or $(TESTS),-n 3 --dist worksteal) -m "not soak"
 
 lint: $(TEST_READY)
 	$(BIN)/ruff format --check .
