@@ -20,6 +20,8 @@ SEED := $(or $(SEED),$(shell od -An -N4 -tu4 /dev/urandom | tr -d ' '))
 RUN_EXTRAS := --extra gui --extra notify --extra page --extra publish --extra analysis --extra build
 export QT_API = pyside6
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
+# Hundreds of programs that the tests start shall not compile the source again, each for itself.
+unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: run test kernels lint hooks search bench soak docs single lock pictures translations clean
 
