@@ -20,16 +20,20 @@ SEED := $(or $(SEED),$(shell od -An -N4 -tu4 /dev/urandom | tr -d ' '))
 RUN_EXTRAS := --extra gui --extra notify --extra page --extra publish --extra analysis --extra build
 export QT_API = pyside6
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
+# Hundreds of programs that the tests start shall not compile the source again, each for itself.
+unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: run test kernels lint hooks search bench soak docs single lock pictures translations clean
 
 run: kernels
 	@$(BIN)/python -m rigapp.start
 
-# Three workers on two cores: stories of whole rigs wait more than they compute. One file or folder
-# is quicker without workers and without the checks of the whole source.
+# Three workers on two cores: stories of whole rigs wait more than they compute. Each begins with a
+# part of its own, so that most modules are tested by one worker, which makes their fixtures once; who
+# is done takes work from the others. One file or folder is quicker without workers and without the
+# checks of the whole source.
 test: $(if $(TESTS),$(TEST_READY),lint) kernels
-	$(BIN)/python -m pytest $(or $(TESTS),-n 3 --dist loadgroup) -m "not soak"
+	$(BIN)/python -m pytest $(or $(TESTS),-n 3 --dist worksteal) -m "not soak"
 
 lint: $(TEST_READY)
 	$(BIN)/ruff format --check .

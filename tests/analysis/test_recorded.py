@@ -37,7 +37,7 @@ def compressed(ended: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize("chunks", [None, 7])
+@pytest.mark.parametrize("chunks", [None, 100])
 @pytest.mark.parametrize("form", ["ended", "compressed"])
 def test_datasets_hold_what_the_reader_reads(
     form: str, chunks: int | None, request: pytest.FixtureRequest

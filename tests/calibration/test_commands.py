@@ -5,14 +5,12 @@ from __future__ import annotations
 import json
 import os
 import stat
-import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from patience import PATIENCE_S
+from commandline import Done, program, rigapp
 
 from calibration.load_cell.readings import LoadCellReadings
 from calibration.probes.readings import parse_probe
@@ -27,16 +25,6 @@ name = "pin load cell"
 [place]
 gravity_m_s2 = 9.8123
 """
-
-
-def rigapp(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "rigapp", *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE_S,
-        check=False,
-    )
 
 
 def as_csv(readings: LoadCellReadings) -> str:
@@ -58,7 +46,7 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def fit(folder: Path, record: str, *more: str) -> subprocess.CompletedProcess[str]:
+def fit(folder: Path, record: str, *more: str) -> Done:
     return rigapp(
         "calibrate", "load-cell", "--readings", folder / "readings.csv",
         "--settings", folder / "settings.toml", "--to", folder / record, *more,
@@ -78,8 +66,8 @@ def test_good_readings_make_a_sealed_record_and_a_repeatable_certificate(folder:
     assert not record.stat().st_mode & stat.S_IWUSR
     assert unseal(record.read_bytes()).kind == "load cell"
     for ending in ("pdf", "html"):
-        for name in ("a", "b"):
-            made = rigapp("calibrate", "certificate", record, "--to", folder / f"{name}.{ending}")
+        for name, run in (("a", rigapp), ("b", program)):
+            made = run("calibrate", "certificate", record, "--to", folder / f"{name}.{ending}")
             assert made.returncode == 0, made.stderr
         first = (folder / f"a.{ending}").read_bytes()
         assert first == (folder / f"b.{ending}").read_bytes()
@@ -318,7 +306,7 @@ def probe_csv(noise: float = 0.0, backlash: float = 0.0) -> str:
     return "\n".join(lines) + "\n"
 
 
-def probes(folder: Path, text: str) -> subprocess.CompletedProcess[str]:
+def probes(folder: Path, text: str) -> Done:
     (folder / "probe.csv").write_text(text)
     (folder / "probe.toml").write_text('schema = 1\n[probe]\nname = "probe 1"\n')
     return rigapp(

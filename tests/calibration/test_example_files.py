@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import shlex
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from commandline import program, rigapp
 
 from calibration.records import unseal
 
@@ -21,13 +20,7 @@ def test_the_command_in_the_first_line_makes_a_record(settings: Path, tmp_path: 
     for name in ("--settings", "--readings"):
         place = arguments.index(name) + 1
         arguments[place] = str(FOLDER / arguments[place])
-    done = subprocess.run(
-        [sys.executable, "-m", "rigapp", *arguments],
-        cwd=tmp_path,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    done = (program if settings.stem == "load_cell" else rigapp)(*arguments, folder=tmp_path)
     assert done.returncode == 0, done.stderr
     record = unseal((tmp_path / arguments[arguments.index("--to") + 1]).read_bytes())
     assert record.content["result"]["accepted"]

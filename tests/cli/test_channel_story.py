@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from commandline import program, rigapp
 from patience import PATIENCE_S
 
 from rigapp.replay.client import ReplayClient
@@ -29,16 +30,6 @@ FREE = ("bushing_temperature", "motor_current", "room_temperature", "humidity")
 @pytest.fixture(autouse=True)
 def _own_runtime_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
-
-
-def rigapp(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [*COMMAND, *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE_S,
-        check=False,
-    )
 
 
 def recipe(folder: Path) -> Path:
@@ -71,7 +62,7 @@ def test_channels_go_from_the_rig_file_to_limit_file_export_and_replay(tmp_path:
         first.kill()
     with open_test(out) as reader:
         assert 0 < reader.committed() < REVOLUTIONS
-    gone_on = rigapp("resume", out, "--rig", RIG, "--speed", "max")
+    gone_on = program("resume", out, "--rig", RIG, "--speed", "max")
     assert gone_on.returncode == 0, gone_on.stderr
 
     with open_test(out) as reader:

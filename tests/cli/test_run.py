@@ -16,6 +16,7 @@ from typing import Any
 import h5py
 import numpy as np
 import pytest
+from commandline import program, rigapp
 from patience import PATIENCE_S
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -28,16 +29,6 @@ NEVER_OVER = ("--revolutions", "5000")
 @pytest.fixture(autouse=True)
 def _own_runtime_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
-
-
-def rigapp(*arguments: str | Path, seconds: float = PATIENCE_S) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [*COMMAND, *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        timeout=seconds,
-        check=False,
-    )
 
 
 class Running:
@@ -246,7 +237,7 @@ def test_limit_stops_the_test(tmp_path: Path) -> None:
     recipe = tmp_path / "tight.toml"
     recipe.write_text(text)
     out = tmp_path / "t.h5"
-    done = rigapp("run", recipe, "--rig", RIG, "--out", out)
+    done = program("run", recipe, "--rig", RIG, "--out", out)
     assert done.returncode == 1, done.stderr
     summary = info(out)
     assert summary["status"] == "stopped"
@@ -282,7 +273,7 @@ def test_port_that_does_not_exist_is_a_device_failure(tmp_path: Path) -> None:
     text = RIG.read_text().replace('port = "simulated"', 'port = "/dev/ttyNOWHERE"', 1)
     rig = tmp_path / "rig.toml"
     rig.write_text(text)
-    done = rigapp("run", QUICK, "--rig", rig, "--out", tmp_path / "t.h5")
+    done = program("run", QUICK, "--rig", rig, "--out", tmp_path / "t.h5")
     assert done.returncode == 3
     assert "/dev/ttyNOWHERE" in done.stderr
     assert "daq" in done.stderr
@@ -301,7 +292,7 @@ def test_check_shows_a_table_and_blocks_on_a_bad_speed(tmp_path: Path) -> None:
 
 
 def test_help_is_quick_to_read_and_wrong_calls_are_told() -> None:
-    assert "Run one test without a window" in rigapp("--help").stdout
-    wrong = rigapp("run")
+    assert "Run one test without a window" in program("--help").stdout
+    wrong = program("run")
     assert wrong.returncode == 2
     assert "Traceback" not in wrong.stderr

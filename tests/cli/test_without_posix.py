@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from commandline import program
 from patience import PATIENCE_S
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -29,18 +31,49 @@ def refusing(name, globals=None, locals=None, fromlist=(), level=0):
 
 builtins.__import__ = refusing
 """
-VERB = "from rigapp.cli import main\nmain()\n"
+VERBS = """
+import json
+from pathlib import Path
+from rigapp.cli import main
+
+ended = []
+for words in json.loads(sys.argv[1]):
+    sys.argv[1:] = words
+    try:
+        main()
+    except SystemExit as end:
+        ended.append(end.code)
+    Path("ended.json").write_text(json.dumps(ended))
+"""
+"""One verb after another, in one process."""
+
 ANALYSIS = """
 import rigapp
 test, many = rigapp.open(sys.argv[1]), rigapp.open_many(sys.argv[1])
 print(test.status, test.revolutions.sizes["revolution"], many.table.sizes["test"])
 """
+READING = {
+    "info --json": "",
+    "export --to t.csv": "t.csv",
+    "export --to t.parquet": "t.parquet",
+    "export --to cycles.csv --cycles": "cycles.csv",
+    "report --to t.html": "t.html",
+    "report --to t.pdf": "t.pdf",
+    "identify": "",
+    "picture --to t.png": "t.png",
+    "package --to t.zip --allow-private": "t.zip",
+}
+"""What is asked of a recorded test, and the file that comes of it."""
+
+MODEL = {
+    "forces {parameters} --rpm 30 --to forces.csv": "forces.csv",
+    "wear {parameters} --rpm 30 --cycles 1000 --to wear.csv": "wear.csv",
+    "pressure {parameters} --force-N 100 --to pressure.csv": "pressure.csv",
+}
 
 
-def elsewhere(
-    folder: Path, *arguments: str | Path, code: str = VERB
-) -> subprocess.CompletedProcess[str]:
-    """Run a verb where these modules cannot be imported by the program."""
+def elsewhere(folder: Path, code: str, *arguments: str | Path) -> subprocess.CompletedProcess[str]:
+    """Run a few lines where these modules cannot be imported by the program."""
     return subprocess.run(
         [sys.executable, "-c", CODE + code, *map(str, arguments)],
         cwd=folder,
@@ -52,73 +85,64 @@ def elsewhere(
     )
 
 
+def ended(folder: Path, *verbs: list[str]) -> tuple[list[int], str]:
+    """Run verbs there, in a folder; return how each ended, and what was complained."""
+    done = elsewhere(folder, VERBS, json.dumps(verbs))
+    statuses: list[int] = json.loads((folder / "ended.json").read_text())
+    assert len(statuses) == len(verbs), done.stderr
+    return statuses, done.stderr
+
+
 @pytest.fixture(scope="module")
 def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return the file of a short test, recorded as on any other day."""
     path = tmp_path_factory.mktemp("recorded") / "t.h5"
     plan, rig = EXAMPLES / "quick.toml", EXAMPLES / "simulated.toml"
-    asked = ["run", plan, "--rig", rig, "--out", path, "--revolutions", "20", "--speed", "max"]
-    done = subprocess.run(
-        [sys.executable, "-m", "rigapp", *map(str, asked)],
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE_S,
-        check=False,
-    )
+    asked = ("--rig", rig, "--out", path, "--revolutions", "20", "--speed", "max")
+    done = program("run", plan, *asked)
     assert done.returncode == 0, done.stderr
     return path
 
 
-@pytest.mark.parametrize(
-    ("arguments", "made"),
-    [
-        ("info --json", ""),
-        ("export --to t.csv", "t.csv"),
-        ("export --to t.parquet", "t.parquet"),
-        ("export --to cycles.csv --cycles", "cycles.csv"),
-        ("report --to t.html", "t.html"),
-        ("report --to t.pdf", "t.pdf"),
-        ("identify", ""),
-        ("picture --to t.png", "t.png"),
-        ("package --to t.zip --allow-private", "t.zip"),
-    ],
-)
-def test_a_recorded_test_is_read(recorded: Path, tmp_path: Path, arguments: str, made: str) -> None:
-    verb, *options = arguments.split()
-    done = elsewhere(tmp_path, verb, recorded, *options)
+@pytest.fixture(scope="module")
+def read(recorded: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[int], str]:
+    """Return where everything was asked of the recorded test, and how each ended."""
+    folder = tmp_path_factory.mktemp("read")
+    asked = [line.split() for line in READING]
+    return folder, *ended(folder, *([verb, str(recorded), *more] for verb, *more in asked))
+
+
+@pytest.mark.parametrize("asked", READING)
+def test_a_recorded_test_is_read(read: tuple[Path, list[int], str], asked: str) -> None:
+    folder, statuses, complaint = read
     # Of so short a test no wear coefficient can be told, which is status 1.
-    assert done.returncode == (1 if verb == "identify" else 0), done.stderr
-    assert not made or (tmp_path / made).stat().st_size > 0
+    status = statuses[list(READING).index(asked)]
+    assert status == (1 if asked == "identify" else 0), complaint
+    made = READING[asked]
+    assert not made or (folder / made).stat().st_size > 0
 
 
 def test_it_is_analysed(recorded: Path, tmp_path: Path) -> None:
-    done = elsewhere(tmp_path, recorded, code=ANALYSIS)
+    done = elsewhere(tmp_path, ANALYSIS, recorded)
     assert (done.stdout, done.stderr) == ("complete 20 1\n", "")
 
 
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        "forces {parameters} --rpm 30 --to made.csv",
-        "wear {parameters} --rpm 30 --cycles 1000 --to made.csv",
-        "pressure {parameters} --force-N 100 --to made.csv",
-    ],
-)
-def test_the_model_is_computed(tmp_path: Path, arguments: str) -> None:
-    words = arguments.format(parameters=EXAMPLES / "parameters.toml").split()
-    done = elsewhere(tmp_path, "model", *words)
-    assert done.returncode == 0, done.stderr
-    assert (tmp_path / "made.csv").stat().st_size > 0
+def test_the_model_is_computed(tmp_path: Path) -> None:
+    asked = (one.format(parameters=EXAMPLES / "parameters.toml").split() for one in MODEL)
+    statuses, complaint = ended(tmp_path, *(["model", *words] for words in asked))
+    assert statuses == [0, 0, 0], complaint
+    assert all((tmp_path / made).stat().st_size > 0 for made in MODEL.values())
 
 
 def test_readings_are_fitted_and_a_record_is_verified_and_certified(tmp_path: Path) -> None:
+    verbs = []
     for subject in ("load_cell", "probes", "channel"):
-        files = ("--settings", CALIBRATION / f"{subject}.toml")
-        readings = ("--readings", CALIBRATION / f"{subject}.csv")
-        record = tmp_path / f"{subject}.json"
-        verb = ("calibrate", subject.replace("_", "-"))
-        done = elsewhere(tmp_path, *verb, *files, *readings, "--to", record)
-        assert done.returncode == 0, done.stderr
-        for more in (("verify", record), ("certificate", record, "--to", f"{subject}.pdf")):
-            done = elsewhere(tmp_path, "calibrate", *more)
-            assert done.returncode == 0, done.stderr
+        record, files = f"{subject}.json", str(CALIBRATION / subject)
+        taken = ("--settings", f"{files}.toml", "--readings", f"{files}.csv")
+        verbs += [
+            [subject.replace("_", "-"), *taken, "--to", record],
+            ["verify", record],
+            ["certificate", record, "--to", f"{subject}.pdf"],
+        ]
+    statuses, complaint = ended(tmp_path, *(["calibrate", *words] for words in verbs))
+    assert statuses == [0] * 9, complaint

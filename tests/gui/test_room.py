@@ -10,6 +10,7 @@ import pytest
 
 from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, speak_language
 from rigapp.gui.look.tokens import THEMES
+from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.window.tabs import NUMBERS
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.alarms import because
@@ -22,6 +23,12 @@ from tests.patience import PATIENCE_MS
 def _english_afterwards(qapp: Any) -> Iterator[None]:
     yield
     speak_language(qapp, ENGLISH)
+
+
+@pytest.fixture(autouse=True)
+def _unread(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Start no process to read a test's result each time that one ends: its page is not seen."""
+    monkeypatch.setattr(ResultShelf, "ask", lambda *_: None)
 
 
 def tripped() -> dict[str, Any]:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from commandline import program, rigapp
 from receivers import MailServer, Receiver, until
 
 from rigapp.config.errors import UnusableInput
@@ -106,11 +105,6 @@ def test_a_secret_that_others_can_read_ends_it_before_a_device_is_opened(
     assert receiver.tries == 0
 
 
-def rigapp(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
-    argv = [sys.executable, "-m", "rigapp", *map(str, arguments)]
-    return subprocess.run(argv, capture_output=True, text=True, check=False, timeout=240.0)
-
-
 def test_the_command_tries_every_way_and_says_what_became_of_it(
     tmp_path: Path, receiver: Receiver, mail: MailServer
 ) -> None:
@@ -118,7 +112,7 @@ def test_the_command_tries_every_way_and_says_what_became_of_it(
     ping = f'[ping]\nurl = "http://127.0.0.1:{receiver.port}/ping/{{token}}"\n'
     both = f'{told(receiver)}\n[[notify]]\nname = "mail"\nurl = "{mail.url}"\n'
     rig = rig_file(tmp_path, both + ping)
-    done = rigapp("notify", "--rig", rig, "--test")
+    done = program("notify", "--rig", rig, "--test")
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines() == [
         "hook, json://127.0.0.1: sent.",

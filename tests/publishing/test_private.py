@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 
 import h5py
 import pytest
-from patience import PATIENCE_S
+from commandline import program, rigapp
 from publishing_samples import ADA, RIG_TEXT, event, recorded
 
 from calibration.records import seal
@@ -171,35 +168,26 @@ def test_a_text_at_any_place_of_the_file_is_looked_at(folder: Path) -> None:
     ]
 
 
-def test_the_verb_refuses_and_says_what_to_do(folder: Path) -> None:
+def test_the_verb_refuses_and_says_what_to_do(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(folder / "run"))
     path = recorded(folder / "t.h5", events=[event("note", "Eve", "a squeak")])
     before, to = path.read_bytes(), folder / "p.zip"
-    command = [sys.executable, "-m", "rigapp", "package", str(path), "--to", str(to)]
-    environment = {**os.environ, "RIGAPP_RUNTIME_DIR": str(folder / "run")}
-
-    def run(*more: str) -> subprocess.CompletedProcess[str]:
-        return subprocess.run(
-            [*command, *more],
-            env=environment,
-            capture_output=True,
-            text=True,
-            timeout=PATIENCE_S,
-            check=False,
-        )
-
-    refused = run()
+    asked = ("package", path, "--to", to)
+    refused = rigapp(*asked)
     assert refused.returncode == 1
     assert "rigapp: t.h5: event 2 holds the name of Eve" in refused.stderr
     assert "--allow-private" in refused.stderr
     assert not to.exists()
-    done = run("--allow-private", "--author", ADA)
+    done = program(*asked, "--allow-private", "--author", ADA)
     assert done.returncode == 0, done.stderr
     assert "note: t.h5: event 2 holds the name of Eve" in done.stderr
     assert "by Ada Lovelace, CC-BY-4.0" in done.stdout
     assert path.read_bytes() == before
     with zipfile.ZipFile(to) as archive:
         assert archive.read("t/t.h5") == before
-    again = run("--allow-private")
+    again = rigapp(*asked, "--allow-private")
     assert again.returncode == 2
     assert "not overwritten" in again.stderr
 

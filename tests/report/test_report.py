@@ -11,7 +11,7 @@ from pathlib import Path
 
 import h5py
 import pytest
-from patience import PATIENCE_S
+from commandline import program, rigapp
 from report_samples import append, event, eventful, new_test
 from reportpage import Page, read
 
@@ -304,17 +304,14 @@ def test_not_a_test_file(tmp_path: Path, content: bytes) -> None:
 
 
 def test_report_of_a_real_run(tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "rigapp"]
     path = tmp_path / "quick.h5"
-    subprocess.run(
-        [*command, "run", "examples/quick.toml", "--rig", "examples/simulated.toml",
-         "--revolutions", "40", "--speed", "max", "--out", str(path)],
-        check=True, cwd=REPOSITORY, timeout=PATIENCE_S, capture_output=True,
-    )  # fmt: skip
-    done = subprocess.run(
-        [*command, "report", str(path), "--to", str(tmp_path / "quick.html")],
-        check=True, cwd=REPOSITORY, timeout=PATIENCE_S, capture_output=True, text=True,
-    )  # fmt: skip
+    asked = ("--revolutions", "40", "--speed", "max", "--out", path)
+    made = program(
+        "run", "examples/quick.toml", "--rig", "examples/simulated.toml", *asked, folder=REPOSITORY
+    )
+    assert made.returncode == 0, made.stderr
+    done = rigapp("report", path, "--to", tmp_path / "quick.html", folder=REPOSITORY)
+    assert done.returncode == 0, done.stderr
     assert done.stderr == ""
     found = read((tmp_path / "quick.html").read_bytes())
     assert "The rig was simulated: these are not measurements." in found.text
