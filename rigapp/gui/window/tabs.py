@@ -236,7 +236,7 @@ class Tabs(QTabWidget):
         self._last_page[self.place] = self.currentIndex()
         self.draw_fast(self._news)
         calls: list[Callable[[], object]] = []
-        for plot in self.currentWidget().findChildren(QuietPlot)[1:]:
+        for plot in self.currentWidget().findChildren(QuietPlot):
             plot.setUpdatesEnabled(False)
             calls.append(partial(plot.setUpdatesEnabled, True))
         calls += [partial(self._draw_history, panel) for panel in self._seen(Takes.HISTORY)]

@@ -149,7 +149,7 @@ class PlanPage(GuidePage):
         self.hold(self.subtitle, (both, 1))
         self.settings.editingFinished.connect(self.read_settings)
         live.looked.connect(self._propose)
-        self.read_settings()
+        self._take_settings()
 
     def _changed(self) -> None:
         """Follow a field; what is typed into it is not proposed any more."""
@@ -186,7 +186,11 @@ class PlanPage(GuidePage):
         return self._planned(self.values, self.settings_now())
 
     def read_settings(self) -> None:
-        """Take the fields from the settings file, if one is named."""
+        """Take the fields from the settings file, if one is named, and say what they mean."""
+        if self._take_settings():
+            self.summarise()
+
+    def _take_settings(self) -> bool:
         name = self.settings.text().strip()
         if name:
             try:
@@ -194,9 +198,9 @@ class PlanPage(GuidePage):
                 self._show_settings()
             except UnusableInput as error:
                 self.problem.setText(retold(str(error)))
-                return
+                return False
             self.problem.clear()
-        self.summarise()
+        return True
 
     def _show_settings(self) -> None:
         derived = self.asks.derived(self._given)
