@@ -8278,6 +8278,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>ein Zyklus braucht Messwerte an mindestens zwei Winkeln</translation>
     </message>
     <message>
+        <source>a dataset lies beyond its end</source>
+        <translation>ein Datensatz liegt hinter ihrem Ende</translation>
+    </message>
+    <message>
         <source>a firmware text with bytes that are not ASCII</source>
         <translation>ein Text der Firmware mit Bytes, die nicht ASCII sind</translation>
     </message>
@@ -8776,6 +8780,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>its mechanism tells the elastic motion, its limits stay</source>
         <translation>sein Getriebe sagt die elastische Bewegung, seine Grenzen bleiben</translation>
+    </message>
+    <message>
+        <source>its plan</source>
+        <translation>ihr Plan</translation>
+    </message>
+    <message>
+        <source>its structure</source>
+        <translation>ihr Aufbau</translation>
+    </message>
+    <message>
+        <source>its texts</source>
+        <translation>ihre Texte</translation>
     </message>
     <message>
         <source>kilograms</source>
@@ -9348,6 +9364,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the note is empty</source>
         <translation>die Notiz ist leer</translation>
+    </message>
+    <message>
+        <source>the number of its safe revolutions</source>
+        <translation>die Zahl ihrer gesicherten Umdrehungen</translation>
     </message>
     <message>
         <source>the number of revolutions is changed while a test runs or is paused</source>
@@ -11725,6 +11745,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>rigapp identify endete mit {}</translation>
     </message>
     <message>
+        <source>rows {} to {} are wanted and there are {}</source>
+        <translation>verlangt sind die Zeilen {} bis {}, vorhanden sind {}</translation>
+    </message>
+    <message>
         <source>run-out: {}</source>
         <translation>Rundlauf: {}</translation>
     </message>
@@ -12889,6 +12913,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} ist {}{}: {}</translation>
     </message>
     <message>
+        <source>{} lies over another dataset</source>
+        <translation>{} liegt über einem anderen Datensatz</translation>
+    </message>
+    <message>
         <source>{} lost</source>
         <translation>{} ausgefallen</translation>
     </message>
@@ -12959,6 +12987,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} revolutions are</source>
         <translation>{} Umdrehungen sind</translation>
+    </message>
+    <message>
+        <source>{} revolutions cannot end at number {}</source>
+        <translation>{} Umdrehungen können nicht mit Nummer {} enden</translation>
     </message>
     <message>
         <source>{} samples of {} were lost in all</source>
@@ -13601,8 +13633,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: Die Datei ist abgeschnitten, vielleicht eine unfertige Kopie; sie noch einmal kopieren</translation>
     </message>
     <message>
-        <source>{}: the file is damaged, its plan cannot be read</source>
-        <translation>{}: Die Datei ist beschädigt, ihr Plan ist nicht lesbar</translation>
+        <source>{}: the file is damaged, {} cannot be read ({}); take a copy made before, and check the disk</source>
+        <translation>{}: Die Datei ist beschädigt, nicht lesbar: {} ({}); eine ältere Kopie nehmen und den Datenträger prüfen</translation>
     </message>
     <message>
         <source>{}: the file is empty; a copy of the test must be restored</source>
