@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import logging
 import os
-import subprocess
-import sys
 import threading
 from pathlib import Path
+from unittest.mock import patch
 
 import pytest
-from patience import PATIENCE_S
+from commandline import Done, program
 
 from rigapp.config.errors import UnusableInput
 from rigapp.process.logs import (
@@ -28,15 +27,9 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 log = logging.getLogger("rigapp.test_logs")
 
 
-def rigapp(folder: Path, *arguments: str | Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "rigapp", *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE_S,
-        check=False,
-        env={**os.environ, "RIGAPP_RUNTIME_DIR": str(folder / "run")},
-    )
+def rigapp(folder: Path, *arguments: str | Path) -> Done:
+    with patch.dict(os.environ, RIGAPP_RUNTIME_DIR=str(folder / "run")):
+        return program(*arguments)
 
 
 @pytest.fixture(autouse=True)

@@ -7,8 +7,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import Qt
+from patience import PATIENCE_MS
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from shiboken6 import isValid
 
+from rigapp.gui.look.tokens import DARK
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.messages import Reply, RunState
 from tests.gui.conftest import attach, engine, light_application, no_history, window
@@ -27,6 +30,17 @@ def shown(window: MainWindow, engine: Any, attach: Callable[[], None], qtbot: An
     with qtbot.waitActive(window):
         window.activateWindow()
     return window
+
+
+def test_a_calibration_that_is_closed_while_it_takes_a_theme_is_let_go(
+    shown: MainWindow, qtbot: Any, tmp_path: Path
+) -> None:
+    wizard = make_wizard(shown, tmp_path, ScriptedRig().line, "daily")
+    shown.dress(DARK)
+    wizard.reject()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+    assert not isValid(wizard)
+    qtbot.waitUntil(lambda: not shown.dressing.isActive(), timeout=PATIENCE_MS)
 
 
 def test_the_focus_waits_where_the_next_step_is_taken(

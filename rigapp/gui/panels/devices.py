@@ -47,7 +47,7 @@ SIGNS: Final[dict[str, Text]] = {
 """What a positive value means; see Signs and frames in rig.md."""
 
 RAW_PLACES = 4
-"""Of a raw value: a tenth of a microvolt per volt, below the noise of every device."""
+"""Of a raw value: 0.02 N of a cell of 400 N at 2 mV/V, a hundredth of what it resolves."""
 
 LINK_WINDOW_S = 60.0
 """Losses within it are told as of now: an operator looks again within a minute."""

@@ -96,8 +96,8 @@ class FewLinesLabel(ElidedLabel):
             return room.height() >= metrics.boundingRect(room, WRAPPED, text).height()
 
         whole = self._whole
-        most = bisect_left(range(len(whole)), True, key=lambda end: not fits(f"{whole[:end]}…"))
-        self.setText(whole if fits(whole) else f"{whole[: most - 1].rstrip()}…")
+        over = bisect_left(range(len(whole)), True, key=lambda end: not fits(f"{whole[:end]}…"))
+        self.setText(whole if fits(whole) else f"{whole[: max(over - 1, 0)].rstrip()}…")
 
 
 class FittedLabel(ElidedLabel):

@@ -50,15 +50,19 @@ class Stage(QStackedWidget):
             call()
 
     def dress_calls(self, theme: Theme) -> Iterator[Callable[[], object]]:
-        """Give what puts the guide in a theme, a part each."""
+        """Give what puts the guide in a theme, a part each; nothing once it was let go."""
         guide = self._area.widget()
         if guide is None:
             return
         inside = guide.parts() if isinstance(guide, InParts) else [guide]
         for part in (*inside, self._area.verticalScrollBar(), self._area.horizontalScrollBar()):
-            yield partial(dress_part, part, theme)
+            yield partial(self._while_held, guide, partial(dress_part, part, theme))
         if isinstance(guide, Dressed):
-            yield partial(guide.dress, theme)
+            yield partial(self._while_held, guide, partial(guide.dress, theme))
+
+    def _while_held(self, guide: QWidget, call: Callable[[], object]) -> None:
+        if self._area.widget() is guide:
+            call()
 
     def end(self) -> None:
         """Let the guide go, and show the pages."""
