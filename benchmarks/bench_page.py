@@ -47,7 +47,7 @@ MOST_AGE_RATIO = 1.5
 @contextmanager
 def running(*arguments: str, output: int = subprocess.DEVNULL) -> Iterator[subprocess.Popen[str]]:
     """Run rigapp while this lasts."""
-    command = [sys.executable, "-m", "rigapp", *arguments]
+    command = [sys.executable, "-P", "-m", "rigapp", *arguments]
     process = subprocess.Popen(command, stdout=output, stderr=subprocess.DEVNULL, text=True)
     try:
         yield process

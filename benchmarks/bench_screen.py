@@ -120,7 +120,7 @@ def window_s(folder: str) -> float:
     """Return the time from the start of the program to its window on the screen."""
     begin = time.perf_counter()
     process = subprocess.Popen(
-        [sys.executable, "-m", "rigapp", "gui"], cwd=folder, stderr=subprocess.DEVNULL
+        [sys.executable, "-P", "-m", "rigapp", "gui"], cwd=folder, stderr=subprocess.DEVNULL
     )
     try:
         while time.perf_counter() - begin < 60.0:

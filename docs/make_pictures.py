@@ -51,7 +51,7 @@ def main() -> int:
         _study(Path(folder))
         manager = subprocess.Popen(["openbox"])
         window = subprocess.Popen(
-            [sys.executable, "-m", "rigapp", "gui", "--rig", ROOT / "examples/simulated.toml",
+            [sys.executable, "-P", "-m", "rigapp", "gui", "--rig", ROOT / "examples/simulated.toml",
              "--test", test, "--start"],
             cwd=folder,
         )  # fmt: skip
@@ -70,7 +70,7 @@ def main() -> int:
 def _study(folder: Path) -> None:
     """Compute the example's study into the results folder."""
     subprocess.run(
-        [sys.executable, "-m", "rigapp", "study", ROOT / "examples/study.toml",
+        [sys.executable, "-P", "-m", "rigapp", "study", ROOT / "examples/study.toml",
          "--to", folder / "results" / "study"],
         check=True, timeout=1200,
     )  # fmt: skip

@@ -12,6 +12,8 @@ import sys
 import time
 from pathlib import Path
 
+from rigapp.process.children import module_command
+
 ROOT = Path(__file__).resolve().parents[1]
 RIG = ROOT / "examples" / "simulated.toml"
 TEST = ROOT / "examples" / "quick.toml"
@@ -27,7 +29,7 @@ def has_display() -> bool:
 
 def rigapp(*arguments: str) -> int:
     """Run one command of rigapp and return its exit status."""
-    return subprocess.run([sys.executable, "-m", "rigapp", *arguments], check=False).returncode
+    return subprocess.run(module_command("rigapp", *arguments), check=False).returncode
 
 
 def main() -> int:

@@ -13,6 +13,8 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rigapp.process.children import module_command
+
 if TYPE_CHECKING:
     from drivers.api import DriverInfo
     from drivers.discovery import Inquiry
@@ -312,17 +314,10 @@ def _text(path: Path) -> str:
 
 def _window() -> Iterator[Observation]:
     """Test the window's libraries in a process of its own: a broken Qt may abort."""
-    script = (
-        "import sys\n"
-        "from rigapp.gui.window.selftest import run_self_test\n"
-        "problems = run_self_test()\n"
-        "print('; '.join(problems))\n"
-        "sys.exit(bool(problems))\n"
-    )
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
     try:
         done = subprocess.run(
-            [sys.executable, "-c", script],
+            module_command("rigapp.gui.window.selftest"),
             env=environment,
             capture_output=True,
             text=True,

@@ -18,6 +18,7 @@ import platformdirs
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
+from rigapp.process.children import module_command
 
 PAGE = "rigapp-page.service"
 STOP_S = 150
@@ -82,7 +83,7 @@ def page_unit(
     return SystemdUnit(PAGE, text, "page")
 
 
-PROGRAM = (sys.executable, "-m", "rigapp")
+PROGRAM = module_command("rigapp")
 
 
 def escaped(text: str) -> str:

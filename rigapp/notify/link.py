@@ -20,6 +20,7 @@ import msgspec
 import zmq
 
 from rigapp.notify.facts import CourierAnswer, CourierSetup, Fact, Farewell, Seen, SignOfLife
+from rigapp.process.children import start_module
 from rigapp.process.ending import Background
 from rigapp.schema.messages import Status
 from rigapp.schema.notices import Committed, Notices
@@ -123,13 +124,8 @@ class CourierLink:
         socket.setsockopt(zmq.LINGER, 0)
         socket.bind(self._address)
         endpoint = socket.getsockopt_string(zmq.LAST_ENDPOINT)
-        process = subprocess.Popen(
-            [sys.executable, "-m", "rigapp.notify.courier", endpoint, str(os.getpid())],
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            start_new_session=True,  # it outlives its engine, to tell of its end
-        )
+        # It outlives its engine, to tell of its end.
+        process = start_module("rigapp.notify.courier", endpoint, os.getpid())
         self._process = process
         Background(process.wait, "courier's end")
         self._barren += 1

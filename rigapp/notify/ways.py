@@ -24,6 +24,7 @@ from rigapp.config.notify import REFERENCE, NotifySection, PingSection
 from rigapp.config.rig import RigFile
 from rigapp.notify.attempt import AttemptRequest, AttemptResult
 from rigapp.notify.message import Message, worded, worst_level
+from rigapp.process.children import module_command
 
 ATTEMPT_S = 120.0
 """An attempt that takes longer is ended: a healthy server answers within seconds, and a computer
@@ -124,7 +125,7 @@ def tell(way: NotifySection, secrets: Path, rig: str, batch: Sequence[Message]) 
 
 def attempt(request: AttemptRequest) -> AttemptResult:
     """Let a process of its own make an attempt, and end it when it takes too long."""
-    argv = (sys.executable, "-m", "rigapp.notify.attempt")
+    argv = module_command("rigapp.notify.attempt")
     try:
         status, answer = _bounded(argv, msgspec.json.encode(request), keep=True)
         if status is None:

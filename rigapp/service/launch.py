@@ -7,13 +7,12 @@ comes before every engine of this computer.
 from __future__ import annotations
 
 import os
-import subprocess
-import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from rigapp.process.children import start_module
 from rigapp.process.ending import Background
 from rigapp.process.leftovers import process_alive
 from rigapp.process.locks import taken
@@ -88,13 +87,7 @@ def _start(rig: Path) -> tuple[int, Path]:
     """Start an engine, announced before anybody else can look; return its process and its log."""
     log = runtime_folder() / f"engine-{time.strftime('%Y%m%d-%H%M%S')}.log"
     with log.open("wb") as stream:
-        process = subprocess.Popen(
-            [sys.executable, "-m", "rigapp", "engine", str(rig)],
-            stdin=subprocess.DEVNULL,
-            stdout=stream,
-            stderr=stream,
-            start_new_session=True,
-        )
+        process = start_module("rigapp", "engine", rig, stdout=stream, stderr=stream)
     # Somebody must take note of its end, or it would count as alive for as long as this process.
     Background(process.wait, "engine process")
     announce_start(rig, process.pid)

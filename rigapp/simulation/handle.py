@@ -6,7 +6,6 @@ import contextlib
 import os
 import select
 import subprocess
-import sys
 import tempfile
 import threading
 import time
@@ -19,6 +18,7 @@ import msgspec
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.toml import toml_text
+from rigapp.process.children import start_module
 
 ANSWER_S = 30.0  # of a process that answers in ms, on a computer that stands still now and then
 START_S = 180.0
@@ -132,10 +132,9 @@ def start_simulated_rig(
     spindle stands still, at most 10 s, and does not hear this one's Ctrl-C. Raises UnusableInput
     with the process's own sentence, SimulationFailed when it dies otherwise or is late.
     """
-    command = [sys.executable, "-m", "rigapp.simulation.process", str(rig_path)]
-    command += ["--speed", str(speed), "--exit-with-parent"]
-    command += ["--faults", str(faults)] if faults is not None else []
-    command += ["--truth", str(truth)] if truth is not None else []
+    options: list[object] = ["--speed", speed, "--exit-with-parent"]
+    options += ["--faults", faults] if faults is not None else []
+    options += ["--truth", truth] if truth is not None else []
     with contextlib.ExitStack() as stack:
         if parameters is not None:
             folder = stack.enter_context(
@@ -143,14 +142,15 @@ def start_simulated_rig(
             )
             path = Path(folder) / "parameters.toml"
             path.write_text(toml_text(parameters), encoding="utf-8")
-            command += ["--parameters", str(path)]
+            options += ["--parameters", path]
         complaints = tempfile.TemporaryFile()  # noqa: SIM115 - the handle closes it
-        process = subprocess.Popen(
-            command,
+        process = start_module(
+            "rigapp.simulation.process",
+            rig_path,
+            *options,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=complaints,
-            start_new_session=True,
         )
         handle = SimulatedRig(process, complaints, {})
         try:

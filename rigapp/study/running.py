@@ -239,6 +239,8 @@ def _client(scheduler: str, workers: int | None) -> Iterator[Any]:
         if scheduler:
             yield ending.enter_context(_connected(scheduler))
             return
+        # As ``-P`` of ``module_command``, for what multiprocessing starts: workers and its tracker.
+        os.environ["PYTHONSAFEPATH"] = "1"
         cluster = LocalCluster(
             n_workers=workers or os.cpu_count() or 1,
             threads_per_worker=1,

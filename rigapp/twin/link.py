@@ -22,6 +22,7 @@ from pathlib import Path
 import msgspec
 import zmq
 
+from rigapp.process.children import start_module
 from rigapp.schema.messages import Prediction, RevolutionMeasured
 from rigapp.twin.messages import TwinAnswer, TwinSetup
 
@@ -177,12 +178,9 @@ class TwinLink:
         socket.bind(self._address)
         endpoint = socket.getsockopt_string(zmq.LAST_ENDPOINT)
         self.restarts += 1
-        self._worker = subprocess.Popen(
-            [sys.executable, "-m", "rigapp.twin.worker", endpoint, str(os.getpid())],
-            stdin=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,  # what matters comes in its answers
-            env=SINGLE_THREADED | os.environ,
-            start_new_session=True,  # Ctrl-C is for the engine, which ends the twin itself
+        # What matters comes in its answers, not on its standard error.
+        self._worker = start_module(
+            "rigapp.twin.worker", endpoint, os.getpid(), environment=SINGLE_THREADED | os.environ
         )
         try:
             if not self._introduce(socket):

@@ -47,7 +47,7 @@ def test_an_engines_unit_stays_and_is_stopped_alone(rig: Path) -> None:
     unit = service.engine_unit(rig)
     assert unit.name == "rigapp-engine-rig-A-100-HOME.service"
     words = shlex.split(value(unit.text, "ExecStart").replace("%%", "%").replace("$$", "$"))
-    assert words[1:] == ["-m", "rigapp", "engine", str(rig), "--stay"]
+    assert words[1:] == ["-P", "-m", "rigapp", "engine", str(rig), "--stay"]
     assert '\\"A\\" 100%% $$HOME' in value(unit.text, "ExecStart")
     assert value(unit.text, "KillMode") == "mixed"
     assert int(value(unit.text, "TimeoutStopSec")) > 120
@@ -60,8 +60,8 @@ def test_the_pages_unit_names_its_files_wherever_it_is_started(
     monkeypatch.chdir(tmp_path)
     unit = service.page_unit("10.0.0.7:8750", Path("token"), Path("c.pem"), Path("k.pem"))
     words = shlex.split(value(unit.text, "ExecStart"))
-    assert words[3:6] == ["page", "--bind", "10.0.0.7:8750"]
-    assert words[6:] == [
+    assert words[4:7] == ["page", "--bind", "10.0.0.7:8750"]
+    assert words[7:] == [
         "--token", str(tmp_path / "token"), "--certificate", str(tmp_path / "c.pem"), "--key",
         str(tmp_path / "k.pem"),
     ]  # fmt: skip

@@ -291,7 +291,7 @@ def test_a_start_that_takes_long_starts_no_second_engine(
     program = folder / "slow-python"
     program.write_text(f'#!/bin/sh\necho "$$" >> {folder}/started\nexec sleep 1000 # python\n')
     program.chmod(0o755)
-    monkeypatch.setattr(launch.sys, "executable", str(program))
+    monkeypatch.setattr("sys.executable", str(program))
     monkeypatch.setattr(launch, "START_S", 0.2)
     monkeypatch.setattr("rigapp.process.leftovers.owner_lives", lambda pid: True)
     for _ in range(3):

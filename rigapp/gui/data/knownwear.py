@@ -9,7 +9,6 @@ from __future__ import annotations
 import json
 import math
 import subprocess
-import sys
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -25,6 +24,7 @@ from rigapp.gui.data.news import News
 from rigapp.gui.data.series import SeriesTable
 from rigapp.gui.data.texts import MOMENT, dated, duration, grouped, unit_text
 from rigapp.gui.language.words import tr
+from rigapp.process.children import module_command
 from rigapp.schema.columns import WEAR_MODELS, prediction_columns
 from rigapp.schema.messages import RunState, last_set_speed
 
@@ -198,7 +198,7 @@ Run = Callable[[list[str]], str]
 def run_identify(arguments: list[str]) -> str:
     """Return what ``rigapp identify`` prints; raise OSError with its sentence when it fails."""
     done = subprocess.run(
-        [sys.executable, "-m", "rigapp", "identify", *arguments],
+        module_command("rigapp", "identify", *arguments),
         capture_output=True,
         text=True,
         timeout=TIMEOUT_S,

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -16,6 +14,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP
 from rigapp.gui.widgets.build import button, named
+from rigapp.process.children import module_command, start_module
 
 TIMEOUT_MS = 300_000
 """A report that takes longer has hung: that of 10^7 revolutions takes about a minute."""
@@ -48,13 +47,7 @@ KINDS = (
 
 def launch_process(arguments: Sequence[str]) -> None:
     """Start another rigapp on its own, which lives on when this window closes."""
-    subprocess.Popen(
-        [sys.executable, "-m", "rigapp", *arguments],
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
+    start_module("rigapp", *arguments)
 
 
 def open_document(path: Path) -> bool:
@@ -125,7 +118,8 @@ class DocumentPanel(QWidget):
         limit = QTimer(process, singleShot=True, interval=TIMEOUT_MS)
         limit.timeout.connect(process.kill)
         limit.start()
-        process.start(sys.executable, ["-m", "rigapp", kind.verb, str(test), "--to", str(target)])
+        program, *arguments = module_command("rigapp", kind.verb, test, "--to", target)
+        process.start(program, arguments)
         self._said(tr("Writing {} …", target.name), True)
         self.show_test(test)
 

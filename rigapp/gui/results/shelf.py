@@ -6,7 +6,6 @@ import logging
 import os
 import queue
 import subprocess
-import sys
 import threading
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
@@ -16,6 +15,7 @@ import msgspec
 
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.language.words import tr
+from rigapp.process.children import start_module
 from rigapp.schema.results import TestResult
 
 log = logging.getLogger(__name__)
@@ -36,8 +36,9 @@ class ResultReader:
 
     def __init__(self, paths: Sequence[Path], *, uncertainty: bool = False) -> None:
         options = ["--uncertainty"] if uncertainty else []
-        self._process = subprocess.Popen(
-            [sys.executable, "-m", "rigapp.report.results", *options],
+        self._process = start_module(
+            "rigapp.report.results",
+            *options,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,

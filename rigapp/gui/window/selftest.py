@@ -107,3 +107,14 @@ def _calls(painter: QPainter) -> dict[str, Callable[[], object]]:
         "save and restore": save_and_restore,
         "item update": lambda: item.update(),
     }
+
+
+def main() -> int:
+    """Print the problems; exit status 1 where there are any."""
+    problems = run_self_test()
+    print("; ".join(problems))
+    return bool(problems)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -14,6 +14,7 @@ import sys
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
+from rigapp.process.children import start_module
 from rigapp.process.priority import give_way
 from rigapp.storage.filesystem.calls import BINARY
 from rigapp.storage.filesystem.errors import StorageFailed
@@ -59,13 +60,7 @@ def compact_test(path: str | os.PathLike[str]) -> bool:
 
 def compact_in_background(path: str | os.PathLike[str]) -> subprocess.Popen[bytes]:
     """Start ``compact_test`` in a process of its own, at the lowest priority; return it."""
-    return subprocess.Popen(
-        [sys.executable, "-m", "rigapp.storage", os.fspath(path)],
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
+    return start_module("rigapp.storage", os.fspath(path))
 
 
 def sizes_of(reader: TestReader) -> dict[str, int]:
