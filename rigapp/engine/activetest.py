@@ -73,6 +73,7 @@ class ActiveTest:
     outcome: Finished | None = None
     prediction: Prediction | None = None
     prediction_at: float = 0.0
+    revolution_at: float | None = None
     committed: int = -1
     cycles_refused: int = 0
     triggers_refused: int = 0

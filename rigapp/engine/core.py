@@ -316,6 +316,7 @@ class Core:
         """Write a row, and the interruption of the data before it where there is one."""
         revolution = row.measured.revolution
         test.recorder.row(row.number, row.values, row.measured)
+        test.revolution_at = time.monotonic()
         if revolution.flags & Flag.GAP_BEFORE:
             lost = revolution.lost_samples
             text = f"samples are missing before revolution {row.number}: {lost} lost"

@@ -29,9 +29,6 @@ from rigapp.schema.messages import (
 )
 from rigapp.schema.states import ACTIVE
 
-NO_MARGIN = 1e9
-"""Shown when nothing is limited."""
-
 RIG_FILE = "rig file"
 """What is told in place of a calibration record where there is none."""
 
@@ -48,7 +45,6 @@ def build_status(
     simulation = rig.simulation
     margin, margin_name = _margin(core, connection, active)
     left, criterion = _criterion(core, active)
-    speed = connection.processor.motion.speed_rpm() if connection is not None else 0.0
     prediction = active.prediction if active is not None else None
     predicted = {}
     if prediction is not None:
@@ -67,10 +63,10 @@ def build_status(
         committed=max(0, active.committed) if active is not None else 0,
         first_revolution=active.run.first if active is not None else 0,
         target_rpm=active.target_rpm if active is not None else 0.0,
-        speed_rpm=speed,
+        speed_rpm=connection.processor.motion.speed_rpm() if connection is not None else None,
         started_at=active.started_at if active is not None else 0.0,
         expected_end_at=_expected_end(core, connection, active),
-        data_age_s=connection.data_age_s() if connection is not None else math.inf,
+        data_age_s=connection.data_age_s() if connection is not None else None,
         host_time=time.time(),
         simulated=simulation is not None,
         worst_margin_percent=margin,
@@ -79,9 +75,9 @@ def build_status(
         twin_age_s=(
             time.monotonic() - active.prediction_at
             if active is not None and prediction is not None
-            else math.inf
+            else None
         ),
-        residual_rms_N=predicted.get("residual_rms", math.nan),
+        residual_rms_N=predicted.get("residual_rms"),
         alarms=core.alarms.alarms(),
         drive=_drive(connection),
         devices=_devices(connection) if opening is None else _being_opened(opening),
@@ -91,13 +87,18 @@ def build_status(
         recovery=next_step(core, connection),
         criterion_percent=left,
         criterion=criterion,
+        revolution_age_s=(
+            time.monotonic() - active.revolution_at
+            if active is not None and active.revolution_at is not None
+            else None
+        ),
     )
 
 
-def _criterion(core: Core, active: ActiveTest | None) -> tuple[float, str]:
+def _criterion(core: Core, active: ActiveTest | None) -> tuple[float | None, str]:
     """Return how far before its nearest end a test is, in percent of it, and which end that is."""
     if active is None or core.state not in ACTIVE:
-        return math.nan, ""
+        return None, ""
     run = active.run
     last = (100.0 * (run.planned - run.number) / run.planned, "the last revolution")
     return min(last, run.stops.nearest())
@@ -123,20 +124,20 @@ def next_step(core: Core, connection: Connection | None) -> Recovery:
 
 def _margin(
     core: Core, connection: Connection | None, active: ActiveTest | None
-) -> tuple[float, str]:
+) -> tuple[float | None, str]:
     """Return the least distance to a limit in percent, and which; of what is judged now alone.
 
     Revolutions are judged at the set speed, the age of the data while a test is open.
     """
     if active is None or connection is None or core.state not in ACTIVE:
-        return NO_MARGIN, ""
+        return None, ""
     limits, judged = active.limits, active.run.judged
     margin = margin_to(limits.stale_data_s, connection.data_age_s(), "stale data")
     if core.state is RunState.RUNNING and judged is not None:
         values = judged.named
         step = active.run.step(judged.number)
         margin = min(margin, least_margin(active.run.monitor, limits, values, step))
-    return margin if math.isfinite(margin[0]) else (NO_MARGIN, "")
+    return margin if math.isfinite(margin[0]) else (None, "")
 
 
 def _expected_end(core: Core, connection: Connection | None, active: ActiveTest | None) -> float:
@@ -269,7 +270,8 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
     angle = connection.processor.motion.angle_deg(live.host_s)
     shown = angle if angle is not None else math.nan
     views.append(ChannelView("crank_angle", live.count, "count", shown, "deg", "encoder"))
-    return tuple(views)
+    # One without a value is left out: viewers of before expect a number.
+    return tuple(one for one in views if math.isfinite(one.value) and math.isfinite(one.raw))
 
 
 def _uncertainty(

@@ -5,8 +5,6 @@ No record here holds a secret: the engine and the courier never know one.
 
 from __future__ import annotations
 
-import math
-
 import msgspec
 
 from rigapp.config.notify import NotifySection, PingSection
@@ -17,7 +15,7 @@ from rigapp.schema.notices import AlarmChanged, Finished, StateChanged
 class SignOfLife(msgspec.Struct, frozen=True, tag_field="event", tag="sign"):
     """A sign of life of the engine, with the rig at that moment.
 
-    criterion_percent: how far the nearest planned end or stop criterion is, in percent of it; NaN
+    criterion_percent: how far the nearest planned end or stop criterion is, in percent of it; None
     where nothing is known. alarms: those whose condition holds.
     """
 
@@ -28,9 +26,9 @@ class SignOfLife(msgspec.Struct, frozen=True, tag_field="event", tag="sign"):
     revolution: int = 0
     planned: int = 0
     expected_end_at: float = 0.0
-    worst_margin_percent: float = math.nan
+    worst_margin_percent: float | None = None
     worst_margin: str = ""
-    criterion_percent: float = math.nan
+    criterion_percent: float | None = None
     criterion: str = ""
     alarms: tuple[Alarm, ...] = ()
 

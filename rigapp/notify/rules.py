@@ -8,7 +8,6 @@ out.
 from __future__ import annotations
 
 import datetime
-import math
 from collections.abc import Iterator, Mapping
 from typing import assert_never
 
@@ -181,7 +180,7 @@ def _of_sign(way: NotifySection, book: Book, sign: SignOfLife) -> Iterator[_Chan
 
 def _of_criterion(way: NotifySection, sign: SignOfLife) -> Iterator[_Change]:
     left = sign.criterion_percent
-    if sign.state not in ACTIVE or math.isnan(left):
+    if sign.state not in ACTIVE or left is None:
         return
     if "criterion" in way.when and left <= way.near_percent:
         text = f"{left:.3g} % are left to: {sign.criterion}. Revolution {sign.revolution:,}."

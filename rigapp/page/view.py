@@ -62,7 +62,7 @@ class RigView(msgspec.Struct, frozen=True):
 
     line: attaching, attached, silent or lost, with why in ``sentence``. values: newest statistics
     and predictions by the names of their columns, of those that are known. wear: those of the wear
-    coefficient (mm^3/(N m)) and of the revolutions that remain, with 95 % limits. NaN becomes null.
+    coefficient (mm^3/(N m)) and of the revolutions that remain, with 95 % limits. null: not known.
     """
 
     identity: str
@@ -81,13 +81,13 @@ class RigView(msgspec.Struct, frozen=True):
     planned: int = 0
     committed: int = 0
     rows_dropped: int = 0
-    speed_rpm: float = math.nan
+    speed_rpm: float | None = None
     target_rpm: float = math.nan
     started_at: float = 0.0
     expected_end_at: float = 0.0
-    data_age_s: float = math.nan
-    twin_age_s: float = math.nan
-    worst_margin_percent: float = math.nan
+    data_age_s: float | None = None
+    twin_age_s: float | None = None
+    worst_margin_percent: float | None = None
     worst_margin: str = ""
     simulated: bool = False
     next_step: str = ""
@@ -125,7 +125,7 @@ def view_of(rig: WatchedRig, news: News) -> RigView:
         **taken,
         state=status.state.value,
         file=status.file.replace("\\", "/").rpartition("/")[2],
-        data_age_s=math.nan if news.data_age_s is None else news.data_age_s,
+        data_age_s=news.data_age_s,
         next_step=status.recovery.sentence,
         values=_values(news),
         wear=_wear(news),
@@ -186,7 +186,9 @@ def _tiles(news: News) -> list[FreeValue]:
     found = [
         FreeValue("revolution", "Revolution", grouped(status.revolution), planned),
         *_step(status),
-        FreeValue("speed", "Speed", f"{status.speed_rpm:.1f} rpm", _wanted(status.target_rpm)),
+        FreeValue(
+            "speed", "Speed", value_text(status.speed_rpm, "rpm", 1), _wanted(status.target_rpm)
+        ),
     ]
     if status.state is RunState.RUNNING and status.expected_end_at > status.host_time:
         ends = dated(MOMENT, time.localtime(status.expected_end_at))
@@ -199,7 +201,7 @@ def _tiles(news: News) -> list[FreeValue]:
         found.append(FreeValue("force", "|F| maximum", force, words))
     found += _depth(news)
     found += wear_of(news, time.time())
-    if math.isfinite(status.worst_margin_percent):
+    if status.worst_margin_percent is not None:
         margin = f"{status.worst_margin_percent:.0f} %"
         found.append(FreeValue("margin", "Smallest margin", margin, status.worst_margin))
     age = "–" if news.data_age_s is None else f"{news.data_age_s:.1f} s"

@@ -122,7 +122,7 @@ class ReplayClient:
         elif verb == "seek":
             self._wanted = self._row_of(float(arguments["revolution"]))
         elif verb == "status":
-            return Reply(ok=True, result=msgspec.to_builtins(self._status(self._sent)))
+            return Reply(ok=True, result=self._status(self._sent).tree())
         else:
             return Reply(ok=False, sentence=f"This is a replay; {verb!r} needs a rig.")
         return Reply(ok=True)

@@ -198,11 +198,14 @@ class DeviceView(msgspec.Struct, frozen=True):
     needed: bool = True
 
 
-class Status(msgspec.Struct, frozen=True):
+class Status(msgspec.Struct, frozen=True, omit_defaults=True):
     """Show the engine at one moment; what the window's header is made of.
 
+    A number that is not known is None, and absent on the wire: viewers of before, which expect a
+    number, take their own default for it. speed_rpm, data_age_s: None without a connection.
+    revolution_age_s: since the newest judged revolution ended, None before the first one.
     criterion_percent: how far before its nearest planned end or stop criterion a test is, in
-    percent of it; NaN while nothing is known of any. queue: the tests of the rig's queue, those
+    percent of it. queue: the tests of the rig's queue, those
     that are done among them; queue_works: the next one begins by itself. step: of the test, of so
     many steps, both 0 where it has none; resting: between two of them, and it goes on by itself.
     """
@@ -217,18 +220,18 @@ class Status(msgspec.Struct, frozen=True):
     committed: int = 0
     first_revolution: int = 1
     target_rpm: float = 0.0
-    speed_rpm: float = 0.0
+    speed_rpm: float | None = None
     started_at: float = 0.0
     expected_end_at: float = 0.0
-    data_age_s: float = 0.0
+    data_age_s: float | None = None
     host_time: float = 0.0
     simulated: bool = False
     simulated_speed: float = 0.0
-    worst_margin_percent: float = math.nan
+    worst_margin_percent: float | None = None
     worst_margin: str = ""
     twin_revolution: int = -1
-    twin_age_s: float = 0.0
-    residual_rms_N: float = math.nan
+    twin_age_s: float | None = None
+    residual_rms_N: float | None = None
     alarms: tuple[Alarm, ...] = ()
     drive: DriveView | None = None
     devices: tuple[DeviceView, ...] = ()
@@ -240,11 +243,28 @@ class Status(msgspec.Struct, frozen=True):
     queue: tuple[QueuedTest, ...] = ()
     queue_works: bool = False
     recovery: Recovery = Recovery()
-    criterion_percent: float = math.nan
+    criterion_percent: float | None = None
     criterion: str = ""
     step: int = 0
     steps: int = 0
     resting: bool = False
+    revolution_age_s: float | None = None
+
+    def __post_init__(self) -> None:
+        """Take a number that is not finite as one that is not known, an older engine's too."""
+        for name in _MAY_BE_UNKNOWN:
+            value = getattr(self, name)
+            if value is not None and not math.isfinite(value):
+                msgspec.structs.force_setattr(self, name, None)
+
+    def tree(self) -> dict[str, Any]:
+        """Return it as the answer to a request, every field there, None where not known."""
+        return {name: msgspec.to_builtins(getattr(self, name)) for name in self.__struct_fields__}
+
+
+_MAY_BE_UNKNOWN = tuple(
+    one.name for one in msgspec.structs.fields(Status) if one.type == float | None
+)
 
 
 class Cycle(msgspec.Struct, frozen=True):

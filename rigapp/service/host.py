@@ -463,7 +463,7 @@ class EngineHost:
         engine, command, simulated = self.engine, self._command, self._simulated
         return {
             "hello": lambda a, by: {"version": PROTOCOL_VERSION, "pid": os.getpid()},
-            "status": lambda a, by: msgspec.to_builtins(self._with_service(engine.status())),
+            "status": lambda a, by: self._with_service(engine.status()).tree(),
             "present": lambda a, by: command.present(by),
             "take_command": lambda a, by: command.take(by, a.force),
             "release_command": lambda a, by: command.release(by),

@@ -283,18 +283,24 @@ def _of_drive(status: Status) -> Iterator[Check]:
     elif drive.warnings:
         yield Check("Drive", ATTENTION, ", ".join(drive.warnings), "See the drive's manual")
     else:
-        text = f"{drive.supply_V:.1f} V, {drive.temperature_C:.0f} °C"
-        yield Check("Drive", GOOD, text)
+        told = {
+            f"{drive.supply_V:.1f} V": drive.supply_V,
+            f"{drive.temperature_C:.0f} °C": drive.temperature_C,
+        }
+        # A drive need not tell every one of them.
+        text = ", ".join(words for words, value in told.items() if math.isfinite(value))
+        yield Check("Drive", GOOD, text or "no fault")
 
 
 def _of_channels(status: Status, rig: RigFile | None) -> Iterator[Check]:
     if not status.channels:
         return
-    if not math.isfinite(status.data_age_s) or status.data_age_s > STALE_S:
+    if status.data_age_s is None or status.data_age_s > STALE_S:
         yield Check("Samples", BLOCKS, "none are coming", "Check the device, reconnect")
     else:
         yield Check("Samples", GOOD, f"{status.data_age_s:.1f} s old")
-    ranges = {one.name: one for one in channel_table(rig).sampled} if rig is not None else {}
+    table = channel_table(rig) if rig is not None else BASE
+    ranges = {one.name: one for one in table.sampled}
     for channel in status.channels:
         known = ranges.get(channel.name)
         if known is not None and abs(channel.raw) > NEAR_THE_END * known.signal_range:
@@ -304,13 +310,14 @@ def _of_channels(status: Status, rig: RigFile | None) -> Iterator[Check]:
                 f"{channel.raw:.3g} {channel.raw_unit} is at the end of the range",
                 "Check sensor and wiring, or adjust the probe",
             )
-        elif channel.age_s is not None and math.isnan(channel.value):
-            yield Check(
-                f"Channel {channel.name}",
-                ATTENTION,
-                f"no value for {channel.age_s:.0f} s",
-                "Check the device that tells it, or go on without",
-            )
+    shown = {channel.name for channel in status.channels}
+    for silent in (one for one in table.slow if one.name not in shown):
+        yield Check(
+            f"Channel {silent.name}",
+            ATTENTION,
+            f"no value from {silent.device}",
+            "Check the device that tells it, or go on without",
+        )
 
 
 def _of_rate(test: TestFile, status: Status) -> Iterator[Check]:

@@ -6,10 +6,13 @@ import logging
 import math
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
 from engine_doubles import COUNTS, MemoryRig, a_test, eventually
+from patience import PATIENCE_S
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import LimitRule
@@ -432,10 +435,52 @@ def test_status_shows_the_run(rig: MemoryRig) -> None:
     assert status.simulated
 
 
+class NumberedStatus(msgspec.Struct):
+    """What a viewer of before takes of a status: each of these a number."""
+
+    speed_rpm: float = 0.0
+    data_age_s: float = 0.0
+    worst_margin_percent: float = math.nan
+    twin_age_s: float = 0.0
+    residual_rms_N: float = math.nan
+    criterion_percent: float = math.nan
+
+
+def test_no_number_stands_for_one_that_is_not_known(rig: MemoryRig) -> None:
+    def numbers(value: object) -> Iterator[float]:
+        if isinstance(value, float):
+            yield value
+        for inner in value.values() if isinstance(value, dict) else ():
+            yield from numbers(inner)
+        for inner in value if isinstance(value, list | tuple) else ():
+            yield from numbers(inner)
+
+    def sent() -> dict[str, Any]:
+        status = rig.engine.status()
+        wire = msgspec.msgpack.decode(msgspec.msgpack.encode(status))
+        clock = {"host_time", "started_at", "expected_end_at"}
+        told = [one for name in wire.keys() - clock for one in numbers(wire[name])]
+        assert all(math.isfinite(one) and abs(one) < 1e9 for one in told), wire
+        msgspec.convert(wire, NumberedStatus)
+        assert set(status.tree()) >= {"worst_margin_percent", "data_age_s", "twin_age_s"}
+        return dict(wire)
+
+    unknown = {"worst_margin_percent", "criterion_percent", "twin_age_s", "revolution_age_s"}
+    assert not unknown & set(sent())
+    rig.start(a_test(LONG))
+    recorded(rig, 5)
+    eventually(lambda: {"worst_margin_percent", "criterion_percent"} <= set(sent()))
+    assert 0.0 <= sent()["revolution_age_s"] < PATIENCE_S
+    rig.engine.stop("Ada")
+    rig.engine.wait(ENDED, 60.0)
+    assert not {"worst_margin_percent", "criterion_percent"} & set(sent())
+
+
 def test_the_least_margin_is_of_what_is_judged_now(rig: MemoryRig) -> None:
     def margin() -> tuple[str, bool]:
         status = rig.engine.status()
-        return status.worst_margin, status.worst_margin_percent < 100.0 + 1e-9
+        percent = status.worst_margin_percent
+        return status.worst_margin, percent is not None and percent < 100.0 + 1e-9
 
     assert margin() == ("", False)
     rig.start(a_test(LONG))

@@ -77,9 +77,11 @@ def span_of(channel: Channel) -> float:
     return _SPANS.get(channel.unit, OTHER_SPAN)
 
 
-def value_text(value: float, unit: str) -> str:
-    """Return a channel's value with its unit; a dash where it is not known."""
-    return f"{value:.2f} {unit_text(unit)}".rstrip() if math.isfinite(value) else "–"
+def value_text(value: float | None, unit: str, decimals: int = 2) -> str:
+    """Return a value with its unit; a dash where it is not known."""
+    if value is None or not math.isfinite(value):
+        return "–"
+    return f"{value:.{decimals}f} {unit_text(unit)}".rstrip()
 
 
 @dataclass(frozen=True, slots=True)

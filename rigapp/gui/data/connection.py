@@ -106,7 +106,7 @@ class EngineConnection:
 
     def data_age_s(self) -> float | None:
         """Return the age of the newest data, growing while the engine is silent; None: no data."""
-        if self.status is None:
+        if self.status is None or self.status.data_age_s is None:
             return None
         return self.status.data_age_s + self.silence_s()
 

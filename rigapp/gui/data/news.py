@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import enum
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -70,4 +69,5 @@ def tripped(status: Status) -> bool:
 
 def is_stale(status: Status) -> bool:
     """Tell whether the prediction has fallen behind a running test."""
-    return status.state is RunState.RUNNING and STALE_PREDICTION_S < status.twin_age_s < math.inf
+    age_s = status.twin_age_s
+    return status.state is RunState.RUNNING and age_s is not None and age_s > STALE_PREDICTION_S

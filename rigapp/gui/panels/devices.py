@@ -299,9 +299,9 @@ class DevicePanel(QWidget):
                 "▲ pressed" if drive.emergency_stop else "not pressed",
                 drive.emergency_stop,
             ),
-            ("Current", f"{drive.current_A:.2f} A", False),
-            ("Supply", f"{drive.supply_V:.1f} V", False),
-            ("Temperature", f"{drive.temperature_C:.1f} °C", False),
+            ("Current", value_text(drive.current_A, "A"), False),
+            ("Supply", value_text(drive.supply_V, "V", 1), False),
+            ("Temperature", value_text(drive.temperature_C, "degC", 1), False),
             ("Faults", faults, drive.faults),
             ("Warnings", warnings, drive.warnings),
         ]

@@ -190,7 +190,7 @@ def _force(status: Status, measured: NewestMeasured) -> TileText:
     value = f"{measured.force_max_N:.1f} N" if known else "–"
     if known and math.isfinite(measured.overload_N):
         value = tr("{} of {}", value, f"{measured.overload_N:.0f} N")
-    if not status.worst_margin or not math.isfinite(status.worst_margin_percent):
+    if not status.worst_margin or status.worst_margin_percent is None:
         running = status.state in ACTIVE
         return TileText(value, "nothing judged yet" if running else "no test running")
     percent = status.worst_margin_percent
@@ -229,12 +229,14 @@ def _wear(status: Status, measured: NewestMeasured) -> TileText:
 
 
 def _agreement(status: Status) -> TileText:
-    if status.twin_revolution <= 0 or not math.isfinite(status.residual_rms_N):
+    if status.twin_revolution <= 0 or status.residual_rms_N is None:
         return TileText("–", "no prediction", short="none")
     behind = status.revolution - status.twin_revolution
     value = f"±{status.residual_rms_N:.1f} N"
     if is_stale(status):
-        return TileText(value, tr("stale for {}", duration(status.twin_age_s)), Level.WARNING)
+        return TileText(
+            value, tr("stale for {}", duration(status.twin_age_s or 0.0)), Level.WARNING
+        )
     late = tr("RMS, {} cycles ago", grouped(behind))
     return TileText(value, "RMS, this cycle" if behind <= 1 else late, short="RMS")
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QProgressBar, QScrollArea, QWidget
 
-from rigapp.gui.data.channels import SIZE, FreeValue, free_values
+from rigapp.gui.data.channels import SIZE, FreeValue, free_values, value_text
 from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, wear_of
 from rigapp.gui.data.margins import Margin, margins
 from rigapp.gui.data.news import News, Takes
@@ -112,9 +112,9 @@ class LiveCard(QFrame):
         parts = [views[name].value for name in ("force_1", "force_2") if name in views]
         force = math.hypot(*parts) if len(parts) == 2 else math.nan
         fields = {
-            "force": TileText(_number(force, "N")),
-            "rms": TileText(_number(rows.last(f"{SIZE}_rms"), "N")),
-            "speed": TileText(_number(status.speed_rpm if status else math.nan, "rpm")),
+            "force": TileText(value_text(force, "N", 1)),
+            "rms": TileText(value_text(rows.last(f"{SIZE}_rms"), "N", 1)),
+            "speed": TileText(value_text(status.speed_rpm if status else None, "rpm", 1)),
             "age": data_age(status, news.data_age_s),
         }
         for name, field in fields.items():
@@ -290,7 +290,3 @@ class SideColumn(QScrollArea):
                 card.setVisible(wanted)
             if wanted:
                 card.show_news(news)
-
-
-def _number(value: float, unit: str) -> str:
-    return f"{value:.1f} {unit}" if math.isfinite(value) else "–"
