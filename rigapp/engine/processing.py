@@ -29,11 +29,14 @@ class Judge(Protocol):
     def begun(self, sample: int) -> None:
         """Take note that the test begins with this device sample."""
 
-    def overload(self, force_N: float) -> None:
-        """Act on a force above the limit, or NaN."""
+    def overload(self, force_N: float, beyond_range: bool) -> None:
+        """Act on a force above the limit, or NaN; beyond_range: force_N is a lower bound."""
 
-    def cut_off(self, inputs: frozenset[str]) -> bool:
-        """Act on a force above the limit that only these saturated inputs show; tell whether."""
+    def cut_off(self, inputs: frozenset[str], force_N: float, slowed: bool) -> bool:
+        """Act on a force above the limit that only these saturated inputs show.
+
+        slowed: the crank lost speed meanwhile. Return whether the inputs count as saturated.
+        """
 
     def saturated(self, inputs: frozenset[str]) -> None:
         """Take note of the inputs that stay at the end of their range, channels."""
@@ -53,6 +56,13 @@ class Judge(Protocol):
     def time_jump(self, seconds: float) -> None:
         """Take note that device and host time parted."""
 
+
+SLOWED_SHARE = 0.8
+"""A crank that turned less than this share of what it should has met something. A drive holds its
+speed within some per cent, and a cable that breaks slows nothing."""
+
+BEFORE_S = 0.4
+"""The speed before a saturated sample is the mean of so long, which a jam has not slowed yet."""
 
 SAME_WINDOW = 0.95
 """A window that is shorter by less than the rest is not begun anew: nobody sees the difference."""
@@ -242,7 +252,7 @@ class Processor:
                 self._stand(self._clock.quiet(block.host_time_ns), block.host_time_ns * 1e-9)
             return
         ticks = self._clock.times(block) if self._clock is not None else None
-        if self._look_for_overload(block):
+        if self._look_for_overload(block, ticks):
             self.saturated_until = block.first_sample + n
         if self._discard.is_set():
             self._discard.clear()
@@ -260,7 +270,7 @@ class Processor:
         for revolution in revolutions:
             self._judge.revolution(revolution)
 
-    def _look_for_overload(self, block: Block) -> bool:
+    def _look_for_overload(self, block: Block, ticks: NDArray[np.int64] | None) -> bool:
         """Look at every force first; one that a saturated input shows is no measured one.
 
         Returns whether a sample is flagged as saturated.
@@ -270,14 +280,17 @@ class Processor:
         over = not peak <= limit_N
         pair = self.calibration.place(LOAD_CELL)
         cut = full[pair] if full is not None else None
+        measured = peak
         if over and cut is not None:
-            peak = self._peak.of(block.values.compress(~cut.any(axis=0), axis=1))
-        if not peak <= limit_N:
-            self._judge.overload(peak)
+            measured = self._peak.of(block.values.compress(~cut.any(axis=0), axis=1))
+        if not measured <= limit_N:
+            known = measured if math.isnan(measured) else peak
+            self._judge.overload(known, beyond_range=known > measured)
         elif over and cut is not None:
             names = [self.calibration.names[i] for i in pair]
             inputs = frozenset(names[i] for i in np.flatnonzero(cut.any(axis=1)))
-            if self._judge.cut_off(inputs):
+            slowed = self._slowed(block, int(np.argmax(cut.any(axis=0))), ticks)
+            if self._judge.cut_off(inputs, peak, slowed):
                 self._saturation.mark(inputs)
         elif self._over:
             self._judge.calm()
@@ -285,6 +298,25 @@ class Processor:
         if self._saturation.look(full, block.values.shape[1]):
             self._judge.saturated(self._saturation.inputs)
         return full is not None
+
+    def _slowed(self, block: Block, sample: int, ticks: NDArray[np.int64] | None) -> bool:
+        """Return whether the crank lost speed from the sample before ``sample`` to the block's end.
+
+        The load cell's filter delays the force, so that the count is ahead of it.
+        """
+        counter, turn = self.calibration.counter, self.calibration.encoder.counts_per_revolution
+        newest, last = self._newest, self.motion.newest()
+        if newest is None or last is None:
+            return False
+        times = ticks if ticks is not None else block.first_sample + np.arange(len(block.quality))
+        times = np.append(last.sample, times)[sample:]
+        counts = np.append(newest.values[counter.row, -1], block.values[counter.row])[sample:]
+        steps = counter.scale * np.diff(counts.astype(np.float64))
+        # The count begins anew at the index: that is no step of the crank.
+        turned = np.abs((steps + turn / 2) % turn - turn / 2).sum()
+        should = self.motion.counts_in(times[-1] - times[0], BEFORE_S)
+        # A count more or less is what the edges of the encoder leave unknown.
+        return bool(turned <= SLOWED_SHARE * should - 1.0)
 
     def _stand(self, tick: int, host_s: float) -> None:
         """Take note that no pulse has come: the device lives, the crank stands."""

@@ -113,6 +113,7 @@ class FakeSource:
         self.lose_samples = 0
         self.quality = Quality.GOOD
         self.saturated: int | None = None
+        self.jam_at: int | None = None
         self.opened = False
         self.open_fails = False
         self.streaming = False
@@ -155,7 +156,13 @@ class FakeSource:
         lost, self.lose_samples = self.lose_samples, 0
         if lost:
             self.crank.turn(lost)
-        turns = self.crank.turn(BLOCK)
+        jam_at, self.jam_at = self.jam_at, None
+        if jam_at is None:
+            turns = self.crank.turn(BLOCK)
+        else:
+            before = self.crank.turn(jam_at)
+            self.crank.jammed = True
+            turns = np.append(before, self.crank.turn(BLOCK - jam_at))
         angle = 2 * np.pi * turns
         values = np.empty((5, BLOCK), np.float32)
         values[0] = -self.force_N / GAIN * np.cos(angle)
@@ -172,6 +179,9 @@ class FakeSource:
         if self.saturated is not None:
             values[self.saturated] = 1.05 * 3.5 if self.saturated < 2 else 10.0
             quality |= np.uint8(Quality.SATURATED)
+        if jam_at is not None:
+            values[0, jam_at : jam_at + 2] = 1.05 * 3.5
+            quality[jam_at : jam_at + 2] |= np.uint8(Quality.SATURATED)
         self._sample += lost
         block = Block(
             device=self.name,

@@ -232,7 +232,7 @@ class Quiet:
     def begun(self, sample: int) -> None:
         self.started = sample
 
-    def overload(self, force_N: float) -> None:
+    def overload(self, force_N: float, beyond_range: bool) -> None:
         raise AssertionError
 
     def calm(self) -> None:

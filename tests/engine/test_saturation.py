@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from engine_doubles import COUNTS, RATE, MemoryRig, a_test, eventually
+from engine_doubles import BLOCK, COUNTS, RATE, MemoryRig, a_test, eventually
 
 from drivers.api import InputFault, InputFaultKind
 from rigapp.engine.judging.saturation import BACK_S, STAYS_S, SaturationWatch
@@ -65,6 +65,24 @@ def test_a_saturated_load_cell_ends_the_test_by_its_own_name_and_returns(
     rig.engine.wait(ENDED, 60.0)
     assert rig.engine.outcome is not None
     assert rig.engine.outcome.reason is FinishReason.COMPLETE
+
+
+@pytest.mark.parametrize("at", [0, 20, BLOCK - 1])
+def test_a_jam_beyond_the_range_is_an_overload_and_no_cable(rig: MemoryRig, at: int) -> None:
+    rig.start(a_test(LONG))
+    eventually(lambda: len(rig.store.rows) >= 3)
+    rig.source.jam_at = at
+    rig.engine.wait(ENDED, 60.0)
+    outcome = rig.engine.outcome
+    assert outcome is not None
+    assert outcome.reason is FinishReason.LIMIT
+    assert "at least 73" in outcome.sentence  # 1.05 times 3.5 mV/V by 200 N
+    assert set(alarms(rig)) == {"overload:beyond_range"}
+    assert next(what for what, speed in rig.spindle.commands if speed == 0.0) == "off"
+    rig.crank.jammed = False
+    rig.engine.acknowledge(operator="Ada")
+    rig.engine.reset("Ada")
+    assert rig.engine.state is RunState.READY
 
 
 def test_a_force_that_is_measured_stays_an_overload_though_a_probe_is_cut_off(

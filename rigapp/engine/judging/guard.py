@@ -86,21 +86,32 @@ class Guard:
         if test is not None:
             test.begin(sample)
 
-    def overload(self, force_N: float) -> None:
+    def overload(self, force_N: float, beyond_range: bool) -> None:
         """Take the power off: a sample is above the overload limit, or not a number."""
         run = self._run
         self._calm = False
         if not math.isnan(force_N):
             if run.state in ACTIVE:  # the limit is the test's: without one, weights may hang
-                run.act_on(because("overload", force_N=force_N, limit_N=run.limits.overload_N))
+                cause = because(
+                    "overload:beyond_range" if beyond_range else "overload",
+                    force_N=force_N,
+                    limit_N=run.limits.overload_N,
+                )
+                run.act_on(cause)
         elif run.state in ACTIVE:
             run.act_on(because("invalid_signal"))
         else:
             run.warn(because("invalid_signal"))
 
-    def cut_off(self, inputs: frozenset[str]) -> bool:
-        """Take the power off in a test: a saturated input shows a force above the limit."""
+    def cut_off(self, inputs: frozenset[str], force_N: float, slowed: bool) -> bool:
+        """Take the power off in a test: a saturated input shows a force above the limit.
+
+        At a speed that should not fall, a crank that slows proves the force: a cable slows nothing.
+        """
         if self._run.state not in ACTIVE:
+            return False
+        if slowed and self._run.state in SPEED_HELD:
+            self.overload(force_N, beyond_range=True)
             return False
         self._saturated(inputs)
         return True
@@ -120,6 +131,8 @@ class Guard:
             if name not in inputs or run.alarms.is_active(key_of("saturated", name)):
                 continue
             critical = channel.instrument == LOAD_CELL and run.state in ACTIVE
+            # A force that stays beyond the range after an overload is the overload's.
+            critical = critical and not run.alarms.is_active("overload:beyond_range")
             cause = because(
                 "saturated" if critical else "input_saturated",
                 name,

@@ -86,6 +86,10 @@ class MotionWindow:
         turned = (last.count - first.count) / self._turn
         return 60.0 * turned * self._rate / (last.sample - first.sample)
 
+    def counts_in(self, samples: float, window_s: float) -> float:
+        """Return the counts that so many samples take at the mean speed of the last window_s."""
+        return abs(self.speed_rpm(window_s)) / 60.0 * self._turn * samples / self._rate
+
     def standing(self, window_s: float) -> bool:
         """Tell whether the count has stood for window_s of device time."""
         with self._lock:

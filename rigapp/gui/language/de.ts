@@ -5634,6 +5634,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Den Verlauf dieser Größe ansehen; quittieren oder die Grenze mit Begründung ändern.</translation>
     </message>
     <message>
+        <source>Look for a jam in joint, spring and guide; check the zero; then reset and start again.</source>
+        <translation>Gelenk, Feder und Führung auf ein Klemmen prüfen, Nullpunkt prüfen; dann zurücksetzen und neu starten.</translation>
+    </message>
+    <message>
         <source>Look, compare, report.</source>
         <translation>Ansehen, vergleichen, berichten.</translation>
     </message>
@@ -10723,6 +10727,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The heaviest mass is {:g} kg, the cell may bear {:.1f} kg: nothing can be told from so little; write kilograms, not tonnes</source>
         <translation>Die schwerste Masse ist {} kg, der Kraftsensor darf {} kg tragen: Aus so wenig lässt sich nichts sagen; Kilogramm schreiben, nicht Tonnen</translation>
+    </message>
+    <message>
+        <source>The joint force reached at least {force_N:.1f} N, beyond the measuring range; the limit is {limit_N:g} N.</source>
+        <translation>Die Gelenkkraft erreichte mindestens {force_N:.1f} N, mehr als der Messbereich; die Grenze ist {limit_N:g} N.</translation>
     </message>
     <message>
         <source>The largest load is {:.0f} N of {:.0f} N; above it the calibration is extrapolated</source>
