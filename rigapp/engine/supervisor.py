@@ -157,7 +157,8 @@ class Supervisor:
             return
         if test is None or core.state is not RunState.STOPPING:
             return
-        if not connection.drive.well and not test.stood:
+        hangs = not connection.drive.well or connection.control.ramp_unanswered
+        if hangs and not test.stood:
             self._help("stop", self._stop_in_place_of_the_drive_thread)
         steps = test.sequence
         ramp = 1.5 * steps.fastest_rpm / steps.gentlest_rpm_per_s * connection.slow()

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import threading
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import pytest
 from engine_doubles import MemoryRig, a_test, eventually
+from patience import PATIENCE_S
 
 from drivers.api import Block, DriveStatus
 from rigapp.schema.messages import FinishReason, RunState, Severity
@@ -206,6 +208,72 @@ def test_every_danger_reaches_the_drive_in_every_state(
     assert rig.stands
     keys = [one.key for one in rig.engine.status().alarms if one.severity is Severity.CRITICAL]
     assert (danger.key or danger.name) in keys or danger.key == "-"
+
+
+class Hanging:
+    """A call to the drive that does not return before it is released."""
+
+    def __init__(self, rig: Watched, name: str) -> None:
+        self.begun, self.release = threading.Event(), threading.Event()
+        self._call = getattr(rig.spindle, name)
+        setattr(rig.spindle, name, self)
+
+    def __call__(self, *arguments: float) -> None:
+        """Hang, and only then reach the drive."""
+        self.begun.set()
+        self.release.wait(PATIENCE_S)
+        self._call(*arguments)
+
+
+def test_a_power_off_waits_for_no_speed_command_and_is_repeated_after_it(rig: Watched) -> None:
+    hanging = Hanging(rig, "set_speed")
+    starter = threading.Thread(target=lambda: rig.start(a_test(LONG)), daemon=True)
+    starter.start()
+    try:
+        assert hanging.begun.wait(PATIENCE_S)
+        rig.engine.drive_off("Ada", "smoke")
+        assert [one.what for one in rig.told] == ["off"], "the start still hangs"
+    finally:
+        hanging.release.set()
+        starter.join(PATIENCE_S)
+    assert not starter.is_alive()
+    eventually(lambda: [one.what for one in rig.told][-2:] == ["speed", "off"])
+    rig.engine.wait(ENDED, 60.0)
+    assert rig.stands
+
+
+def test_a_power_off_waits_for_no_reset(rig: Watched) -> None:
+    rig.spindle.faults = ("overcurrent",)
+    rig.engine.wait((RunState.FAULT,), 60.0)
+    rig.engine.acknowledge()
+    hanging = Hanging(rig, "reset_fault")
+    resetter = threading.Thread(target=rig.engine.reset, daemon=True)
+    resetter.start()
+    try:
+        assert hanging.begun.wait(PATIENCE_S)
+        before = len(rig.told)
+        rig.engine.drive_off("Ada", "smoke")
+        assert len(rig.told) == before + 1, "the reset still hangs"
+    finally:
+        hanging.release.set()
+        resetter.join(PATIENCE_S)
+
+
+def test_a_ramp_down_that_hangs_becomes_a_power_off(rig: Watched) -> None:
+    bring_to(rig, RUNNING)
+    hanging = Hanging(rig, "set_speed")
+    stopper = threading.Thread(target=lambda: rig.engine.stop("Ada"), daemon=True)
+    stopper.start()
+    try:
+        eventually(lambda: rig.told[-1].what == "off")
+        assert hanging.begun.is_set()
+        assert stopper.is_alive(), "the ramp down still hangs"
+    finally:
+        hanging.release.set()
+        stopper.join(PATIENCE_S)
+    assert rig.engine.wait(ENDED, 60.0) in ENDED
+    assert rig.stands
+    assert rig.told[-1].what == "off"
 
 
 @pytest.mark.parametrize("name", ["drive fault", "emergency stop", "stale data", "cable pulled"])

@@ -3,13 +3,18 @@
 A stop overrules everything: once it is asked for, no other command reaches the drive until a new
 start. The thread that asks for a stop sends it itself; the drive thread then sees to it that the
 spindle really stands.
+
+Two locks: ``_deciding`` guards what is to be done and is never held while the drive is asked;
+``_commanding`` is held around a speed command or a reset, which may take seconds. A power-off takes
+the second one of nobody: it waits for no other command.
 """
 
 from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 from drivers.api import DeviceError, DriveStatus, Spindle
@@ -57,7 +62,9 @@ class SpindleControl:
         self._look = look
         self._slow = slow
         self._watchdog_s = watchdog_s
-        self._command = threading.Lock()
+        self._deciding = threading.Lock()
+        self._commanding = threading.Lock()
+        self._power_offs = 0
         self._stop: StopSequence | None = None
         self._pause: PauseSequence | None = None
         self._ramp = Ramp(0.0, 60.0)
@@ -71,28 +78,27 @@ class SpindleControl:
 
     def arm(self, ramp: Ramp) -> None:
         """Forget the last stop, which is through, and prepare for a start."""
-        with self._command:
+        with self._deciding:
             self._stop = None
             self._pause = None
             self._ramp, self._unsent = ramp, False
 
     def run(self) -> None:
         """Turn at the armed speed, unless a stop came since. Raises DeviceError."""
-        with self._command:
-            if self._stop is None:
-                self._send(self._ramp.rpm)
+        self._send(self._ramp.rpm)
 
     def resume(self, ramp: Ramp) -> None:
         """Turn at the test's speed again after a pause, unless a stop came first."""
-        with self._command:
-            if self._stop is None:
-                self._pause = None
-                self._ramp, self._unsent = ramp, False
-                self._send(self._ramp.rpm)
+        with self._deciding:
+            if self._stop is not None:
+                return
+            self._pause = None
+            self._ramp, self._unsent = ramp, False
+        self._send(ramp.rpm)
 
     def change(self, ramp: Ramp) -> None:
         """Go to another speed, unless a pause or a stop came first; the drive thread sends it."""
-        with self._command:
+        with self._deciding:
             if self._stop is None and self._pause is None:
                 before = max(self._ramp.rpm, self._ramp.from_rpm)
                 self._ramp = Ramp(ramp.rpm, ramp.rpm_per_s, before)
@@ -106,7 +112,7 @@ class SpindleControl:
             + slow * 2.0 * self._ramp.down_s
             + slow * TURNS_TO_AIM * 60.0 / min(self._ramp.rpm, CREEP_RPM)
         )
-        with self._command:
+        with self._deciding:
             if self._stop is None:
                 self._unsent = False
                 self._pause = PauseSequence(
@@ -118,16 +124,15 @@ class SpindleControl:
 
         Never raises: a drive that does not take the command is asked again by the drive thread.
         """
-        now = time.monotonic()
-        with self._command:
+        now, slow = time.monotonic(), self._slow()
+        with self._deciding:
             self._pause = None
             if self._stop is None or self._stop.done:
-                slow = self._slow()
                 ramp_s = 1.5 * slow * self._ramp.down_s + self._timing.stop_margin
                 self._stop = StopSequence(off, now, ramp_s, self._timing.coast, self._watchdog_s)
             elif off:
                 self._stop.cut_power(now)
-            self._carry_out(DriveStep.POWER_OFF if off else DriveStep.RAMP_DOWN)
+        self._carry_out(DriveStep.POWER_OFF if off else DriveStep.RAMP_DOWN)
 
     # --- the drive thread ------------------------------------------------------------------------
 
@@ -163,8 +168,7 @@ class SpindleControl:
         try:
             status = self._spindle.status()
         except DeviceError as error:
-            self.last_error = error
-            self.errors += 1
+            self._note(error)
             return None
         self.status = status
         self.answered_s = time.monotonic()
@@ -172,9 +176,18 @@ class SpindleControl:
 
     def reset_fault(self) -> None:
         """Acknowledge the drive's faults; the motor stays off. Raises DeviceError."""
-        with self._command:
+        with self._one_command():
             self._spindle.reset_fault()
         self.poll()
+
+    @property
+    def ramp_unanswered(self) -> bool:
+        """Tell whether the drive has not accepted a controlled stop for too long.
+
+        The thread that commanded it may wait behind another command, and the drive thread too.
+        """
+        stop = self._stop
+        return stop is not None and stop.ramp_unanswered(time.monotonic())
 
     @property
     def answering(self) -> bool:
@@ -195,53 +208,92 @@ class SpindleControl:
 
     def step(self) -> DriveStep:
         """Take the pause or stop under way one step further, and return what was done."""
-        with self._command:
+        seen = self.seen() if self.busy else None
+        with self._deciding:
             stop, pause = self._stop, self._pause
-            if stop is not None:
-                do = stop.step(self.seen())
-                if do in (DriveStep.RAMP_DOWN, DriveStep.POWER_OFF):
-                    self._carry_out(do)
-                return do
-            if pause is None:
-                self._send_changed()
-                return DriveStep.WAIT
-            do = pause.step(self.seen())
-            try:
-                if do is DriveStep.CREEP:
-                    self._send(pause.creep_rpm)
-                elif do is DriveStep.RAMP_DOWN:
-                    self._send(0.0)
-            except DeviceError as error:
-                self.last_error = error
-                self.errors += 1
-                return DriveStep.GIVE_UP
-            if do in (DriveStep.STANDING, DriveStep.GIVE_UP):
-                self._pause = None
+            do = DriveStep.WAIT
+            if seen is not None and (sequence := stop or pause) is not None:
+                do = sequence.step(seen)
+        if stop is not None:
+            if do in (DriveStep.RAMP_DOWN, DriveStep.POWER_OFF):
+                self._carry_out(do)
             return do
-
-    def _carry_out(self, do: DriveStep) -> None:
-        assert self._stop is not None
+        if pause is None:
+            self._send_changed()
+            return DriveStep.WAIT
         try:
-            if do is DriveStep.POWER_OFF:
-                self._spindle.drive_off()
-            else:
+            if do is DriveStep.CREEP:
+                self._send(pause.creep_rpm)
+            elif do is DriveStep.RAMP_DOWN:
                 self._send(0.0)
         except DeviceError as error:
-            self.last_error = error
-            self.errors += 1
+            self._note(error)
+            return DriveStep.GIVE_UP
+        if do in (DriveStep.STANDING, DriveStep.GIVE_UP):
+            with self._deciding:
+                self._pause = None
+        return do
+
+    def _carry_out(self, do: DriveStep) -> None:
+        """Command the stop under way; a drive that does not take it is asked again."""
+        stop = self._stop
+        if stop is None:
+            return
+        try:
+            if do is DriveStep.POWER_OFF:
+                self._power_offs += 1
+                self._spindle.drive_off()
+            else:
+                with self._one_command():
+                    if stop.off:
+                        return
+                    self._set_speed(0.0)
+        except DeviceError as error:
+            self._note(error)
         else:
-            self._stop.commanded(do, time.monotonic())
+            with self._deciding:
+                stop.commanded(do, time.monotonic())
 
     def _send_changed(self) -> None:
         """Send a speed that was changed; one that the drive does not take is sent again."""
-        if self._unsent:
-            try:
-                self._send(self._ramp.rpm)
-            except DeviceError as error:
-                self.last_error = error
-                self.errors += 1
-            else:
-                self._unsent = False
+        with self._deciding:
+            if not self._unsent or self._stop is not None:
+                return
+            self._unsent = False
+        try:
+            self._send(self._ramp.rpm)
+        except DeviceError as error:
+            self._note(error)
+            self._unsent = True
 
     def _send(self, rpm: float) -> None:
+        """Command a speed, unless a stop came first. Raises DeviceError."""
+        with self._one_command():
+            if self._stop is None:
+                self._set_speed(rpm)
+
+    def _set_speed(self, rpm: float) -> None:
         self._spindle.set_speed(rpm / 60.0, self._ramp.rpm_per_s / 60.0)
+
+    @contextmanager
+    def _one_command(self) -> Iterator[None]:
+        """Give the drive one command at a time, and repeat a power-off that came meanwhile.
+
+        Which of the two the drive obeyed last is not known, and what became of the command does not
+        matter then.
+        """
+        with self._commanding:
+            before = self._power_offs
+            try:
+                yield
+            except DeviceError as error:
+                if self._power_offs == before:
+                    raise
+                self._note(error)
+            finally:
+                if self._power_offs != before:
+                    self._carry_out(DriveStep.POWER_OFF)
+
+    def _note(self, error: DeviceError) -> None:
+        self.last_error = error
+        self.errors += 1

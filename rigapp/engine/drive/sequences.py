@@ -112,6 +112,15 @@ class StopSequence:
         return "after the power had to be cut" if self.escalated else "without power"
 
     @property
+    def off(self) -> bool:
+        """Tell whether the power is to be taken off, at once or because the ramp has failed."""
+        return self._off
+
+    def ramp_unanswered(self, now_s: float) -> bool:
+        """Tell whether a ramp down was not accepted for too long."""
+        return not self._off and self._deaf(self._ramp_done, now_s)
+
+    @property
     def power_cut(self) -> bool:
         """Tell whether the drive has accepted to be without power."""
         return self._off_done
