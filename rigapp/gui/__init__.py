@@ -8,6 +8,5 @@ Of the engine all of them see what ``rigapp.schema``, ``rigapp.service`` and ``r
 Others enter by ``window.app`` (open it) and ``window.picture`` (draw it), and the page by what is
 known without Qt: ``data.channels``, ``data.comparison``, ``data.connection``, ``data.frames``,
 ``data.judged``, ``data.knownwear``, ``data.margins``, ``data.news``, ``data.quantities``,
-``data.ranges``, ``data.series``, ``data.showntest``, ``data.tasks``, ``data.texts``,
-``look.tokens``.
+``data.ranges``, ``data.series``, ``data.showntest``, ``data.tasks``, ``look.tokens``.
 """

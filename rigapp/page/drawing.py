@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.gui.data.ranges import SteadyRange, round_places
-from rigapp.gui.data.texts import axis_number
+from rigapp.presentation.numbers import axis_number
 
 Floats = NDArray[np.float64]
 

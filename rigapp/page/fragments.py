@@ -14,10 +14,11 @@ from typing import Any
 import msgspec
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from rigapp.gui.data.texts import duration, grouped
 from rigapp.gui.look.tokens import DARK, LIGHT, Theme
 from rigapp.page.plots import Plot
 from rigapp.page.view import RigView
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.times import duration
 
 RESTART_TOLD_S = 600.0
 """So long the page says that the engine was started anew; who looks later sees a running test."""

@@ -15,8 +15,9 @@ from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, newest_wear, wear_
 from rigapp.gui.data.margins import margins, newest
 from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import UM_PER_MM
-from rigapp.gui.data.texts import MOMENT, dated, duration, grouped
 from rigapp.page.rig import DiskSpace, WatchedRig
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.times import MOMENT, dated, duration
 from rigapp.schema.messages import Alarm, DeviceView, RunState, Status
 
 NOTES = 5

@@ -20,6 +20,7 @@ from rigapp.config.rig import RigFile
 from rigapp.config.sequence import Sequence
 from rigapp.engine.judging.criteria import described
 from rigapp.engine.judging.reach import FEWEST_SAMPLES, load_cell_reach_N
+from rigapp.presentation.numbers import grouped
 from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.schema.messages import DeviceView, RunState, Severity, Status
 
@@ -117,7 +118,7 @@ def _of_test(test: TestFile | None, rig: RigFile | None) -> Iterator[Check]:
         return
     run, sequence = test.run, Sequence(test.run)
     hours = sequence.seconds(1, run.revolutions) / 3600.0
-    count = f"{run.revolutions:,}".replace(",", "\u2009")
+    count = grouped(run.revolutions)
     low, high = sequence.slowest_rpm, sequence.fastest_rpm
     text = f"{count} revolutions at {high:g} rpm, {hours:.3g} h"
     if low < high:

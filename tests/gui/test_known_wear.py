@@ -89,10 +89,10 @@ def test_the_tiles_tell_coefficient_limits_and_what_remains(stated: Any) -> None
     assert coefficient.value == "5.55·10⁻⁴ mm³/(N m)"
     assert coefficient.detail == "5.30 to 5.80 (95 %); constant"
     assert left.value == "1 h 39 min", "2 revolutions of 2 s less than 6000 s"
-    assert left.detail.endswith("2\u2009498 to beyond the model revolutions (95 %)")
+    assert left.detail.endswith("2\u202f498 to beyond the model revolutions (95 %)")
     assert ":" in left.detail.partition(";")[0]
     standing = wear_values(data.predictions, 0.0, None, 1000.0)[1]
-    assert standing.value == "2\u2009998 revolutions"
+    assert standing.value == "2\u202f998 revolutions"
 
 
 def test_without_a_statement_there_is_no_tile(make_snapshot: Any) -> None:
@@ -143,7 +143,7 @@ def test_the_panel_draws_bands_and_course_and_asks_again_only_for_news(
     assert panel.sentence.text().startswith("The joint wears at a constant coefficient")
     assert [one.text for one in panel.bands.plot.marks.names] == [
         "from 400 on",
-        "from 1\u2009000 on",
+        "from 1\u202f000 on",
         "measured",
     ]
     assert list(panel.bands.newest.median.x) == [1000, 2000], "not what is unknown"

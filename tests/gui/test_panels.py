@@ -90,7 +90,7 @@ def test_a_device_card_tells_link_and_warnings_apart_and_counts_under_details(
     card.more.click()
     assert not card.details.isHidden()
     assert card.details.text().splitlines() == [
-        "samples lost: 12", "errors: 3", "bytes received: 4\u2009096", "CRC errors: 2",
+        "samples lost: 12", "errors: 3", "bytes received: 4\u202f096", "CRC errors: 2",
         "retries: 0",
     ]  # fmt: skip
     now[0] = 10.0
@@ -392,7 +392,7 @@ def test_a_new_engine_in_the_middle_of_a_test_is_told_until_understood(
     bar.take_status(make_status(committed=1233))
     bar.take_status(make_status(state=RunState.READY, engine_pid=5000, file="", test=""))
     bar.take_status(make_status(state=RunState.READY, engine_pid=5000, file="", test=""))
-    assert "1\u2009233 revolutions are safe" in bar.text.text()
+    assert "1\u202f233 revolutions are safe" in bar.text.text()
     bar.away.click()
     assert bar.text.text().startswith("Ready:")
     assert bar.away.isHidden()

@@ -21,7 +21,6 @@ from rigapp.gui.data.moments import moments
 from rigapp.gui.data.news import News
 from rigapp.gui.data.ranges import round_places
 from rigapp.gui.data.series import LiveData
-from rigapp.gui.data.texts import axis_number
 from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.plots.marks import (
     CurveName,
@@ -39,6 +38,7 @@ from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.trendview import TrendView
+from rigapp.presentation.numbers import axis_number
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import Event, Flag, Severity
 
@@ -170,7 +170,7 @@ def test_an_axis_has_at_least_three_round_ticks_within_it(low: float, span: floa
 
 def test_numbers_at_an_axis_are_grouped_with_a_true_minus() -> None:
     texts = [axis_number(*one) for one in ((-1500.0, 500.0), (0.25, 0.05), (-0.0, 1.0))]
-    assert texts == ["−1\u2009500", "0.25", "0"]
+    assert texts == ["−1\u202f500", "0.25", "0"]
 
 
 def test_notes_and_raised_alarms_stand_at_the_trends() -> None:

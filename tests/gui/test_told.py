@@ -28,7 +28,7 @@ from rigapp.config.rig import RigFile
 from rigapp.gui.language import told
 from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, TOLD, contexts, speak_language
 from rigapp.gui.language.told import retold
-from rigapp.gui.language.words import language_changes, tr
+from rigapp.presentation.translation import language_changes, tr
 from rigapp.queue.items import Queue, removed
 from rigapp.schema.alarms import KINDS
 from rigapp.service.preflight import preflight

@@ -47,7 +47,7 @@ def test_the_header_tells_state_cycle_end_age_margin_agreement(
     attach()
     header = window.header
     assert header.state.value.whole == "Running"
-    assert header.tiles["cycle"].value.whole.replace("\u2009", "") == "1234 of 21377"
+    assert header.tiles["cycle"].value.whole.replace("\u202f", "") == "1234 of 21377"
     assert "in 11 h" in header.tiles["cycle"].detail.whole
     assert window.side.live.values["age"].value.whole.endswith(" s")
     assert header.tiles["force"].value.whole.endswith(" N")

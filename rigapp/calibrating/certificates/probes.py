@@ -15,6 +15,7 @@ from rigapp.calibrating.certificates.parts import (
     rows_of,
     say,
 )
+from rigapp.presentation.numbers import capitalised
 from rigapp.report.page.manuscript import Figure, Row, Table
 
 LINE = {
@@ -165,4 +166,4 @@ def _residuals(name: str, result: Content, readings: ProbeReadings) -> Figure:
     title = f"{name}residual against position"
     residual = np.array(result["residual_um"])[:, None]
     x = 1e6 * readings.position
-    return plot(f"{title[:1].upper()}{title[1:]}", "position (µm)", x, residual, "residual (µm)")
+    return plot(f"{capitalised(title)}", "position (µm)", x, residual, "residual (µm)")

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from typing import Final
 
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
-from rigapp.gui.data.texts import duration, unit_text
-from rigapp.gui.language.words import Text, tr
+from rigapp.presentation.numbers import capitalised, unit_text
+from rigapp.presentation.times import duration
+from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import BASE, LOAD_CELL, Channel, ChannelTable, Kind
 from rigapp.schema.messages import ChannelView
 
@@ -62,7 +63,7 @@ def title_of(channel: Channel) -> str:
     if channel.name in COMPONENTS:
         return tr("Force {}", tr(_DIRECTIONS[channel.name]))
     text = words(channel.name)
-    title = text[:1].upper() + text[1:]
+    title = capitalised(text)
     return tr(title) if title in _PROBES else title
 
 

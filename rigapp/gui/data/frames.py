@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rigapp.gui.language.words import Text
+from rigapp.presentation.translation import Text
 
 Floats = NDArray[np.float64]
 

@@ -22,8 +22,9 @@ from rigapp.gui.data.channels import FreeValue
 from rigapp.gui.data.judged import QUALITY
 from rigapp.gui.data.news import News
 from rigapp.gui.data.series import SeriesTable
-from rigapp.gui.data.texts import MOMENT, dated, duration, grouped, unit_text
-from rigapp.gui.language.words import tr
+from rigapp.presentation.numbers import grouped, unit_text
+from rigapp.presentation.times import MOMENT, dated, duration
+from rigapp.presentation.translation import tr
 from rigapp.process.children import module_command
 from rigapp.schema.columns import WEAR_MODELS, prediction_columns
 from rigapp.schema.messages import RunState, last_set_speed

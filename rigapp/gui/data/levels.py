@@ -16,9 +16,9 @@ import msgspec
 from rigapp.config.recipe import LimitRule, LimitsSection
 from rigapp.config.rules import BOUNDS, quantities, rule_faults
 from rigapp.gui.data.channels import SIZE, title_of, words
-from rigapp.gui.data.texts import unit_text
 from rigapp.gui.language.told import retold
-from rigapp.gui.language.words import Text, speaks_english, tr
+from rigapp.presentation.numbers import capitalised, unit_text
+from rigapp.presentation.translation import Text, speaks_english, tr
 from rigapp.schema.channels import BASE, ChannelTable
 
 DEFAULT_ACTIONS: Final = {"warning": "warn", "critical": "stop"}
@@ -253,7 +253,7 @@ def _plain(fault: str) -> Text:
         return "Type the value of the limit."
     text = re.sub(r"\b(critical|warning)_(above|below)( = )?", "", fault).strip()
     text = text.replace("delay_revolutions", "revolutions")
-    return f"{text[:1].upper()}{text[1:]}."
+    return f"{capitalised(text)}."
 
 
 def never_comes(level: LimitLevel, limits: LimitsSection | None) -> str:

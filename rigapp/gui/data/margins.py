@@ -12,8 +12,8 @@ from rigapp.gui.data.channels import SIZE
 from rigapp.gui.data.levels import quantity_text
 from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import UM_PER_MM
-from rigapp.gui.data.texts import unit_text
-from rigapp.gui.language.words import Text, tr
+from rigapp.presentation.numbers import capitalised, unit_text
+from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import ChannelTable
 from rigapp.schema.loglines import newest_limits
 
@@ -143,7 +143,7 @@ def _of_rule(
     rule: LimitRule, table: ChannelTable, changed: Mapping[str, float]
 ) -> Iterator[WatchedLimit]:
     title, unit = quantity_text(rule.quantity, table), table.units.get(rule.quantity, "1")
-    title, unit = title[:1].upper() + title[1:], unit_text(unit)
+    title, unit = capitalised(title), unit_text(unit)
     for side in ("above", "below"):
         for level in ("warning", "critical"):
             name = f"{level}_{side}"

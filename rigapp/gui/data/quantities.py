@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from rigapp.gui.data.channels import SIZE, axis_of, span_of, title_of
-from rigapp.gui.data.texts import unit_text
-from rigapp.gui.language.words import Text, marked, tr
+from rigapp.presentation.numbers import unit_text
+from rigapp.presentation.translation import Text, marked, tr
 from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind
 from rigapp.schema.columns import prediction_columns
 

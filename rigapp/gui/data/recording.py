@@ -17,7 +17,7 @@ from rigapp.gui.data.series import (
     measured_cycle,
     predicted_cycle,
 )
-from rigapp.gui.language.words import tr
+from rigapp.presentation.translation import tr
 from rigapp.schema.messages import Cycle, Event, Prediction
 
 

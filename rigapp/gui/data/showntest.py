@@ -18,7 +18,7 @@ from rigapp.gui.data.recording import (
 )
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.language.words import tr
+from rigapp.presentation.translation import tr
 from rigapp.schema.messages import Event, Snapshot, Status
 
 log = logging.getLogger(__name__)

@@ -14,7 +14,7 @@ from PySide6.QtCore import (
     QXmlStreamReader,
 )
 
-from rigapp.gui.language.words import speak
+from rigapp.presentation.translation import speak
 
 ENGLISH: Final = "en"
 LANGUAGES: Final = {ENGLISH: "English", "de": "Deutsch"}

@@ -22,7 +22,8 @@ import PySide6
 from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, TOLD, WINDOW, catalogue_file
 from rigapp.gui.language.keys import column_texts, key_texts
 from rigapp.gui.language.sentences import all_sentences, all_templates, has_words
-from rigapp.gui.language.words import Text
+from rigapp.presentation import translation
+from rigapp.presentation.translation import Text
 from rigapp.schema.columns import WEAR_MODELS
 from rigapp.schema.criteria import CRITERIA
 from rigapp.schema.messages import RunState, Severity
@@ -31,7 +32,8 @@ from rigapp.schema.verbs import VERBS
 from rigapp.schema.words import WORDS
 from rigapp.service.preflight import Checked
 
-SOURCE: Final = Path(__file__).parents[1]
+SOURCES: Final = (Path(__file__).parents[1], Path(translation.__file__).parent)
+"""The window, and the words that it shares with others."""
 
 MARK: Final = "Text"
 SHOWN_AS_IT_IS: Final = frozenset(
@@ -232,11 +234,12 @@ class _Reader(ast.NodeVisitor):
                 self._take(of, one)
 
 
-def texts_of(source: Path = SOURCE) -> Texts:
-    """Return the texts in the modules below a folder."""
-    paths = sorted(source.rglob("*.py"))
+def texts_of(*sources: Path) -> Texts:
+    """Return the texts in the modules below folders, of the program without any."""
     modules = {
-        path.relative_to(source).as_posix(): ast.parse(path.read_text("utf-8")) for path in paths
+        path.relative_to(source.parent).as_posix(): ast.parse(path.read_text("utf-8"))
+        for source in sources or SOURCES
+        for path in sorted(source.rglob("*.py"))
     }
     marks, texts = _Marks(modules), Texts()
     for name, tree in modules.items():

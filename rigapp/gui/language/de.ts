@@ -8922,6 +8922,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>kein Antrieb ist verbunden</translation>
     </message>
     <message>
+        <source>no fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>no force was recorded</source>
         <translation>keine Kraft aufgezeichnet</translation>
     </message>
@@ -10225,6 +10229,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>limits.rule ({}): steps nennt Schritt {}, aber run.step steht {}-mal da</translation>
     </message>
     <message>
+        <source>no value from {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>signal_{} has the wrong sign: that bridge is reversed; exchange its two signal wires{}</source>
         <translation>signal_{} hat das falsche Vorzeichen: Diese Brücke ist verpolt; ihre beiden Signaladern tauschen{}</translation>
     </message>
@@ -11511,10 +11519,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>no such column: {}</source>
         <translation>keine solche Spalte: {}</translation>
-    </message>
-    <message>
-        <source>no value for {:.0f} s</source>
-        <translation>seit {} s kein Wert</translation>
     </message>
     <message>
         <source>no value lies above {:g} and below {:g}</source>

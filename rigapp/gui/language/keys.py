@@ -8,7 +8,8 @@ from typing import Final
 from rigapp.config.ranges import keys_of
 from rigapp.config.recipe import TestFile
 from rigapp.config.rules import quantities
-from rigapp.gui.language.words import Text
+from rigapp.presentation.numbers import capitalised
+from rigapp.presentation.translation import Text
 from rigapp.schema.channels import BASE, STATISTICS
 from rigapp.schema.units import stem_of
 
@@ -20,7 +21,7 @@ def key_name(key: str) -> Text:
     """Return a key in words, without its unit."""
     words = stem_of(key).replace("_", " ").replace("youngs", "Young's")
     words = words.replace("poissons", "Poisson's")
-    return words[:1].upper() + words[1:]
+    return capitalised(words)
 
 
 def key_texts() -> Iterator[Text]:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Final
 
 from rigapp.gui.language.told import EDGES, templates
-from rigapp.gui.language.words import Text
+from rigapp.presentation.translation import Text
 
 ROOT: Final = Path(__file__).parents[3]
 

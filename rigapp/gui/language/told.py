@@ -16,7 +16,8 @@ from string import Formatter
 from typing import Final
 
 from rigapp.gui.language.foreign import CANOPEN, LIBRARIES, SYSTEM, WORDS_INSIDE
-from rigapp.gui.language.words import (
+from rigapp.presentation.numbers import capitalised
+from rigapp.presentation.translation import (
     Text,
     language_changes,
     speaks_english,
@@ -134,7 +135,7 @@ def _whole(core: str, changes: int) -> str:
     for known, capital in _spellings(core):
         said = tr(known)
         if said != known:
-            return _capital(said) if capital else said
+            return capitalised(said) if capital else said
     for template in _known_by(changes).like(core):
         values = template.values_in(core)
         if values is not None:
@@ -142,7 +143,7 @@ def _whole(core: str, changes: int) -> str:
             if template.glue and any(_is_unknown(one, told[name]) for name, one in values.items()):
                 continue
             said = _filled(tr(template.text).strip(EDGES), told)
-            return _capital(said) if core[0].isupper() else said
+            return capitalised(said) if core[0].isupper() else said
     return ""
 
 
@@ -169,10 +170,6 @@ def _spellings(core: str) -> Iterator[tuple[str, bool]]:
     yield core[0].upper() + core[1:], False
 
 
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]
-
-
 def _phrase(part: str, changes: int) -> str:
     """Return a part in the language of the window; one word alone may be somebody's name."""
     return _retold(part, changes) if " " in part.strip() else part
@@ -194,7 +191,7 @@ GLUE: Final = frozenset(
 WORD: Final = re.compile(r"[^\W\d_]{2,}")
 
 ANY: Final = re.compile(r".+", re.DOTALL)
-NUMBER: Final = re.compile(r"[-−+]?[\d.,\u2009]+(?:e[-+]?\d+)?%?|nan|inf")
+NUMBER: Final = re.compile(r"[-−+]?[\d.,\u2009\u202f]+(?:e[-+]?\d+)?%?|nan|inf")
 SHORT: Final = re.compile(r"(?!.*(?: and |[;:] |\n)) ?\S+(?: \S+){0,9}")
 """A value where little else tells the template: a few words."""
 ADDED: Final = re.compile(r"(?:(?:[;,]| \().*)?", re.DOTALL)

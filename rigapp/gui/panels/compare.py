@@ -15,7 +15,6 @@ from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredTest, load_history
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP, Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName, Spot
@@ -24,6 +23,7 @@ from rigapp.gui.plots.plotting import PlotPanel, QuietPlot
 from rigapp.gui.widgets.build import choice, column
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.reflow import flowing
+from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import BASE
 
 CHOOSE: Final[Text] = "Choose one or more tests above and press Compare."

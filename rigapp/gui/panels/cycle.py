@@ -18,7 +18,6 @@ from rigapp.gui.data.comparison import RevolutionCurves, statistics
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.recording import StoredRevolution
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP, Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.channelcurves import ChannelCurvePanel
@@ -26,6 +25,7 @@ from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.polar import PolarPanel
 from rigapp.gui.widgets.build import button, named, page, split, whole_number
 from rigapp.gui.widgets.reflow import FoldingSplitter, flowing
+from rigapp.presentation.translation import Text, tr
 
 STATISTICS: Final[tuple[Text, ...]] = ("max", "min", "RMS")
 BESIDE_FROM = 112 * STEP

@@ -11,9 +11,9 @@ from PySide6.QtCore import QProcess, QTimer, QUrl
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP
 from rigapp.gui.widgets.build import button, named
+from rigapp.presentation.translation import Text, tr
 from rigapp.process.children import module_command, start_module
 
 TIMEOUT_MS = 300_000

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QFormLayout, QFrame, QVBoxLayout, QWidget
 from rigapp.gui.data.channels import SIZE
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.panel import Host
 from rigapp.gui.widgets.build import (
@@ -28,6 +27,7 @@ from rigapp.gui.widgets.build import (
 from rigapp.gui.widgets.numbers import number
 from rigapp.gui.widgets.reflow import FoldingSplitter
 from rigapp.gui.widgets.tables import PlainTable
+from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import BASE
 from rigapp.service.faults import FaultChoice, fault_choices
 

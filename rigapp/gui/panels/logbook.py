@@ -9,10 +9,10 @@ from typing import Final
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from rigapp.gui.data.news import News, Takes
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.panel import Host
 from rigapp.gui.widgets.build import edit, filled, named, row
 from rigapp.gui.widgets.tables import PlainTable
+from rigapp.presentation.translation import Text, tr
 from rigapp.schema.messages import Event
 
 HEADINGS: Final[tuple[Text, ...]] = ("Time", "Cycle", "What", "Who", "Before", "After", "Text")

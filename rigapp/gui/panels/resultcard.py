@@ -8,7 +8,6 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import BODY_PT, CAPTION_PT, GAP, MARGIN, STEP, VALUE_PT, Theme
@@ -25,6 +24,7 @@ from rigapp.gui.results.outcome import (
 from rigapp.gui.widgets.build import column, named, prose, row, signed
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
 from rigapp.gui.widgets.reflow import WrappingGrid
+from rigapp.presentation.translation import Text, tr
 from rigapp.schema.results import HowEnded, TestResult
 
 SHAPES = {

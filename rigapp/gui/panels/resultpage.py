@@ -10,7 +10,6 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QWidget
 
 from rigapp.gui.data.news import News, Takes
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP, Theme
 from rigapp.gui.panel import Act, Host
@@ -21,6 +20,7 @@ from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.widgets.build import button, column, named
 from rigapp.gui.widgets.labels import heading
 from rigapp.gui.widgets.reflow import flowing
+from rigapp.presentation.translation import Text, tr
 from rigapp.schema.messages import Status
 from rigapp.schema.results import RESUMABLE, HowEnded, TestResult
 from rigapp.schema.states import ACTIVE

@@ -12,8 +12,6 @@ from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.data.texts import grouped
-from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP, Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.panels.compare import MOST, ComparePanel
@@ -35,6 +33,8 @@ from rigapp.gui.widgets.build import (
 )
 from rigapp.gui.widgets.labels import heading
 from rigapp.gui.widgets.reflow import FoldingSplitter, flowing
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.translation import Text, marked, tr
 from rigapp.schema.results import RESUMABLE, HowEnded, TestResult
 
 PUMP_MS = 50

@@ -28,9 +28,7 @@ from PySide6.QtWidgets import (
     QTableView,
 )
 
-from rigapp.gui.data.texts import grouped
 from rigapp.gui.language.told import retold
-from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import icon
 from rigapp.gui.look.tokens import BODY_PT, CAPTION_PT, STEP, Theme
@@ -38,6 +36,8 @@ from rigapp.gui.panels.resultcard import SHAPES, SMALL, colour_of
 from rigapp.gui.results.outcome import day
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import named
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.translation import Text, marked, tr
 from rigapp.schema.results import HowEnded, TestResult
 
 Index = QModelIndex | QPersistentModelIndex

@@ -10,8 +10,6 @@ from PySide6.QtGui import QHideEvent, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
 
 from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.texts import grouped
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.panel import Act, Host
@@ -20,6 +18,8 @@ from rigapp.gui.panels.resulttable import ROW_HEIGHT, ResultTable
 from rigapp.gui.widgets.build import button, column, named, prose, row
 from rigapp.gui.widgets.labels import heading
 from rigapp.gui.widgets.reflow import WrappingGrid
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.translation import Text, tr
 from rigapp.schema.states import ACTIVE
 
 LAST = 20

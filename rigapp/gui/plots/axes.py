@@ -8,9 +8,9 @@ import pyqtgraph as pg
 from PySide6.QtWidgets import QGraphicsItem
 
 from rigapp.gui.data.ranges import round_places
-from rigapp.gui.data.texts import axis_number
 from rigapp.gui.look.tokens import STEP
 from rigapp.gui.plots.marks import Tick, small_font
+from rigapp.presentation.numbers import axis_number
 
 MOST_TICKS = 5
 """More are read no better."""

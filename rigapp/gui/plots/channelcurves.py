@@ -12,8 +12,6 @@ from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.series import MeasuredCycle
-from rigapp.gui.data.texts import unit_text
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName
@@ -21,6 +19,8 @@ from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, detail
 from rigapp.gui.widgets.build import choice, column
 from rigapp.gui.widgets.reflow import flowing
+from rigapp.presentation.numbers import unit_text
+from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import BASE, PROBES, Channel, ChannelTable, Kind
 
 ROLES = ("first", "second")

@@ -9,8 +9,6 @@ from rigapp.gui.data.knownwear import COEFFICIENT, UNIT, Floats, KnownWear
 from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import UM_PER_MM
 from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.data.texts import grouped
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.limitlines import limit_lines
@@ -18,6 +16,8 @@ from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, plot_heading, remark
 from rigapp.gui.widgets.build import column
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.translation import Text, tr
 
 BUCKETS = 1200
 """Points of a line across: about one for each pixel."""

@@ -28,8 +28,6 @@ from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredRevolution
 from rigapp.gui.data.series import Doubt, LiveData
-from rigapp.gui.data.texts import grouped
-from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.limitlines import limit_lines
@@ -44,6 +42,8 @@ from rigapp.gui.plots.plotting import (
 )
 from rigapp.gui.widgets.build import button, choice, column
 from rigapp.gui.widgets.reflow import flowing
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.translation import Text, marked, tr
 
 RESIDUAL_BIN_DEG = 2.0
 """Short enough for the model's sharpest turn, long enough that noise averages out."""

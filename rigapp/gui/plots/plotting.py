@@ -13,8 +13,6 @@ from PySide6.QtGui import QFont, QFontMetrics, QKeyEvent, QPainter, QResizeEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
 from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.data.texts import grouped
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import BODY_PT, GAP, STEP, Theme
 from rigapp.gui.plots.axes import QuietAxis
@@ -36,6 +34,8 @@ from rigapp.gui.plots.marks import (
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.widgets.build import named, prose
 from rigapp.gui.widgets.labels import ShortLabel
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.translation import Text, tr
 
 LEAST_ROOM = 2 * STEP
 """Beside a plot without names: half of the last tick's text stands there."""

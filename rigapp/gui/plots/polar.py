@@ -10,12 +10,12 @@ from rigapp.gui.data.channels import COMPONENTS, SIZE
 from rigapp.gui.data.comparison import RevolutionCurves
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.ranges import nice_step
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.palette import MODEL, LinePen
 from rigapp.gui.plots.plotting import PlotPanel, QuietPlot, plot_heading
 from rigapp.gui.widgets.build import column
+from rigapp.presentation.translation import Text, tr
 
 CIRCLE = np.linspace(0.0, 2.0 * np.pi, 91)
 POINTS = 720

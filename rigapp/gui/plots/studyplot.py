@@ -12,15 +12,15 @@ from numpy.typing import NDArray
 from PySide6.QtWidgets import QComboBox
 
 from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.data.texts import unit_text
 from rigapp.gui.language.told import retold
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP, Theme
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import PlotPanel, QuietPlot
 from rigapp.gui.widgets.build import choice, column
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.reflow import flowing
+from rigapp.presentation.numbers import capitalised, unit_text
+from rigapp.presentation.translation import Text, tr
 from rigapp.study.folder import StudyColumn, StudyResults
 
 NOTHING: Final[Text] = "Choose a study: its points are drawn here."
@@ -41,7 +41,7 @@ def with_unit(words: str, unit: str) -> str:
 def result_title(one: StudyColumn) -> str:
     """Return what a result is, in the language of the window, with its unit."""
     words = retold(one.words) or one.name
-    return with_unit(words[:1].upper() + words[1:], one.unit)
+    return with_unit(capitalised(words), one.unit)
 
 
 class StudyPlot(PlotPanel):

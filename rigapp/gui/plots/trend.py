@@ -17,8 +17,6 @@ from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.quantities import TrendLine, TrendQuantity, trend_quantities
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.series import LiveData, SeriesTable
-from rigapp.gui.data.texts import duration, grouped
-from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import ShadedBand, Trace
 from rigapp.gui.plots.limitlines import limit_lines
@@ -35,6 +33,9 @@ from rigapp.gui.plots.plotting import (
 from rigapp.gui.plots.trendview import FOLLOWED, LAST, WHOLE, TrendView
 from rigapp.gui.widgets.build import button, choice, column, row
 from rigapp.gui.widgets.reflow import flowing
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.times import duration
+from rigapp.presentation.translation import Text, marked, tr
 from rigapp.schema.channels import BASE, ChannelTable
 
 BUCKETS = 1200

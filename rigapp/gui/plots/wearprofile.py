@@ -18,13 +18,13 @@ from rigapp.gui.data.profiles import ANGLES_DEG as RECORDED_DEG
 from rigapp.gui.data.profiles import ShownProfile
 from rigapp.gui.data.quantities import UM_PER_MM
 from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.palette import MODEL, LinePen
 from rigapp.gui.plots.plotting import PlotPanel, QuietPlot, plot_heading, remark
 from rigapp.gui.widgets.build import column
+from rigapp.presentation.translation import Text, tr
 
 Floats = NDArray[np.float64]
 

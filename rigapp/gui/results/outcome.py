@@ -9,9 +9,10 @@ from datetime import datetime
 from typing import Final
 
 from rigapp.gui.data.knownwear import coefficient_words
-from rigapp.gui.data.texts import dated, duration, grouped
 from rigapp.gui.language.told import retold
-from rigapp.gui.language.words import Text, tr
+from rigapp.presentation.numbers import capitalised, grouped
+from rigapp.presentation.times import dated, duration
+from rigapp.presentation.translation import Text, tr
 from rigapp.schema.results import HowEnded, TestResult
 
 HEADLINES: Final[dict[HowEnded, Text]] = {
@@ -106,7 +107,7 @@ def trust_lines(result: TestResult) -> Iterator[TrustLine]:
 def reason_of(result: TestResult) -> str:
     """Return why a test ended, as a sentence."""
     told = retold(result.reason)
-    return told[:1].upper() + told[1:]
+    return capitalised(told)
 
 
 def origin_of(result: TestResult) -> str:

@@ -14,7 +14,7 @@ from pathlib import Path
 import msgspec
 
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.language.words import tr
+from rigapp.presentation.translation import tr
 from rigapp.process.children import start_module
 from rigapp.schema.results import TestResult
 

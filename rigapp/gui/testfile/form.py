@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.testfile.fields import (
     FieldSpec,
@@ -27,6 +26,7 @@ from rigapp.gui.testfile.fields import (
 )
 from rigapp.gui.widgets.build import choice, column, named, prose, row, tell
 from rigapp.gui.widgets.reflow import WrappingRow, together
+from rigapp.presentation.translation import Text, marked, tr
 from rigapp.schema.criteria import CRITERIA
 
 Editor = QLineEdit | QComboBox | QCheckBox

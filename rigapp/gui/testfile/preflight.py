@@ -8,9 +8,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from rigapp.gui.language.told import retold
-from rigapp.gui.language.words import marked, tr
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP
 from rigapp.gui.widgets.build import column, named, prose, row, scrolling, tell
+from rigapp.presentation.translation import marked, tr
 from rigapp.service.preflight import Check, Checked
 
 MARKS = {Checked.GOOD: "✓", Checked.ATTENTION: "▲", Checked.BLOCKS: "◆"}

@@ -17,12 +17,12 @@ from rigapp.config.loading import read_rig
 from rigapp.config.recipe import TestFile
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.language.words import tr
 from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.panel import Host
 from rigapp.gui.testfile.preflight import PreflightPanel
 from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.gui.widgets.build import named, row
+from rigapp.presentation.translation import tr
 from rigapp.service.preflight import Check, Checked, DiskFacts, disk_facts, preflight
 
 DEFAULT_RATE_HZ = 1000.0  # to judge the disk by, until a device tells its own

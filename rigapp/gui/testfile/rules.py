@@ -33,12 +33,12 @@ from rigapp.gui.data.levels import (
     unit_of_quantity,
 )
 from rigapp.gui.data.news import News
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP
 from rigapp.gui.testfile.fields import show_value
 from rigapp.gui.widgets.build import button, choice, column, edit, filled, named, prose, tell
 from rigapp.gui.widgets.numbers import number, whole
 from rigapp.gui.widgets.reflow import SentencePart, flowing, sentence_row
+from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import BASE, ChannelTable
 
 SENTENCE: Final[Text] = "{action} when {quantity} is {side} {value} in {revolutions} revolutions"

@@ -12,15 +12,15 @@ from PySide6.QtWidgets import QFrame, QGroupBox, QLabel, QLineEdit, QVBoxLayout
 from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.sequence import Sequence as Steps
-from rigapp.gui.data.texts import grouped
 from rigapp.gui.language.told import retold
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP
 from rigapp.gui.testfile.fields import show_value
 from rigapp.gui.testfile.rules import NUMBER, WHOLE_NUMBER
 from rigapp.gui.widgets.build import button, choice, column, edit, filled, named, prose, row, tell
 from rigapp.gui.widgets.numbers import number, whole
 from rigapp.gui.widgets.reflow import SentencePart, sentence_row
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.translation import Text, tr
 
 SENTENCE: Final[Text] = "{name} {length} {kind} at {speed_rpm} rpm, then rest {rest_s} s"
 """The line of a step, with its fields in the place of the braces."""

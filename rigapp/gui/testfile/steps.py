@@ -14,11 +14,11 @@ from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
 from rigapp.config.ranges import unit_of
 from rigapp.config.recipe import TestFile
 from rigapp.config.rules import ALWAYS
-from rigapp.gui.data.texts import grouped, unit_text
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP
 from rigapp.gui.widgets.build import choice, column, named, row, tell
 from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.presentation.numbers import grouped, unit_text
+from rigapp.presentation.translation import Text, tr
 from rigapp.schema.criteria import CRITERIA
 
 HEIGHT = 7 * STEP

@@ -7,9 +7,9 @@ from collections.abc import Callable, Sequence
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
-from rigapp.gui.language.words import tr
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import button
+from rigapp.presentation.translation import tr
 
 NAMED = 4
 """Changes named one by one; of more, the number is told."""

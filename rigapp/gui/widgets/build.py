@@ -24,10 +24,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.widgets.guarded import GuardedButton
 from rigapp.gui.widgets.wheel import steady_field
+from rigapp.presentation.translation import Text, tr
 
 Made = TypeVar("Made", bound=QWidget)
 Layout = TypeVar("Layout", bound=QBoxLayout)

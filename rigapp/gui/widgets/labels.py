@@ -8,9 +8,9 @@ from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import BODY_PT
+from rigapp.presentation.translation import Text, tr
 
 WRAPPED = int(Qt.TextFlag.TextWordWrap)
 

@@ -10,9 +10,9 @@ from PySide6.QtCore import QEvent, QMargins, QRect, QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLabel, QLayout, QLayoutItem, QSpacerItem, QSplitter, QWidget
 
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.widgets.build import Item, named, row
+from rigapp.presentation.translation import Text, tr
 
 Line = list[tuple[QLayoutItem, QSize]]
 

@@ -16,9 +16,9 @@ from PySide6.QtWidgets import (
     QTableWidgetItem,
 )
 
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP
 from rigapp.gui.widgets.build import named
+from rigapp.presentation.translation import Text, tr
 
 Index = QModelIndex | QPersistentModelIndex
 Mark = tuple[str, str] | None

@@ -6,10 +6,10 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QWidget
 
 from rigapp.gui.data.commanding import CommandHolder
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import button, column, named
+from rigapp.presentation.translation import Text, tr
 
 KEY = "F2"
 

@@ -15,13 +15,13 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QProgressBar, QWidget
 
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, LARGE_PT, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import column, named, row
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
 from rigapp.gui.window.headline import Headline, Level, StateShape, TileText
+from rigapp.presentation.translation import Text, tr
 
 BAR_HEIGHT = 5
 """Of the bars in tiles, in pixels: thin, since the number says it exactly."""

@@ -18,11 +18,11 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QHBoxLayout, QTextBrowser, QVBoxLayout, QWidget
 
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.widgets.build import button, named
 from rigapp.gui.window.controls import BUTTONS
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.prepare.shipped import GUIDE, guides_folder
+from rigapp.presentation.translation import Text, tr
 
 MARGIN = 64  # px: the bar at the side, and what a list is set in from the page's edge
 

@@ -11,11 +11,11 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QPushButton, QToolButton, QWidget
 
-from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, STEP, Theme
 from rigapp.gui.widgets.build import button, choice, column, follow_in_tab_order, named, row
+from rigapp.presentation.translation import Text, marked, tr
 
 RAIL_WIDTH = 12 * STEP
 ITEM_HEIGHT = 9 * STEP

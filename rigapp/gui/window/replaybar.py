@@ -14,7 +14,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QLabel, QSlider, QSpinBox
 
-from rigapp.gui.language.words import tr
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import Icon, icon
@@ -22,6 +21,7 @@ from rigapp.gui.look.tokens import GAP, MARGIN, RADIUS, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import button, choice, named, whole_number
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.window.controls import BAR_HEIGHT, BUTTON_HEIGHT
+from rigapp.presentation.translation import tr
 from rigapp.schema.messages import RunState, Status
 
 SPEEDS = (0.1, 1.0, 10.0, 100.0, 1000.0, 10_000.0)

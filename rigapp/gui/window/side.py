@@ -14,7 +14,6 @@ from rigapp.gui.data.channels import SIZE, FreeValue, free_values, value_text
 from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, wear_of
 from rigapp.gui.data.margins import Margin, margins
 from rigapp.gui.data.news import News, Takes
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.panels.alarms import AlarmGlance
@@ -23,6 +22,7 @@ from rigapp.gui.widgets.build import column, named
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
 from rigapp.gui.window.headline import Level, TileText, data_age
 from rigapp.gui.window.recover import RecoverPanel
+from rigapp.presentation.translation import Text, tr
 
 WIDTH = 42 * STEP
 NARROW_WIDTH = 39 * STEP

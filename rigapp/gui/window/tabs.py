@@ -13,7 +13,6 @@ from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
 from rigapp.gui.data.news import News, Takes, tripped
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.panel import Act, Dressed, Host, InParts, Panel, StallCounter
@@ -36,6 +35,7 @@ from rigapp.gui.testfile.prepare import PreparePanel, prepare_page
 from rigapp.gui.widgets.build import named
 from rigapp.gui.widgets.turns import Turns
 from rigapp.gui.window.places import PageName, RailPlace
+from rigapp.presentation.translation import Text, tr
 from rigapp.schema.states import ACTIVE
 
 

@@ -29,7 +29,6 @@ from rigapp.gui.data.connection import ConnectionState, EngineConnection
 from rigapp.gui.data.news import News
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.dress import apply_theme, dress_part
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP, THEMES, TIGHT_HEIGHT, TIGHT_WIDTH, Theme
 from rigapp.gui.panel import Act
@@ -57,6 +56,7 @@ from rigapp.gui.window.stage import Stage
 from rigapp.gui.window.startbar import StartBar
 from rigapp.gui.window.tabs import Tabs
 from rigapp.gui.window.watchdog import IDLE_PERIOD_S, PERIOD_S, Watchdog
+from rigapp.presentation.translation import Text, tr
 from rigapp.process.memory import begin_to_load, end_of_loading
 from rigapp.schema.messages import Snapshot, Status
 from rigapp.schema.states import ACTIVE

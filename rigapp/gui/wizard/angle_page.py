@@ -6,7 +6,6 @@ import math
 
 from PySide6.QtWidgets import QCheckBox, QVBoxLayout
 
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import GAP, Theme
 from rigapp.gui.widgets.build import button, filled, named, prose, row
 from rigapp.gui.wizard.guide_page import TWO, GuidePage
@@ -14,6 +13,7 @@ from rigapp.gui.wizard.hands import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import MeasuredCard, field, fields_form, number, sentence
 from rigapp.gui.wizard.scenes import LevelScene, Picture
+from rigapp.presentation.translation import Text, tr
 
 LEVEL: Text = (
     "Lay the level on the flat of the crank and turn the crank until the bubble is in the middle."

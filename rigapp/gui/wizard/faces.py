@@ -24,7 +24,6 @@ from rigapp.config.calibration_settings import (
     RunOutFile,
     load_cell_meaning,
 )
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import choice, edit, whole_number
 from rigapp.gui.wizard.live_calibration import LiveCalibration
@@ -33,6 +32,7 @@ from rigapp.gui.wizard.plan_page import RIG, Field, Questions, Values
 from rigapp.gui.wizard.rolling_page import RollingCalibration, RollingPage
 from rigapp.gui.wizard.scenes import Piece, ProbeScene, RollScene, Scene, WeightScene, stack_of
 from rigapp.gui.wizard.taking_page import TakingPage, TakingWords
+from rigapp.presentation.translation import Text, tr
 
 MOST_POSITIONS = 41
 """More than an operator takes at a window; the command line takes more."""

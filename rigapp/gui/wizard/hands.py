@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.widgets.build import button, choice, named, row
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.wizard.live_calibration import LiveCalibration
+from rigapp.presentation.translation import Text, tr
 
 
 class HandsPanel(QFrame):

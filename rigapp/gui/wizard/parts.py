@@ -22,7 +22,6 @@ from PySide6.QtWidgets import (
 from calibration.taking.signals import Readiness, SignalState
 from rigapp.calibrating.session import ResidualsSoFar
 from rigapp.gui.language.told import retold
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import LARGE_PT, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.plots.palette import line_pen
@@ -30,6 +29,7 @@ from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import column, named, prose, row
 from rigapp.gui.widgets.labels import FittedLabel, scaled_font
 from rigapp.gui.widgets.wheel import steady_field
+from rigapp.presentation.translation import Text, tr
 
 LEAST_PLOT = 15 * STEP
 """Height of a plot below which its residuals are not told apart."""

@@ -20,7 +20,6 @@ from PySide6.QtWidgets import (
 from calibration.taking.procedure import StepKind
 from calibration.taking.signals import Readiness
 from rigapp.gui.language.told import retold
-from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, Theme
 from rigapp.gui.widgets.build import button, edit, filled, fit_hint, named, row, tell
@@ -39,6 +38,8 @@ from rigapp.gui.wizard.parts import (
     taking_what_is_left,
 )
 from rigapp.gui.wizard.scenes import Picture, Scene
+from rigapp.presentation.numbers import capitalised
+from rigapp.presentation.translation import Text, marked, tr
 
 RECORD: Text = "&Record"
 LEAVE_OUT: Text = "Lea&ve the creep out"
@@ -169,7 +170,7 @@ class TakingPage(GuidePage):
             self.shown.setValue(1e6 * procedure.step.value)
             self.shown.setEnabled(procedure.step.kind is StepKind.READING)
         progress = retold(procedure.progress)
-        self.left.setText(progress[:1].upper() + progress[1:])
+        self.left.setText(capitalised(progress))
         button = tr(self._words.buttons.get(procedure.step.kind, RECORD))
         if procedure.step.kind is StepKind.PRELOAD and procedure.step.optional:
             button = tr(LOADED)

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import QWidget, QWizard
 
 from rigapp.calibrating.session import Rig
 from rigapp.calibrating.subjects import SUBJECTS
-from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.tokens import TIGHT_WIDTH, Theme
 from rigapp.gui.widgets.build import tell
@@ -28,6 +27,8 @@ from rigapp.gui.wizard.plan_page import PlanPage
 from rigapp.gui.wizard.result_page import ResultPage
 from rigapp.gui.wizard.scenes import Picture
 from rigapp.gui.wizard.stepscolumn import WIDTH, StepsColumn
+from rigapp.presentation.numbers import capitalised
+from rigapp.presentation.translation import Text, tr
 
 FORWARD = (
     QWizard.WizardButton.NextButton,
@@ -214,4 +215,4 @@ class CalibrationWizard(QWizard):
 
 
 def _sentence(words: str) -> str:
-    return words[:1].upper() + words[1:]
+    return capitalised(words)

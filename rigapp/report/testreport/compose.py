@@ -15,6 +15,8 @@ from typing import Any
 import numpy as np
 
 from calibration.load_cell.force_uncertainty import ForceUncertainty, force_uncertainty
+from rigapp.presentation.numbers import capitalised, grouped
+from rigapp.presentation.times import duration
 from rigapp.report.page.manuscript import Block, Manuscript, Section, Table, Text
 from rigapp.report.testreport import datasections, logsections, setupsections
 from rigapp.report.testreport.facts import Rows, rows_of
@@ -27,9 +29,7 @@ from rigapp.report.testreport.wording import (
     REASONS,
     STATUSES,
     UNKNOWN,
-    count,
     counted,
-    duration,
     number,
     quantity,
     size,
@@ -153,7 +153,7 @@ def _summary(
         ("Ended", _ended(status, about)),
         ("Status", _capital(STATUSES.get(status, status))),
         ("Reason", _reason(summary, about)),
-        ("Revolutions", f"{count(revolutions)} of {count(planned)} planned"),
+        ("Revolutions", f"{grouped(revolutions)} of {grouped(planned)} planned"),
         *_data_lines(summary, rows, uncertainty),
         ("Notes", about["notes"]),
         ("File", identity.name),
@@ -179,18 +179,19 @@ def _data_lines(
         speed += f", between {number(low, 'rpm')} and {number(high, 'rpm')} rpm"
     force = next((one for one in rows.channels if one.name == "force"), None)
     lines = [
-        ("Numbers of the revolutions", f"{count(rows.first)} to {count(rows.last)}"),
-        ("Time of the test", f"{duration(rows.test_s)} by the device's clock"),
+        ("Numbers of the revolutions", f"{grouped(rows.first)} to {grouped(rows.last)}"),
+        ("Time of the test", f"{duration(rows.test_s, exact=True)} by the device's clock"),
         ("Speed", speed),
     ]
     if force is not None:
         peak = force.largest
-        place = f" in revolution {count(peak.revolution)}" if math.isfinite(peak.value) else ""
+        place = f" in revolution {grouped(peak.revolution)}" if math.isfinite(peak.value) else ""
         doubt = ""
         if uncertainty is not None and math.isfinite(peak.value):
             told = uncertainty.at(np.array(peak.value), of_magnitude=True)
             doubt = f" ± {quantity(float(told), 'N', 2)}"
         lines.append(("Largest joint force", quantity(peak.value, "N") + doubt + place))
+    good = f"{grouped(rows.good)} of {grouped(rows.revolutions)}"
     stated = "not stated: no calibration record of the load cell in the file"
     lines.append(
         ("Uncertainty of a force", uncertainty.words if uncertainty is not None else stated)
@@ -198,8 +199,8 @@ def _data_lines(
     return [
         *lines,
         ("Gaps", gaps),
-        ("Revolutions without a quality flag", f"{count(rows.good)} of {count(rows.revolutions)}"),
-        ("Whole cycles saved", count(summary["cycles_saved"])),
+        ("Revolutions without a quality flag", good),
+        ("Whole cycles saved", grouped(summary["cycles_saved"])),
     ]  # fmt: skip
 
 
@@ -219,7 +220,7 @@ def _reason(summary: dict[str, Any], about: dict[str, Any]) -> str:
 def _capital(text: str) -> str:
     """Begin a sentence, unless it begins with the name of a column."""
     name = "_" in text.partition(" ")[0]
-    return text if name else text[:1].upper() + text[1:]
+    return text if name else capitalised(text)
 
 
 def _file_section(identity: FileIdentity, summary: dict[str, Any], reader: TestReader) -> Section:

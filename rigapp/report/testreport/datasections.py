@@ -8,6 +8,8 @@ from types import MappingProxyType
 from typing import Any
 
 from calibration.load_cell.force_uncertainty import ForceUncertainty
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.times import duration
 from rigapp.report.page.manuscript import Block, Section, Table, Text
 from rigapp.report.testreport import plots
 from rigapp.report.testreport.facts import ENDS, ChannelFacts, Gap, Peak, Rows
@@ -16,9 +18,7 @@ from rigapp.report.testreport.uncertainty import Stated
 from rigapp.report.testreport.wording import (
     FLAGS,
     UNKNOWN,
-    count,
     counted,
-    duration,
     flags,
     number,
     quantity,
@@ -69,7 +69,7 @@ def extremes(
     if slow:
         title = "Slow channels, one value a revolution"
         blocks.append(_extremes_table(title, slow, noted, of="mean"))
-        ages = ", ".join(f"{one.name} {duration(one.age_s)}" for one in slow)
+        ages = ", ".join(f"{one.name} {duration(one.age_s, exact=True)}" for one in slow)
         blocks.append(Text(f"Oldest value at the end of a revolution: {ages}."))
     if noted:
         notes = "; ".join(f"revolution {one}: {words}" for one, words in noted.items())
@@ -124,9 +124,9 @@ def _extremes_row(channel: ChannelFacts, noted: dict[str, str]) -> tuple[str, ..
         if not math.isfinite(peak.value):
             return UNKNOWN
         if not peak.quality:
-            return count(peak.revolution)
-        noted[count(peak.revolution)] = flags(peak.quality) or f"flag {peak.quality}"
-        return f"{count(peak.revolution)}*"
+            return grouped(peak.revolution)
+        noted[grouped(peak.revolution)] = flags(peak.quality) or f"flag {peak.quality}"
+        return f"{grouped(peak.revolution)}*"
 
     values = (channel.overall, channel.start, channel.end)
     return (
@@ -152,7 +152,7 @@ def agreement(
         tuple(
             (RESIDUALS[one.name], symbol(one.unit), number(one.mean, one.unit, 2),
              number(one.worst.value, one.unit, 2),
-             count(one.worst.revolution) if math.isfinite(one.worst.value) else UNKNOWN,
+             grouped(one.worst.revolution) if math.isfinite(one.worst.value) else UNKNOWN,
              number(one.last, one.unit, 2))
             for one in found.residuals
         ),
@@ -168,7 +168,7 @@ def agreement(
         ("statistic", "measured", "model", "difference"),
     )  # fmt: skip
     lead = Text(
-        f"{counted(found.compared, 'revolution')} of {count(rows.revolutions)} compared."
+        f"{counted(found.compared, 'revolution')} of {grouped(rows.revolutions)} compared."
         + _relative(found, rows)
         + (f" The model: {found.joint}." if found.joint else "")
     )
@@ -178,9 +178,9 @@ def agreement(
     blocks.append(plots.residual_trend(found, rows.gaps, vector))
     told = [one for one in events if one.kind == "twin"]
     if told:
-        table = tuple((utc(one.time), count(one.revolution), one.text) for one in told[:TOLD])
+        table = tuple((utc(one.time), grouped(one.revolution), one.text) for one in told[:TOLD])
         header = ("time, UTC", "revolution", "what became of the prediction")
-        left = f"First {TOLD} of {count(len(told))} lines" if len(told) > TOLD else ""
+        left = f"First {TOLD} of {grouped(len(told))} lines" if len(told) > TOLD else ""
         blocks.append(Table(left, table, header))
     return [Section(title, tuple(blocks))]
 
@@ -219,7 +219,7 @@ def cycles(
         blocks.append(Text("No whole cycle is saved."))
     blocks += _bursts(bursts)
     if unfinished:
-        numbers = ", ".join(count(one) for one in unfinished)
+        numbers = ", ".join(grouped(one) for one in unfinished)
         blocks.append(
             Text(f"Cut off by the end of the test, and kept apart: revolution {numbers}.")
         )
@@ -231,8 +231,8 @@ def _bursts(bursts: Sequence[Burst]) -> list[Block]:
     if not bursts:
         return []
     table = tuple(
-        (count(one.trigger) if one.trigger else "–", count(one.first), count(one.last),
-         count(one.cycles), flags(one.quality) or "good")
+        (grouped(one.trigger) if one.trigger else "–", grouped(one.first), grouped(one.last),
+         grouped(one.cycles), flags(one.quality) or "good")
         for one in bursts[:BURSTS_SHOWN]
     )  # fmt: skip
     header = ("trigger in revolution", "kept from", "to", "cycles", "quality")
@@ -280,7 +280,7 @@ def _wear_cells(found: LastDepth | None) -> tuple[str, str, str]:
     depth = number(1e3 * found.depth, "um", 2)
     if math.isfinite(found.uncertainty):
         depth += f" ± {number(1e3 * found.uncertainty, 'um', 2)}"
-    return depth, count(found.revolution), rate
+    return depth, grouped(found.revolution), rate
 
 
 def quality(rows: Rows | None) -> Section:
@@ -288,12 +288,12 @@ def quality(rows: Rows | None) -> Section:
     title = "Quality of the data"
     if rows is None:
         return Section(title, (Text("No revolution is recorded."),))
-    counted_flags = [(FLAGS[flag], count(value)) for flag, value in rows.flags.items() if value]
+    counted_flags = [(FLAGS[flag], grouped(value)) for flag, value in rows.flags.items() if value]
     if rows.unknown_flags:
-        counted_flags.append(("flags that this version does not know", count(rows.unknown_flags)))
+        counted_flags.append(("flags that this version does not know", grouped(rows.unknown_flags)))
     table = Table(
         "",
-        (("no flag, good", count(rows.good)), *counted_flags),
+        (("no flag, good", grouped(rows.good)), *counted_flags),
         ("quality", "revolutions"),
     )
     text = (

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from model.identification import Credible, Identification
+from rigapp.presentation.numbers import grouped
 from rigapp.report.page.manuscript import Figure
 from rigapp.report.testreport.identified import IdentifiedTest, IdentifiedTests
 from rigapp.report.testreport.identifiedtables import PER_UNIT
@@ -15,7 +16,6 @@ from rigapp.report.testreport.plots import (
     revolution_axis,
     saved,
 )
-from rigapp.report.testreport.wording import count
 
 COEFFICIENT = "K in mm³/(N m)"
 LEGEND: dict[str, Any] = {"loc": "center left", "bbox_to_anchor": (1.0, 0.5)}
@@ -26,7 +26,7 @@ def draw_depth(axes: Any, test: IdentifiedTest, known: Identification) -> None:
     readings = known.readings
     shades = (COLOURS["probe_2"], MODEL) if len(test.bands) > 1 else (MODEL,)
     for one, colour in zip(test.bands, shades, strict=True):
-        band, label = one.band, f"95 % band\nfrom {count(one.after)} on"
+        band, label = one.band, f"95 % band\nfrom {grouped(one.after)} on"
         axes.fill_between(
             band.revolution, 1e6 * band.low, 1e6 * band.high, color=colour, alpha=0.25, lw=0
         )
@@ -50,8 +50,8 @@ def depth_figure(test: IdentifiedTest, known: Identification, vector: bool) -> F
         readings = known.readings
         revolution_axis(axes)
         words = (
-            f"Depth measured up to revolution {count(int(readings.revolution[-1]))}, and the bands"
-            " in which it was predicted to lie."
+            f"Depth measured up to revolution {grouped(int(readings.revolution[-1]))}, and the"
+            " bands in which it was predicted to lie."
         )
         caption = (
             "Means of bins of revolutions (points), and where the depth was predicted to lie with"
@@ -74,7 +74,7 @@ def narrowing_figure(test: IdentifiedTest, vector: bool) -> Figure:
         axes.legend(**LEGEND)
         words = (
             f"The wear coefficient was known within {low[0]:.2e} and {high[0]:.2e} at revolution"
-            f" {count(int(at[0]))}, within {low[-1]:.2e} and {high[-1]:.2e} at the end."
+            f" {grouped(int(at[0]))}, within {low[-1]:.2e} and {high[-1]:.2e} at the end."
         )
         caption = "What the readings until then tell: median and 95 % credible limits."
         return saved(canvas, "Wear coefficient against revolution", words, caption, vector)

@@ -6,6 +6,8 @@ import math
 
 from model.identification import Credible
 from model.identification.words import revolution_of
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.times import duration
 from rigapp.report.page.manuscript import Block, Manuscript, Section, Table, Text
 from rigapp.report.testreport.identified import IdentifiedTest, IdentifiedTests
 from rigapp.report.testreport.identifiedplots import (
@@ -14,7 +16,7 @@ from rigapp.report.testreport.identifiedplots import (
     specimen_figure,
 )
 from rigapp.report.testreport.identifiedtables import PER_UNIT
-from rigapp.report.testreport.wording import UNKNOWN, count, duration
+from rigapp.report.testreport.wording import UNKNOWN
 
 SECTION = "What is known of the wear"
 
@@ -35,11 +37,10 @@ def remaining_text(test: IdentifiedTest) -> str:
     if left.revolutions is None:
         return left.reason or UNKNOWN
     one = left.revolutions
-    high = count(round(one.high)) if math.isfinite(one.high) else "what the model computes"
-    text = f"{count(round(one.median))} (95 %: {count(round(one.low))} to {high}) revolutions"
-    after = (
-        f", {duration(test.remaining_s)} at the last set speed" if test.remaining_s > 0.0 else ""
-    )
+    high = grouped(round(one.high)) if math.isfinite(one.high) else "what the model computes"
+    text = f"{grouped(round(one.median))} (95 %: {grouped(round(one.low))} to {high}) revolutions"
+    left_s = test.remaining_s
+    after = f", {duration(left_s)} at the last set speed" if left_s > 0.0 else ""
     return f"{text} until {1e6 * left.depth:.4g} µm{after}"
 
 
@@ -50,7 +51,7 @@ def known_blocks(test: IdentifiedTest, vector: bool) -> tuple[Block, ...]:
         return (Text(test.said),)
     rows = (
         ("Wear coefficient", coefficient_text(known.coefficient)),
-        ("Readings up to revolution", count(int(known.revolution))),
+        ("Readings up to revolution", grouped(int(known.revolution))),
         ("Remaining", remaining_text(test)),
         ("Record of the probes", test.record),
         ("Assumed beforehand", f"{PER_UNIT * known.prior.coefficient:.3g}, {known.prior.source}"),
@@ -76,7 +77,7 @@ def known_blocks(test: IdentifiedTest, vector: bool) -> tuple[Block, ...]:
 
 
 def _place(revolution: float) -> str:
-    return count(round(revolution)) if math.isfinite(revolution) else UNKNOWN
+    return grouped(round(revolution)) if math.isfinite(revolution) else UNKNOWN
 
 
 def known_section(test: IdentifiedTest, vector: bool) -> Section:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.times import duration
 from rigapp.report.page.manuscript import Block, Section, Table, Text
 from rigapp.report.testreport.facts import Rows, span_of
 from rigapp.report.testreport.history import (
@@ -15,7 +17,7 @@ from rigapp.report.testreport.history import (
     course_of,
     limits_of,
 )
-from rigapp.report.testreport.wording import UNKNOWN, count, counted, duration, number, symbol, utc
+from rigapp.report.testreport.wording import UNKNOWN, counted, number, symbol, utc
 from rigapp.schema.messages import Event
 from rigapp.storage import TestReader
 
@@ -58,16 +60,16 @@ def _gaps(events: Sequence[Event], rows: Rows | None) -> tuple[Block, ...]:
         known = [gap.seconds for gap in found if math.isfinite(gap.seconds)]
         missing = sum(gap.missing for gap in found)
         text = f"{counted(len(found), 'gap')}, {counted(missing, 'revolution')} not recorded"
-        blocks.append(Text(f"{text}, {duration(sum(known))} without data in all."))
+        blocks.append(Text(f"{text}, {duration(sum(known), exact=True)} without data in all."))
         table = tuple(
-            (count(gap.revolution), count(gap.missing), count(gap.lost_samples),
-             duration(gap.seconds))
+            (grouped(gap.revolution), grouped(gap.missing), grouped(gap.lost_samples),
+             duration(gap.seconds, exact=True))
             for gap in found
         )  # fmt: skip
         header = ("before revolution", "revolutions not recorded", "samples lost", "without data")
         blocks += _cut("Where data are missing", table, header)
     if told:
-        rows_told = tuple((utc(one.time), count(one.revolution), one.text) for one in told)
+        rows_told = tuple((utc(one.time), grouped(one.revolution), one.text) for one in told)
         blocks += _cut("What the log says", rows_told, ("time, UTC", "after revolution", "gap"))
     return tuple(blocks)
 
@@ -108,7 +110,7 @@ def _alarms(events: Sequence[Event], reason: str) -> list[Block]:
         blocks.append(Text(text, strong=True))
     header = ("raised, UTC", "revolution", "alarm", "cause", "cleared, UTC", "acknowledged")
     table = tuple(_alarm_row(one) for one in found)
-    return [*blocks, *_cut(f"Alarms: {count(len(found))} raised", table, header)]
+    return [*blocks, *_cut(f"Alarms: {grouped(len(found))} raised", table, header)]
 
 
 def _alarm_row(alarm: AlarmRecord) -> tuple[str, ...]:
@@ -116,7 +118,7 @@ def _alarm_row(alarm: AlarmRecord) -> tuple[str, ...]:
     cleared = utc(alarm.cleared_at) if alarm.cleared_at is not None else "not in the log"
     return (
         utc(alarm.raised_at),
-        count(alarm.revolution),
+        grouped(alarm.revolution),
         title,
         alarm.cause,
         cleared,
@@ -130,7 +132,7 @@ def _changes(events: Sequence[Event]) -> tuple[Block, ...]:
         return (Text("No notes were written and nothing was changed during the test."),)
     header = ("time, UTC", "revolution", "what", "by", "text", "before", "after")
     table = tuple(
-        (utc(one.time), count(one.revolution), KINDS[one.kind], one.source, one.text,
+        (utc(one.time), grouped(one.revolution), KINDS[one.kind], one.source, one.text,
          one.before or "–", one.after or "–")
         for one in found
     )  # fmt: skip
@@ -142,12 +144,12 @@ def _course(events: Sequence[Event]) -> Block:
     if not found:
         return Text("The log has no entries.")
     table = tuple(
-        (utc(one.time), count(one.revolution), one.kind.replace("_", " "), one.source,
+        (utc(one.time), grouped(one.revolution), one.kind.replace("_", " "), one.source,
          one.text or UNKNOWN)
         for one in found
     )  # fmt: skip
     kept = table if len(table) <= SHOWN else table[: SHOWN // 2] + table[-SHOWN // 2 :]
-    title = "" if kept is table else f"First and last {SHOWN // 2} of {count(len(table))} entries"
+    title = "" if kept is table else f"First and last {SHOWN // 2} of {grouped(len(table))} entries"
     return Table(title, kept, ("time, UTC", "revolution", "what", "by", "text"))
 
 
@@ -157,6 +159,6 @@ def _cut(
     """Return a table, and when it is too long a sentence on what is left out."""
     blocks: list[Block] = [Table(title, rows[:shown], header)]
     if len(rows) > shown:
-        text = f"{count(len(rows) - shown)} more are left out here; they are in the file."
+        text = f"{grouped(len(rows) - shown)} more are left out here; they are in the file."
         blocks.append(Text(text))
     return blocks

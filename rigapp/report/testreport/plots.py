@@ -12,12 +12,13 @@ from typing import Any
 import numpy as np
 
 from calibration.load_cell.force_uncertainty import ForceUncertainty
+from rigapp.presentation.numbers import grouped
 from rigapp.report.page.manuscript import Figure
 from rigapp.report.testreport.envelope import envelope
 from rigapp.report.testreport.facts import ChannelFacts, Gap
 from rigapp.report.testreport.model_facts import Agreement, CyclePicture
 from rigapp.report.testreport.uncertainty import Stated
-from rigapp.report.testreport.wording import THIN, number, quantity, symbol, title_of
+from rigapp.report.testreport.wording import number, quantity, symbol, title_of
 from rigapp.schema.channels import Channel
 
 WIDTH_IN = 7.2
@@ -134,7 +135,7 @@ def revolution_axis(axes: Any) -> None:
     from matplotlib.ticker import FuncFormatter, MaxNLocator
 
     axes.xaxis.set_major_locator(MaxNLocator(nbins=8, integer=True))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:,.0f}".replace(",", THIN)))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: grouped(round(x))))
     axes.set_xlabel("revolution")
     axes.margins(x=0.01)
 
@@ -362,7 +363,7 @@ def _cycle_grid(
             line[0].set_ylabel(label)
             line[-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
         for axes, picture in zip(grid[0], pictures, strict=True):
-            axes.set_title(f"revolution {picture.revolution:,}".replace(",", THIN))
+            axes.set_title(f"revolution {grouped(picture.revolution)}")
         for axes in grid[-1]:
             axes.set_xlabel("crank angle (°)")
             axes.set_xticks(range(0, 360, 90))

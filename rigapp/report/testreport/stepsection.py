@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.presentation.numbers import grouped
 from rigapp.report.page.manuscript import Section, Table, Text
 from rigapp.report.steps import sequence_of, step_numbers
 from rigapp.report.testreport.facts import mean
-from rigapp.report.testreport.wording import count, number
+from rigapp.report.testreport.wording import number
 from rigapp.schema.messages import NOT_STEADY
 from rigapp.storage import TestReader
 
@@ -43,8 +44,8 @@ def step_section(reader: TestReader) -> list[Section]:
             (
                 f"{step} {stage.name}".rstrip(),
                 number(stage.speed_rpm),
-                count(int(np.count_nonzero(mine))),
-                count(int(np.count_nonzero(good))),
+                grouped(int(np.count_nonzero(mine))),
+                grouped(int(np.count_nonzero(good))),
                 number(mean(columns["speed"][good])),
                 number(peak),
                 *(

@@ -7,12 +7,12 @@ from collections.abc import Mapping
 from datetime import UTC, datetime
 from typing import Any
 
+from rigapp.presentation.numbers import grouped
 from rigapp.schema.channels import Channel
 from rigapp.schema.messages import Flag
 from rigapp.storage import name_and_unit
 
 UNKNOWN = "unknown"
-THIN = "\u202f"
 
 DECIMALS = {"N": 1, "um": 1, "mm": 4, "rpm": 2, "deg": 1, "degC": 1, "s": 1, "1": 0}
 """Digits after the point that a unit deserves on this kind of rig."""
@@ -82,14 +82,9 @@ def quantity(value: float, unit: str, digits: int | None = None) -> str:
     return text if text == UNKNOWN else f"{text} {symbol(unit)}".rstrip()
 
 
-def count(value: int) -> str:
-    """Return a whole number, its thousands set apart from 10 000 on."""
-    return f"{value:,}".replace(",", THIN) if abs(value) >= 10_000 else str(value)
-
-
 def counted(value: int, one: str, many: str = "") -> str:
     """Return a number with its noun."""
-    return f"{count(value)} {one if value == 1 else many or one + 's'}"
+    return f"{grouped(value)} {one if value == 1 else many or one + 's'}"
 
 
 def utc(seconds: float) -> str:
@@ -110,22 +105,9 @@ def stamp(text: str) -> str:
         return text or UNKNOWN
 
 
-def duration(seconds: float) -> str:
-    """Return a time span: 0.42 s, 12.3 s, 4 min 05 s, 3 h 20 min, 5 d 04 h."""
-    if not math.isfinite(seconds):
-        return UNKNOWN
-    if seconds < 99.95:
-        return f"{seconds:.2f} s" if abs(seconds) < 9.995 else f"{seconds:.1f} s"
-    minutes, rest = divmod(round(seconds), 60)
-    if minutes < 100:
-        return f"{minutes} min {rest:02d} s"
-    hours, minutes = divmod(minutes, 60)
-    return f"{hours} h {minutes:02d} min" if hours < 100 else f"{hours // 24} d {hours % 24:02d} h"
-
-
 def size(octets: int) -> str:
     """Return a file's size in decimal units and in bytes."""
-    exact = f"{count(octets)} bytes"
+    exact = f"{grouped(octets)} bytes"
     for unit, factor in (("GB", 1e9), ("MB", 1e6), ("kB", 1e3)):
         if octets >= factor:
             return f"{octets / factor:.1f} {unit} ({exact})"

@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.presentation.numbers import grouped
 from rigapp.report.page.manuscript import Block, Figure, Table, Text
 from rigapp.report.testreport import plots
-from rigapp.report.testreport.wording import UNKNOWN, count, number
+from rigapp.report.testreport.wording import UNKNOWN, number
 from rigapp.storage import TestReader
 
 Floats = NDArray[np.float64]
@@ -128,7 +129,7 @@ def profile_blocks(found: Worn | None, vector: bool) -> list[Block]:
         "worn profile", "largest depth, µm", "at, °", "from, °", "to, °", "area, mm²", "mass, mg",
     )  # fmt: skip
     rows = tuple((words, *_cells(found, name)) for name, words in CURVES.items())
-    title = f"Worn profile after revolution {count(found.revolution)}"
+    title = f"Worn profile after revolution {grouped(found.revolution)}"
     return [Table(title, rows, header), Text(_sentence(found)), picture(found, vector)]
 
 
@@ -171,7 +172,7 @@ def picture(found: Worn, vector: bool) -> Figure:
         axes = canvas.subplots()
         shades = np.linspace(0.78, 0.5, max(len(found.stages), 1))
         for shade, (revolution, depth) in zip(shades, found.stages, strict=False):
-            axes.plot(found.angle, 1e3 * depth, color=str(shade), lw=0.8, label=count(revolution))
+            axes.plot(found.angle, 1e3 * depth, color=str(shade), lw=0.8, label=grouped(revolution))
         measured = 1e3 * found.curves["measured"]
         doubt = 1e3 * found.uncertainty
         axes.fill_between(
@@ -189,7 +190,7 @@ def picture(found: Worn, vector: bool) -> Figure:
         axes.set_ylim(bottom=0.0)
         axes.set_xlabel("angle from the initial contact point (°), follower frame")
         axes.set_ylabel("depth of wear (µm)")
-        axes.set_title(f"after revolution {count(found.revolution)}", loc="left")
+        axes.set_title(f"after revolution {grouped(found.revolution)}", loc="left")
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
         words = "Worn profile: " + " ".join(
             f"{CURVES[name]} at most {_depth(one)} at {number(one.angle, 'deg', 0)}°."
