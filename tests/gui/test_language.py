@@ -36,12 +36,12 @@ from rigapp.gui.language.catalogue import (
 )
 from rigapp.gui.language.collect import all_texts, texts_of
 from rigapp.gui.language.sentences import all_templates, has_words
-from rigapp.gui.language.told import retold, templates
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.window.tabs import NUMBERS, TABS, Tab
 from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.numbers import unit_text
+from rigapp.presentation.told import retold, templates
 from rigapp.presentation.translation import speak, tr
 from rigapp.schema.alarms import because, exceeded
 from rigapp.schema.criteria import CRITERIA

@@ -25,9 +25,9 @@ from rigapp.config.loading import parse_rig, parse_test, read_parameters
 from rigapp.config.ranges import keys_of, refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
-from rigapp.gui.language import told
 from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, TOLD, contexts, speak_language
-from rigapp.gui.language.told import retold
+from rigapp.presentation import told
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import language_changes, tr
 from rigapp.queue.items import Queue, removed
 from rigapp.schema.alarms import KINDS

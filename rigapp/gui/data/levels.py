@@ -16,8 +16,8 @@ import msgspec
 from rigapp.config.recipe import LimitRule, LimitsSection
 from rigapp.config.rules import BOUNDS, quantities, rule_faults
 from rigapp.gui.data.channels import SIZE, title_of, words
-from rigapp.gui.language.told import retold
 from rigapp.presentation.numbers import capitalised, unit_text
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, speaks_english, tr
 from rigapp.schema.channels import BASE, ChannelTable
 

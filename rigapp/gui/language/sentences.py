@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
-from rigapp.gui.language.told import EDGES, templates
+from rigapp.presentation.told import EDGES, templates
 from rigapp.presentation.translation import Text
 
 ROOT: Final = Path(__file__).parents[3]

@@ -12,7 +12,6 @@ from PySide6.QtGui import QFont, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QLayout, QWidget
 
 from rigapp.gui.data.news import News, Takes
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import GAP, STEP, VALUE_PT
 from rigapp.gui.panel import Host
@@ -33,6 +32,7 @@ from rigapp.gui.widgets.build import (
 from rigapp.gui.widgets.reflow import FoldingSplitter, flowing
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.presentation.times import dated
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.loglines import ALARM
 from rigapp.schema.messages import NOTE_CHARACTERS, Alarm, Event, RunState, Severity

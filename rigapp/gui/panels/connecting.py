@@ -10,12 +10,12 @@ from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QFrame, QProgressBar
 
 from rigapp.gui.data.news import News
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import BODY_PT, GAP, MARGIN, STEP, Theme
 from rigapp.gui.widgets.build import column, named
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.steps import ShownStep, StepRow
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import marked, tr
 from rigapp.schema.messages import RunState
 

@@ -14,7 +14,6 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from rigapp.gui.data.channels import value_text
 from rigapp.gui.data.news import News, Takes
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.panel import Host, StallCounter
@@ -33,6 +32,7 @@ from rigapp.gui.widgets.reflow import WrappingGrid, flowing
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.presentation.numbers import grouped, unit_text
 from rigapp.presentation.times import duration
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.messages import ChannelView, DeviceView, RunState, Status
 

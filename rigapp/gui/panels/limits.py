@@ -15,12 +15,12 @@ from rigapp.config.recipe import TestFile
 from rigapp.config.rules import ALWAYS, limit_refusal
 from rigapp.gui.data.levels import levels_of, unit_of_quantity
 from rigapp.gui.data.news import News, Takes
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.tokens import STEP
 from rigapp.gui.widgets.build import button, edit, filled, fit_hint, named, prose
 from rigapp.gui.widgets.numbers import number
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.widgets.tables import PlainTable
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.schema.loglines import newest_limits

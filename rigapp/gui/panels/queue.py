@@ -10,12 +10,12 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from rigapp.gui.data.news import News, Takes
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.tokens import GAP
 from rigapp.gui.panel import Host
 from rigapp.gui.widgets.build import button, column, named, prose
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.widgets.tables import PlainTable
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.queue import ItemState, QueuedTest
 

@@ -28,7 +28,6 @@ from PySide6.QtWidgets import (
     QTableView,
 )
 
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import icon
 from rigapp.gui.look.tokens import BODY_PT, CAPTION_PT, STEP, Theme
@@ -37,6 +36,7 @@ from rigapp.gui.results.outcome import day
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import named
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, marked, tr
 from rigapp.schema.results import HowEnded, TestResult
 

@@ -15,7 +15,6 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.tokens import GAP, STEP, Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.studyplot import StudyPlot
@@ -25,6 +24,7 @@ from rigapp.gui.widgets.reflow import FoldingSplitter, WrappingGrid, flowing
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.presentation.numbers import axis_number, grouped
 from rigapp.presentation.times import MOMENT, dated
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.study.folder import PowerRow, StudyResults, studies_in
 

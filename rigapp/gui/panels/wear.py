@@ -12,13 +12,13 @@ from PySide6.QtWidgets import QWidget
 from rigapp.gui.data.knownwear import KnownWear, known_wear, newest_wear
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.tokens import STEP, Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.knownwear import DepthBandPanel, NarrowingPanel
 from rigapp.gui.widgets.build import column, named, prose
 from rigapp.gui.widgets.reflow import FoldingSplitter
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import tr
 
 BESIDE_FROM, TALL = 90 * STEP, 35 * STEP

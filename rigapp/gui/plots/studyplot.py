@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from PySide6.QtWidgets import QComboBox
 
 from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.tokens import STEP, Theme
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import PlotPanel, QuietPlot
@@ -20,6 +19,7 @@ from rigapp.gui.widgets.build import choice, column
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.presentation.numbers import capitalised, unit_text
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.study.folder import StudyColumn, StudyResults
 

@@ -9,9 +9,9 @@ from datetime import datetime
 from typing import Final
 
 from rigapp.gui.data.knownwear import coefficient_words
-from rigapp.gui.language.told import retold
 from rigapp.presentation.numbers import capitalised, grouped
 from rigapp.presentation.times import dated, duration
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.results import HowEnded, TestResult
 

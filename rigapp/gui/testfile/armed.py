@@ -12,8 +12,8 @@ from rigapp.config.loading import judged_test
 from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
 from rigapp.config.toml import toml_tree
-from rigapp.gui.language.told import retold
 from rigapp.gui.testfile.fields import differences, in_form_words
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import tr
 
 

@@ -16,9 +16,9 @@ from rigapp.config.ranges import Key, keys_of, refusal, unit_of
 from rigapp.config.recipe import TestFile
 from rigapp.gui.data.levels import levels_of
 from rigapp.gui.language.keys import key_name
-from rigapp.gui.language.told import retold
 from rigapp.gui.widgets.numbers import number, whole
 from rigapp.presentation.numbers import unit_text
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import BASE
 

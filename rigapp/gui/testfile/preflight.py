@@ -7,9 +7,9 @@ from collections import Counter
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP
 from rigapp.gui.widgets.build import column, named, prose, row, scrolling, tell
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import marked, tr
 from rigapp.service.preflight import Check, Checked
 

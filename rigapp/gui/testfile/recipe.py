@@ -26,7 +26,6 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import judged_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.writing import whole_file
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import BODY_PT, GAP, MARGIN, STEP
 from rigapp.gui.testfile.armed import ArmedTest, read_armed
@@ -48,6 +47,7 @@ from rigapp.gui.testfile.unsaved import UnsavedBar
 from rigapp.gui.widgets.build import button, column, named, prose, row, scrolling, tell
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.reflow import flowing
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, marked, tr
 
 NO_FILE: Final[Text] = "New test, not saved yet"

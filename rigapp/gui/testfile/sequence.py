@@ -12,7 +12,6 @@ from PySide6.QtWidgets import QFrame, QGroupBox, QLabel, QLineEdit, QVBoxLayout
 from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.sequence import Sequence as Steps
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.tokens import STEP
 from rigapp.gui.testfile.fields import show_value
 from rigapp.gui.testfile.rules import NUMBER, WHOLE_NUMBER
@@ -20,6 +19,7 @@ from rigapp.gui.widgets.build import button, choice, column, edit, filled, named
 from rigapp.gui.widgets.numbers import number, whole
 from rigapp.gui.widgets.reflow import SentencePart, sentence_row
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 
 SENTENCE: Final[Text] = "{name} {length} {kind} at {speed_rpm} rpm, then rest {rest_s} s"

@@ -13,7 +13,6 @@ from PySide6.QtGui import QFont, QKeySequence, QShortcut
 from PySide6.QtWidgets import QFrame, QPushButton, QSizePolicy, QStackedWidget
 
 from rigapp.gui.data.connection import ConnectionState
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import Icon, icon
@@ -22,6 +21,7 @@ from rigapp.gui.widgets.build import button, column, edit, filled, named, row
 from rigapp.gui.widgets.labels import ElidedLabel, FewLinesLabel
 from rigapp.gui.window.command import CommandLine
 from rigapp.gui.window.headline import identity
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.messages import NOTE_CHARACTERS, Remedy, Reply, RunState, Status
 from rigapp.schema.states import ACTIVE, Trigger, is_untimely

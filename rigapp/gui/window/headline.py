@@ -14,9 +14,9 @@ from rigapp.gui.data.connection import ConnectionState
 from rigapp.gui.data.levels import quantity_text
 from rigapp.gui.data.margins import overload_limit
 from rigapp.gui.data.news import News, is_stale
-from rigapp.gui.language.told import retold
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.times import dated, duration
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, marked, tr
 from rigapp.schema.messages import RunState, Severity, Status
 from rigapp.schema.states import ACTIVE

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import button
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.messages import RunState, Status
 from rigapp.schema.states import ACTIVE

@@ -10,9 +10,9 @@ from typing import Final
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QLabel
 
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.tokens import CARD_RADIUS, GAP, MARGIN, STEP, Theme
 from rigapp.gui.widgets.build import button, column, named, prose
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.messages import Alarm, Remedy, RunState, Severity, Status
 from rigapp.schema.states import ACTIVE

@@ -5,12 +5,12 @@ from __future__ import annotations
 from rigapp.calibrating.records_in_use import RecordPlace
 from rigapp.calibrating.rig_file import name_record
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.language.told import retold
 from rigapp.gui.widgets.build import button, prose
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import sentence
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, marked, tr
 
 USE: Text = "Write its name into the &rig file…"

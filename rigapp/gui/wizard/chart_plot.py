@@ -7,12 +7,12 @@ import pyqtgraph as pg
 from PySide6.QtWidgets import QWidget
 
 from rigapp.calibrating.daily_history import DailyHistory, verdict_lines
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.palette import line_pen
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import column
 from rigapp.gui.wizard.parts import caption, sentence, taking_what_is_left
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 
 

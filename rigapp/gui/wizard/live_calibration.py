@@ -17,7 +17,7 @@ from rigapp.calibrating.session import LiveSession, Outcome, Rig
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.language.told import retold
+from rigapp.presentation.told import retold
 from rigapp.schema.messages import Reply
 
 LOOK_MS = 150

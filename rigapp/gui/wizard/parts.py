@@ -21,7 +21,6 @@ from PySide6.QtWidgets import (
 
 from calibration.taking.signals import Readiness, SignalState
 from rigapp.calibrating.session import ResidualsSoFar
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import LARGE_PT, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.plots.palette import line_pen
@@ -29,6 +28,7 @@ from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import column, named, prose, row
 from rigapp.gui.widgets.labels import FittedLabel, scaled_font
 from rigapp.gui.widgets.wheel import steady_field
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 
 LEAST_PLOT = 15 * STEP

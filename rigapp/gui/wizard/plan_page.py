@@ -23,13 +23,13 @@ from PySide6.QtWidgets import (
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import button, choice, edit, filled, fit_hint, prose, row
 from rigapp.gui.wizard.guide_page import TWO, GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import field, fields_form, prefix_of, sentence
 from rigapp.gui.wizard.scenes import Picture, Scene
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, marked, tr
 
 NEW: Text = "Begin a new calibration"

@@ -14,13 +14,13 @@ from PySide6.QtWidgets import (
 from rigapp.calibrating.daily_history import STORE, DailyHistory
 from rigapp.calibrating.session import NumberTable, Outcome
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import column, edit, named, row
 from rigapp.gui.wizard.chart_plot import ChartPlot
 from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import ResidualPlot, sentence
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, marked, tr
 
 

@@ -7,13 +7,13 @@ from typing import Any
 from PySide6.QtWidgets import QAbstractButton, QProgressBar, QVBoxLayout
 
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.tokens import GAP, Theme
 from rigapp.gui.widgets.build import button, filled, named, prose, tell
 from rigapp.gui.wizard.guide_page import TWO, GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration, Question
 from rigapp.gui.wizard.parts import MeasuredCard, sentence
 from rigapp.gui.wizard.scenes import Picture, RollScene
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.messages import Reply
 

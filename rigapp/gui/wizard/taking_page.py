@@ -19,7 +19,6 @@ from PySide6.QtWidgets import (
 
 from calibration.taking.procedure import StepKind
 from calibration.taking.signals import Readiness
-from rigapp.gui.language.told import retold
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, Theme
 from rigapp.gui.widgets.build import button, edit, filled, fit_hint, named, row, tell
@@ -39,6 +38,7 @@ from rigapp.gui.wizard.parts import (
 )
 from rigapp.gui.wizard.scenes import Picture, Scene
 from rigapp.presentation.numbers import capitalised
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, marked, tr
 
 RECORD: Text = "&Record"

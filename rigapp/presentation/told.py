@@ -15,7 +15,7 @@ from itertools import pairwise
 from string import Formatter
 from typing import Final
 
-from rigapp.gui.language.foreign import CANOPEN, LIBRARIES, SYSTEM, WORDS_INSIDE
+from rigapp.presentation.foreign import CANOPEN, LIBRARIES, SYSTEM, WORDS_INSIDE
 from rigapp.presentation.numbers import capitalised
 from rigapp.presentation.translation import (
     Text,
