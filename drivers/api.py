@@ -342,7 +342,11 @@ class DriveRequest:
 
 @runtime_checkable
 class Spindle(Named, Protocol):
-    """Turn the crank. Every call is serialised by the driver's own lock."""
+    """Turn the crank. Every call but ``drive_off`` is serialised by the driver's own lock.
+
+    The watchdog's setting is read back before the motor is enabled, in ``reset_fault`` and now and
+    then in ``status``; where it is not as it was set, the power is taken off and DeviceLost raised.
+    """
 
     def open(self) -> Identity:
         """Open the port and identify the drive; raise ConnectionFailed or WrongDevice."""
@@ -354,7 +358,11 @@ class Spindle(Named, Protocol):
         """Ramp to a speed; 0 is the controlled stop."""
 
     def drive_off(self) -> None:
-        """Take the power off the motor at once (coast or brake as the drive does it)."""
+        """Take the power off the motor at once (coast or brake as the drive does it).
+
+        Any thread calls it at any time. The command is sent in the middle of a call under way, of
+        which no speed command is sent afterwards.
+        """
 
     def reset_fault(self) -> None:
         """Acknowledge faults on the operator's command; the motor stays off.

@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
-from drivers.api import DriveRequest, Line, Named, SettingRefused, SettingSpec
+from drivers.api import DeviceLost, DriveRequest, Line, Named, SettingRefused, SettingSpec
 
 _log = logging.getLogger(__name__)
 
@@ -21,6 +21,8 @@ TORQUE_CONSTANT: Final = SettingSpec(
     0.0,
     1e3,
 )
+WATCHDOG_PERIOD: Final = 8
+"""Calls of ``status`` from one reading of the watchdog's setting to the next: 0.8 s at 0.1 s."""
 _ROUNDING: Final = 1e-9  # of a speed that is the maximum but for the digits of a conversion
 
 
@@ -28,6 +30,18 @@ def silenced(silence_s: float) -> str:
     """Say that the drive's supervision has fired; silence_s: how long the host was silent."""
     return (
         f"watchdog: the host was silent for {silence_s:.2f} s and the drive has stopped the motor"
+    )
+
+
+def settings_lost(who: Named, watchdog_s: float, set_s: float) -> DeviceLost:
+    """Return the error of a drive that is not set up as it was; watchdog_s: 0 when it has none."""
+    what = "speed unit, limits or heartbeat"
+    if watchdog_s != set_s:
+        what = f"watchdog {watchdog_s:g} s instead of {set_s:g} s"
+    return DeviceLost.at(
+        who,
+        f"the drive has lost its settings ({what}), as after a restart; check its supply, then "
+        "connect again.",
     )
 
 

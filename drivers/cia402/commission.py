@@ -47,6 +47,11 @@ _COARSE_RPM: Final = 0.1  # wear tests turn at some tens of rpm, and such a step
 _ROUNDING: Final = 0.01  # of a speed: less is lost in the speed loop of any drive
 _CONTROL_ONLY: Final = (mapping_entry(0x6040, 0, 16),)
 
+Place = tuple[int, int]
+"""Index and subindex of an object."""
+SUPERVISION: Final[tuple[Place, ...]] = ((0x1016, 1), (0x6007, 0), (0x1017, 0))
+"""What lets the drive stop by itself when this computer is silent, and shows that it lives."""
+
 Readback = dict[str, str | float | int]
 
 
@@ -57,6 +62,7 @@ class Setup:
     velocity_unit: rev/s of the crank per step of 606C and 60FF. acceleration_unit: rev/s2 of the
     crank per step.
     synchronous: speed and position come as TPDOs after a SYNC. control_pdo: RPDO1 carries 6040.
+    kept: objects that were set, and their values, which must stay.
     """
 
     request: DriveRequest
@@ -68,6 +74,7 @@ class Setup:
     epos: bool
     boot_ups: int
     readback: Mapping[str, str | float | int]
+    kept: Mapping[Place, int]
 
 
 def check_watchdog(request: DriveRequest) -> None:
@@ -89,6 +96,7 @@ class Commissioning:
         self._settings = settings
         self._epos = epos
         self._readback: Readback = {}
+        self._kept: dict[Place, int] = {}
 
     def run(self, request: DriveRequest) -> Setup:
         """Set the drive up; raise SettingRefused, ReplyTimeout, DeviceLost."""
@@ -124,6 +132,7 @@ class Commissioning:
             epos=self._epos,
             boot_ups=boot_ups,
             readback=self._readback,
+            kept=self._kept,
         )
 
     # --- supervision -----------------------------------------------------------------------------
@@ -173,13 +182,13 @@ class Commissioning:
         while (mode := self._node.read(0x6061)) != PROFILE_VELOCITY:
             if time.monotonic() > deadline:
                 raise self._refused(f"the drive stays in mode {mode} instead of profile velocity.")
-        self._readback["mode"] = PROFILE_VELOCITY
+        self._readback["mode"] = self._kept[0x6061, 0] = PROFILE_VELOCITY
 
     def _choose_unit(self, request: DriveRequest) -> float:
         wanted = _UNITS.get(str(self._settings["velocity_unit"]))
         if wanted is not None:
             self._set(0x60A9, wanted)
-        raw = self._node.read(0x60A9)
+        raw = self._kept[0x60A9, 0] = self._node.read(0x60A9)
         unit = velocity_unit_rev_per_s(raw)
         if unit is None:
             raise self._refused(
@@ -290,6 +299,7 @@ class Commissioning:
             raise self._refused(
                 f"object {index:04X}:{subindex} reads {found} after {value} was set."
             )
+        self._kept[index, subindex] = value
 
     def _refused(self, sentence: str) -> SettingRefused:
         return SettingRefused.at(self._node, sentence)

@@ -29,10 +29,14 @@ _POWERLESS: Final = (
 
 
 class DriveControl:
-    """Change the state of one drive; every wait ends after ``STEP_S``."""
+    """Change the state of one drive; every wait ends after ``STEP_S``.
 
-    def __init__(self, node: CanNode) -> None:
+    stop_requests: of the node when the caller began; a stop since then forbids to enable.
+    """
+
+    def __init__(self, node: CanNode, stop_requests: int | None = None) -> None:
         self._node = node
+        self._stop_requests = node.stop_requests if stop_requests is None else stop_requests
 
     def state(self) -> State | None:
         """Return the present state, asked from the drive."""
@@ -58,7 +62,7 @@ class DriveControl:
 
     def give_way(self) -> None:
         """Raise DeviceFault when another thread wants to stop."""
-        if self._node.hurry.is_set():
+        if self._node.stop_requests != self._stop_requests:
             raise self._fault("a stop came before the speed was set.")
 
     def _wait_to_leave(self, state: State | None) -> State | None:
@@ -97,6 +101,7 @@ class DriveControl:
         node.write(0x6040, Control.FAULT_RESET)
         deadline = time.monotonic() + STEP_S
         while self.state() in (State.FAULT, State.FAULT_REACTION):
+            self.give_way()
             if time.monotonic() > deadline:
                 raise self._fault(
                     f"the drive stays in fault, {self.error()}; remove its cause first."

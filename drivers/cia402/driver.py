@@ -7,9 +7,10 @@ No thread sends that heartbeat: every call sends one, so a program that hangs st
 from __future__ import annotations
 
 import contextlib
+import logging
 import threading
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, Final
 
 from drivers.api import (
@@ -25,7 +26,13 @@ from drivers.api import (
     SettingRefused,
     filled,
 )
-from drivers.cia402.commission import Commissioning, Setup, check_watchdog
+from drivers.cia402.commission import (
+    SUPERVISION,
+    Commissioning,
+    Place,
+    Setup,
+    check_watchdog,
+)
 from drivers.cia402.control import DriveControl
 from drivers.cia402.identify import identify
 from drivers.cia402.monitor import AxisMotion, NodeMonitor
@@ -48,10 +55,13 @@ from drivers.spindles import (
     QUANTITIES,
     note_survived_silence,
     refuse_speed,
+    settings_lost,
     silenced,
     torque_Nm,
     whole_ramp,
 )
+
+_log = logging.getLogger(__name__)
 
 _INT32: Final = 2**31 - 1
 
@@ -59,8 +69,8 @@ _INT32: Final = 2**31 - 1
 class Cia402Drive:
     """Turn the crank with a CiA 402 drive in profile velocity mode.
 
-    Every call is serialised by one lock. ``drive_off`` first sends its control word as a PDO,
-    without waiting for the lock, and then confirms it.
+    Every call is serialised by one lock, but ``drive_off`` sends its control word past it and then
+    confirms it.
     """
 
     def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
@@ -127,13 +137,9 @@ class Cia402Drive:
 
     def close(self) -> None:
         """Switch the motor off, end the supervision, release the bus; never raises."""
-        node = self._node
-        if node is not None:
-            node.hurry.set()
-        with self._lock:
+        with self._power_off_first():
             node = self._node
             if node is not None and self._setup is not None:
-                node.hurry.clear()
                 with contextlib.suppress(DeviceError):  # the drive's supervision stops it anyway
                     DriveControl(node).power_off()
                     node.command(Nmt.PRE_OPERATIONAL)
@@ -155,21 +161,25 @@ class Cia402Drive:
         Enables the drive when it is not. Raises SettingRefused for a speed that may not be,
         DeviceFault when the drive is in fault or was stopped by a fault that nobody has reset.
         """
+        stop_requests = self._open_node().stop_requests
         with self._lock:
             node, setup = self._open_node(), self._configured()
             target = self._steps(speed_rev_per_s, setup)
             ramp = whole_ramp(self, acceleration_rev_per_s2, setup.acceleration_unit, _INT32)
             self._judge_restart(setup)
             self._judge_silence(node, setup)
-            control = DriveControl(node)
+            control = DriveControl(node, stop_requests)
             state = control.state()
             if target == 0 and state is not State.ENABLED:
                 return
             if target != 0 and self._trip:
                 raise DeviceFault.at(self, f"{self._trip}; reset the fault before the next start.")
+            enable = target != 0 and state is not State.ENABLED
+            if enable:
+                self._check_setup(node, setup.kept, setup)
             node.write(0x6083, ramp)
             node.write(0x6084, ramp)
-            if target != 0 and state is not State.ENABLED:
+            if enable:
                 control.enable()
             control.give_way()
             self._target = target
@@ -188,29 +198,50 @@ class Cia402Drive:
 
         Raises ReplyTimeout, DeviceLost when the drive did not confirm it.
         """
-        self._command_at_once(Control.DISABLE_VOLTAGE)
-        with self._lock:
+        with self._power_off_first():
             node = self._open_node()
-            node.hurry.clear()
             self._target = None
             DriveControl(node).power_off()
 
-    def _command_at_once(self, control: Control) -> None:
-        """Send a control word by PDO past the lock, and end the retries of a call under way."""
+    @contextlib.contextmanager
+    def _power_off_first(self) -> Iterator[None]:
+        """Hold the lock; before that, send the control word past it where it can be.
+
+        As a PDO where the drive takes one, and also as an SDO in the middle of a call under way: a
+        node that is not operational takes no PDO.
+        """
         node, setup = self._node, self._setup
-        if node is None:
-            return
-        node.hurry.set()
-        if setup is not None and setup.control_pdo:
+        held = self._lock.acquire(blocking=False)
+        if node is not None:
+            node.stop_requests += 1
+            node.hurry.set()
             with contextlib.suppress(DeviceError):  # the confirmed command meets the error again
-                node.send(RPDO1_BASE + node.node_id, int(control).to_bytes(2, "little"))
+                if setup is not None and setup.control_pdo:
+                    word = int(Control.DISABLE_VOLTAGE).to_bytes(2, "little")
+                    node.send(RPDO1_BASE + node.node_id, word)
+                if not held:
+                    node.overtake(0x6040, Control.DISABLE_VOLTAGE)
+        if not held:
+            self._lock.acquire()
+        try:
+            if self._node is not None:
+                self._node.hurry.clear()
+            yield
+        finally:
+            self._lock.release()
 
     def reset_fault(self) -> None:
-        """Switch the motor off and acknowledge faults; raise DeviceFault when one stays."""
+        """Switch the motor off and acknowledge faults; raise DeviceFault when one stays.
+
+        Raises DeviceLost when the drive is not set up as it was.
+        """
+        stop_requests = self._open_node().stop_requests
         with self._lock:
             node = self._open_node()
             self._target = None
-            DriveControl(node).acknowledge(self._monitor)
+            DriveControl(node, stop_requests).acknowledge(self._monitor)
+            if self._setup is not None:
+                self._check_setup(node, self._setup.kept, self._setup)
             self._monitor.forget_active()
             self._trip = ""
 
@@ -232,6 +263,8 @@ class Cia402Drive:
             assert readings is not None
             motion = readings.motion()
             self._judge_restart(setup)
+            if readings.supervision_is_due or self._left_enabled(motion):
+                self._check_setup(node, SUPERVISION, setup)
             condition = readings.condition()
             faults = readings.faults(motion, condition, running=self._target is not None)
             if self._trip:
@@ -300,6 +333,35 @@ class Cia402Drive:
         self._target = None
         self._trip = silenced(silence_s)
         node.write(0x6040, Control.QUICK_STOP)
+
+    def _left_enabled(self, motion: AxisMotion) -> bool:
+        """Tell whether the drive stopped by itself, as one does whose restart nobody has seen."""
+        return self._target is not None and state_of(motion.status_word) is not State.ENABLED
+
+    def _check_setup(self, node: CanNode, objects: Iterable[Place], setup: Setup) -> None:
+        """Read back what was set; with another value take the power off and raise DeviceLost.
+
+        A restart may lose some of it and keep the rest, and its only message may be lost.
+        """
+        for index, subindex in objects:
+            found, wanted = node.read(index, subindex), setup.kept[index, subindex]
+            if found == wanted:
+                continue
+            _log.warning(
+                "%s on %s: object %04X:%d reads %d after %d was set",
+                self.name,
+                self.port,
+                index,
+                subindex,
+                found,
+                wanted,
+            )
+            self._setup = None
+            self._target = None
+            with contextlib.suppress(DeviceError):  # the caller's stop meets the error again
+                DriveControl(node).power_off()
+            watchdog_s = (node.read(0x1016, 1) & 0xFFFF) * 1e-3
+            raise settings_lost(self, watchdog_s, setup.watchdog_s)
 
     def _judge_restart(self, setup: Setup) -> None:
         if self._monitor.boot_ups != setup.boot_ups:

@@ -7,6 +7,7 @@ lock serialises the SDOs.
 from __future__ import annotations
 
 import contextlib
+import struct
 import threading
 import time
 from collections.abc import Callable, Mapping
@@ -59,6 +60,7 @@ class CanNode:
 
     ``tries`` is how often a question without an answer is asked, where no call says it.
     ``hurry`` ends the retries of an SDO under way, so that a stop need not wait for them.
+    ``stop_requests`` counts: a call that began before the last one enables nothing.
     """
 
     def __init__(
@@ -68,6 +70,7 @@ class CanNode:
         self.port = port
         self.node_id = node_id
         self.hurry = threading.Event()
+        self.stop_requests = 0
         self.bad_frames = 0
         self.frames_received = 0
         self.frames_sent = 0
@@ -251,6 +254,12 @@ class CanNode:
         """Set a number; errors as ``read``."""
         data = self._variable(index, subindex).encode_raw(value)
         self._try(index, subindex, tries, lambda: self._sdo.download(index, subindex, data))
+
+    def overtake(self, index: int, value: int) -> None:
+        """Send a download in the middle of a transfer under way; nobody waits for the answer."""
+        data = self._variable(index, 0).encode_raw(value)
+        head = struct.pack("<BHB", 0x23 | (4 - len(data)) << 2, index, 0)
+        self.send(SDO_REQUEST_BASE + self.node_id, head + data.ljust(4, b"\0"))
 
     def _variable(self, index: int, subindex: int) -> Any:
         return self._sdo.od.get_variable(index, subindex)

@@ -20,6 +20,7 @@ from drivers.cia402.protocol import (
     describe_code,
     state_of,
 )
+from drivers.spindles import WATCHDOG_PERIOD
 
 _log = logging.getLogger(__name__)
 
@@ -52,12 +53,14 @@ class Readings:
         self._setup = setup
         self._settings = settings
         self._polls = 0
+        self._motions = 0
         self._condition = Condition()
         self.late_pdos = 0
 
     def motion(self) -> AxisMotion:
         """Return the present motion; PDOs that are late are counted, logged and replaced."""
         node, monitor = self._node, self._monitor
+        self._motions += 1
         expected = self._setup.synchronous and monitor.node_state == NodeState.OPERATIONAL
         if expected:
             marks = monitor.marks()
@@ -73,6 +76,11 @@ class Readings:
                 node.port,
             )
         return AxisMotion(node.read(0x6041), node.read(0x606C), node.read(0x6064))
+
+    @property
+    def supervision_is_due(self) -> bool:
+        """Tell whether it is time to read the supervision of this computer back again."""
+        return self._motions % WATCHDOG_PERIOD == 0
 
     def condition(self) -> Condition:
         """Return the current, and in turn a new supply, temperature or safe torque off."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 import contextlib
 import threading
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
 from drivers.api import (
@@ -48,6 +48,7 @@ from drivers.spindles import (
     note_survived_silence,
     refuse_request,
     refuse_speed,
+    settings_lost,
     silenced,
     torque_Nm,
     whole_ramp,
@@ -62,8 +63,8 @@ _LOOKS: Final = 3  # some milliseconds, in which the duty of a ramp has grown ab
 class RoboClaw:
     """Turn the crank with one motor output of a RoboClaw.
 
-    Every call is serialised by one lock. ``drive_off`` ends the retries of a call under way, so it
-    waits for one reply time-out at most.
+    Every call is serialised by one lock, but ``drive_off`` sends its packet past it and then
+    confirms it.
     """
 
     def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
@@ -124,14 +125,11 @@ class RoboClaw:
 
     def close(self) -> None:
         """Switch the motor off and release the port; never raises; safe to call twice."""
-        connection = self._connection
-        if connection is not None:
-            connection.hurry.set()
-        with self._lock:
-            if self._connection is not None and self._setup is not None:
-                self._connection.hurry.clear()
+        with self._power_off_first():
+            link = self._connection
+            if link is not None and self._setup is not None:
                 with contextlib.suppress(DeviceError):  # the drive's watchdog stops it anyway
-                    self._off(self._connection)
+                    self._off(link)
             self._release()
 
     def _release(self) -> None:
@@ -151,6 +149,7 @@ class RoboClaw:
         Raises SettingRefused for a speed that may not or cannot be reached, DeviceFault after the
         watchdog has fired, until ``reset_fault`` or ``configure``.
         """
+        stop_requests = self._link().stop_requests
         with self._lock:
             link, setup = self._link(), self._configured()
             speed = self._counts_per_s(speed_rev_per_s, setup)
@@ -163,8 +162,8 @@ class RoboClaw:
                     self,
                     f"{silenced(self._silence_s)}; reset the fault before the next start.",
                 )
-            if link.hurry.is_set():
-                raise DeviceFault.at(self, "a stop came before the speed was set.")
+            if speed and not self._target:
+                self._check_watchdog(link, setup)
             self._target = speed
             link.standing = False
             link.write(
@@ -172,6 +171,7 @@ class RoboClaw:
                 acceleration,
                 speed,
                 in_effect=lambda: self._turns_towards(link, setup, speed),
+                stop_requests=stop_requests,
             )
 
     def _counts_per_s(self, speed_rev_per_s: float, setup: Setup) -> int:
@@ -199,13 +199,31 @@ class RoboClaw:
 
         Raises ReplyTimeout, ProtocolError or DeviceLost when the drive did not confirm it.
         """
-        connection = self._connection
-        if connection is not None:
-            connection.hurry.set()
-        with self._lock:
-            link = self._link()
-            link.hurry.clear()
-            self._off(link)
+        with self._power_off_first():
+            self._off(self._link())
+
+    @contextlib.contextmanager
+    def _power_off_first(self) -> Iterator[None]:
+        """Hold the lock; when another call has it, send duty 0 in the middle of that one first."""
+        link = self._connection
+        if link is not None:
+            link.request_stop()
+        overtaken = not self._lock.acquire(blocking=False)
+        if overtaken:
+            if link is not None:
+                with contextlib.suppress(DeviceError):  # the confirmed command meets it again
+                    link.overtake(Command.DUTY_M1 + self._motor - 1, 0)
+            self._lock.acquire()
+        try:
+            link = self._connection
+            if link is not None:
+                link.hurry.clear()
+                if overtaken:  # its acknowledgement would count as one of the next packet
+                    with contextlib.suppress(DeviceError):
+                        link.wait_for_quiet()
+            yield
+        finally:
+            self._lock.release()
 
     def _off(self, link: Link) -> None:
         def in_effect() -> bool:
@@ -227,6 +245,8 @@ class RoboClaw:
         with self._lock:
             link = self._link()
             self._off(link)
+            if self._setup is not None:
+                self._check_watchdog(link, self._setup)
             self._silence_s = 0.0
             words = self._words(link)
             if words.emergency_stop:
@@ -272,8 +292,12 @@ class RoboClaw:
             assert reader is not None
             readings = reader.read()
             if reader.has_restarted(readings):
-                raise self._restarted("its clock began again")
-            if reader.watchdog_is_due:
+                self._setup = None
+                self._target = None
+                sentence = "the drive has restarted and its motor is off; check its supply."
+                raise DeviceLost.at(self, sentence)
+            # A drive that has restarted has no set-point either; nor has a ramp as it begins.
+            if reader.watchdog_is_due or (self._target and readings.setpoint == 0):
                 self._check_watchdog(link, setup)
             return self._drive_status(link, setup.request, readings)
 
@@ -333,19 +357,14 @@ class RoboClaw:
         return any(link.read(Command.PWM)[self._motor - 1] for _ in range(_LOOKS))
 
     def _check_watchdog(self, link: Link, setup: Setup) -> None:
+        """Read the serial time-out; with another one take the power off, raise DeviceLost."""
         (found,) = link.read(Command.GET_TIMEOUT)
-        if found != setup.watchdog_units:
-            raise self._restarted(
-                f"its serial time-out is {found * TIMEOUT_UNIT_S:.1f} s instead of "
-                f"{setup.watchdog_s:.1f} s"
-            )
-
-    def _restarted(self, sign: str) -> DeviceLost:
+        if found == setup.watchdog_units:
+            return
+        with contextlib.suppress(DeviceError):  # the caller's stop meets the error again
+            self._off(link)
         self._setup = None
-        self._target = None
-        return DeviceLost.at(
-            self, f"the drive has restarted ({sign}) and its motor is off; check its supply."
-        )
+        raise settings_lost(self, found * TIMEOUT_UNIT_S, setup.watchdog_s)
 
     # --- helpers ---------------------------------------------------------------------------------
 

@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Final, TypeVar
 
-from drivers.api import BytePort, ProtocolError, ReplyTimeout
+from drivers.api import BytePort, DeviceFault, ProtocolError, ReplyTimeout
 from drivers.roboclaw.protocol import (
     ACKNOWLEDGE,
     NEWER,
@@ -43,8 +43,9 @@ _log = logging.getLogger(__name__)
 class Link:
     """Send packets to one address and return checked replies.
 
-    Not thread-safe: the driver holds its lock around every call. ``hurry`` may be set by any
-    thread; it ends the retries of a call under way, so that a stop need not wait for them.
+    Not thread-safe but for ``request_stop`` and ``overtake``: the driver holds its lock around
+    every other call. ``hurry`` ends the tries of a call under way, so that a stop need not wait for
+    them. ``stop_requests`` counts; a write is not sent when it has changed since its caller began.
 
     ``standing``: nothing is commanded to turn, so that a question may wait for its answer longer.
 
@@ -63,11 +64,25 @@ class Link:
         self._timeout_s = timeout_s
         self.generation: Generation = NEWER
         self.hurry = threading.Event()
+        self.stop_requests = 0
         self.standing = True
         self.crc_errors = 0
         self.retries = 0
         self.late_bytes = 0
         self.last_sent_ns = time.monotonic_ns()
+        self._sending = threading.Lock()
+
+    def request_stop(self) -> None:
+        """End the tries of a call under way, and forbid the writes that were begun before."""
+        with self._sending:
+            self.stop_requests += 1
+            self.hurry.set()
+
+    def overtake(self, command: int, *values: int) -> None:
+        """Send a write in the middle of a call under way; nobody waits for the answer."""
+        packet = write_packet(self.address, command, *values, generation=self.generation)
+        with self._sending:
+            self._serial.write(packet)
 
     def read(self, command: int, tries: int | None = None) -> tuple[int, ...]:
         """Return the numbers of a reply; tries: None for as many as the motion allows.
@@ -97,28 +112,34 @@ class Link:
         command: int,
         *values: int,
         in_effect: Callable[[], bool] | None = None,
+        stop_requests: int | None = None,
     ) -> None:
         """Send a write until it is acknowledged by FF.
 
         in_effect: reads the drive's state back after a failed try; when it tells that the write has
-        taken effect, nothing is sent again. Errors as ``read``.
+        taken effect, nothing is sent again. stop_requests: when the caller began; None for a write
+        that a stop does not forbid. Errors as ``read``, and DeviceFault when a stop came.
         """
         packet = write_packet(self.address, command, *values, generation=self.generation)
-        self.write_packet(command, packet, in_effect)
+        self.write_packet(command, packet, in_effect, stop_requests)
 
     def write_packet(
-        self, command: int, packet: bytes, in_effect: Callable[[], bool] | None = None
+        self,
+        command: int,
+        packet: bytes,
+        in_effect: Callable[[], bool] | None = None,
+        stop_requests: int | None = None,
     ) -> None:
         """Send a packet that is already built; see ``write``."""
         failures: list[str] = []
         for attempt in range(TRIES):
             if attempt:
                 self.retries += 1
-                self._wait_for_quiet()
+                self.wait_for_quiet()
                 if in_effect is not None and in_effect():
                     self._tell_repeated(_UNACKNOWLEDGED)
                     return
-            self._send(packet)
+            self._send(packet, stop_requests)
             answer = self._serial.read_some(1, self._reply_timeout(len(packet) + 1))
             if answer == ACKNOWLEDGE:
                 if failures:
@@ -139,7 +160,7 @@ class Link:
                 self.retries += 1
             if failures and failures[-1]:
                 # Where nothing came the line was quiet, and a reply that is late may come yet.
-                self._wait_for_quiet()
+                self.wait_for_quiet()
             result = exchange(time_outs)
             if not isinstance(result, Rejected):
                 for reason in sorted(because):
@@ -174,24 +195,28 @@ class Link:
     def _reply_timeout(self, wire_bytes: int) -> float:
         return self._timeout_s + wire_bytes * self._byte_s
 
-    def _send(self, packet: bytes) -> None:
+    def _send(self, packet: bytes, stop_requests: int | None = None) -> None:
         self.late_bytes += len(self._serial.read_some(FLUSH_LIMIT, 0.0))
-        self._serial.write(packet)
+        with self._sending:
+            if stop_requests not in (None, self.stop_requests):
+                raise DeviceFault.at(self, "a stop came before the speed was set.")
+            self._serial.write(packet)
         self.last_sent_ns = time.monotonic_ns()
 
     def _ask(self, command: int, time_outs: int) -> bytes:
         self._send(read_packet(self.address, command))
         raw = b""
-        deadline = time.monotonic() + time_outs * self._reply_timeout(2 + LONGEST_REPLY)
+        time_out_s = self._reply_timeout(2 + LONGEST_REPLY)
+        deadline = time.monotonic() + time_outs * time_out_s
         while missing := missing_bytes(command, raw, self.generation):
             left = deadline - time.monotonic()
-            part = self._serial.read_some(missing, max(left, 0.0))
-            if left <= 0 and not part:
+            part = self._serial.read_some(missing, min(max(left, 0.0), time_out_s))
+            if not part and (left <= 0 or self.hurry.is_set()):
                 break
             raw += part
         return raw
 
-    def _wait_for_quiet(self) -> None:
+    def wait_for_quiet(self) -> None:
         """Wait until the line is silent for longer than the drive's own packet time-out."""
         deadline = time.monotonic() + self._reply_timeout(LONGEST_REPLY)
         while late := self._serial.read_some(LONGEST_REPLY, QUIET_S):

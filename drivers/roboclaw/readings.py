@@ -8,6 +8,7 @@ from typing import Final
 from drivers.api import ProtocolError, ReplyTimeout
 from drivers.roboclaw.link import Link
 from drivers.roboclaw.protocol import Command, combined_status_of, count_of, speed_of
+from drivers.spindles import WATCHDOG_PERIOD
 
 SLOW_PERIOD: Final = 8  # supply and temperature change slowly; every eighth status asks
 _TICK_LIMIT: Final = 1 << 32
@@ -57,7 +58,7 @@ class StatusReader:
     @property
     def watchdog_is_due(self) -> bool:
         """Tell whether it is time to read the serial time-out back again."""
-        return self._polls % SLOW_PERIOD == 0
+        return self._polls % WATCHDOG_PERIOD == 0
 
     def has_restarted(self, readings: Readings) -> bool:
         """Tell whether the drive's clock went back since the last call, other than by wrapping."""

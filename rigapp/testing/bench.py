@@ -18,6 +18,7 @@ from drivers.api import (
     Block,
     DataRequest,
     DataSource,
+    DeviceError,
     DriveRequest,
     Quality,
     SlowRequest,
@@ -349,6 +350,17 @@ class SpindleBench:
             return abs(self.motor.speed_count_per_s - wanted) < 1.0
 
         wait_until(turns, f"the motor to turn at {speed} rev/s")
+
+    def in_background(self, call: Callable[[], None]) -> threading.Thread:
+        """Begin a call that takes long; what the driver refuses of it is no matter."""
+
+        def run() -> None:
+            with contextlib.suppress(DeviceError):
+                call()
+
+        thread = threading.Thread(target=run, name="call", daemon=True)
+        thread.start()
+        return thread
 
     def is_safe(self) -> bool:
         """Tell whether nothing drives the motor and it stands."""

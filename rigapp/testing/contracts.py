@@ -60,6 +60,13 @@ class Contract:
     sample_rate_Hz: float
     faults: tuple[ExpectedFault, ...]
 
+    def fault(self, kind: str) -> ExpectedFault:
+        """Return the row of a fault that every driver of this kind must bear; raise LookupError."""
+        for row in self.faults:
+            if row.kind == kind:
+                return row
+        raise LookupError(f"the contract of {self.info.name} has no row of kind {kind!r}")
+
 
 def read_contracts(others: Iterable[Path] = ()) -> list[Contract]:
     """Return a contract for every driver that a table names.

@@ -25,6 +25,8 @@ pytestmark = pytest.mark.rigapp_contract
 Make = Callable[..., SpindleBench]
 SAFE_S = WATCHDOG_S + 1.5
 PATIENT_S = 5.0
+PROMPT_S = 0.2
+"""A power-off is on the wire by then, in the drive's time: it waits for no time-out."""
 BORNE = ("nothing", "warning", "log")
 """What is told when the spindle goes on turning."""
 
@@ -131,6 +133,54 @@ def test_a_silent_host_stops_the_motor(spindle: Contract, bench: Make) -> None:
     assert any("watchdog" in words for words in b.driver.status().faults)
     b.driver.reset_fault()
     assert b.is_safe(), "a reset must not start the motor"
+    b.turn()
+
+
+@pytest.mark.parametrize("kind", ["restart_unseen", "watchdog_lost"])
+@pytest.mark.parametrize("call", ["set_speed", "reset_fault"])
+def test_a_drive_that_does_not_supervise_the_host_is_not_enabled(
+    spindle: Contract, bench: Make, kind: str, call: str
+) -> None:
+    b = bench(spindle)
+    b.connect(PATIENT_S)
+    b.turn()
+    b.driver.drive_off()
+    b.port.start_fault(spindle.fault(kind))
+    with pytest.raises(DeviceError):
+        b.driver.reset_fault() if call == "reset_fault" else b.driver.set_speed(1.0, 10.0)
+    assert b.is_safe()
+    b.driver.close()
+    b.driver = b.make()
+    b.connect()
+    b.turn()
+    b.stops_within(SAFE_S, b.port.time_s, "the drive's own watchdog")
+
+
+@pytest.mark.parametrize("call", ["set_speed", "reset_fault"])
+def test_a_power_off_waits_for_no_other_call(spindle: Contract, bench: Make, call: str) -> None:
+    fault = spindle.fault("slow_command")
+    b = bench(spindle, **fault.settings)
+    b.connect(PATIENT_S)
+    b.turn()
+    calls = {
+        "set_speed": lambda: b.driver.set_speed(1.0, 1000.0),
+        "reset_fault": b.driver.reset_fault,
+    }
+    b.port.start_fault(fault)
+    before = len(b.port.received)
+    slow = b.in_background(calls[call])
+    wait_until(lambda: len(b.port.received) > before, "the slow call to begin")
+    sent, moment = len(b.port.received), b.port.time_s
+    off = b.in_background(b.driver.drive_off)
+    wait_until(lambda: len(b.port.received) > sent, "the power-off on the wire")
+    assert b.port.time_s - moment < PROMPT_S, "a power-off waits for no other call"
+    b.stops_within(PROMPT_S, moment, "the power to be off")
+    for thread in (slow, off):
+        thread.join(60.0)
+        assert not thread.is_alive()
+    assert b.is_safe(), "what was under way must not turn the motor again"
+    b.port.stop_fault(fault)
+    b.driver.drive_off()
     b.turn()
 
 

@@ -39,6 +39,8 @@ from drivers.simulated import FaultPlan
 from drivers.simulator_api import DriveCommand, MotorState
 
 BOOT_S: Final = 0.1
+_SLOW_COMMAND_S: Final = 2.0  # longer than any driver's time-outs for one transfer
+_DOWNLOAD: Final = 1  # command specifier of an SDO that writes
 HEARTBEAT_LOST: Final = 0x8130
 BUS_OFF: Final = 0x81FD
 PDO_LENGTH: Final = 0x8210
@@ -54,9 +56,12 @@ class Cia402Fault(enum.StrEnum):
     BUS_OFF = "bus_off"  # off the bus until end_s, then emergency 81FD
     SDO_ABORT = "sdo_abort"  # abort code
     NO_SDO_REPLY = "no_sdo_reply"
+    SLOW_COMMAND = "slow_command"  # s until a download is confirmed; it is obeyed at once
     LATE_TPDO = "late_tpdo"  # s of delay
     NO_TPDO = "no_tpdo"
     BOOT_UP = "boot_up"  # s until the node says its boot-up message
+    RESTART_UNSEEN = "restart_unseen"  # no boot-up message; 1017 is kept, 1016 is not
+    WATCHDOG_LOST = "watchdog_lost"  # 1016:1 is 0
     TORQUE_OFF = "torque_off"  # the safe-torque-off inputs are open
     GARBLED_LINE = "garbled_line"  # the adapter sends a line that is none
 
@@ -132,6 +137,13 @@ class Cia402Node:
         identifier = HEARTBEAT_BASE + self._options.node_id
         self._queue.append((time_s + silence_s, Frame(identifier, bytes((NodeState.BOOT_UP,)))))
 
+    def _restart_unseen(self) -> None:
+        """Begin anew as ``power_on``, but for the heartbeat, and without a word."""
+        period = self.objects.number(0x1017)
+        self._build()
+        self._queue.clear()
+        self.objects.set(0x1017, period)
+
     def _network_command(self, data: bytes, time_s: float) -> None:
         if len(data) < 2 or data[1] not in (0, self._options.node_id):
             return
@@ -174,6 +186,9 @@ class Cia402Node:
         reply = self.sdo.answer(request, None if abort is None else int(abort))
         if reply is None or self._plan.strike(Cia402Fault.NO_SDO_REPLY, index) is not None:
             return
+        if request[0] >> 5 == _DOWNLOAD:
+            slow = Cia402Fault.SLOW_COMMAND
+            time_s += self._plan.strike(slow, index, _SLOW_COMMAND_S) or 0.0
         self._queue.append((time_s, Frame(SDO_REPLY_BASE + self._options.node_id, reply)))
 
     def _take_pdo(self, frame: Frame, time_s: float) -> None:
@@ -207,6 +222,10 @@ class Cia402Node:
         silence_s = self._plan.take(Cia402Fault.BOOT_UP, BOOT_S)
         if silence_s is not None:
             self.power_on(time_s, silence_s)
+        if self._plan.take(Cia402Fault.RESTART_UNSEEN) is not None:
+            self._restart_unseen()
+        if self._plan.take(Cia402Fault.WATCHDOG_LOST) is not None:
+            self.objects.set(0x1016, 0, 1)
         while (code := self._plan.take(Cia402Fault.EMERGENCY, 0x1000)) is not None:
             self.emergency(int(code), time_s)
         self.axis.set_torque_off(self._plan.on(Cia402Fault.TORQUE_OFF))

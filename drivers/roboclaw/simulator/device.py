@@ -26,6 +26,7 @@ from drivers.simulator_api import DriveCommand, MotorState
 
 _BOOT_S: Final = 0.2
 _SLOW_S: Final = 0.15
+_SLOW_COMMAND_S: Final = 2.0  # longer than any driver's time-outs for one packet
 _WRONG_ACKNOWLEDGE: Final = 0x7F
 
 
@@ -136,6 +137,10 @@ class RoboClawSimulator:
             self._last_byte_s = time_s
             self._silent_until_s = time_s + silence_s
             self.watchdog_tripped = False
+        if self._plan.take(RoboClawFault.RESTART_UNSEEN) is not None:
+            self._registers.power_on(clock_runs_on=True)
+        if self._plan.take(RoboClawFault.WATCHDOG_LOST) is not None:
+            self._registers.memory.timeout = 0
         timeout_s = self.serial_timeout_s
         if timeout_s and time_s - self._last_byte_s > timeout_s and self._registers.halt():
             self.watchdog_tripped = True
@@ -174,6 +179,8 @@ class RoboClawSimulator:
             self._registers.judge()
             wrong = self._plan.strike(RoboClawFault.WRONG_ACKNOWLEDGE, command, _WRONG_ACKNOWLEDGE)
             reply = ACKNOWLEDGE if wrong is None else bytes((int(wrong),))
+            slow = RoboClawFault.SLOW_COMMAND
+            reply = self._plan.in_time(reply, slow, command, _SLOW_COMMAND_S)
         return self._send(reply, command)
 
     def _reply(self, packet: bytes) -> bytes:

@@ -41,7 +41,10 @@ class RoboClawFault(enum.StrEnum):
     LOST_COMMAND = "lost_command"  # the packet is neither obeyed nor answered
     SLOW_REPLY = "slow_reply"  # s of delay
     DUPLICATED_REPLY = "duplicated_reply"
+    SLOW_COMMAND = "slow_command"  # s until a command is acknowledged; it is obeyed at once
     RESET = "reset"  # s until the drive answers again
+    RESTART_UNSEEN = "restart_unseen"  # at once, and its clock (command 73) runs on
+    WATCHDOG_LOST = "watchdog_lost"  # the serial time-out is off
 
 
 LOGIC_VOLTAGE = 121  # 0.1 V, of a board on 48 V
@@ -99,6 +102,7 @@ class Registers:
         self._saved = saved
         self._plan = plan
         self._state = MotorState(0, 0.0, 0.0)
+        self._powered_s = 0.0
         self._readers = self._board_readers() | self._motor_readers(0) | self._motor_readers(1)
         self._writers = self._board_writers() | self._motor_writers(0) | self._motor_writers(1)
         for command in unknown:
@@ -106,14 +110,15 @@ class Registers:
             self._writers.pop(command, None)
         self.power_on()
 
-    def power_on(self) -> None:
+    def power_on(self, *, clock_runs_on: bool = False) -> None:
         """Begin anew with the saved settings, the motors off and the counters at 0."""
         self.memory = copy.deepcopy(self._saved)
         self.axes = tuple(Axis(settings=settings) for settings in self.memory.axes)
         self.axes[self.motor - 1].observe(self._state)
         for axis in self.axes:
             axis.set_count(0)
-        self._powered_s = self._plan.time_s
+        if not clock_runs_on:
+            self._powered_s = self._plan.time_s
         self._stop_latched = False
 
     def observe(self, state: MotorState) -> None:

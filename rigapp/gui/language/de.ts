@@ -2416,10 +2416,6 @@
         <translation>ihre Winkel, Zeiten oder Kräfte sind nicht alle Zahlen</translation>
     </message>
     <message>
-        <source>its clock began again</source>
-        <translation>seine Uhr begann von vorn</translation>
-    </message>
-    <message>
         <source>its forces are not all numbers</source>
         <translation>ihre Kräfte sind nicht alle Zahlen</translation>
     </message>
@@ -9258,6 +9254,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Software</translation>
     </message>
     <message>
+        <source>speed unit, limits or heartbeat</source>
+        <translation>Drehzahleinheit, Grenzen oder Heartbeat</translation>
+    </message>
+    <message>
         <source>square</source>
         <translation>Quadrat</translation>
     </message>
@@ -9352,6 +9352,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the critical alarm that came first since the last reset: look there first</source>
         <translation>der kritische Alarm, der seit dem letzten Zurücksetzen zuerst kam: dort zuerst nachsehen</translation>
+    </message>
+    <message>
+        <source>the drive has restarted and its motor is off; check its supply</source>
+        <translation>der Antrieb ist neu gestartet, und sein Motor ist aus; die Versorgung prüfen</translation>
     </message>
     <message>
         <source>the drive itself warns, as a rule of its supply, temperature or load; what is damaged on its line is counted beside the device and is no warning</source>
@@ -10235,6 +10239,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>signal_{} has the wrong sign: that bridge is reversed; exchange its two signal wires{}</source>
         <translation>signal_{} hat das falsche Vorzeichen: Diese Brücke ist verpolt; ihre beiden Signaladern tauschen{}</translation>
+    </message>
+    <message>
+        <source>the drive has lost its settings ({}), as after a restart; check its supply, then connect again</source>
+        <translation>der Antrieb hat seine Einstellungen verloren ({}), wie nach einem Neustart; die Versorgung prüfen, dann neu verbinden</translation>
     </message>
     <message>
         <source>the load cell shows {} mV/V at rest {}</source>
@@ -11393,10 +11401,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>sein Schema ist {}, dieses Programm liest {}; rigapp erneuern</translation>
     </message>
     <message>
-        <source>its serial time-out is {:.1f} s instead of {:.1f} s</source>
-        <translation>seine serielle Überwachungszeit ist {} s statt {} s</translation>
-    </message>
-    <message>
         <source>kind = {}: choose one of {}</source>
         <translation>kind = {}: eines von {} wählen</translation>
     </message>
@@ -12025,10 +12029,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Antrieb hat „Betrieb freigegeben“ verlassen: {}</translation>
     </message>
     <message>
-        <source>the drive has restarted ({}) and its motor is off; check its supply</source>
-        <translation>der Antrieb ist neu gestartet ({}), und sein Motor ist aus; die Versorgung prüfen</translation>
-    </message>
-    <message>
         <source>the drive has {} counts per revolution (four times object 3010:1), the rig file {}: one of them is wrong, and so would be the speed</source>
         <translation>der Antrieb hat {} Schritte je Umdrehung (viermal Objekt 3010:1), die Prüfstandsdatei {}: Eines von beiden ist falsch, und damit wäre es auch die Drehzahl</translation>
     </message>
@@ -12423,6 +12423,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>was taken on {}, this is {}</source>
         <translation>wurde an {} aufgenommen, dies ist {}</translation>
+    </message>
+    <message>
+        <source>watchdog {:g} s instead of {:g} s</source>
+        <translation>Überwachungszeit {} s statt {} s</translation>
     </message>
     <message>
         <source>watchdog: the host was silent for {:.2f} s and the drive has stopped the motor</source>

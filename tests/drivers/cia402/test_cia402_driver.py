@@ -21,7 +21,7 @@ from drivers.api import (
     WrongDevice,
 )
 from drivers.cia402.driver import DRIVER, Cia402Drive
-from drivers.cia402.protocol import State, state_of
+from drivers.cia402.protocol import RPM, State, state_of
 from drivers.cia402.settings import SETTINGS, bus_options
 from drivers.cia402.simulator import Cia402Simulator
 from drivers.cia402.slcan import Frame, encode_frame
@@ -467,6 +467,18 @@ def test_a_restart_in_the_middle_of_a_test_is_noticed(
         drive.set_speed(1.0, 1.0)
 
 
+@pytest.mark.parametrize("lost", [0x60A9, 0x607F, 0x6061])
+def test_a_setting_that_was_lost_since_is_found_before_the_motor_is_enabled(
+    drive_rig: Any, connect: Any, lost: int
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, velocity_unit="milli-rpm")
+    rig.simulator.node.objects.set(lost, 1 if lost != 0x60A9 else RPM)
+    with pytest.raises(DeviceLost, match="speed unit, limits or heartbeat"):
+        drive.set_speed(1.0, 1000.0)
+    assert rig.last.mode is DriveMode.OFF
+
+
 def test_a_node_that_leaves_operational_is_told(
     drive_rig: Any, connect: Any, wait_until: Any
 ) -> None:
@@ -597,15 +609,19 @@ def test_an_emergency_that_came_and_went_is_told_once(
 # --- stopping -------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("control_pdo", [True, False])
 def test_drive_off_does_not_wait_for_another_call(
-    drive_rig: Any, connect: Any, wait_until: Any
+    drive_rig: Any, connect: Any, wait_until: Any, control_pdo: bool
 ) -> None:
     rig = drive_rig()
-    drive = connect(rig, watchdog_s=20.0, sdo_timeout_ms=1000.0)
+    if not control_pdo:
+        rig.simulator.inject("sdo_abort", target=0x1600)
+    drive = connect(rig, watchdog_s=20.0, sdo_timeout_ms=2000.0)
+    assert drive._setup.control_pdo is control_pdo
     drive.set_speed(1.0, 1000.0)
     wait_until(lambda: rig.speed_rpm == 60, "the speed")
     drive.status()
-    rig.simulator.inject("no_sdo_reply", count=1)
+    rig.simulator.inject("no_sdo_reply", count=2)
     outcome: list[ReplyTimeout] = []
 
     def poll() -> None:
@@ -621,7 +637,7 @@ def test_drive_off_does_not_wait_for_another_call(
     stopper = threading.Thread(target=drive.drive_off, name="stopper")
     stopper.start()
     wait_until(lambda: rig.last.mode is DriveMode.OFF, "the power to be off")
-    assert poller.is_alive(), "the PDO took the power off while the other call still waited"
+    assert poller.is_alive(), "the power is off while the other call still waits"
     poller.join(10.0)
     stopper.join(10.0)
     assert outcome

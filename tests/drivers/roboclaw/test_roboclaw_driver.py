@@ -12,6 +12,7 @@ import pytest
 
 from drivers.api import (
     ConnectionFailed,
+    DeviceError,
     DeviceFault,
     DeviceLost,
     ProtocolError,
@@ -540,7 +541,7 @@ def test_a_restart_of_the_drive_is_noticed(
         for _ in range(20):
             drive.status()
 
-    with pytest.raises(DeviceLost, match="has restarted"):
+    with pytest.raises(DeviceLost, match="restart"):
         poll_until_lost()
     with pytest.raises(SettingRefused, match="configure"):
         drive.set_speed(1.0, 1.0)
@@ -672,25 +673,28 @@ def test_drive_off_ends_the_retries_of_another_call(
     drive_rig: Any, connect: Any, wait_until: Any
 ) -> None:
     rig = drive_rig()
-    drive = connect(rig, watchdog_s=20.0, reply_timeout_ms=500.0)
+    drive = connect(rig, watchdog_s=20.0, reply_timeout_ms=1000.0)
     drive.set_speed(1.0, 1000.0)
     wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
     rig.simulator.inject("no_reply", target=int(Command.COMBINED_STATUS))
-    outcome: list[ReplyTimeout] = []
+    outcome: list[DeviceError] = []
 
     def poll() -> None:
         try:
             drive.status()
-        except ReplyTimeout as error:
+        except DeviceError as error:
             outcome.append(error)
 
     asked = len(rig.wire.received)
     poller = threading.Thread(target=poll, name="poller")
     poller.start()
     wait_until(lambda: len(rig.wire.received) > asked, "the poll to begin")
-    drive.drive_off()
+    stopper = threading.Thread(target=drive.drive_off, name="stopper")
+    stopper.start()
     wait_until(lambda: rig.last.mode is DriveMode.OFF, "the power to be off")
+    assert poller.is_alive(), "the power is off while the other call still waits"
     poller.join(10.0)
+    stopper.join(10.0)
     assert outcome
     assert "1 tries" in str(outcome[0])
 
