@@ -149,6 +149,7 @@ class WatchedRig:
             log_problem=shown.log_problem,
             silence_s=connection.silence_s(),
             data_age_s=connection.data_age_s(),
+            trip=shown.trip,
         )
 
     def close(self) -> None:

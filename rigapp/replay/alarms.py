@@ -101,6 +101,7 @@ def _raised(change: AlarmChange, event: Event, first_out: bool) -> Alarm:
         first_out=first_out,
         state=event.after or "unacknowledged",
         ends=change.ends,
+        value=change.value,
     )
 
 

@@ -84,6 +84,7 @@ class ReplayClient:
         self._reason = ""
         self._stop = threading.Event()
         self._takes = 0
+        self._advance(0.0)
         self._prepare()
         self._thread = threading.Thread(target=self._play, name="gui-replay", daemon=True)
         self._thread.start()

@@ -17,17 +17,22 @@ from rigapp.schema.columns import (
     profile_columns,
 )
 from rigapp.schema.messages import Cycle, Prediction, WornProfile
-from rigapp.storage import TestReader
+from rigapp.storage import StoredCycle, TestReader
 
 PREDICTION_BACK = 5
 """Saved cycles to go back for a predicted curve when the newest has none."""
 
 
+def cycle_message(stored: StoredCycle) -> Cycle:
+    """Return the measured curves of a saved cycle."""
+    curves = {one.name: _bytes(stored.columns[one.name]) for one in stored.table.curves}
+    return Cycle(stored.revolution, _bytes(stored.columns["angle"]), curves)
+
+
 def cycle_messages(test: TestReader, index: int) -> tuple[Cycle, Prediction | None]:
     """Return saved cycle ``index`` and the predicted curves of the same revolution, if saved."""
     stored = test.cycle(index)
-    curves = {one.name: _bytes(stored.columns[one.name]) for one in test.plan.table.curves}
-    cycle = Cycle(stored.revolution, _bytes(stored.columns["angle"]), curves)
+    cycle = cycle_message(stored)
     predicted = test.predicted_curve(stored.revolution)
     if predicted is None:
         return cycle, None

@@ -20,7 +20,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.process.priority import give_way
 from rigapp.schema.messages import NOT_STEADY
 from rigapp.schema.results import TestResult
-from rigapp.storage import TestReader, open_test
+from rigapp.storage import TestReader, largest_force, open_test
 
 LINE_POINTS = 48
 """Of the small line in a list: two pixels each are as much as is seen."""
@@ -38,10 +38,9 @@ def result_of(path: Path, *, uncertainty: bool = False) -> TestResult:
         about = path.stat()
         known = TestResult(str(path), about.st_mtime, about.st_size)
         with open_test(path) as test:
-            found = _described(known, test)
+            found = _measured(_described(known, test), test)
             if not found.revolutions:
                 return found
-            found = _measured(found, test)
             found = _compared(found, test)
             return _with_uncertainty(found, test) if uncertainty else found
     except (UnusableInput, OSError) as error:
@@ -65,17 +64,17 @@ def _described(known: TestResult, test: TestReader) -> TestResult:
 
 
 def _measured(found: TestResult, test: TestReader) -> TestResult:
-    force = test.column("force_max")
     flagged = int(np.count_nonzero(test.column("quality") & ~NOT_STEADY))
-    if not np.isfinite(force).any():
+    largest = largest_force(test)
+    if largest is None:
         return msgspec.structs.replace(found, flagged=flagged)
-    at = int(np.nanargmax(force))
     return msgspec.structs.replace(
         found,
         flagged=flagged,
-        force_max_N=float(force[at]),
-        force_max_revolution=int(test.column("revolution", at, at + 1)[0]),
-        force_max_angle_deg=float(test.column("force_angle_of_max", at, at + 1)[0]),
+        force_max_N=largest.value_N,
+        force_max_revolution=largest.revolution,
+        force_max_angle_deg=largest.angle_deg,
+        force_lower_bound=largest.lower_bound,
     )
 
 

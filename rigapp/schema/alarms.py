@@ -27,6 +27,8 @@ class Kind(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     stop: FinishReason | None = None
     off: bool = False
     keeps_cycles: bool = True
+    value: str = ""
+    whole_revolution: bool = False
 
     @property
     def latched(self) -> bool:
@@ -36,12 +38,16 @@ class Kind(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 @dataclass(frozen=True, slots=True)
 class Cause:
-    """One alarm as it is raised: its kind, key, title and the sentence that names the culprit."""
+    """One alarm as it is raised: its kind, key, title and the sentence that names the culprit.
+
+    value: what was measured, of kinds that name one.
+    """
 
     kind: Kind
     key: str
     title: str
     sentence: str
+    value: float | None = None
 
 
 KINDS: Mapping[str, Kind] = msgspec.toml.decode(
@@ -62,8 +68,10 @@ RULE_ACTIONS: Mapping[str, tuple[str, FinishReason | None]] = {
 def because(kind: str, what: str = "", /, **values: object) -> Cause:
     """Return an alarm of a kind; what: which of its alarms, values: what its words name."""
     shared = KINDS[kind]
-    title = shared.title.format(what, **values)
-    return Cause(shared, key_of(kind, what), title, shared.sentence.format(what, **values))
+    title, sentence = (one.format(what, **values) for one in (shared.title, shared.sentence))
+    value = values.get(shared.value)
+    measured = float(value) if isinstance(value, float | int) else None
+    return Cause(shared, key_of(kind, what), title, sentence, measured)
 
 
 def kind_of(key: str) -> Kind | None:
@@ -93,5 +101,6 @@ def exceeded(
         ends=Ends.TEST,
         stop=stop,
         off=action == "drive_off",
+        whole_revolution=True,
     )
     return Cause(kind, f"rule:{quantity}:{severity.value}:{side}", kind.title, kind.sentence)

@@ -26,7 +26,7 @@ class AlarmChange(msgspec.Struct, frozen=True, omit_defaults=True):
     """Say what happened to an alarm and how it is after it.
 
     listed: whether it is on the list of alarms still. first_out: it became the first-out one.
-    cause, consequence, action and ends go with a raised alarm, reason and seconds with a
+    cause, consequence, action, ends and value go with a raised alarm, reason and seconds with a
     shelved one.
     """
 
@@ -40,6 +40,7 @@ class AlarmChange(msgspec.Struct, frozen=True, omit_defaults=True):
     consequence: str = ""
     action: str = ""
     ends: Ends = Ends.SEEN
+    value: float | None = None
     reason: str = ""
     seconds: float = 0.0
 

@@ -93,7 +93,10 @@ class Ends(enum.StrEnum):
 
 
 class Alarm(msgspec.Struct, frozen=True):
-    """Say what is wrong, what it leads to and what to do."""
+    """Say what is wrong, what it leads to and what to do.
+
+    value: what was measured, of kinds that name one (|F| of an overload, N).
+    """
 
     key: str
     severity: Severity
@@ -108,6 +111,7 @@ class Alarm(msgspec.Struct, frozen=True):
     first_out: bool = False
     state: str = "unacknowledged"
     ends: Ends = Ends.SEEN
+    value: float | None = None
 
 
 class LookedAfter(msgspec.Struct, frozen=True):

@@ -31,7 +31,8 @@ class TestResult(msgspec.Struct, frozen=True):
     status: as in ``rigapp info``, or ``not readable``, with why in ``reason``. modified: of the
     file, seconds since 1970. flagged: revolutions with a fault in the data. Uncertainties
     are expanded (k = 2), that of the force only where it was asked for; the coefficient's limits
-    hold 95 %. depths_um: the wear depth in equal parts of the test, its line in a list.
+    hold 95 %. force_lower_bound: the force went beyond the measuring range. depths_um: the wear
+    depth in equal parts of the test, its line in a list.
     """
 
     __test__ = False
@@ -62,6 +63,7 @@ class TestResult(msgspec.Struct, frozen=True):
     force_uncertainty_N: float = math.nan
     force_max_revolution: int = 0
     force_max_angle_deg: float = math.nan
+    force_lower_bound: bool = False
     residual_rms_N: float = math.nan
     residual_worst_N: float = math.nan
     depths_um: tuple[float, ...] = ()

@@ -20,6 +20,7 @@ from rigapp.storage.reading.reader import (
     open_test,
 )
 from rigapp.storage.reading.resample import on_grid
+from rigapp.storage.reading.trip import LargestForce, Trip, largest_force, trip_of
 from rigapp.storage.structure.layout import (
     CALIBRATION,
     PROFILE_ANGLE,
@@ -39,6 +40,7 @@ __all__ = [
     "SPACE_MARGIN",
     "Columns",
     "FilePlan",
+    "LargestForce",
     "NoRoom",
     "StorageFailed",
     "StoredCycle",
@@ -46,6 +48,7 @@ __all__ = [
     "TestMetadata",
     "TestReader",
     "TestWriter",
+    "Trip",
     "compact_in_background",
     "compact_test",
     "create_test",
@@ -54,6 +57,7 @@ __all__ = [
     "finish_whole_test",
     "hidden_name",
     "hold_writer_lock",
+    "largest_force",
     "move_into_place",
     "name_and_unit",
     "on_grid",
@@ -62,4 +66,5 @@ __all__ = [
     "reopen_test",
     "reserved_bytes",
     "streams_of",
+    "trip_of",
 ]

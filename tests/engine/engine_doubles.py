@@ -113,6 +113,7 @@ class FakeSource:
         self.lose_samples = 0
         self.quality = Quality.GOOD
         self.saturated: int | None = None
+        # Samples from now on until the crank jams and the first bridge saturates.
         self.jam_at: int | None = None
         self.opened = False
         self.open_fails = False
@@ -156,9 +157,11 @@ class FakeSource:
         lost, self.lose_samples = self.lose_samples, 0
         if lost:
             self.crank.turn(lost)
-        jam_at, self.jam_at = self.jam_at, None
-        if jam_at is None:
-            turns = self.crank.turn(BLOCK)
+        jam_at = self.jam_at
+        if jam_at is not None:
+            self.jam_at = jam_at - BLOCK if jam_at >= BLOCK else None
+        if jam_at is None or self.jam_at is not None:
+            turns, jam_at = self.crank.turn(BLOCK), None
         else:
             before = self.crank.turn(jam_at)
             self.crank.jammed = True

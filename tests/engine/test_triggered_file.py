@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import h5py
@@ -13,9 +14,22 @@ from rigapp.config.loading import Document, parse_test
 from rigapp.config.recipe import TestFile
 from rigapp.engine.recording.fileplan import file_plan
 from rigapp.engine.recording.store import open_file
+from rigapp.gui.data.recording import load_trip
+from rigapp.replay.client import ReplayClient
+from rigapp.report.results import result_of
+from rigapp.report.testreport.compose import report_of
 from rigapp.schema.messages import Flag
+from rigapp.schema.results import HowEnded
 from rigapp.schema.states import ENDED
-from rigapp.storage import TestReader, compact_test, open_test, reserved_bytes, streams_of
+from rigapp.storage import (
+    TestReader,
+    compact_test,
+    largest_force,
+    open_test,
+    reserved_bytes,
+    streams_of,
+    trip_of,
+)
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
@@ -103,6 +117,13 @@ def test_an_overload_leaves_its_history_and_the_revolution_it_cut_off(
         assert numbers == list(range(numbers[0], last + 1))
         assert set(found.values()) <= {"before", "trigger", "after"}
         assert len(found) >= 4
+        largest, trip = largest_force(reader), trip_of(reader)
+        assert largest is not None
+        assert trip is not None
+        assert trip.before is not None
+        assert (largest.value_N, largest.sign) == (pytest.approx(500.0, rel=1e-3), "")
+        assert trip.before.revolution == trip.revolution - 1
+        assert trip.before.columns["force"].max() < 100.0
     with h5py.File(path) as file:
         group = file["/entry/unfinished"]
         assert group["committed"][()] == 1
@@ -112,6 +133,115 @@ def test_an_overload_leaves_its_history_and_the_revolution_it_cut_off(
     with open_test(path) as reader:
         assert whys(reader) == found
         np.testing.assert_array_equal(reader.unfinished()[0].columns["force"], force)
+
+
+JAM_N = 735.0
+"""The first bridge at 1.05 times 3.5 mV/V by 200 N, where the second shows next to nothing."""
+
+
+def test_a_jam_beyond_the_range_is_told_alike_by_file_result_report_and_replay(
+    rig: MemoryRig, tmp_path: Path
+) -> None:
+    path = tmp_path / "test.h5"
+    rig.engine.connect()
+    rig.engine.start(document(2000), path)
+    eventually(lambda: rig.engine.status().revolution >= 8, 60.0)
+    rig.source.jam_at = 20
+    rig.engine.wait(ENDED, 60.0)
+    (alarm,) = rig.engine.status().alarms
+    rig.engine.shutdown()
+    with open_test(path) as reader:
+        largest, trip = largest_force(reader), trip_of(reader)
+    assert largest is not None
+    assert trip is not None
+    assert trip.cycle is not None
+    assert trip.peak == largest
+    assert trip.revolution == largest.revolution == alarm.revolution + 1
+    assert trip.before is not None
+    assert trip.before.revolution == alarm.revolution
+    assert (largest.value_N, largest.sign) == (pytest.approx(alarm.value), "≥ ")
+    assert largest.value_N == pytest.approx(JAM_N, abs=10.0)
+    assert trip.cycle.columns["force"].max() > 380.0
+    result = result_of(path)
+    assert result.force_max_N == largest.value_N
+    assert result.force_lower_bound
+    assert result.outcome is HowEnded.TRIPPED
+    written = str(report_of(path, vector=True))
+    assert f"≥ {largest.value_N:.1f}" in written
+    assert "The revolution in which the test tripped" in written
+    shown = load_trip(path)
+    assert shown is not None
+    assert shown.cycle is not None
+    assert shown.peak == largest
+
+
+def test_a_jam_in_the_first_revolution_is_all_that_there_is(
+    rig: MemoryRig, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, turn = tmp_path / "test.h5", rig.spindle.set_speed
+
+    def jams(speed: float, acceleration: float) -> None:
+        turn(speed, acceleration)
+        rig.source.jam_at = 300  # between the first index, after 230 samples, and the second
+
+    rig.engine.connect()
+    monkeypatch.setattr(rig.spindle, "set_speed", jams)
+    rig.engine.start(document(2000), path)
+    rig.engine.wait(ENDED, 60.0)
+    rig.engine.shutdown()
+    with open_test(path) as reader:
+        trip = trip_of(reader)
+        assert reader.committed() == 0
+    assert trip is not None
+    assert trip.cycle is not None
+    assert (trip.revolution, trip.before) == (1, None)
+    result = result_of(path)
+    assert (result.force_max_revolution, result.force_lower_bound) == (1, True)
+    assert result.force_max_N == pytest.approx(JAM_N, abs=10.0)
+    assert f"≥ {result.force_max_N:.1f}" in str(report_of(path, vector=True))
+    replay = ReplayClient(path)
+    try:
+        eventually(lambda: replay.poll() is not None)
+    finally:
+        replay.close()
+
+
+def test_what_a_broken_cable_shows_is_no_force(rig: MemoryRig, tmp_path: Path) -> None:
+    path = tmp_path / "test.h5"
+    rig.engine.connect()
+    rig.engine.start(document(2000), path)
+    eventually(lambda: rig.engine.status().revolution >= 8, 60.0)
+    rig.source.saturated = 0
+    rig.engine.wait(ENDED, 60.0)
+    rig.engine.shutdown()
+    with open_test(path) as reader:
+        trip = trip_of(reader)
+    assert trip is not None
+    assert trip.peak is None
+    assert result_of(path).force_max_N == pytest.approx(50.0, rel=1e-3)
+
+
+def test_a_trip_by_a_rule_is_of_the_whole_revolution_that_was_judged(
+    rig: MemoryRig, tmp_path: Path
+) -> None:
+    path = tmp_path / "test.h5"
+    rule = '[[limits.rule]]\nquantity = "force_max"\ncritical_above = 100.0\n[prediction]'
+    base = document(2000, "before_alarm = 2\nafter_alarm = 0")
+    text = base.text.replace("[prediction]", rule)
+    rig.engine.connect()
+    rig.engine.start(replace(base, text=text, record=parse_test(text, "quick.toml")), path)
+    eventually(lambda: rig.engine.status().revolution >= 8, 60.0)
+    rig.source.force_N = 200.0
+    rig.engine.wait(ENDED, 60.0)
+    rig.engine.shutdown()
+    with open_test(path) as reader:
+        trip = trip_of(reader)
+        force = reader.column("force_max")
+    assert trip is not None
+    assert trip.cycle is not None
+    assert trip.before is not None
+    assert trip.revolution == trip.cycle.revolution == np.flatnonzero(force > 100.0)[0] + 1
+    assert trip.before.revolution == trip.revolution - 1
 
 
 def test_a_resumed_test_keeps_what_was_cut_off(rig: MemoryRig, tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +21,8 @@ from rigapp.gui.data.judged import EVERYTHING, Drawn, Flagged, banded, drawn
 from rigapp.gui.data.moments import moments
 from rigapp.gui.data.news import News
 from rigapp.gui.data.ranges import round_places
-from rigapp.gui.data.series import LiveData
+from rigapp.gui.data.recording import TripCycles
+from rigapp.gui.data.series import LiveData, measured_cycle
 from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.plots.marks import (
     CurveName,
@@ -41,6 +43,7 @@ from rigapp.gui.plots.trendview import TrendView
 from rigapp.presentation.numbers import axis_number
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import Event, Flag, Severity
+from rigapp.storage import LargestForce
 
 QUICK = (Path(__file__).parents[2] / "examples" / "quick.toml").read_text(encoding="utf-8")
 RULES = (
@@ -229,21 +232,26 @@ def test_after_a_trip_its_revolution_stands_over_the_last_good_one(
 ) -> None:
     overlay = OverlayPanel("x", LIGHT)
     qtbot.addWidget(overlay)
-    data, well = LiveData(), make_status()
-    critical = msgspec.structs.replace(ALARM, severity=Severity.CRITICAL)
-    trip = make_status(alarms=(critical,))
-    for number in (7, 8):
-        data.take(make_snapshot(number, 1))
-        overlay.show_news(News(data=data, status=well))
-    # The trip is told of after its own revolution was drawn.
-    overlay.show_news(News(data=data, status=trip))
-    assert "last good 7" in [one.text for one in overlay.plot.marks.names]
-    data.take(make_snapshot(9, 1))
-    overlay.show_news(News(data=data, status=trip))
-    assert "last good 8" in [one.text for one in overlay.plot.marks.names]
-    data.take(make_snapshot(10, 1))
-    overlay.show_news(News(data=data, status=well))
-    assert not any("last good" in one.text for one in overlay.plot.marks.names)
+    data = LiveData()
+    data.take(make_snapshot(182, 1))  # the last one that somebody looked at
+    overlay.show_news(News(data=data, status=make_status()))
+    good, part = (
+        measured_cycle(msgspec.structs.replace(make_snapshot(1, 1).cycle, revolution=number))
+        for number in (963, 964)
+    )
+    peak = LargestForce(1039.44, 964, 20.0, lower_bound=True, whole=False)
+    trip = TripCycles(964, part, good, peak)
+    overlay.show_news(News(data=data, status=make_status(), trip=trip))
+    assert overlay.title.whole == "N, cycle 964, tripped, model 182"
+    assert "last good 963" in [one.text for one in overlay.plot.marks.names]
+    (spot,) = overlay.plot.marks.spots
+    assert (spot.y, spot.text.partition(" at ")[0]) == (1039.44, "≥ 1039.4 N")
+    older = replace(trip, revolution=965, before=measured_cycle(make_snapshot(960, 1).cycle))
+    overlay.show_news(News(data=data, status=make_status(), trip=older))
+    assert "last saved 960" in [one.text for one in overlay.plot.marks.names]
+    data.take(make_snapshot(1, 1))
+    overlay.show_news(News(data=data, status=make_status()))
+    assert not any(one.text.startswith("last") for one in overlay.plot.marks.names)
 
 
 def test_the_force_is_shown_with_its_limits_and_over_a_frozen_revolution(qtbot: Any) -> None:

@@ -184,6 +184,8 @@ def test_alarms_are_as_the_engine_listed_them(
             if form is not list and key.startswith("rule:"):
                 words = {one: getattr(found[key], one) for one in ("consequence", "action")}
                 alarm = msgspec.structs.replace(alarm, **words)
+            if form is not list:  # their words alone have the value
+                alarm = msgspec.structs.replace(alarm, value=None)
             assert found[key] == alarm, (revolution, key)
     assert recorded.alarms(3) == ()
 

@@ -57,6 +57,7 @@ class _Entry:
             first_out=self.first_out,
             state=self.state(now),
             ends=kind.ends,
+            value=cause.value,
         )
 
 
@@ -251,6 +252,7 @@ class AlarmBook:
             consequence=alarm.consequence if raised else "",
             action=alarm.action if raised else "",
             ends=alarm.ends if raised else Ends.SEEN,
+            value=alarm.value if raised else None,
             reason=reason,
             seconds=seconds,
         )

@@ -71,6 +71,7 @@ class Guard:
         self._changed_in = 0
         self._sound: dict[str, int] = {}
         self._blind: set[str] = set()
+        self._peak_N = 0.0
 
     # --- every block -----------------------------------------------------------------------------
 
@@ -83,6 +84,7 @@ class Guard:
         self._speeds.begin()
         self._missed = 0
         self._blind = set()
+        self._peak_N = 0.0
         if test is not None:
             test.begin(sample)
 
@@ -92,9 +94,11 @@ class Guard:
         self._calm = False
         if not math.isnan(force_N):
             if run.state in ACTIVE:  # the limit is the test's: without one, weights may hang
+                # A crank that coasts passes the limit again: the alarm keeps the largest.
+                self._peak_N = max(self._peak_N, force_N)
                 cause = because(
                     "overload:beyond_range" if beyond_range else "overload",
-                    force_N=force_N,
+                    force_N=self._peak_N,
                     limit_N=run.limits.overload_N,
                 )
                 run.act_on(cause)

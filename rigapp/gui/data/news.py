@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from rigapp.config.recipe import TestFile
+from rigapp.gui.data.recording import TripCycles
 from rigapp.gui.data.series import LiveData
 from rigapp.schema.messages import Event, RunState, Severity, Status
 
@@ -36,6 +37,7 @@ class News:
     status: None before the engine's first word. data: statistics, predictions and curves of the
     test that is shown; recipe, path, events: its test file, its file and its log; log_problem: what
     hinders reading it. silence_s: since the engine's last word. data_age_s: of the newest sample.
+    trip: the revolution in which the test tripped, from its file.
     """
 
     status: Status | None = None
@@ -47,6 +49,7 @@ class News:
     silence_s: float = 0.0
     is_replay: bool = False
     data_age_s: float | None = None
+    trip: TripCycles | None = None
 
     @property
     def crank_over_follower(self) -> float | None:

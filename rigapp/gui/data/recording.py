@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,6 +21,9 @@ from rigapp.gui.data.series import (
 from rigapp.presentation.translation import tr
 from rigapp.schema.messages import Cycle, Event, Prediction
 
+if TYPE_CHECKING:  # the window shall not load the library of files before it reads one
+    from rigapp.storage import LargestForce
+
 
 @dataclass(frozen=True, slots=True)
 class StoredRevolution:
@@ -27,6 +31,19 @@ class StoredRevolution:
 
     cycle: MeasuredCycle
     prediction: PredictedCycle | None
+
+
+@dataclass(frozen=True, slots=True)
+class TripCycles:
+    """Carry the revolution in which a test tripped, as far as it went.
+
+    before: the last whole cycle saved before it; peak: its largest force. None where not known.
+    """
+
+    revolution: int
+    cycle: MeasuredCycle | None
+    before: MeasuredCycle | None
+    peak: LargestForce | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +104,25 @@ def _unpacked(messages: tuple[Cycle, Prediction | None]) -> StoredRevolution:
     return StoredRevolution(
         measured_cycle(cycle), predicted_cycle(prediction) if prediction is not None else None
     )
+
+
+def load_trip(path: Path) -> TripCycles | None:
+    """Return the revolution in which a test tripped, None for a test that did not.
+
+    Raises UnusableInput when the file is not a readable test.
+    """
+    from rigapp.replay.messages import cycle_message
+    from rigapp.storage import open_test, trip_of
+
+    with open_test(path) as test:
+        found = trip_of(test)
+        if found is None:
+            return None
+        cycle, before = (
+            measured_cycle(cycle_message(one)) if one is not None else None
+            for one in (found.cycle, found.before)
+        )
+        return TripCycles(found.revolution, cycle, before, found.peak)
 
 
 def load_events(path: Path) -> list[Event]:

@@ -12,14 +12,17 @@ from rigapp.config.recipe import TestFile
 from rigapp.gui.data.recording import (
     StoredRevolution,
     StoredTest,
+    TripCycles,
     load_events,
     load_history,
     load_revolution,
+    load_trip,
 )
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.presentation.translation import tr
 from rigapp.schema.messages import Event, Snapshot, Status
+from rigapp.schema.states import ACTIVE
 
 log = logging.getLogger(__name__)
 
@@ -61,11 +64,14 @@ class ShownTest:
         self.events: list[Event] = []
         self.log_problem = ""
         self._log_at: float | None = 0.0
+        self.trip: TripCycles | None = None
+        self._trip_wanted, self._trip_is_read = True, False
 
     @property
     def settled(self) -> bool:
         """Tell whether nothing of the present test is still to be read."""
-        return self._file is not None and self._held is None and self._again_at is None
+        read = self._held is None and self._again_at is None and not self._trip_is_read
+        return self._file is not None and read
 
     @property
     def path(self) -> Path | None:
@@ -84,7 +90,31 @@ class ShownTest:
             self._held.append(snapshot)
         elif self._wants_history():
             self._read(status, snapshot)
+        self._look_for_trip(status)
         return changed
+
+    def _look_for_trip(self, status: Status) -> None:
+        """Read in which revolution a test tripped, once its file is finished."""
+        path = self.path
+        if status.state in ACTIVE:
+            self.trip, self._trip_wanted = None, True
+        elif self._trip_wanted and path is not None:
+            accepted = self._worker.submit(
+                lambda: load_trip(path),
+                lambda trip: self._got_trip(path, status.revolution, trip),
+                lambda error: self._got_trip(path, 0, None, f"{error}"),
+            )
+            self._trip_wanted, self._trip_is_read = not accepted, accepted
+
+    def _got_trip(
+        self, path: Path, reached: int, trip: TripCycles | None, problem: str = ""
+    ) -> None:
+        self._trip_is_read = False
+        if problem:
+            log.warning("The revolution of the trip in %s cannot be read: %s", path, problem)
+        # A replay that is stopped earlier has not come to it.
+        if path == self.path and trip is not None and trip.revolution <= reached + 1:
+            self.trip = None if self._trip_wanted else trip
 
     def deliver(self) -> None:
         """Take what has been read."""
@@ -143,6 +173,7 @@ class ShownTest:
         self.data = LiveData(status.planned)
         self.recipe = None
         self.events, self.log_problem = [], ""
+        self.trip, self._trip_wanted = None, True
         self.problem = ""
 
     def _wants_history(self) -> bool:

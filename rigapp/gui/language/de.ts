@@ -4474,6 +4474,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>, in Schritt {}</translation>
     </message>
     <message>
+        <source>, tripped</source>
+        <translation>, Auslösung</translation>
+    </message>
+    <message>
         <source>- at `$</source>
         <translation>- at `$</translation>
     </message>
@@ -8808,6 +8812,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>largest |F| of the joint</source>
         <translation>größtes |F| des Gelenks</translation>
+    </message>
+    <message>
+        <source>last saved</source>
+        <translation>zuletzt gespeichert</translation>
     </message>
     <message>
         <source>latched</source>

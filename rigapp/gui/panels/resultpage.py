@@ -7,7 +7,7 @@ from typing import Final
 
 from PySide6.QtCore import QSize
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QStackedWidget, QWidget
 
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.look.icons import Icon, icon
@@ -16,6 +16,7 @@ from rigapp.gui.panel import Act, Host
 from rigapp.gui.panels.documents import HTML, DocumentPanel
 from rigapp.gui.panels.resultcard import ResultCard
 from rigapp.gui.panels.results import ResultsPanel, ShelfPump
+from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.widgets.build import button, column, named
 from rigapp.gui.widgets.labels import heading
@@ -77,10 +78,16 @@ class EndPage(QWidget):
         }
         self._pump = ShelfPump(host.results, lambda: None, self)
         wear = host.add("result_wear", TrendPanel("result_wear", theme, "wear", leads=False))
-        # It takes the room that is left, and does not ask for more.
-        wear.plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
-        wear.plot.setMinimumHeight(15 * STEP)
-        self._lay_out(wear)
+        self.trip = host.add("result_trip", OverlayPanel("result", theme))
+        self.trip.residual_plot.hide()
+        # They take the room that is left, and do not ask for more.
+        for one in (wear.plot, self.trip.plot):
+            one.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+            one.setMinimumHeight(15 * STEP)
+        self.plots = QStackedWidget()
+        for plot in (wear, self.trip):
+            self.plots.addWidget(plot)
+        self._lay_out(self.plots)
         self.dress(theme)
 
     def _lay_out(self, plot: QWidget) -> None:
@@ -128,6 +135,8 @@ class EndPage(QWidget):
     def show_news(self, news: News) -> None:
         """Read the file of a test when it has ended, and whenever its state has changed since."""
         self._status = news.status
+        tripped = news.trip is not None and news.trip.cycle is not None
+        self.plots.setCurrentIndex(self.plots.indexOf(self.trip) if tripped else 0)
         if not has_result(news):
             self._asked = ""
             return

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections import deque
-from typing import Final
+from typing import TYPE_CHECKING, Final
 from weakref import ref
 
 import numpy as np
@@ -23,10 +22,10 @@ from rigapp.gui.data.comparison import (
     values_at,
 )
 from rigapp.gui.data.frames import FRAME_NAMES, SHORT_NAMES, ForceFrame
-from rigapp.gui.data.news import News, Takes, tripped
+from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.data.recording import StoredRevolution
+from rigapp.gui.data.recording import StoredRevolution, TripCycles
 from rigapp.gui.data.series import Doubt, LiveData
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
@@ -45,6 +44,9 @@ from rigapp.gui.widgets.reflow import flowing
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.translation import Text, marked, tr
 
+if TYPE_CHECKING:
+    from rigapp.storage import LargestForce
+
 RESIDUAL_BIN_DEG = 2.0
 """Short enough for the model's sharpest turn, long enough that noise averages out."""
 
@@ -58,8 +60,9 @@ NO_PREDICTION: Final[Text] = "No prediction yet: measured − model is drawn her
 UNFOLLOWED: Final[Text] = "the speed changes faster than the prediction can follow"
 WHOLE_TURN = np.array([0.0, 360.0])
 FROZEN, STORED, GOOD = marked("frozen"), marked("stored"), marked("last good")
+SAVED = marked("last saved")
 """What a revolution behind the newest one is: of a moment ago, from the file, before a trip."""
-BEHIND = (FROZEN, STORED, GOOD)
+BEHIND = (FROZEN, STORED, GOOD, SAVED)
 
 
 class AnglePlot(CursorPlot):
@@ -94,7 +97,8 @@ class OverlayPanel(PlotPanel):
         self._cursor: float | None = None
         self._others: dict[str, StoredRevolution] = {}
         self._newest: StoredRevolution | None = None
-        self._before: deque[StoredRevolution] = deque(maxlen=2)
+        self._tripped = False
+        self._peak: LargestForce | None = None
         # Weakly: a panel that nobody looks at keeps no test that is over.
         self._data: ref[LiveData] | None = None
         self._drawn: tuple[object, ...] = ()
@@ -179,6 +183,10 @@ class OverlayPanel(PlotPanel):
         prediction, cycle = data.prediction, data.cycle
         if prediction is not None and cycle is not None and not news.stale:
             cycle = data.partner(prediction) or cycle
+        trip = news.trip if news.trip is not None and news.trip.cycle is not None else None
+        self._tripped, self._peak = trip is not None, trip.peak if trip is not None else None
+        if trip is not None:
+            cycle = trip.cycle
         if cycle is None:
             self._clear()
             return
@@ -194,33 +202,34 @@ class OverlayPanel(PlotPanel):
             repr((doubt, self._uncertainty)),
             len(news.events),
             news.recipe is None,
-            news.status is not None and tripped(news.status),
+            trip.revolution if trip is not None else 0,
         )
         if token != self._drawn:
             self._drawn, self._doubt = token, doubt
             self._newest = StoredRevolution(cycle, prediction)
-            self._keep_last_good(news, self._newest)
+            self._put_behind(trip)
             self._draw_others()
             self.draw(compose(cycle, prediction, self.frame, self._ratio))
-            largest = float(cycle.channels[SIZE].max())
+            largest = max(float(cycle.channels[SIZE].max()), self._peak_N)
             self.plot.show_marks(limits=limit_lines(news, {f"{SIZE}_max"}, largest))
 
-    def _keep_last_good(self, news: News, newest: StoredRevolution) -> None:
-        """Put the revolution before a trip behind it; the trip may be told of after its own."""
-        self._others.pop(GOOD, None)
-        if news.status is None or not tripped(news.status):
-            self._before.append(newest)
-            return
-        number = newest.cycle.revolution
-        good = [one for one in self._before if one.cycle.revolution < number]
-        if good:
-            self._others[GOOD] = good[-1]
+    def _put_behind(self, trip: TripCycles | None) -> None:
+        """Put the last whole cycle before a trip behind it."""
+        for kind in (GOOD, SAVED):
+            self._others.pop(kind, None)
+        if trip is not None and trip.before is not None:
+            last = trip.before.revolution == trip.revolution - 1
+            self._others[GOOD if last else SAVED] = StoredRevolution(trip.before, None)
+
+    @property
+    def _peak_N(self) -> float:
+        """Return the largest force of a trip; samples may be beyond what the curve shows."""
+        return self._peak.value_N if self._peak is not None else -math.inf
 
     def _start_afresh(self, data: LiveData) -> None:
         """Forget what is of another test: ranges, marks, and what stands behind."""
         if self._data is not None:
             self._others.clear()
-            self._before.clear()
             self.freeze.setChecked(False)
             for plot in (self.plot, self.residual_plot):
                 plot.start_afresh()
@@ -249,7 +258,7 @@ class OverlayPanel(PlotPanel):
             self._measured[name].setData(at, values)
         shapes = [*shown.measured.values(), *(shown.model or {}).values()]
         low = min(float(values.min()) for values in shapes)
-        self.plot.fit(low, max(float(values.max()) for values in shapes))
+        self.plot.fit(low, max(self._peak_N, *(float(values.max()) for values in shapes)))
         self._draw_model(shown, buckets)
         self._show_words(shown)
         self._read_out()
@@ -296,14 +305,18 @@ class OverlayPanel(PlotPanel):
     def _show_words(self, shown: RevolutionCurves) -> None:
         """Write the title, and the names at the curves."""
         title = tr("N, cycle {}", grouped(shown.measured_revolution))
+        if self._tripped:
+            title += tr(", tripped")
         if shown.model_revolution not in (None, shown.measured_revolution):
             title += tr(", model {}", grouped(shown.model_revolution or 0))
         held = tr("HELD") if self.held else "N"
         self.title.show_text(title + (tr(", HELD") if self.held else ""), held)
         names = self._names(shown)
         place = int(np.argmax(shown.measured[SIZE]))
-        angle, largest = float(shown.angle_deg[place]), float(shown.measured[SIZE][place])
-        peak = Spot(angle, largest, tr("{:.1f} N at {:.0f}°", largest, angle), PENS[SIZE])
+        angle, largest, sign = float(shown.angle_deg[place]), float(shown.measured[SIZE][place]), ""
+        if self._peak is not None and self._peak.value_N >= largest:
+            largest, sign = self._peak.value_N, self._peak.sign
+        peak = Spot(angle, largest, sign + tr("{:.1f} N at {:.0f}°", largest, angle), PENS[SIZE])
         self.plot.show_marks(names=tuple(names), spots=(peak,))
         both = joint_uncertainty(self._uncertainty, self._doubt.uncertainty_N)
         if shown.residual is not None and math.isfinite(both):

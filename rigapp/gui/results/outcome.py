@@ -65,7 +65,9 @@ def key_numbers(result: TestResult) -> list[KeyNumber]:
         KeyNumber(tr("Wear coefficient"), value, limits),
         KeyNumber(
             tr("Largest force"),
-            _with_doubt(result.force_max_N, result.force_uncertainty_N, "N"),
+            f"≥ {_with_doubt(result.force_max_N, math.nan, 'N')}"
+            if result.force_lower_bound
+            else _with_doubt(result.force_max_N, result.force_uncertainty_N, "N"),
             turn if math.isfinite(result.force_max_N) else tr("no force was recorded"),
         ),
         KeyNumber(

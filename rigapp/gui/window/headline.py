@@ -21,6 +21,8 @@ from rigapp.presentation.translation import Text, marked, tr
 from rigapp.schema.messages import RunState, Severity, Status
 from rigapp.schema.states import ACTIVE
 
+OVERLOADS = {"overload": "", "overload:beyond_range": "≥ "}
+"""Alarms of a force, and what stands before its value."""
 LOW_MARGIN_PERCENT = 10.0
 """A margin below this is worth a look: the scatter of a maximum is some per cent."""
 LATE_DATA_S, MISSING_DATA_S = 2.0, 10.0
@@ -76,12 +78,15 @@ class Headline:
 class NewestMeasured:
     """What the newest revolutions say: NaN where it is not known.
 
-    force_max_N: largest |F| of the newest revolution; overload_N: where the drive is switched off.
+    force_max_N: largest |F| of the newest revolution, or of the one in which the test tripped;
+    force_sign: "≥ " where it went beyond the measuring range. overload_N: where the drive is
+    switched off.
     wear_um, wear_uncertainty_um: measured wear
     depth with its expanded uncertainty (k = 2).
     """
 
     force_max_N: float = math.nan
+    force_sign: str = ""
     overload_N: float = math.nan
     wear_um: float = math.nan
     wear_uncertainty_um: float = math.nan
@@ -188,7 +193,7 @@ def data_age(status: Status | None, data_age_s: float | None) -> TileText:
 
 def _force(status: Status, measured: NewestMeasured) -> TileText:
     known = math.isfinite(measured.force_max_N)
-    value = f"{measured.force_max_N:.1f} N" if known else "–"
+    value = f"{measured.force_sign}{measured.force_max_N:.1f} N" if known else "–"
     if known and math.isfinite(measured.overload_N):
         value = tr("{} of {}", value, f"{measured.overload_N:.0f} N")
     if not status.worst_margin or status.worst_margin_percent is None:
@@ -255,13 +260,30 @@ def _alarms(status: Status) -> TileText:
 
 def measured(news: News) -> NewestMeasured:
     """Return what the newest revolutions of a test say."""
-    rows, predictions = news.data.rows, news.data.predictions
+    predictions = news.data.predictions
     depth, doubt = (
         1e3 * predictions.last(name)
         for name in ("measured_wear_depth", "measured_wear_depth_uncertainty")
     )
-    overload = overload_limit(news)
-    return NewestMeasured(rows.last(f"{SIZE}_max"), overload, depth, doubt)
+    force, sign = _newest_force(news)
+    return NewestMeasured(force, sign, overload_limit(news), depth, doubt)
+
+
+def _newest_force(news: News) -> tuple[float, str]:
+    """Return the largest |F| of the newest revolution, or of the trip, and what stands before it.
+
+    The alarm is there at once, the revolution of the trip when the file is finished.
+    """
+    found = [(news.data.rows.last(f"{SIZE}_max"), "")]
+    alarms = news.status.alarms if news.status is not None else ()
+    found += [
+        (one.value, OVERLOADS[one.key])
+        for one in alarms
+        if one.value is not None and one.key in OVERLOADS
+    ]
+    if news.trip is not None and news.trip.peak is not None:
+        found.append((news.trip.peak.value_N, news.trip.peak.sign))
+    return max((one for one in found if math.isfinite(one[0])), default=(math.nan, ""))
 
 
 def rig_words(news: News) -> tuple[str, str]:

@@ -268,6 +268,7 @@ class MainWindow(QMainWindow):
             connection.silence_s(),
             connection.is_replay,
             connection.data_age_s(),
+            self._test.trip,
         )
 
     @property

@@ -7,7 +7,6 @@ about data are in ``datasections``, those about what happened in ``logsections``
 from __future__ import annotations
 
 import hashlib
-import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -36,7 +35,7 @@ from rigapp.report.testreport.wording import (
     stamp,
 )
 from rigapp.report.testreport.worn import worn_of
-from rigapp.storage import TestReader, open_test
+from rigapp.storage import LargestForce, TestReader, largest_force, open_test, trip_of
 
 LEADS = {
     "running": "The test was still running when this report was made.",
@@ -83,7 +82,7 @@ def _document(reader: TestReader, path: Path, vector: bool) -> Manuscript:
     events = reader.events()
     gaps = rows.gaps if rows is not None else ()
     sections = [
-        _summary(summary, about, rows, identity, uncertainty),
+        _summary(summary, about, rows, identity, largest_force(reader), uncertainty),
         *logsections.sections(reader, events, rows, summary["reason"]),
         *datasections.extremes(
             rows, agreement, vector, uncertainty, stated_uncertainties(reader.calibration())
@@ -97,6 +96,7 @@ def _document(reader: TestReader, path: Path, vector: bool) -> Manuscript:
             uncertainty,
             bursts_of(reader),
             [one.revolution for one in reader.unfinished()],
+            trip_of(reader),
         ),
         datasections.wear(agreement, gaps, vector, worn_of(reader)),
         *([] if agreement is None else [known_section(identified(reader, path), vector)]),
@@ -133,6 +133,7 @@ def _summary(
     about: dict[str, Any],
     rows: Rows | None,
     identity: FileIdentity,
+    largest: LargestForce | None,
     uncertainty: ForceUncertainty | None,
 ) -> Section:
     status, revolutions = summary["status"], summary["revolutions"]
@@ -154,7 +155,7 @@ def _summary(
         ("Status", _capital(STATUSES.get(status, status))),
         ("Reason", _reason(summary, about)),
         ("Revolutions", f"{grouped(revolutions)} of {grouped(planned)} planned"),
-        *_data_lines(summary, rows, uncertainty),
+        *_data_lines(summary, rows, largest, uncertainty),
         ("Notes", about["notes"]),
         ("File", identity.name),
     ]
@@ -164,10 +165,14 @@ def _summary(
 
 
 def _data_lines(
-    summary: dict[str, Any], rows: Rows | None, uncertainty: ForceUncertainty | None
+    summary: dict[str, Any],
+    rows: Rows | None,
+    largest: LargestForce | None,
+    uncertainty: ForceUncertainty | None,
 ) -> list[tuple[str, str]]:
+    force = _force_line(largest, uncertainty)
     if rows is None:
-        return [("Data", "no revolution is recorded")]
+        return [("Data", "no revolution is recorded"), *force]
     missing = sum(gap.missing for gap in rows.gaps)
     gaps = "none"
     if rows.gaps or summary["gaps"]:
@@ -177,31 +182,35 @@ def _data_lines(
     if rows.speed is not None:
         low, high = rows.speed.smallest.value, rows.speed.largest.value
         speed += f", between {number(low, 'rpm')} and {number(high, 'rpm')} rpm"
-    force = next((one for one in rows.channels if one.name == "force"), None)
     lines = [
         ("Numbers of the revolutions", f"{grouped(rows.first)} to {grouped(rows.last)}"),
         ("Time of the test", f"{duration(rows.test_s, exact=True)} by the device's clock"),
         ("Speed", speed),
     ]
-    if force is not None:
-        peak = force.largest
-        place = f" in revolution {grouped(peak.revolution)}" if math.isfinite(peak.value) else ""
-        doubt = ""
-        if uncertainty is not None and math.isfinite(peak.value):
-            told = uncertainty.at(np.array(peak.value), of_magnitude=True)
-            doubt = f" ± {quantity(float(told), 'N', 2)}"
-        lines.append(("Largest joint force", quantity(peak.value, "N") + doubt + place))
     good = f"{grouped(rows.good)} of {grouped(rows.revolutions)}"
     stated = "not stated: no calibration record of the load cell in the file"
-    lines.append(
-        ("Uncertainty of a force", uncertainty.words if uncertainty is not None else stated)
-    )
     return [
         *lines,
+        *force,
+        ("Uncertainty of a force", uncertainty.words if uncertainty is not None else stated),
         ("Gaps", gaps),
         ("Revolutions without a quality flag", good),
         ("Whole cycles saved", grouped(summary["cycles_saved"])),
     ]  # fmt: skip
+
+
+def _force_line(
+    largest: LargestForce | None, uncertainty: ForceUncertainty | None
+) -> list[tuple[str, str]]:
+    if largest is None:
+        return []
+    doubt = ""
+    if uncertainty is not None and not largest.lower_bound:
+        told = uncertainty.at(np.array(largest.value_N), of_magnitude=True)
+        doubt = f" ± {quantity(float(told), 'N', 2)}"
+    place = f" in revolution {grouped(largest.revolution)}"
+    place += "" if largest.whole else ", which the end of the test cut off"
+    return [("Largest joint force", largest.sign + quantity(largest.value_N, "N") + doubt + place)]
 
 
 def _ended(status: str, about: dict[str, Any]) -> str:

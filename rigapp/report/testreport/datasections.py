@@ -29,6 +29,7 @@ from rigapp.report.testreport.wording import (
 from rigapp.report.testreport.worn import Worn, profile_blocks
 from rigapp.schema.channels import LOAD_CELL, Kind
 from rigapp.schema.messages import Event
+from rigapp.storage import Trip
 
 PANELS = 4
 """Channels in one picture of free ones: five would not fit on a page with their words."""
@@ -132,7 +133,7 @@ def _extremes_row(channel: ChannelFacts, noted: dict[str, str]) -> tuple[str, ..
     return (
         title_of(channel.channel),
         symbol(channel.unit),
-        number(channel.largest.value, channel.unit),
+        channel.largest.sign + number(channel.largest.value, channel.unit),
         place(channel.largest),
         number(channel.smallest.value, channel.unit),
         place(channel.smallest),
@@ -205,9 +206,15 @@ def cycles(
     uncertainty: ForceUncertainty | None = None,
     bursts: Sequence[Burst] = (),
     unfinished: Sequence[int] = (),
+    trip: Trip | None = None,
 ) -> Section:
-    """Return the picture of the first, middle and last saved cycle, and what triggers kept."""
+    """Return the pictures of the trip and of the first, middle and last saved cycle.
+
+    Below them stands what triggers kept.
+    """
     blocks: list[Block] = []
+    if trip is not None and trip.cycle is not None:
+        blocks.append(plots.trip(trip, trip.cycle, vector))
     if refused:
         text = f"{counted(refused, 'whole cycle')} had no room in the file and could not be kept."
         blocks.append(Text(text, strong=True))

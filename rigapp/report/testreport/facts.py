@@ -7,7 +7,7 @@ needs no more than a few hundred megabytes.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -16,12 +16,14 @@ from numpy.typing import NDArray
 from rigapp.report.testreport.envelope import Floats, envelope
 from rigapp.schema.channels import Channel, Kind
 from rigapp.schema.messages import NOT_STEADY, Flag
-from rigapp.storage import TestReader
+from rigapp.storage import TestReader, largest_force
 
 Line = tuple[Floats, Floats]
 
 SPEED = Channel("speed", "rpm", "speed of the crank")
 """The speed, which the encoder gives, as a report treats it: beside the channels."""
+
+SIZE = "force"
 
 ENDS = 10
 """Good revolutions at each end of the test that are averaged to say how a quantity changed."""
@@ -29,11 +31,20 @@ ENDS = 10
 
 @dataclass(frozen=True, slots=True)
 class Peak:
-    """An extreme value, the revolution it was in, and that revolution's quality flags."""
+    """An extreme value, the revolution it was in, and that revolution's quality flags.
+
+    lower_bound: the value went beyond the measuring range.
+    """
 
     value: float
     revolution: int
     quality: int
+    lower_bound: bool = False
+
+    @property
+    def sign(self) -> str:
+        """Return what stands before the value."""
+        return "≥ " if self.lower_bound else ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -131,6 +142,7 @@ def rows_of(reader: TestReader) -> Rows | None:
         for one in reader.plan.table.channels
         if all(name in table for name in _columns(one))
     )
+    channels = tuple(_with_trip(one, reader) if one.name == SIZE else one for one in channels)
     speed = table.column("speed")
     return Rows(
         revolutions=table.rows,
@@ -148,6 +160,17 @@ def rows_of(reader: TestReader) -> Rows | None:
         speed=_channel(table, SPEED, number, quality) if "speed_max" in table else None,
         gaps=_gaps(number, quality, lost, host, speed),
     )
+
+
+def _with_trip(force: ChannelFacts, reader: TestReader) -> ChannelFacts:
+    """Return |F| with the largest one of the test, which may be of a revolution without a row."""
+    found = largest_force(reader)
+    if found is None:
+        return force
+    whole = found.revolution == force.largest.revolution
+    quality = force.largest.quality if whole else 0 if found.whole else int(Flag.PARTIAL)
+    peak = Peak(found.value_N, found.revolution, quality, found.lower_bound)
+    return replace(force, largest=peak)
 
 
 def mean(values: NDArray[Any]) -> float:
@@ -168,6 +191,9 @@ def span_of(reader: TestReader, name: str) -> tuple[float, float, str] | None:
     else:
         return None
     finite = values[np.isfinite(values)]
+    most = largest_force(reader) if name == f"{SIZE}_max" else None
+    if most is not None:
+        return float(finite.min(initial=most.value_N)), most.value_N, unit
     if not finite.size:
         return None
     return float(finite.min()), float(finite.max()), unit

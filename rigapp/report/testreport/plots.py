@@ -20,6 +20,7 @@ from rigapp.report.testreport.model_facts import Agreement, CyclePicture
 from rigapp.report.testreport.uncertainty import Stated
 from rigapp.report.testreport.wording import number, quantity, symbol, title_of
 from rigapp.schema.channels import Channel
+from rigapp.storage import StoredCycle, Trip
 
 WIDTH_IN = 7.2
 DPI = 200  # of a printed page at arm's length
@@ -289,6 +290,33 @@ def wear_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> Figur
         caption += " forces (dash-dotted); what is unknown is not drawn."
         told = f"Wear depth against revolution: {'; '.join(words)}."
         return saved(canvas, "Wear depth", told, caption, vector)
+
+
+def trip(found: Trip, cycle: StoredCycle, vector: bool) -> Figure:
+    """Draw |F| of the revolution in which a test tripped over that of the one before."""
+    force, angle = cycle.columns["force"], cycle.columns["angle"]
+    told = f"revolution {grouped(found.revolution)}"
+    if found.peak is not None:
+        told += f", up to {found.peak.sign}{quantity(found.peak.value_N, 'N')}"
+        told += f" at {found.peak.angle_deg:.0f}°"
+    with canvas_of(2.6) as canvas:
+        axes = canvas.subplots()
+        if found.before is not None:
+            before = found.before.columns
+            label = f"revolution\n{grouped(found.before.revolution)}"
+            axes.plot(before["angle"], before["force"], color="#999999", lw=0.9, label=label)
+            told += f"; grey: revolution {grouped(found.before.revolution)}, before it"
+        label = f"revolution\n{grouped(found.revolution)}"
+        axes.plot(angle, force, color=COLOURS["force"], label=label)
+        if found.peak is not None:
+            axes.plot(found.peak.angle_deg, found.peak.value_N, "o", color=MODEL, ms=4.0)
+        axes.set_xlim(0.0, 360.0)
+        axes.set_ylim(bottom=0.0)
+        axes.set_xlabel("crank angle (°)")
+        axes.set_ylabel("|F| (N)")
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        title = "The revolution in which the test tripped"
+        return saved(canvas, title, f"Joint force of {told}.", "", vector)
 
 
 def cycles(

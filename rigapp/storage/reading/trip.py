@@ -1,0 +1,190 @@
+"""The largest force of a test and the revolution in which it tripped.
+
+A trip ends a test within a revolution, which has no row of statistics: its samples are among the
+unfinished revolutions, and the log has the force that the trip was decided by.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.schema.alarms import kind_of
+from rigapp.schema.loglines import alarm_change, severity_of
+from rigapp.schema.messages import Event, FinishReason, Flag, Severity
+from rigapp.storage.reading.reader import StoredCycle, TestReader
+
+OVERLOAD, BEYOND_RANGE, NO_FORCE = "overload", "overload:beyond_range", "saturated"
+RESUMED = "resumed"
+SWUNG_DEG = 1.0
+"""A crank that is this far back swings: an edge of the encoder that dithers moves it less."""
+
+
+@dataclass(frozen=True, slots=True)
+class LargestForce:
+    """The largest |F| of a test, N.
+
+    angle_deg: crank angle, NaN where it is not known. lower_bound: the force went beyond the
+    measuring range. whole: its revolution has a row of statistics.
+    """
+
+    value_N: float
+    revolution: int
+    angle_deg: float = math.nan
+    lower_bound: bool = False
+    whole: bool = True
+
+    @property
+    def sign(self) -> str:
+        """Return what stands before the value."""
+        return "≥ " if self.lower_bound else ""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Trip:
+    """The revolution in which a test tripped.
+
+    cycle: what the file has of it, until the crank swung back. before: the last whole cycle saved
+    before it, of the revolution just before in nearly every file. peak: its largest force. None
+    where the file has none.
+    """
+
+    revolution: int
+    cycle: StoredCycle | None
+    before: StoredCycle | None
+    peak: LargestForce | None
+
+
+def largest_force(test: TestReader) -> LargestForce | None:
+    """Return the largest force of a test, None when none was measured.
+
+    What a saturated input showed counts only as the lower bound of an overload.
+    """
+    # Of equal values the last one: it knows whether it is a lower bound.
+    return max(reversed(_peaks(test)), key=_value, default=None)
+
+
+def _value(one: LargestForce) -> float:
+    return one.value_N
+
+
+def _peaks(test: TestReader) -> list[LargestForce]:
+    """Return the largest forces of whole revolutions, of each part of one and of each overload."""
+    log = _ForceLog(test.events())
+    parts = [_of_part(one) for one in test.unfinished() if log.knows_force(one)]
+    found = [*parts, *_of_rows(test, log)]
+    for number, (value, beyond) in log.overloads.items():
+        # The part first: a resumed test makes a whole revolution of the same number.
+        known = next((one for one in found if one.revolution == number), None)
+        angle, whole = (known.angle_deg, known.whole) if known is not None else (math.nan, False)
+        most = max(value, known.value_N if known is not None else value)
+        if most > 0.0:
+            found.append(LargestForce(most, number, angle, beyond, whole))
+    return found
+
+
+def trip_of(test: TestReader) -> Trip | None:
+    """Return the revolution in which a test tripped; None when nothing but a person ended it."""
+    summary, code = test.summary(), test.metadata()["reason_code"]
+    ends = (FinishReason.OPERATOR, FinishReason.COMPLETE)
+    if summary["status"] != "stopped" or not code or code in ends:
+        return None
+    first_out = _first_out(test.events())
+    number = (summary["last_revolution"] or 0) + 1
+    if first_out is not None:
+        kind = kind_of(first_out.key)
+        judged_whole = kind is None or kind.whole_revolution
+        number = first_out.revolution + (not judged_whole)
+    saved = test.cycle_revolutions()
+    parts = [one for one in test.unfinished() if one.revolution == number]
+    places = np.flatnonzero(saved == number)
+    before = np.flatnonzero(saved < number)
+    cycle = test.cycle(int(places[-1])) if places.size else parts[-1] if parts else None
+    peaks = (one for one in reversed(_peaks(test)) if one.revolution == number)
+    return Trip(
+        number,
+        _forwards(cycle) if cycle is not None else None,
+        test.cycle(int(before[-1])) if before.size else None,
+        max(peaks, key=_value, default=None),
+    )
+
+
+def _forwards(cycle: StoredCycle) -> StoredCycle | None:
+    """Return a revolution up to where the crank first swung back; None without a force."""
+    angle = cycle.columns["angle"]
+    back = np.flatnonzero(np.maximum.accumulate(angle) - angle > SWUNG_DEG)
+    stop = int(back[0]) if back.size else len(angle)
+    columns = {name: values[:stop] for name, values in cycle.columns.items()}
+    return replace(cycle, columns=columns) if np.isfinite(columns["force"]).any() else None
+
+
+def _first_out(events: list[Event]) -> Event | None:
+    """Return the line of the critical alarm that came first since the test was last begun."""
+    found: Event | None = None
+    for event in events:
+        change = alarm_change(event)
+        if event.kind == RESUMED:
+            found = None
+        elif change is not None and change.first_out and severity_of(event) is Severity.CRITICAL:
+            found = event
+    return found
+
+
+class _ForceLog:
+    """What the log says of forces: overloads, and since when no force is known.
+
+    overloads: revolution -> force, and whether it is a lower bound.
+    """
+
+    def __init__(self, events: list[Event]) -> None:
+        self.overloads: dict[int, tuple[float, bool]] = {}
+        changes: list[tuple[int, bool]] = []
+        for event in events:
+            change, (kind, _, what) = alarm_change(event), event.key.partition(":")
+            raised = change is not None and change.what == "raised"
+            if event.kind == RESUMED:
+                changes.append((event.revolution, True))
+            elif raised and kind == NO_FORCE and what:
+                changes.append((event.revolution, False))
+            elif raised and change is not None and kind == OVERLOAD:
+                # Older files have the value in words only; then the samples say it.
+                self.overloads[event.revolution + 1] = (
+                    change.value or 0.0,
+                    event.key == BEYOND_RANGE,
+                )
+        self._since = np.array([number for number, _ in changes], np.int64)
+        self._known = np.array([True, *(known for _, known in changes)])
+
+    def known(self, number: NDArray[np.int64], quality: NDArray[np.int64]) -> NDArray[np.bool_]:
+        """Return whether the forces of revolutions are known, from their quality flags."""
+        state = self._known[np.searchsorted(self._since, number, side="left")]
+        return np.asarray(state | ((quality & Flag.SATURATED) == 0))
+
+    def knows_force(self, part: StoredCycle) -> bool:
+        """Return whether the force of a revolution is known, and has samples."""
+        number, quality = (np.array([one], np.int64) for one in (part.revolution, part.quality))
+        force = part.columns["force"]
+        return bool(self.known(number, quality)[0] and np.isfinite(force).any())
+
+
+def _of_rows(test: TestReader, log: _ForceLog) -> Iterator[LargestForce]:
+    force, quality = test.column("force_max"), test.column("quality").astype(np.int64)
+    number = test.column("revolution").astype(np.int64)
+    force = np.where(log.known(number, quality), force, np.nan)
+    places = {int(place) for one in log.overloads for place in np.flatnonzero(number == one)}
+    if np.isfinite(force).any():
+        places.add(int(np.nanargmax(force)))
+    for place in sorted(places):
+        angle = float(test.column("force_angle_of_max", place, place + 1)[0])
+        yield LargestForce(float(force[place]), int(number[place]), angle)
+
+
+def _of_part(part: StoredCycle) -> LargestForce:
+    force = part.columns["force"]
+    place = int(np.nanargmax(force))
+    angle = float(part.columns["angle"][place])
+    return LargestForce(float(force[place]), part.revolution, angle, whole=False)
