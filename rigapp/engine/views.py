@@ -174,6 +174,7 @@ def _drive(connection: Connection | None) -> DriveView | None:
         emergency_stop=status.emergency_stop,
         faults=status.faults,
         warnings=status.warnings,
+        age_s=1e-9 * (time.monotonic_ns() - status.host_time_ns),
     )
 
 

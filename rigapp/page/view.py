@@ -9,16 +9,27 @@ from contextlib import suppress
 import msgspec
 import psutil
 
-from rigapp.gui.data.channels import SIZE, FreeValue, free_values, value_text
+from rigapp.gui.data.channels import FreeValue, value_text
 from rigapp.gui.data.connection import ConnectionState
 from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, newest_wear, wear_of
-from rigapp.gui.data.margins import margins, newest
+from rigapp.gui.data.levels import margin_words
+from rigapp.gui.data.margins import DEPTH, margins, nearest_margin, newest
 from rigapp.gui.data.news import News
-from rigapp.gui.data.quantities import UM_PER_MM
+from rigapp.gui.data.quantities import LARGEST, UM_PER_MM
+from rigapp.gui.data.shown import (
+    Level,
+    Renewed,
+    age_of,
+    aged,
+    free_values,
+    level_of,
+    quantity_level,
+)
 from rigapp.page.rig import DiskSpace, WatchedRig
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.times import MOMENT, dated, duration
 from rigapp.schema.messages import Alarm, DeviceView, RunState, Status
+from rigapp.schema.states import ACTIVE
 
 NOTES = 5
 """The last ones; all of them are in the log of the test."""
@@ -27,7 +38,10 @@ NOTE_SHOWN = 300
 
 
 class LimitView(msgspec.Struct, frozen=True):
-    """A quantity beside its limit; used: share of the way to it, 0 to 1."""
+    """A quantity beside its limit; used: share of the way to it, 0 to 1.
+
+    mark: of the alarms about the quantity, and of its age; see ``RigView.tile_marks``.
+    """
 
     title: str
     value: float
@@ -37,6 +51,7 @@ class LimitView(msgspec.Struct, frozen=True):
     used: float
     passed: bool
     text: str
+    mark: str = ""
 
 
 class NoteView(msgspec.Struct, frozen=True):
@@ -63,7 +78,8 @@ class RigView(msgspec.Struct, frozen=True):
 
     line: attaching, attached, silent or lost, with why in ``sentence``. values: newest statistics
     and predictions by the names of their columns, of those that are known. wear: those of the wear
-    coefficient (mm^3/(N m)) and of the revolutions that remain, with 95 % limits. null: not known.
+    coefficient (mm^3/(N m)) and of the revolutions that remain, with 95 % limits. tile_marks: of
+    each tile, "warning" or "critical" by the alarms about it, "old" by its age. null: not known.
     """
 
     identity: str
@@ -99,6 +115,8 @@ class RigView(msgspec.Struct, frozen=True):
     devices: tuple[DeviceView, ...] = ()
     notes: tuple[NoteView, ...] = ()
     tiles: tuple[tuple[str, str, str], ...] = ()
+    tile_marks: tuple[str, ...] = ()
+    revolution_age_s: float | None = None
     disk_free_bytes: int | None = None
     disk_total_bytes: int | None = None
     process: ProcessView | None = None
@@ -119,6 +137,7 @@ def view_of(rig: WatchedRig, news: News) -> RigView:
     status = news.status
     if status is None:
         return shown
+    tiles = _tiles(news)
     taken = {name: getattr(status, name) for name in _FROM_STATUS}
     disk = rig.disk or DiskSpace(0, 0)
     return msgspec.structs.replace(
@@ -132,7 +151,9 @@ def view_of(rig: WatchedRig, news: News) -> RigView:
         wear=_wear(news),
         limits=tuple(_limits(news)),
         notes=tuple(_notes(news)),
-        tiles=tuple((one.title, one.value, one.detail) for one in _tiles(news)),
+        tiles=tuple((one.title, one.value, one.detail) for one in tiles),
+        tile_marks=tuple(_mark(one.level, old=one.old) for one in tiles),
+        revolution_age_s=age_of(news, Renewed.REVOLUTION).seconds,
         disk_free_bytes=disk.free if rig.disk is not None else None,
         disk_total_bytes=disk.total if rig.disk is not None else None,
         process=_process(rig.local_pid),
@@ -162,12 +183,20 @@ _SUFFIXES = ("", "_low", "_high")
 
 
 def _limits(news: News) -> list[LimitView]:
+    old = age_of(news, Renewed.REVOLUTION).old
     return [
         LimitView(
-            one.title, one.value, one.limit, one.unit, one.action, one.used, one.passed, one.text
+            one.limit.title, one.value, one.limit.limit, one.limit.unit, one.limit.action,
+            one.used, one.passed, one.text, _mark(one.level, old=old),
         )
         for one in margins(news)
-    ]
+    ]  # fmt: skip
+
+
+def _mark(level: int, *, old: bool) -> str:
+    """Return the classes of a value on the page."""
+    words = (Level(level).name.lower() if level else "", "old" if old else "")
+    return " ".join(filter(None, words))
 
 
 def _notes(news: News) -> list[NoteView]:
@@ -184,30 +213,40 @@ def _tiles(news: News) -> list[FreeValue]:
     assert status is not None
     share = f"{100.0 * status.revolution / status.planned:.1f} %" if status.planned else ""
     planned = f"of {grouped(status.planned)}, {share}" if status.planned else ""
+    told, sampled, turned, predicted = (age_of(news, one) for one in Renewed)
+    alarms = status.alarms
+    speed = value_text(status.speed_rpm, "rpm", 1)
+    rates = quantity_level(alarms, "speed")
     found = [
-        FreeValue("revolution", "Revolution", grouped(status.revolution), planned),
-        *_step(status),
-        FreeValue(
-            "speed", "Speed", value_text(status.speed_rpm, "rpm", 1), _wanted(status.target_rpm)
-        ),
+        aged(FreeValue("revolution", "Revolution", grouped(status.revolution), planned), told),
+        *(aged(one, told) for one in _step(status)),
+        aged(FreeValue("speed", "Speed", speed, _wanted(status.target_rpm), rates), sampled),
     ]
-    if status.state is RunState.RUNNING and status.expected_end_at > status.host_time:
+    running = status.state is RunState.RUNNING and not told.old
+    if running and status.expected_end_at > status.host_time:
         ends = dated(MOMENT, time.localtime(status.expected_end_at))
         left = duration(status.expected_end_at - status.host_time)
         found.append(FreeValue("end", "Planned end", left, ends))
     if len(rows):
-        force = value_text(rows.last(f"{SIZE}_max"), "N")
-        residual = newest(news, "residual_rms")
-        words = f"measured − model: {residual:.2f} N RMS" if math.isfinite(residual) else ""
-        found.append(FreeValue("force", "|F| maximum", force, words))
-    found += _depth(news)
-    found += wear_of(news, time.time())
-    if status.worst_margin_percent is not None:
+        force = value_text(rows.last(LARGEST), "N")
+        nearest = nearest_margin(news, LARGEST) if status.state in ACTIVE else None
+        words = nearest.left if nearest is not None else ""
+        level = level_of(alarms, LARGEST)
+        found.append(aged(FreeValue("force", "|F| maximum", force, words, level), turned))
+    residual = newest(news, "residual_rms")
+    if math.isfinite(residual):
+        level = level_of(alarms, "residual_rms")
+        text = f"{residual:.2f} N"
+        one = FreeValue("residual", "Measured − model", text, "RMS", level)
+        found.append(aged(one, predicted))
+    found += (aged(one, predicted) for one in (*_depth(news), *wear_of(news, time.time())))
+    if status.worst_margin and status.worst_margin_percent is not None:
         margin = f"{status.worst_margin_percent:.0f} %"
-        found.append(FreeValue("margin", "Smallest margin", margin, status.worst_margin))
-    age = "–" if news.data_age_s is None else f"{news.data_age_s:.1f} s"
-    found.append(FreeValue("age", "Age of the data", age, ""))
-    found += free_values(news.data.channels, status.channels, lambda name: newest(news, name))
+        words = margin_words(status.worst_margin)
+        found.append(aged(FreeValue("margin", "Smallest margin", margin, words), told))
+    age = value_text(news.data_age_s, "s", 1)
+    found.append(FreeValue("age", "Age of the data", age, "", level_of(alarms, "data_age")))
+    found += free_values(news)
     return found
 
 
@@ -225,14 +264,15 @@ def _wanted(target_rpm: float) -> str:
 def _depth(news: News) -> list[FreeValue]:
     """Return the tile of the wear depth, measured with its uncertainty, by the model without."""
     depth, doubt, model = (
-        UM_PER_MM * newest(news, name)
-        for name in ("measured_wear_depth", "measured_wear_depth_uncertainty", "wear_depth")
+        UM_PER_MM * newest(news, name) for name in (DEPTH, f"{DEPTH}_uncertainty", "wear_depth")
     )
     words = f"model: {model:.2f} µm" if math.isfinite(model) else ""
     if not math.isfinite(depth):
         return [FreeValue("depth", "Wear depth by the model", f"{model:.2f} µm", "")] * bool(words)
     sure = f" ± {doubt:.2f}" if math.isfinite(doubt) else ""
-    return [FreeValue("depth", "Wear depth", f"{depth:.2f}{sure} µm", words)]
+    assert news.status is not None
+    level = level_of(news.status.alarms, DEPTH)
+    return [FreeValue("depth", "Wear depth", f"{depth:.2f}{sure} µm", words, level)]
 
 
 def _process(pid: int) -> ProcessView | None:

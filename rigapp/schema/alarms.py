@@ -29,6 +29,7 @@ class Kind(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     keeps_cycles: bool = True
     value: str = ""
     whole_revolution: bool = False
+    quantity: str = ""
 
     @property
     def latched(self) -> bool:
@@ -81,6 +82,15 @@ def kind_of(key: str) -> Kind | None:
     return KINDS.get(key)
 
 
+def quantity_of(key: str) -> str:
+    """Return the column or channel that the alarm of a key is about, nothing where it is none."""
+    head, _, rest = key.partition(":")
+    if head == "rule":
+        return rest.partition(":")[0]
+    kind = kind_of(key)
+    return kind.quantity.format(rest) if kind is not None else ""
+
+
 def key_of(kind: str, what: str = "") -> str:
     """Return the key of the alarm of a kind about something."""
     return f"{kind}:{what}" if what else kind
@@ -103,4 +113,9 @@ def exceeded(
         off=action == "drive_off",
         whole_revolution=True,
     )
-    return Cause(kind, f"rule:{quantity}:{severity.value}:{side}", kind.title, kind.sentence)
+    return Cause(kind, rule_key(quantity, severity.value, side), kind.title, kind.sentence)
+
+
+def rule_key(quantity: str, severity: str, side: str) -> str:
+    """Return the key of the alarm of a level of a rule; side: "above" or "below"."""
+    return f"rule:{quantity}:{severity}:{side}"

@@ -148,7 +148,7 @@ class Recovery(msgspec.Struct, frozen=True):
 
 
 class DriveView(msgspec.Struct, frozen=True):
-    """Show the drive to a viewer."""
+    """Show the drive to a viewer; age_s: since it reported this."""
 
     speed_rpm: float
     setpoint_rpm: float
@@ -159,6 +159,7 @@ class DriveView(msgspec.Struct, frozen=True):
     emergency_stop: bool
     faults: tuple[str, ...]
     warnings: tuple[str, ...]
+    age_s: float | None = None
 
 
 class ChannelView(msgspec.Struct, frozen=True):

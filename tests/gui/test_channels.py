@@ -11,13 +11,15 @@ import numpy as np
 import pytest
 from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
+from snapshots import make_status
 
 from rigapp.config.loading import parse_test
-from rigapp.gui.data.channels import free_values, table_of
+from rigapp.gui.data.channels import table_of
 from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import compared_columns, trend_quantities
 from rigapp.gui.data.series import LiveData
+from rigapp.gui.data.shown import free_values
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.panels.limits import LimitPanel
@@ -198,10 +200,13 @@ def test_a_limit_on_a_free_channel_is_offered_and_changed(
 def test_newest_values_come_from_rows_where_nothing_is_live(warm_snapshot: Any) -> None:
     data = LiveData()
     data.take(warm_snapshot())
-    found = {one.name: one for one in free_values(data.channels, (), data.rows.last)}
+    status = make_status(channels=(), data_age_s=400.0, revolution_age_s=360.0)
+    found = {one.name: one for one in free_values(News(status, data))}
     assert found[WARM.name].value == "32.00 °C"
-    assert (found[ROOM.name].value, found[ROOM.name].detail) == ("21.50 °C", "12 s old")
-    assert free_values(BASE, (), data.rows.last) == []
+    assert (found[WARM.name].detail, found[WARM.name].old) == ("6 min 0 s old", True)
+    # Its age at the revolution, and since then.
+    assert (found[ROOM.name].value, found[ROOM.name].detail) == ("21.50 °C", "6 min 12 s old")
+    assert free_values(News(status)) == []
 
 
 @pytest.mark.timeout(300)

@@ -14,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QFont, QImage, QPainter
-from snapshots import ALARM, REVOLUTION_NAMES, make_snapshot
+from snapshots import ALARM, REVOLUTION_NAMES, make_snapshot, make_status
 
 from rigapp.config.loading import parse_test
 from rigapp.gui.data.judged import EVERYTHING, Drawn, Flagged, banded, drawn
@@ -23,6 +23,7 @@ from rigapp.gui.data.news import News
 from rigapp.gui.data.ranges import round_places
 from rigapp.gui.data.recording import TripCycles
 from rigapp.gui.data.series import LiveData, measured_cycle
+from rigapp.gui.data.shown import Level
 from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.plots.marks import (
     CurveName,
@@ -41,6 +42,7 @@ from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.trendview import TrendView
 from rigapp.presentation.numbers import axis_number
+from rigapp.schema.alarms import rule_key
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import Event, Flag, Severity
 from rigapp.storage import LargestForce
@@ -191,7 +193,7 @@ def test_trends_show_limits_moments_and_the_value_that_is_off_the_axis(qtbot: An
     marks = panel.plot.marks
     words = [one.words for one in marks.limits]
     assert words == ["drive off above 380 N", "warn above 98 N", "warn below 20 N"]
-    assert not any(one.passed for one in marks.limits), "by the newest revolution"
+    assert not any(one.level for one in marks.limits), "without an alarm"
     assert [one.words for one in marks.moments] == ["oil added", "Force is high"]
     assert [one.text for one in marks.spots] == ["391 N"]
     assert panel.plot.viewRange()[1][1] <= 120.0
@@ -262,8 +264,12 @@ def test_the_force_is_shown_with_its_limits_and_over_a_frozen_revolution(qtbot: 
     data = LiveData()
     data.take(make_snapshot(1, 9))
     overlay.show_news(News(data=data, recipe=RECIPE))
-    limits = {one.words: one.passed for one in overlay.plot.marks.limits}
-    assert limits == {"drive off above 380 N": False, "warn above 98 N": True}
+    assert not any(one.level for one in overlay.plot.marks.limits), "colour comes from alarms alone"
+    key = rule_key("force_max", "warning", "above")
+    warned = make_status(alarms=(msgspec.structs.replace(ALARM, key=key),))
+    overlay.show_news(News(warned, data, RECIPE))
+    limits = {one.words: one.level for one in overlay.plot.marks.limits}
+    assert limits == {"drive off above 380 N": Level.NORMAL, "warn above 98 N": Level.WARNING}
     overlay.freeze.click()
     data.take(make_snapshot(10, 1))
     overlay.show_news(News(data=data, recipe=RECIPE))

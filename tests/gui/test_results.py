@@ -14,10 +14,12 @@ import msgspec
 import pytest
 from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
 
 from rigapp.gui.data.news import News
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.look.tokens import DARK, LIGHT
+from rigapp.gui.panel import Act
 from rigapp.gui.panels.connecting import connection_steps
 from rigapp.gui.panels.documents import KINDS, DocumentPanel
 from rigapp.gui.panels.resultcard import SHAPES, ResultCard, colour_of
@@ -386,15 +388,22 @@ def test_the_window_begins_with_four_ways_and_the_last_tests(
     page.setFocus()
     with qtbot.waitActive(window):
         window.activateWindow()
-    page.table.setFocus()
-    qtbot.keyClick(page.table, Qt.Key.Key_4)
-    assert window.tabs.currentIndex() == NUMBERS["results"]
-    window.tabs.show_page("start")
+    # Each key stands on its button, and does the same from a field that takes digits.
+    for act, name in ((Act.RESULTS, "results"), (Act.PREPARE, "prepare")):
+        window.controls.text.setFocus()
+        key = page.ways[act].button.text().rpartition(" ")[2]
+        press = QKeySequence(key)[0]
+        qtbot.keyClick(window.controls.text, press.key(), press.keyboardModifiers())
+        assert window.tabs.currentIndex() == NUMBERS[name]
+        window.tabs.show_page("start")
     buttons = {act.value: way.button for act, way in page.ways.items()}
     buttons["prepare"].click()
     assert window.tabs.currentIndex() == NUMBERS["prepare"]
     window.tabs.show_page("start")
-    buttons["try"].click()
+    assert buttons["try"].text().endswith("F11")
+    assert buttons["calibrate"].text().endswith("F3")
+    window.controls.text.setFocus()
+    qtbot.keyClick(window.controls.text, Qt.Key.Key_F11)
 
     def started() -> bool:
         window.tick()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,7 @@ from PySide6.QtWidgets import QAbstractButton, QDialog, QWidget
 from rigapp.config.loading import read_test
 from rigapp.config.recipe import LimitRule
 from rigapp.gui.data.connection import ConnectionState
-from rigapp.gui.data.margins import Margin, margins
+from rigapp.gui.data.margins import Margin, WatchedLimit, margins
 from rigapp.gui.data.news import News
 from rigapp.gui.look.sheet import style_sheet
 from rigapp.gui.look.tokens import DARK, LIGHT, THEMES, Theme
@@ -261,20 +262,24 @@ def test_margins_tell_value_limit_and_what_happens(
         test, limits=msgspec.structs.replace(test.limits, overload_N=190.0, rule=rules)
     )
     data = window.news.data
-    found = {one.title: one for one in margins(News(data=data, recipe=test))}
+    found = {one.limit.title: one for one in margins(News(data=data, recipe=test))}
     assert set(found) >= {"|F|, any sample", "Speed", "Maximum |F|", "Minimum |F|"}
     assert found["|F|, any sample"].used == pytest.approx(data.rows.last("force_max") / 190.0)
     # Beyond the warning, the level that comes next is the one to watch.
-    assert found["Maximum |F|"].limit == 120.0
+    assert found["Maximum |F|"].limit.limit == 120.0
     assert found["Maximum |F|"].text.endswith(" of 120 N, stop")
     low = found["Minimum |F|"]
-    assert low.below
+    assert low.limit.below
     assert low.used == pytest.approx(20.0 / data.rows.last("force_min"))
     change = msgspec.to_builtins(LimitChange(190.0, 300.0))
     line = Event(1.0, 3, LIMIT_CHANGED, "Ann", "", key="overload_N", data=change)
-    shown = {one.title: one for one in margins(News(data=data, recipe=test, events=[line]))}
-    assert shown["|F|, any sample"].limit == 300.0
+    shown = {one.limit.title: one for one in margins(News(data=data, recipe=test, events=[line]))}
+    assert shown["|F|, any sample"].limit.limit == 300.0
     now = measured(News(data=data, recipe=test, events=[line]))
+    # The nearest of its own limits, by its name.
+    share = data.rows.last("force_max") / 120.0
+    assert now.nearest is not None
+    assert now.nearest.left == f"stop above 120 N, {100 * (1 - share):.0f} % left"
     assert now.overload_N == 300.0
     told = headline(make_status(), ConnectionState.ATTACHED, "", now)
     assert told.force.value.endswith(" N of 300 N")
@@ -282,11 +287,15 @@ def test_margins_tell_value_limit_and_what_happens(
 
 
 def test_a_limit_that_is_passed_is_marked_in_words_and_full() -> None:
-    for margin in (Margin("x", 5.0, 4.0, "N", "warn"), Margin("x", 3.0, 4.0, "N", "warn", True)):
+    above = WatchedLimit("x", "x_max", 4.0, "N", "warn")
+    below = dataclasses.replace(above, below=True)
+    for margin in (Margin(above, 5.0), Margin(below, 3.0)):
         assert margin.passed
         assert margin.used == 1.0
-    assert Margin("x", 3.0, 4.0, "N", "warn").text == "3 of 4 N, warn"
-    assert Margin("x", 5.0, 4.0, "N", "warn", below=True).text == "5 at least 4 N, warn"
+    assert Margin(above, 3.0).text == "3 of 4 N, warn"
+    assert Margin(above, 3.0).left == "warn above 4 N, 25 % left"
+    assert Margin(above, 5.0).left == "warn above 4 N, passed"
+    assert Margin(below, 5.0).text == "5 at least 4 N, warn"
 
 
 @pytest.mark.parametrize("theme", THEMES.values(), ids=list(THEMES))

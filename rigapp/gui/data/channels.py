@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.presentation.numbers import capitalised, unit_text
-from rigapp.presentation.times import duration
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import BASE, LOAD_CELL, Channel, ChannelTable, Kind
-from rigapp.schema.messages import ChannelView
 
 COMPONENTS = BASE.names_of(LOAD_CELL)
 """The two axes of the load cell, along and across the crank."""
@@ -87,29 +85,11 @@ def value_text(value: float | None, unit: str, decimals: int = 2) -> str:
 
 @dataclass(frozen=True, slots=True)
 class FreeValue:
-    """The newest value of a channel that belongs to no instrument, with the age of a slow one."""
+    """A value with its title and a line below it; level, old: see ``shown``."""
 
     name: str
     title: str
     value: str
     detail: str
-
-
-def free_values(
-    table: ChannelTable, views: Sequence[ChannelView], newest: Callable[[str], float]
-) -> list[FreeValue]:
-    """Return the newest values of free channels: live where there is a view, else of a column."""
-    live = {view.name: view for view in views}
-    found = []
-    for channel in table.free:
-        slow, view = channel.kind is Kind.SLOW, live.get(channel.name)
-        column, age_s = channel.name if slow else f"{channel.name}_mean", math.nan
-        if view is not None:
-            value, age_s = view.value, math.nan if view.age_s is None else view.age_s
-        else:
-            value = newest(column)
-            age_s = newest(f"{channel.name}_age") if slow else math.nan
-        detail = tr("{} old", duration(age_s)) if math.isfinite(age_s) else ""
-        text = value_text(value, channel.unit)
-        found.append(FreeValue(channel.name, title_of(channel), text, detail))
-    return found
+    level: int = 0
+    old: bool = False

@@ -134,6 +134,12 @@ def quantity_text(column: str, table: ChannelTable = BASE) -> str:
     return tr(words(column))
 
 
+def margin_words(name: str) -> str:
+    """Return the name of a limit in words: its quantity, how bad passing it is, its side."""
+    quantity, _, rest = name.partition(" ")
+    return " ".join((quantity_text(quantity), *map(tr, rest.split())))
+
+
 def quantity_choices(table: ChannelTable) -> list[tuple[str, str]]:
     """Return words and column of what a limit can be about, the force first."""
     known = [*dict.fromkeys((*table.units, *quantities(table)))]

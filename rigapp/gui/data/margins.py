@@ -12,8 +12,10 @@ from rigapp.gui.data.channels import SIZE
 from rigapp.gui.data.levels import quantity_text
 from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import UM_PER_MM
+from rigapp.gui.data.shown import Level, level_of
 from rigapp.presentation.numbers import capitalised, unit_text
 from rigapp.presentation.translation import Text, tr
+from rigapp.schema.alarms import rule_key
 from rigapp.schema.channels import ChannelTable
 from rigapp.schema.loglines import newest_limits
 
@@ -34,7 +36,8 @@ ACTIONS: Final[dict[str, Text]] = {
 class WatchedLimit:
     """A limit of a column of rows or predictions, in ``unit``, which is ``scale`` of the column's.
 
-    below: it is passed downwards. action: what happens then.
+    below: it is passed downwards. action: what happens then. key: of its alarm, none where it ends
+    a test as planned.
     """
 
     title: Text
@@ -44,6 +47,7 @@ class WatchedLimit:
     action: Text
     below: bool = False
     scale: float = 1.0
+    key: str = ""
 
     @property
     def words(self) -> str:
@@ -54,44 +58,51 @@ class WatchedLimit:
         planned = self.action == COMPLETE
         return tr("{} at {}", action, limit) if planned else tr("{} above {}", action, limit)
 
-    def margin(self, value: float) -> Margin:
-        """Return a value, in the limit's unit, beside it."""
-        return Margin(self.title, value, self.limit, self.unit, self.action, self.below)
-
 
 @dataclass(frozen=True, slots=True)
 class Margin:
-    """A quantity beside its limit.
+    """A quantity, in the unit of its limit, beside it; level: by the alarms about the quantity."""
 
-    below: the limit is passed downwards. action: what happens then.
-    """
-
-    title: Text
+    limit: WatchedLimit
     value: float
-    limit: float
-    unit: str
-    action: Text
-    below: bool = False
+    level: Level = Level.NORMAL
 
     @property
     def passed(self) -> bool:
         """Tell whether the limit is passed."""
-        return self.value < self.limit if self.below else self.value > self.limit
+        limit = self.limit
+        return self.value < limit.limit if limit.below else self.value > limit.limit
 
     @property
     def used(self) -> float:
         """Return how much of the way to the limit is used, 0 .. 1; 1 at the limit and beyond."""
         if self.passed:
             return 1.0
-        near, far = (self.limit, self.value) if self.below else (self.value, self.limit)
+        limit = self.limit
+        near, far = (limit.limit, self.value) if limit.below else (self.value, limit.limit)
         return min(1.0, max(0.0, near / far)) if far > 0.0 else 0.0
 
     @property
     def text(self) -> str:
         """Return value, limit and what happens, e.g. ``87.1 of 95 N, warn``."""
-        limit, action = f"{self.limit:.4g} {self.unit}".rstrip(), tr(self.action)
-        said = tr("{} at least {}, {}") if self.below else tr("{} of {}, {}")
+        limit, action = f"{self.limit.limit:.4g} {self.limit.unit}".rstrip(), tr(self.limit.action)
+        said = tr("{} at least {}, {}") if self.limit.below else tr("{} of {}, {}")
         return said.format(f"{self.value:.4g}", limit, action)
+
+    @property
+    def left(self) -> str:
+        """Return the limit by its words and what is left to it, e.g. ``warn above 95 N, 8 % left``.
+
+        It is what the bar leaves free, so that words and bar say the same.
+        """
+        if self.passed:
+            return tr("{}, passed", self.limit.words)
+        return tr("{}, {:.0f} % left", self.limit.words, 100.0 * (1.0 - self.used))
+
+    @property
+    def short(self) -> str:
+        """Return the same in few words."""
+        return tr("{:.0f} % left", 100.0 * (1.0 - self.used))
 
 
 def margins(news: News) -> list[Margin]:
@@ -100,12 +111,19 @@ def margins(news: News) -> list[Margin]:
     Of two levels on one side the next one is told: the critical one when the other is passed.
     """
     found: dict[tuple[str, bool], Margin] = {}
+    alarms = news.status.alarms if news.status is not None else ()
     for one in watched(news):
         value = one.scale * newest(news, one.column)
         key = (one.title, one.below)
         if math.isfinite(value) and (key not in found or found[key].passed):
-            found[key] = one.margin(value)
+            found[key] = Margin(one, value, level_of(alarms, one.column))
     return list(found.values())
+
+
+def nearest_margin(news: News, column: str) -> Margin | None:
+    """Return the limit of a column that is nearest to its newest value, None without one."""
+    own = (one for one in margins(news) if one.limit.column == column)
+    return max(own, key=lambda one: one.used, default=None)
 
 
 def watched(news: News) -> list[WatchedLimit]:
@@ -118,8 +136,8 @@ def watched(news: News) -> list[WatchedLimit]:
     overload = _overload(test, changed)
     overspeed = changed.get("overspeed_rpm", limits.overspeed_rpm)
     found = [
-        WatchedLimit("|F|, any sample", f"{SIZE}_max", overload, "N", DRIVE_OFF),
-        WatchedLimit("Speed", "speed_max", overspeed, "rpm", DRIVE_OFF),
+        WatchedLimit("|F|, any sample", f"{SIZE}_max", overload, "N", DRIVE_OFF, key="overload"),
+        WatchedLimit("Speed", "speed_max", overspeed, "rpm", DRIVE_OFF, key="overspeed"),
     ]
     if test.stop.wear_depth_um is not None:
         depth = test.stop.wear_depth_um
@@ -150,8 +168,10 @@ def _of_rule(
             limit = changed.get(f"{rule.quantity}.{name}", getattr(rule, name))
             if limit is not None:
                 action = ACTIONS[str(getattr(rule, f"action_{level}"))]
-
-                yield WatchedLimit(title, rule.quantity, limit, unit, action, side == "below")
+                yield WatchedLimit(
+                    title, rule.quantity, limit, unit, action, side == "below",
+                    key=rule_key(rule.quantity, level, side),
+                )  # fmt: skip
 
 
 def newest(news: News, column: str) -> float:

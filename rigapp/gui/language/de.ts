@@ -4108,6 +4108,10 @@
         <translation>Nullpunktdrift während der Kalibrierung</translation>
     </message>
     <message>
+        <source>{:.0f} % left</source>
+        <translation>noch {:.0f} %</translation>
+    </message>
+    <message>
         <source>{:.1f} N at {:.0f}°</source>
         <translation>{:.1f} N bei {:.0f}°</translation>
     </message>
@@ -4256,6 +4260,14 @@
         <translation>{}, Mittelwert {}</translation>
     </message>
     <message>
+        <source>{}, passed</source>
+        <translation>{}, überschritten</translation>
+    </message>
+    <message>
+        <source>{}, {:.0f} % left</source>
+        <translation>{}, noch {:.0f} %</translation>
+    </message>
+    <message>
         <source>{}: no whole cycle is saved yet</source>
         <translation>{}: noch kein ganzer Zyklus gespeichert</translation>
     </message>
@@ -4284,6 +4296,48 @@
 9.81 m/s² is a rounded value, up to 0.3 % off: write the gravity of this place, or name a settings file with latitude and height.</source>
         <translation>
 9.81 m/s² ist ein gerundeter Wert, bis zu 0.3 % falsch: die Fallbeschleunigung dieses Orts eintragen oder eine Einstellungsdatei mit Breite und Höhe nennen.</translation>
+    </message>
+    <message>
+        <source>
+| Key | Does |
+| --- | --- |
+{commands}
+| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
+| F7 | Acknowledge the alarm that is told in full; show the alarms where none is seen |
+| {recover} | Do the next step that the message line or the *Recover* panel names |
+| F11 | Try the simulated rig, from the page *Start* |
+| F1 | This help |
+| F3 | Calibrate the load cell or the probes, map the pin&apos;s run-out |
+| F9 | Light or dark |
+| Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+R, Ctrl+U, Ctrl+W | Go to a page |
+| Alt + underlined letter | Press a button, go to a field |
+| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
+| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
+| Esc | Close the start bar or this window |
+
+The emergency stop is the red button on the rig. It works without this program, and no program
+replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
+</source>
+        <translation>
+| Taste | Wirkung |
+| --- | --- |
+{commands}
+| F8 | Zur Zeile für Gründe und Notizen; Enter schreibt die Notiz ins Protokoll |
+| F7 | Den Alarm quittieren, der ganz dasteht; ist keiner zu sehen, die Alarme zeigen |
+| {recover} | Den nächsten Schritt tun, den Meldezeile oder *Zurück zum Versuch* nennt |
+| F11 | Den simulierten Prüfstand ausprobieren, auf der Seite *Start* |
+| F1 | Diese Hilfe |
+| F3 | Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Bolzens aufnehmen |
+| F9 | Hell oder dunkel |
+| Strg+1 … Strg+9, Strg+0, Strg+D, Strg+R, Strg+U, Strg+W | Zu einer Seite |
+| Alt + unterstrichener Buchstabe | Eine Taste drücken, in ein Feld gehen |
+| ← → + − in einem Verlauf | Verschieben und vergrößern; ein Klick liest die Werte eines Zyklus, Esc wieder die neuesten |
+| ← → in einem Kraftbild | Den Cursor um 1°, mit Umschalt um 10° verschieben; ein Klick setzt ihn |
+| Esc | Die Startkarte oder dieses Fenster schließen |
+
+Der Not-Halt ist der rote Taster am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm
+ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus, die Datei wird geschlossen.
+</translation>
     </message>
     <message>
         <source> (By cycle {}.)</source>
@@ -4408,46 +4462,6 @@
     <message>
         <source>&amp;Take the encoder&apos;s angle as it is now</source>
         <translation>Den Winkel des Drehgebers nehmen, wie er &amp;jetzt ist</translation>
-    </message>
-    <message>
-        <source>
-| Key | Does |
-| --- | --- |
-{commands}
-| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
-| F7 | Acknowledge the alarm that is told in full; show the alarms where none is seen |
-| {recover} | Do the next step of the *Recover* panel |
-| F1 | This help |
-| F3 | Calibrate the load cell or the probes, map the pin&apos;s run-out |
-| F9 | Light or dark |
-| Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+R, Ctrl+U, Ctrl+W | Go to a page |
-| Alt + underlined letter | Press a button, go to a field |
-| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
-| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
-| Esc | Close the start bar or this window |
-
-The emergency stop is the red button on the rig. It works without this program, and no program
-replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
-</source>
-        <translation>
-| Taste | Wirkung |
-| --- | --- |
-{commands}
-| F8 | Zur Zeile für Gründe und Notizen; Enter schreibt die Notiz ins Protokoll |
-| F7 | Den Alarm quittieren, der ganz dasteht; ist keiner zu sehen, die Alarme zeigen |
-| {recover} | Den nächsten Schritt unter *Zurück zum Versuch* tun |
-| F1 | Diese Hilfe |
-| F3 | Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Bolzens aufnehmen |
-| F9 | Hell oder dunkel |
-| Strg+1 … Strg+9, Strg+0, Strg+D, Strg+R, Strg+U, Strg+W | Zu einer Seite |
-| Alt + unterstrichener Buchstabe | Eine Taste drücken, in ein Feld gehen |
-| ← → + − in einem Verlauf | Verschieben und vergrößern; ein Klick liest die Werte eines Zyklus, Esc wieder die neuesten |
-| ← → in einem Kraftbild | Den Cursor um 1°, mit Umschalt um 10° verschieben; ein Klick setzt ihn |
-| Esc | Die Startkarte oder dieses Fenster schließen |
-
-Der Not-Halt ist der rote Taster am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm
-ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus, die Datei wird geschlossen.
-</translation>
     </message>
     <message>
         <source>&amp;Guide</source>
@@ -6290,6 +6304,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Den Versuch der nächsten Probe vorbereiten</translation>
     </message>
     <message>
+        <source>Press the emergency stop before you reach into the rig.</source>
+        <translation>Vor dem Griff in den Prüfstand den Not-Halt drücken.</translation>
+    </message>
+    <message>
         <source>Press the emergency stop. Do not touch the rig before the crank stands.</source>
         <translation>Not-Halt drücken. Den Prüfstand nicht berühren, bevor die Kurbel steht.</translation>
     </message>
@@ -7400,6 +7418,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The engine ended while {test} was {state}, and a new one was started. The drive&apos;s own watchdog stops the spindle. {saved} revolutions are safe in {file}. To go on with it: Results (Ctrl+8), Go on with it.</source>
         <translation>Die Steuerung ging zu Ende, während {test} im Zustand „{state}“ war; eine neue wurde gestartet. Der Wächter des Antriebs hält die Spindel selbst an. {saved} Umdrehungen sind sicher in {file}. Zum Fortsetzen: Ergebnisse (Strg+8), „Fortsetzen“.</translation>
+    </message>
+    <message>
+        <source>The engine has not answered for {}: every value is old.</source>
+        <translation>Die Steuerung antwortet seit {} nicht: Alle Werte sind alt.</translation>
     </message>
     <message>
         <source>The engine was shut down during the test</source>
@@ -8830,10 +8852,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Schichten</translation>
     </message>
     <message>
-        <source>least margin {:.0f} %, {}</source>
-        <translation>kleinster Abstand {:.0f} %, {}</translation>
-    </message>
-    <message>
         <source>less</source>
         <translation>weniger</translation>
     </message>
@@ -8864,10 +8882,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>making the ports</source>
         <translation>Anschlüsse werden angelegt</translation>
-    </message>
-    <message>
-        <source>margin {:.0f} %</source>
-        <translation>Abstand {:.0f} %</translation>
     </message>
     <message>
         <source>mean force over the slip at the end</source>
@@ -8927,7 +8941,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>no fault</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Störung</translation>
     </message>
     <message>
         <source>no force was recorded</source>
@@ -9270,10 +9284,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Quadrat</translation>
     </message>
     <message>
-        <source>stale for {}</source>
-        <translation>veraltet seit {}</translation>
-    </message>
-    <message>
         <source>stands</source>
         <translation>gilt</translation>
     </message>
@@ -9568,10 +9578,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>zero</source>
         <translation>nullen</translation>
-    </message>
-    <message>
-        <source>{:.1f} of {:.1f} rpm</source>
-        <translation>{:.1f} von {:.1f} rpm</translation>
     </message>
     <message>
         <source>{:g} times</source>
@@ -10242,7 +10248,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>no value from {}</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Wert von {}</translation>
     </message>
     <message>
         <source>signal_{} has the wrong sign: that bridge is reversed; exchange its two signal wires{}</source>

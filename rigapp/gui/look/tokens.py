@@ -48,6 +48,10 @@ class Theme:
     on_critical: str
     curves: Mapping[str, str] = field(hash=False)
 
+    def ink(self, level: int, normal: str = "") -> str:
+        """Return the ink of a level: 0 normal (the text's, unless told), 1 warning, 2 critical."""
+        return (normal or self.text, self.warning_text, self.critical)[level]
+
     def mark(self, *, critical: bool) -> tuple[str, str]:
         """Return background and ink of what is not normal."""
         return (self.critical, self.on_critical) if critical else (self.warning, self.on_signal)

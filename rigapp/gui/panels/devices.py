@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from rigapp.gui.data.channels import value_text
 from rigapp.gui.data.news import News, Takes
+from rigapp.gui.data.shown import Age, Renewed, age_of
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.panel import Host, StallCounter
@@ -31,10 +32,9 @@ from rigapp.gui.widgets.build import (
 from rigapp.gui.widgets.reflow import WrappingGrid, flowing
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.presentation.numbers import grouped, unit_text
-from rigapp.presentation.times import duration
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
-from rigapp.schema.messages import ChannelView, DeviceView, RunState, Status
+from rigapp.schema.messages import DeviceView, RunState, Status
 
 CHANNEL_HEADINGS: Final[tuple[Text, ...]] = (
     "Channel", "Signal", "Value", "Uncertainty", "Calibration", "What is positive",
@@ -193,7 +193,12 @@ class DevicePanel(QWidget):
         self.cards: dict[str, DeviceCard] = {}
         named(self, "device_panel", "Devices and channels")
         self.channels = PlainTable(
-            "channel_table", "Channels, live", CHANNEL_HEADINGS, stretch=(4, 5), cut=(0, 4)
+            "channel_table",
+            "Channels, live",
+            CHANNEL_HEADINGS,
+            marked=2,
+            stretch=(4, 5),
+            cut=(0, 4),
         )
         self.drive = PlainTable("drive_table", "Drive", ("Drive", "Now"))
         self.health = PlainTable("health_table", "Engine and window", ("Engine and window", "Now"))
@@ -250,8 +255,9 @@ class DevicePanel(QWidget):
         self._state = status.state if status is not None else None
         if status is not None:
             self._show_devices(status)
-            self._show_channels(status)
-            self._show_drive(status)
+            told, sampled = age_of(news, Renewed.STATUS), age_of(news, Renewed.SAMPLE)
+            self._show_channels(status, told, sampled)
+            self._show_drive(status, told)
         self._show_health(status, silence_s)
         self._enable()
 
@@ -267,30 +273,35 @@ class DevicePanel(QWidget):
                 self._cards.addWidget(card)
             self.cards[device.name].show_device(device)
 
-    def _show_channels(self, status: Status) -> None:
+    def _show_channels(self, status: Status, told: Age, sampled: Age) -> None:
+        aged_channels = [
+            (one, (sampled if one.age_s is None else told).and_before(one.age_s))
+            for one in status.channels
+        ]
         rows = [
             (
                 channel.name,
                 f"{round(channel.raw, RAW_PLACES):.5g} {unit_text(channel.raw_unit)}",
-                _value(channel),
+                f"{value_text(channel.value, channel.unit)}{_suffix(age)}",
                 f"±{channel.uncertainty:.3g} {unit_text(channel.unit)}"
                 if channel.uncertainty
                 else tr("not known"),
                 tr(channel.calibration),
                 tr(SIGNS.get(channel.name, "")),
             )
-            for channel in status.channels
+            for channel, age in aged_channels
         ]
-        self.channels.show_rows(rows)
+        old = (self._theme.base, self._theme.muted)
+        self.channels.show_rows(rows, [old if age.old else None for _, age in aged_channels])
 
-    def _show_drive(self, status: Status) -> None:
+    def _show_drive(self, status: Status, told: Age) -> None:
         drive, warning = status.drive, self._theme.mark(critical=False)
         if drive is None:
             self.drive.show_rows([(tr("State"), tr("not connected"))], [warning])
             return
         speed = tr("{:.2f} of {:.2f} rpm", drive.speed_rpm, drive.setpoint_rpm)
         faults, warnings = (
-            ", ".join(map(retold, told)) or tr("none") for told in (drive.faults, drive.warnings)
+            ", ".join(map(retold, said)) or tr("none") for said in (drive.faults, drive.warnings)
         )
         rows: list[tuple[Text, Text, object]] = [
             ("Speed", speed, False),
@@ -306,7 +317,11 @@ class DevicePanel(QWidget):
             ("Faults", faults, drive.faults),
             ("Warnings", warnings, drive.warnings),
         ]
-        marks = [warning if bad else None for _, _, bad in rows]
+        age = told.and_before(drive.age_s)
+        old = (self._theme.base, self._theme.muted) if age.old else None
+        if old is not None:
+            rows.insert(0, ("Last answer", age.text, False))
+        marks = [warning if bad else old for _, _, bad in rows]
         self.drive.show_rows([(tr(name), tr(now)) for name, now, _ in rows], marks)
 
     def _show_health(self, status: Status | None, silence_s: float) -> None:
@@ -353,9 +368,8 @@ def _carded(title: Text, table: PlainTable) -> QFrame:
     return card
 
 
-def _value(view: ChannelView) -> str:
-    text = value_text(view.value, view.unit)
-    return text if view.age_s is None else text + tr(", {} old", duration(view.age_s))
+def _suffix(age: Age) -> str:
+    return f", {age.text}" if age.old else ""
 
 
 def device_page(host: Host) -> QWidget:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Final
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtGui import QHideEvent, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
 
@@ -24,13 +24,35 @@ from rigapp.schema.states import ACTIVE
 
 LAST = 20
 """Tests that are listed; all of them stand under Results."""
-WAYS: Final[dict[Act, tuple[Icon, Text, Text, Text]]] = {
-    Act.TRY: (Icon.TRY, "Try the simulated rig", "A short test on a rig of software.", "Try it"),
-    Act.PREPARE: (Icon.PREPARE, "Prepare a test", "A new one, or one like another.", "Prepare"),
-    Act.CALIBRATE: (Icon.CALIBRATE, "Calibrate", "Load cell, probes, daily check.", "Calibrate"),
-    Act.RESULTS: (Icon.RESULTS, "Open results", "Look, compare, report.", "Open"),
+TRY_KEY: Final = "F11"
+WAYS: Final[dict[Act, tuple[Icon, Text, Text, Text, str]]] = {
+    Act.TRY: (
+        Icon.TRY,
+        "Try the simulated rig",
+        "A short test on a rig of software.",
+        "Try it",
+        TRY_KEY,
+    ),
+    Act.PREPARE: (
+        Icon.PREPARE,
+        "Prepare a test",
+        "A new one, or one like another.",
+        "Prepare",
+        "Ctrl+5",
+    ),
+    Act.CALIBRATE: (
+        Icon.CALIBRATE,
+        "Calibrate",
+        "Load cell, probes, daily check.",
+        "Calibrate",
+        "F3",
+    ),
+    Act.RESULTS: (Icon.RESULTS, "Open results", "Look, compare, report.", "Open", "Ctrl+8"),
 }
-"""The ways on in their order: icon, title, what it is, and what the button says."""
+"""The ways on in their order: icon, title, what it is, what the button says, and its key.
+
+The keys are those of the whole window: a digit alone would be typed into the field with the focus.
+"""
 SIGN = QSize(24, 24)
 WAY_WIDTH = 22 * STEP
 """Of a way on, at least."""
@@ -49,9 +71,8 @@ class WayCard(QFrame):
 
     def __init__(self, act: Act) -> None:
         super().__init__()
-        meaning, title, text, word = WAYS[act]
+        meaning, title, text, word, key = WAYS[act]
         self._meaning = meaning
-        key = str(list(WAYS).index(act) + 1)
         named(self, f"way_{act.value}", title).setProperty("role", "card")
         self.sign = QLabel()
         head = heading(f"way_title_{act.value}", title)
@@ -71,7 +92,6 @@ class WayCard(QFrame):
         made = column(self.sign, head, (self.text, 1), self.button, on=self)
         made.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
         made.setSpacing(STEP)
-        self.key = key
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -93,8 +113,7 @@ class StartPage(QWidget):
         self.ways = {act: WayCard(act) for act in WAYS}
         for card in self.ways.values():
             card.chosen.connect(host.do)
-            made = QShortcut(QKeySequence(card.key), self, card.button.click)
-            made.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        QShortcut(QKeySequence(TRY_KEY), self, self.ways[Act.TRY].button.click)
         self.table = ResultTable("last_tests", host.results, host.theme, most=LAST)
         self.table.setMinimumHeight(3 * ROW_HEIGHT)
         self.table.opened.connect(lambda _: host.do(Act.RESULTS))

@@ -4,21 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from rigapp.gui.data.margins import newest, watched
+from rigapp.gui.data.margins import watched
 from rigapp.gui.data.news import News
+from rigapp.gui.data.shown import level_of_limit
 from rigapp.gui.plots.marks import LimitLine
 
 
-def limit_lines(
-    news: News, columns: Collection[str], shown: float | None = None
-) -> tuple[LimitLine, ...]:
-    """Return the limits of columns as lines of a plot.
+def alarm_token(news: News) -> tuple[tuple[str, str], ...]:
+    """Return what the colours of limits depend on: a plot is drawn anew when it changes."""
+    alarms = news.status.alarms if news.status is not None else ()
+    return tuple((one.key, one.state) for one in alarms)
 
-    shown: the value that they are judged by, that of the newest revolution unless told.
-    """
-    found = []
-    for one in watched(news):
-        if one.column in columns:
-            margin = one.margin(newest(news, one.column) * one.scale if shown is None else shown)
-            found.append(LimitLine(one.limit, one.words, one.below, margin.passed))
-    return tuple(found)
+
+def limit_lines(news: News, columns: Collection[str]) -> tuple[LimitLine, ...]:
+    """Return the limits of columns as lines of a plot, each coloured by its alarm alone."""
+    alarms = news.status.alarms if news.status is not None else ()
+    return tuple(
+        LimitLine(one.limit, one.words, one.below, level_of_limit(alarms, one.key))
+        for one in watched(news)
+        if one.column in columns
+    )

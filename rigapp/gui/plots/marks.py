@@ -14,6 +14,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QFont, QFontMetrics, QPainter, QPolygonF
 
 from rigapp.gui.data.moments import MarkedMoment
+from rigapp.gui.data.shown import MARKS, Level
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, STEP, Theme
 from rigapp.gui.plots.palette import LinePen, line_pen
@@ -47,7 +48,7 @@ class LimitLine:
     value: float
     words: str
     below: bool = False
-    passed: bool = False
+    level: Level = Level.NORMAL
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,8 +183,8 @@ def paint_limits(
     for one in limits:
         if not low <= one.value <= high:
             continue
-        colour = QColor(theme.critical if one.passed else theme.secondary)
-        hatch = QColor(theme.critical if one.passed else theme.strong)
+        colour = QColor(_limit_colour(one, theme))
+        hatch = QColor(_limit_colour(one, theme) if one.level else theme.strong)
         edge = frame.rect.bottom() if one.below else frame.rect.top()
         at = frame.y(one.value)
         side = QRectF(
@@ -192,6 +193,10 @@ def paint_limits(
         painter.fillRect(side, QBrush(hatch, Qt.BrushStyle.BDiagPattern))
         painter.setPen(line_pen(colour.name()))
         painter.drawLine(QPointF(side.left(), at), QPointF(side.right(), at))
+
+
+def _limit_colour(limit: LimitLine, theme: Theme) -> str:
+    return theme.ink(limit.level, theme.secondary)
 
 
 def paint_limit_words(
@@ -210,8 +215,7 @@ def paint_limit_words(
         if low <= one.value <= high:
             at = frame.y(one.value)
             tops = (at - height, at) if one.below else (at, at - height)
-            text = f"◆ {one.words}" if one.passed else one.words
-            colour = theme.critical if one.passed else theme.secondary
+            text, colour = f"{MARKS[one.level]}{one.words}", _limit_colour(one, theme)
             _words(painter, frame, text, colour, _along(frame.rect, metrics, text, tops), taken)
 
 

@@ -29,7 +29,7 @@ from rigapp.gui.data.recording import StoredRevolution, TripCycles
 from rigapp.gui.data.series import Doubt, LiveData
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
-from rigapp.gui.plots.limitlines import limit_lines
+from rigapp.gui.plots.limitlines import alarm_token, limit_lines
 from rigapp.gui.plots.marks import CurveName, Spot
 from rigapp.gui.plots.palette import MODEL, STALE_CURVE, LinePen
 from rigapp.gui.plots.plotting import (
@@ -203,6 +203,7 @@ class OverlayPanel(PlotPanel):
             len(news.events),
             news.recipe is None,
             trip.revolution if trip is not None else 0,
+            alarm_token(news),
         )
         if token != self._drawn:
             self._drawn, self._doubt = token, doubt
@@ -210,8 +211,7 @@ class OverlayPanel(PlotPanel):
             self._put_behind(trip)
             self._draw_others()
             self.draw(compose(cycle, prediction, self.frame, self._ratio))
-            largest = max(float(cycle.channels[SIZE].max()), self._peak_N)
-            self.plot.show_marks(limits=limit_lines(news, {f"{SIZE}_max"}, largest))
+            self.plot.show_marks(limits=limit_lines(news, {f"{SIZE}_max"}))
 
     def _put_behind(self, trip: TripCycles | None) -> None:
         """Put the last whole cycle before a trip behind it."""

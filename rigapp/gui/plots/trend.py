@@ -19,7 +19,7 @@ from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.series import LiveData, SeriesTable
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import ShadedBand, Trace
-from rigapp.gui.plots.limitlines import limit_lines
+from rigapp.gui.plots.limitlines import alarm_token, limit_lines
 from rigapp.gui.plots.marks import CurveName, Spot
 from rigapp.gui.plots.palette import MODEL, LinePen
 from rigapp.gui.plots.plotting import (
@@ -165,7 +165,7 @@ class TrendPanel(PlotPanel):
         self._place_view(data.rows, data.predictions)
         view: View = tuple(self.plot.viewRange()[0])
         token = (self._name, len(data.rows), len(data.predictions), view, self.view.cursor,
-                 len(news.events), news.recipe is None)  # fmt: skip
+                 len(news.events), news.recipe is None, alarm_token(news))  # fmt: skip
         if token == self._drawn:
             return
         self._drawn = token

@@ -15,18 +15,17 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QProgressBar, QWidget
 
+from rigapp.gui.data.shown import MARKS, Level
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, LARGE_PT, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import column, named, row
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
-from rigapp.gui.window.headline import Headline, Level, StateShape, TileText
+from rigapp.gui.window.headline import Headline, StateShape, TileText
 from rigapp.presentation.translation import Text, tr
 
 BAR_HEIGHT = 5
 """Of the bars in tiles, in pixels: thin, since the number says it exactly."""
-
-MARKS = {Level.NORMAL: "", Level.WARNING: "▲ ", Level.CRITICAL: "◆ "}
 
 
 class ShapeMark(QWidget):
@@ -117,7 +116,7 @@ class Tile(QFrame):
         super().__init__()
         name = spec.name
         self._theme = theme
-        self._level: Level | None = None
+        self._look: tuple[int, bool] = Level.NORMAL, False
         caption = self._caption_text = tr(spec.caption)
         self._short = tr(spec.short)
         named(self, f"tile_{name}", caption)
@@ -137,29 +136,28 @@ class Tile(QFrame):
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
         self._theme = theme
-        level, self._level = self._level, None
-        self._set_level(level or Level.NORMAL)
+        self._show_look()
 
     def show_field(self, field: TileText) -> None:
         """Show a field."""
-        self._set_level(field.level)
+        if (field.level, field.old) != self._look:
+            self._look = field.level, field.old
+            self._show_look()
         self.value.show_text(field.value)
         self.detail.show_text(field.detail, field.short)
-        said = f"{MARKS[field.level]}{self.value.whole} {self.detail.whole}"
+        said = f"{MARKS[Level(field.level)]}{self.value.whole} {self.detail.whole}"
         self.setAccessibleDescription(said.strip())
 
-    def _set_level(self, level: Level) -> None:
-        if level is self._level:
-            return
-        self._level = level
-        theme = self._theme
-        colours = {
-            Level.NORMAL: (theme.base, theme.text, theme.muted),
+    def _show_look(self) -> None:
+        """Colour the tile by its level; an old value is grey, or says its age on a colour."""
+        theme, (level, old) = self._theme, self._look
+        colours: dict[int, tuple[str, str, str]] = {
+            Level.NORMAL: (theme.base, theme.muted if old else theme.text, theme.muted),
             Level.WARNING: (theme.warning, theme.on_signal, theme.on_signal),
             Level.CRITICAL: (theme.critical, theme.on_critical, theme.on_critical),
         }
         back, text, small = colours[level]
-        mark = MARKS[level]
+        mark = MARKS[Level(level)]
         self.caption.show_text(mark + self._caption_text, self._short and mark + self._short)
         self.setStyleSheet(
             f"#{self.objectName()} {{ background: {back}; border: 0;"
@@ -171,9 +169,8 @@ class Tile(QFrame):
     @property
     def foreground(self) -> str:
         """Return the colour of the text on the tile's present background."""
-        if self._level is Level.CRITICAL:
-            return self._theme.on_critical
-        return self._theme.on_signal if self._level is Level.WARNING else self._theme.text
+        level, theme = self._look[0], self._theme
+        return (theme.text, theme.on_signal, theme.on_critical)[level]
 
 
 TILES = (

@@ -9,11 +9,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import PurePath
 
-from rigapp.gui.data.channels import SIZE
 from rigapp.gui.data.connection import ConnectionState
-from rigapp.gui.data.levels import quantity_text
-from rigapp.gui.data.margins import overload_limit
-from rigapp.gui.data.news import News, is_stale
+from rigapp.gui.data.margins import DEPTH, Margin, nearest_margin, overload_limit
+from rigapp.gui.data.news import News
+from rigapp.gui.data.quantities import LARGEST
+from rigapp.gui.data.shown import UNKNOWN_AGE, Age, Level, Renewed, age_of, aged, level_of
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.times import dated, duration
 from rigapp.presentation.told import retold
@@ -23,18 +23,6 @@ from rigapp.schema.states import ACTIVE
 
 OVERLOADS = {"overload": "", "overload:beyond_range": "≥ "}
 """Alarms of a force, and what stands before its value."""
-LOW_MARGIN_PERCENT = 10.0
-"""A margin below this is worth a look: the scatter of a maximum is some per cent."""
-LATE_DATA_S, MISSING_DATA_S = 2.0, 10.0
-"""Devices send ten times a second or more: later data are a warning, then a failure."""
-
-
-class Level(enum.IntEnum):
-    """Tell how far a value is from normal; only what is not normal is coloured."""
-
-    NORMAL = 0
-    WARNING = 1
-    CRITICAL = 2
 
 
 class StateShape(enum.StrEnum):
@@ -51,12 +39,16 @@ class StateShape(enum.StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class TileText:
-    """One tile: a large value, one line below, how normal it is. short: the line in few words."""
+    """One tile: a large value, one line below, how normal it is. short: the line in few words.
+
+    old: the value is older than one that is shown as if it were of now.
+    """
 
     value: Text
     detail: Text = ""
-    level: Level = Level.NORMAL
+    level: int = Level.NORMAL
     short: Text = ""
+    old: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,8 +73,9 @@ class NewestMeasured:
     force_max_N: largest |F| of the newest revolution, or of the one in which the test tripped;
     force_sign: "≥ " where it went beyond the measuring range. overload_N: where the drive is
     switched off.
-    wear_um, wear_uncertainty_um: measured wear
-    depth with its expanded uncertainty (k = 2).
+    wear_um, wear_uncertainty_um: measured wear depth with its expanded uncertainty (k = 2).
+    nearest: of the limits of the largest |F|. told, turned, predicted: age of what the engine says,
+    of the newest revolution, and of its prediction.
     """
 
     force_max_N: float = math.nan
@@ -90,6 +83,10 @@ class NewestMeasured:
     overload_N: float = math.nan
     wear_um: float = math.nan
     wear_uncertainty_um: float = math.nan
+    nearest: Margin | None = None
+    told: Age = UNKNOWN_AGE
+    turned: Age = UNKNOWN_AGE
+    predicted: Age = UNKNOWN_AGE
 
 
 _STATES: dict[RunState, tuple[Text, StateShape, Level]] = {
@@ -128,13 +125,13 @@ def headline(
     return Headline(
         shape=shape,
         state=state,
-        cycle=_cycle(status, now()),
+        cycle=aged(_cycle(status, now(), connection), measured.told),
         progress=status.revolution / status.planned if status.planned > 0 else 0.0,
-        force=_force(status, measured),
+        force=aged(_force(status, measured), measured.turned),
         used=_used(measured),
-        wear=_wear(status, measured),
-        agreement=_agreement(status),
-        alarms=_alarms(status),
+        wear=aged(_wear(status, measured), measured.predicted),
+        agreement=aged(_agreement(status), measured.predicted),
+        alarms=aged(_alarms(status), measured.told),
     )
 
 
@@ -156,12 +153,13 @@ def _state(
     return shape, TileText(word, retold(status.reason), level)
 
 
-def _cycle(status: Status, now: float) -> TileText:
+def _cycle(status: Status, now: float, connection: ConnectionState) -> TileText:
     if status.planned <= 0:
         return TileText("–", "no test")
     count = tr("{} of {}", grouped(status.revolution), grouped(status.planned))
     saved = tr("{} saved", grouped(status.committed))
-    end, when = _end(status, now)
+    # Of an engine that does not answer nobody knows when the test ends.
+    end, when = _end(status, now) if connection is ConnectionState.ATTACHED else ("", "")
     return TileText(count, f"{saved}, {end}" if end else saved, short=when)
 
 
@@ -180,15 +178,11 @@ def _end(status: Status, now: float) -> tuple[Text, Text]:
 
 
 def data_age(status: Status | None, data_age_s: float | None) -> TileText:
-    """Return the age of the newest sample; while a test is under way an old one is not normal."""
+    """Return the age of the newest sample."""
     if status is None or data_age_s is None or not math.isfinite(data_age_s):
         return TileText("–", "no data yet")
-    level = Level.NORMAL
-    if status.state in ACTIVE and data_age_s > LATE_DATA_S:
-        level = Level.CRITICAL if data_age_s > MISSING_DATA_S else Level.WARNING
-    return TileText(
-        f"{data_age_s:.1f} s" if data_age_s < 100.0 else duration(data_age_s), "", level
-    )
+    text = f"{data_age_s:.1f} s" if data_age_s < 100.0 else duration(data_age_s)
+    return TileText(text, "", level_of(status.alarms, "data_age"))
 
 
 def _force(status: Status, measured: NewestMeasured) -> TileText:
@@ -196,27 +190,11 @@ def _force(status: Status, measured: NewestMeasured) -> TileText:
     value = f"{measured.force_sign}{measured.force_max_N:.1f} N" if known else "–"
     if known and math.isfinite(measured.overload_N):
         value = tr("{} of {}", value, f"{measured.overload_N:.0f} N")
-    if not status.worst_margin or status.worst_margin_percent is None:
+    level = level_of(status.alarms, LARGEST)
+    if measured.nearest is None or status.state not in ACTIVE:
         running = status.state in ACTIVE
-        return TileText(value, "nothing judged yet" if running else "no test running")
-    percent = status.worst_margin_percent
-    level = Level.NORMAL
-    if percent <= 0.0:
-        level = Level.CRITICAL
-    elif percent < LOW_MARGIN_PERCENT:
-        level = Level.WARNING
-    return TileText(
-        value,
-        tr("least margin {:.0f} %, {}", percent, _limit_words(status.worst_margin)),
-        level,
-        tr("margin {:.0f} %", percent),
-    )
-
-
-def _limit_words(name: str) -> str:
-    """Return the name of a limit in words: its quantity, how bad passing it is, its side."""
-    quantity, _, rest = name.partition(" ")
-    return " ".join((quantity_text(quantity), *map(tr, rest.split())))
+        return TileText(value, "nothing judged yet" if running else "no test running", level)
+    return TileText(value, measured.nearest.left, level, measured.nearest.short)
 
 
 def _used(measured: NewestMeasured) -> float:
@@ -226,12 +204,15 @@ def _used(measured: NewestMeasured) -> float:
 
 
 def _wear(status: Status, measured: NewestMeasured) -> TileText:
+    level = level_of(status.alarms, DEPTH)
     if not math.isfinite(measured.wear_um):
-        return TileText("–", "not measured yet" if status.state in ACTIVE else "no test running")
+        return TileText(
+            "–", "not measured yet" if status.state in ACTIVE else "no test running", level
+        )
     value = f"{measured.wear_um:.1f}"
     if math.isfinite(measured.wear_uncertainty_um):
         value += f" ± {measured.wear_uncertainty_um:.1f}"
-    return TileText(f"{value} µm", "measured by the probes, k = 2", short="probes, k = 2")
+    return TileText(f"{value} µm", "measured by the probes, k = 2", level, "probes, k = 2")
 
 
 def _agreement(status: Status) -> TileText:
@@ -239,12 +220,9 @@ def _agreement(status: Status) -> TileText:
         return TileText("–", "no prediction", short="none")
     behind = status.revolution - status.twin_revolution
     value = f"±{status.residual_rms_N:.1f} N"
-    if is_stale(status):
-        return TileText(
-            value, tr("stale for {}", duration(status.twin_age_s or 0.0)), Level.WARNING
-        )
     late = tr("RMS, {} cycles ago", grouped(behind))
-    return TileText(value, "RMS, this cycle" if behind <= 1 else late, short="RMS")
+    level = level_of(status.alarms, "residual_rms")
+    return TileText(value, "RMS, this cycle" if behind <= 1 else late, level, "RMS")
 
 
 def _alarms(status: Status) -> TileText:
@@ -261,12 +239,19 @@ def _alarms(status: Status) -> TileText:
 def measured(news: News) -> NewestMeasured:
     """Return what the newest revolutions of a test say."""
     predictions = news.data.predictions
-    depth, doubt = (
-        1e3 * predictions.last(name)
-        for name in ("measured_wear_depth", "measured_wear_depth_uncertainty")
-    )
+    depth, doubt = (1e3 * predictions.last(name) for name in (DEPTH, f"{DEPTH}_uncertainty"))
     force, sign = _newest_force(news)
-    return NewestMeasured(force, sign, overload_limit(news), depth, doubt)
+    return NewestMeasured(
+        force,
+        sign,
+        overload_limit(news),
+        depth,
+        doubt,
+        nearest_margin(news, LARGEST),
+        age_of(news, Renewed.STATUS),
+        age_of(news, Renewed.REVOLUTION),
+        age_of(news, Renewed.PREDICTION),
+    )
 
 
 def _newest_force(news: News) -> tuple[float, str]:
@@ -274,7 +259,7 @@ def _newest_force(news: News) -> tuple[float, str]:
 
     The alarm is there at once, the revolution of the trip when the file is finished.
     """
-    found = [(news.data.rows.last(f"{SIZE}_max"), "")]
+    found = [(news.data.rows.last(LARGEST), "")]
     alarms = news.status.alarms if news.status is not None else ()
     found += [
         (one.value, OVERLOADS[one.key])
@@ -304,7 +289,7 @@ def identity(status: Status) -> tuple[str, str]:
     if status.state in ACTIVE and status.step:
         parts.append(tr("step {} of {}", status.step, status.steps))
     if status.state in ACTIVE:
-        parts.append(tr("{:.1f} of {:.1f} rpm", status.speed_rpm, status.target_rpm))
+        parts.append(tr("{:.1f} rpm", status.target_rpm))
     if status.operator:
         parts.append(status.operator)
     if status.file:

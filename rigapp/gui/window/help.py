@@ -32,7 +32,8 @@ KEYS: Text = """
 {commands}
 | F8 | Go to the line for reasons and notes; Enter adds the note to the log |
 | F7 | Acknowledge the alarm that is told in full; show the alarms where none is seen |
-| {recover} | Do the next step of the *Recover* panel |
+| {recover} | Do the next step that the message line or the *Recover* panel names |
+| F11 | Try the simulated rig, from the page *Start* |
 | F1 | This help |
 | F3 | Calibrate the load cell or the probes, map the pin's run-out |
 | F9 | Light or dark |

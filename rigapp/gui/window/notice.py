@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from rigapp.gui.data.connection import ConnectionState
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import button
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.times import duration
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.messages import RunState, Status
@@ -22,13 +24,16 @@ USUAL: dict[RunState, Text] = {
 
 
 class NoticeBar(Bar):
-    """Show the reason of a state and the next step; a restart stays until it is put away."""
+    """Show the reason of a state and the next step; of an engine that does not answer, that.
+
+    A restart is shown until it is put away, or until a test is under way again.
+    """
 
     def __init__(self, theme: Theme) -> None:
         super().__init__("notice", "What happened")
         self._theme = theme
         self._last: Status | None = None
-        self._restart = ""
+        self._silent = self._restart = ""
         self._bad = False
         self.away = button("notice_away", "Understood", self._put_away, "Put the notice away")
         self.lay_out((self.away,))
@@ -48,13 +53,24 @@ class NoticeBar(Bar):
         last, self._last = self._last, status
         if last is not None and last.engine_pid != status.engine_pid:
             self._restart = restart_sentence(last)
+        if status.state in ACTIVE:
+            self._restart = ""
         self._show()
 
+    def take_connection(self, connection: ConnectionState, silence_s: float) -> None:
+        """Take how the line to the engine is: of a silent one nothing is said that was before."""
+        silent = silence_sentence(connection, silence_s, self._last)
+        if silent != self._silent:
+            self._silent = silent
+            self._show()
+
     def _show(self) -> None:
-        status = self._last
-        text = self._restart or (sentence(status) if status is not None else "")
-        bad = bool(self._restart) or (status is not None and status.state is RunState.FAULT)
-        self.away.setVisible(bool(self._restart))
+        status, silent = self._last, self._silent
+        text = silent or self._restart or (sentence(status) if status is not None else "")
+        bad = bool(text) and (
+            bool(silent or self._restart) or (status is not None and status.state is RunState.FAULT)
+        )
+        self.away.setVisible(bool(self._restart) and not silent)
         self.say(text)
         self.setToolTip(text)
         self.show_when(bool(text))
@@ -84,6 +100,17 @@ def sentence(status: Status) -> str:
         retold(step.sentence) + key,
     ]
     return "  ".join(one for one in told if one) or tr(USUAL.get(status.state, f"{word}."))
+
+
+def silence_sentence(connection: ConnectionState, silence_s: float, last: Status | None) -> str:
+    """Return what to say while the engine does not answer, nothing while it does."""
+    if last is None or connection not in (ConnectionState.SILENT, ConnectionState.LOST):
+        return ""
+    text = tr("The engine has not answered for {}: every value is old.", duration(silence_s))
+    if last.state in (RunState.IDLE, RunState.READY, RunState.STOPPED):
+        return text
+    more = tr("Press the emergency stop before you reach into the rig.")
+    return f"{text}  {more}"
 
 
 def restart_sentence(last: Status) -> str:

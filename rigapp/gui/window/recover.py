@@ -130,9 +130,8 @@ class RecoverPanel(QFrame):
         self._show()
 
     def press(self) -> None:
-        """Do the next step where there is something to recover from, on whatever page."""
-        if not self.isHidden():
-            self.button.click()
+        """Do the next step, which panel or message line names with this key, on whatever page."""
+        self.button.click()
 
     def act(self) -> None:
         """Ask for the next step."""

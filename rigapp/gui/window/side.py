@@ -10,17 +10,27 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QProgressBar, QScrollArea, QWidget
 
-from rigapp.gui.data.channels import SIZE, FreeValue, free_values, value_text
+from rigapp.gui.data.channels import SIZE, FreeValue, value_text
 from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, wear_of
 from rigapp.gui.data.margins import Margin, margins
 from rigapp.gui.data.news import News, Takes
+from rigapp.gui.data.shown import (
+    MARKS,
+    Level,
+    Renewed,
+    age_of,
+    aged,
+    free_values,
+    level_of,
+    quantity_level,
+)
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.panels.alarms import AlarmGlance
 from rigapp.gui.panels.connecting import BEFORE, ConnectingCard
 from rigapp.gui.widgets.build import column, named
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
-from rigapp.gui.window.headline import Level, TileText, data_age
+from rigapp.gui.window.headline import TileText, data_age
 from rigapp.gui.window.recover import RecoverPanel
 from rigapp.presentation.translation import Text, tr
 
@@ -62,23 +72,24 @@ class Value(QWidget):
         bold = sized(self.font(), VALUE_PT, QFont.Weight.DemiBold)
         self.value = FittedLabel(f"live_{name}_value", caption, bold)
         column(self.caption, self.value, on=self).setSpacing(0)
-        self._name, self._level, self._theme = tr(caption), Level.NORMAL, theme
+        self._name, self._theme = tr(caption), theme
+        self._look: tuple[int, bool] = Level.NORMAL, False
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
         self._theme = theme
-        colours = {Level.WARNING: theme.warning_text, Level.CRITICAL: theme.critical}
-        self.value.setStyleSheet(f"color: {colours.get(self._level, theme.text)};")
+        level, old = self._look
+        self.value.setStyleSheet(f"color: {theme.muted if old else theme.ink(level)};")
         self.caption.setStyleSheet(f"color: {theme.muted};")
 
     def show_field(self, field: TileText) -> None:
         """Show a value; its line, where there is one, stands beside the caption."""
         detail = tr(field.detail)
         self.caption.show_text(f"{self._name}, {detail}" if detail else self._name)
-        self.value.show_text(field.value)
-        if field.level is not self._level:
-            self._level = field.level
+        self.value.show_text(f"{MARKS[Level(field.level)]}{tr(field.value)}")
+        if (field.level, field.old) != self._look:
+            self._look = field.level, field.old
             self.dress(self._theme)
 
 
@@ -111,17 +122,22 @@ class LiveCard(QFrame):
         views = {view.name: view for view in status.channels} if status is not None else {}
         parts = [views[name].value for name in ("force_1", "force_2") if name in views]
         force = math.hypot(*parts) if len(parts) == 2 else math.nan
+        alarms = status.alarms if status is not None else ()
+        rms, rpm = rows.last(f"{SIZE}_rms"), status.speed_rpm if status is not None else None
         fields = {
-            "force": TileText(value_text(force, "N", 1)),
-            "rms": TileText(value_text(rows.last(f"{SIZE}_rms"), "N", 1)),
-            "speed": TileText(value_text(status.speed_rpm if status else None, "rpm", 1)),
-            "age": data_age(status, news.data_age_s),
+            name: aged(TileText(value_text(value, unit, 1), level=level), age_of(news, renewed))
+            for name, value, unit, level, renewed in (
+                ("force", force, "N", level_of(alarms, SIZE), Renewed.SAMPLE),
+                ("rms", rms, "N", level_of(alarms, f"{SIZE}_rms"), Renewed.REVOLUTION),
+                ("speed", rpm, "rpm", quantity_level(alarms, "speed"), Renewed.SAMPLE),
+            )
         }
+        fields["age"] = data_age(status, news.data_age_s)
         for name, field in fields.items():
             self.values[name].show_field(field)
-        shown = status.channels if status is not None else ()
-        free = free_values(news.data.channels, shown, rows.last)
-        self.show_free([*free, *wear_of(news, time.time())])
+        predicted = age_of(news, Renewed.PREDICTION)
+        wear = (aged(one, predicted) for one in wear_of(news, time.time()))
+        self.show_free([*free_values(news), *wear])
 
     def show_free(self, values: Sequence[FreeValue]) -> None:
         """Show a value for each free channel of the rig."""
@@ -132,7 +148,7 @@ class LiveCard(QFrame):
             self.free = {one.name: Value(one.name, one.title, self._theme) for one in values}
             self._place()
         for one in values:
-            self.free[one.name].show_field(TileText(one.value, one.detail))
+            self.free[one.name].show_field(TileText(one.value, one.detail, one.level, old=one.old))
 
     def _place(self) -> None:
         values = {**self.values, **self.free}
@@ -150,7 +166,7 @@ class MarginBar(QProgressBar):
     def __init__(self, name: str, theme: Theme) -> None:
         super().__init__()
         named(self, name, "Way to the limit")
-        self.theme, self.passed = theme, False
+        self.theme, self.passed, self.level = theme, False, Level.NORMAL
         self.setTextVisible(False)
         self.setMaximum(1000)
         self.setFixedHeight(STEP)
@@ -161,7 +177,7 @@ class MarginBar(QProgressBar):
         tick = round(TICK * self.width())
         share = 1.0 if self.passed else TICK * self.value() / self.maximum()
         painter.fillRect(0, 2, self.width(), 4, QColor(theme.track))
-        way = QColor(theme.critical if self.passed else theme.bar)
+        way = QColor((theme.bar, theme.warning, theme.critical)[self.level])
         painter.fillRect(0, 2, round(share * self.width()), 4, way)
         painter.fillRect(tick, 0, 2, self.height(), QColor(theme.text))
         painter.end()
@@ -174,7 +190,7 @@ class MarginRow(QWidget):
         super().__init__()
         named(self, f"margin_{number}", "Limit")
         self._theme = theme
-        self._passed = False
+        self._look = Level.NORMAL, False, False
         self.title = ElidedLabel(f"margin_{number}_title", "Limited quantity")
         self.text = ElidedLabel(f"margin_{number}_text", "Value and limit")
         self.text.setFont(sized(self.font(), CAPTION_PT))
@@ -185,20 +201,22 @@ class MarginRow(QWidget):
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
         self._theme = theme
-        colour = theme.critical if self._passed else theme.secondary
-        self.text.setStyleSheet(f"color: {colour};")
-        self.bar.theme, self.bar.passed = theme, self._passed
+        level, passed, old = self._look
+        ink = theme.muted if old else theme.ink(level, theme.secondary)
+        self.text.setStyleSheet(f"color: {ink};")
+        self.title.setStyleSheet(f"color: {theme.muted if old else theme.text};")
+        self.bar.theme, self.bar.passed, self.bar.level = theme, passed, level
         self.bar.update()
 
-    def show_margin(self, margin: Margin) -> None:
-        """Show a limit."""
-        mark = "◆ " if margin.passed else ""
-        self.title.show_text(margin.title)
-        self.text.show_text(mark + margin.text)
+    def show_margin(self, margin: Margin, *, old: bool) -> None:
+        """Show a limit; old: of a revolution that is not of now."""
+        self.title.show_text(margin.limit.title)
+        self.text.show_text(MARKS[margin.level] + margin.text)
         self.bar.setValue(round(1000 * margin.used))
-        self.setAccessibleDescription(f"{margin.title}: {margin.text}")
-        if margin.passed != self._passed:
-            self._passed = margin.passed
+        self.setAccessibleDescription(f"{margin.limit.title}: {margin.text}")
+        look = margin.level, margin.passed, old
+        if look != self._look:
+            self._look = look
             self.dress(self._theme)
 
 
@@ -225,9 +243,11 @@ class LimitsCard(QFrame):
     def show_news(self, news: News) -> None:
         """Show the newest revolution beside its limits."""
         found = margins(news)[:MOST_MARGINS]
-        self.title.show_text("Limits watched" if found else "No limit is watched now")
+        age = age_of(news, Renewed.REVOLUTION)
+        title = tr("Limits watched") if found else tr("No limit is watched now")
+        self.title.show_text(f"{title}, {age.text}" if found and age.old else title)
         for line, one in zip(self.rows, found, strict=False):
-            line.show_margin(one)
+            line.show_margin(one, old=age.old)
         for number, line in enumerate(self.rows):
             if line.isVisibleTo(self) != (number < len(found)):
                 line.setVisible(number < len(found))

@@ -226,6 +226,7 @@ class MainWindow(QMainWindow):
         replay = self._connection.is_replay
         now = measured(news)
         self.header.show_headline(headline(status, state, reason, now, replay=replay))
+        self.notice.take_connection(state, news.silence_s)
         if self.tabs.place in BESIDE:
             self.side.show_news(news)
         self._show_side()

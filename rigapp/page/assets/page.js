@@ -1,6 +1,6 @@
 "use strict";
 // Puts each fragment that the server sends in its place, and says when the server is silent.
-const SILENT_AFTER_MS = 5000; // the server speaks every second
+const SILENT_AFTER_MS = 2000; // the server speaks every second, and older values are old
 const AGAIN_MS = 3000; // where the browser itself does not try again
 const THEMES = ["auto", "light", "dark"];
 const server = document.getElementById("server");
@@ -51,7 +51,7 @@ setInterval(() => {
     server.textContent = `The page's server is silent for ${seconds} s: what is shown is old.`;
     document.body.classList.add("old");
   }
-}, 1000);
+}, 500);
 
 setInterval(() => {
   if (source.readyState === EventSource.CLOSED) listen();
