@@ -197,7 +197,8 @@ class RoboClaw:
     def drive_off(self) -> None:
         """Set duty 0: the power is off at once, whatever the drive was doing.
 
-        Raises ReplyTimeout, ProtocolError or DeviceLost when the drive did not confirm it.
+        Raises ReplyTimeout, ProtocolError or DeviceLost where no duty 0 is read back, whatever was
+        acknowledged.
         """
         with self._power_off_first():
             self._off(self._link())
@@ -226,15 +227,16 @@ class RoboClaw:
             self._lock.release()
 
     def _off(self, link: Link) -> None:
-        def in_effect() -> bool:
-            try:
-                return link.read(Command.PWM, tries=1)[self._motor - 1] == 0
-            except (ReplyTimeout, ProtocolError):
-                return False
-
         self._target = None
-        link.write(Command.DUTY_M1 + self._motor - 1, 0, in_effect=in_effect)
+        command = Command.DUTY_M1 + self._motor - 1
+        link.write(command, 0, in_effect=lambda: self._is_off(link), read_back=True)
         link.standing = True
+
+    def _is_off(self, link: Link) -> bool:
+        try:
+            return not self._still_drives(link, tries=1)
+        except (ReplyTimeout, ProtocolError):
+            return False
 
     def reset_fault(self) -> None:
         """Switch the motor off, forget the watchdog's stop and release a latched emergency stop.
@@ -352,9 +354,9 @@ class RoboClaw:
         self._off(link)
         self._silence_s = silence_s
 
-    def _still_drives(self, link: Link) -> bool:
+    def _still_drives(self, link: Link, tries: int | None = None) -> bool:
         """Tell whether the motor has power; a ramp that has just begun may show none yet."""
-        return any(link.read(Command.PWM)[self._motor - 1] for _ in range(_LOOKS))
+        return any(link.read(Command.PWM, tries)[self._motor - 1] for _ in range(_LOOKS))
 
     def _check_watchdog(self, link: Link, setup: Setup) -> None:
         """Read the serial time-out; with another one take the power off, raise DeviceLost."""

@@ -113,15 +113,18 @@ class Link:
         *values: int,
         in_effect: Callable[[], bool] | None = None,
         stop_requests: int | None = None,
+        read_back: bool = False,
     ) -> None:
         """Send a write until it is acknowledged by FF.
 
         in_effect: reads the drive's state back after a failed try; when it tells that the write has
         taken effect, nothing is sent again. stop_requests: when the caller began; None for a write
-        that a stop does not forbid. Errors as ``read``, and DeviceFault when a stop came.
+        that a stop does not forbid. read_back: only ``in_effect`` counts, whatever was
+        acknowledged: an FF has no number, and may be a late one of an earlier write. Errors as
+        ``read``, and DeviceFault when a stop came.
         """
         packet = write_packet(self.address, command, *values, generation=self.generation)
-        self.write_packet(command, packet, in_effect, stop_requests)
+        self.write_packet(command, packet, in_effect, stop_requests, read_back)
 
     def write_packet(
         self,
@@ -129,6 +132,7 @@ class Link:
         packet: bytes,
         in_effect: Callable[[], bool] | None = None,
         stop_requests: int | None = None,
+        read_back: bool = False,
     ) -> None:
         """Send a packet that is already built; see ``write``."""
         failures: list[str] = []
@@ -141,11 +145,14 @@ class Link:
                     return
             self._send(packet, stop_requests)
             answer = self._serial.read_some(1, self._reply_timeout(len(packet) + 1))
-            if answer == ACKNOWLEDGE:
+            if answer == ACKNOWLEDGE and (not read_back or in_effect is None or in_effect()):
                 if failures:
                     self._tell_repeated(_UNACKNOWLEDGED)
                 return
-            failures.append(f"answered {answer.hex().upper()} instead of FF" if answer else "")
+            if answer == ACKNOWLEDGE:
+                failures.append("acknowledged, and not in effect")
+            else:
+                failures.append(f"answered {answer.hex().upper()} instead of FF" if answer else "")
             if self.hurry.is_set():
                 break
         raise self._failure(command, failures)

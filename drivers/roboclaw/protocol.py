@@ -23,6 +23,7 @@ NVM_KEY: Final = 0xE22EAB7A
 BAUD_RATES: Final = (2400, 9600, 19200, 38400, 57600, 115200, 230400, 460800)
 TIMEOUT_UNIT_S: Final = 0.1
 MAXIMUM_DUTY: Final = 32767
+MAXIMUM_DUTY_ACCELERATION: Final = 655359  # duty per s: all of it in 50 ms
 FIXED_POINT: Final = 65536.0
 CURRENT_UNIT_A: Final = 0.01
 VOLTAGE_UNIT_V: Final = 0.1
@@ -60,11 +61,14 @@ class Command(enum.IntEnum):
     VELOCITY_PID_M2 = 56
     SET_MAIN_LIMITS = 57
     MAIN_LIMITS = 59
+    SET_DUTY_ACCELERATION_M1 = 68
+    SET_DUTY_ACCELERATION_M2 = 69
     COMBINED_STATUS = 73
     SET_PIN_FUNCTIONS = 74
     PIN_FUNCTIONS = 75
     COUNTS = 78
     INSTANT_SPEEDS = 79
+    DUTY_ACCELERATIONS = 81
     TEMPERATURE_1 = 82
     TEMPERATURE_2 = 83
     STATUS = 90
@@ -126,6 +130,7 @@ _FIXED_WRITES: Final[Mapping[int, str]] = {
         Command.SET_COUNT_M1: ">i",
         Command.SET_VELOCITY_PID_M1: ">4I",
         Command.DUTY_M1: ">h",
+        Command.SET_DUTY_ACCELERATION_M1: ">I",
         Command.SET_SPEED_M1: ">i",
         Command.RAMP_SPEED_M1: ">Ii",
         Command.SET_ENCODER_MODE_M1: ">B",
@@ -141,6 +146,7 @@ _FIXED_REPLIES: Final[Mapping[int, str]] = {
     Command.COMBINED_STATUS: ">2I4H4h6i4h",
     Command.COUNTS: ">2i",
     Command.INSTANT_SPEEDS: ">2i",
+    Command.DUTY_ACCELERATIONS: ">2I",
     Command.ENCODER_MODES: ">2B",
     Command.VOLTAGES: ">2H",
     Command.TEMPERATURES: ">2H",

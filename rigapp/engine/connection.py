@@ -327,6 +327,8 @@ class Connection:
             return
         if do is DriveStep.STANDING:
             core.stood(stop.witnesses, stop.how)
+        elif do is DriveStep.NO_EFFECT:
+            core.stop_without_effect(self.spindle.name)
         elif do is DriveStep.GIVE_UP:
             core.will_not_stop(
                 f"The stop was commanded, the power was cut, and still the spindle is not seen to "
@@ -468,6 +470,7 @@ class Connection:
         if newest is None or not fresh:
             return Seen(now, drive_rpm, None, None, drive_s=self.control.answered_s)
         rpm = motion.speed_rpm()
+        turns, turns_s = motion.turns() or (None, 0.0)
         return Seen(
             now_s=now,
             drive_rpm=drive_rpm,
@@ -477,6 +480,8 @@ class Connection:
             deg_per_s=rpm * 6.0 * motion.pace(),
             drive_s=self.control.answered_s,
             encoder_s=newest.host_s,
+            turns=turns,
+            turns_s=turns_s,
         )
 
     def slow(self) -> float:

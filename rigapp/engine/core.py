@@ -272,6 +272,15 @@ class Core:
             self.event("stopped", "drive", how)
             self.test.stood = True
 
+    def stop_without_effect(self, drive: str) -> None:
+        """Take note that the crank turns on although the drive has confirmed the power-off."""
+        sentence = (
+            f"{drive} confirmed the power-off, but the crank turns on. It is left to its watchdog."
+        )
+        self.warn(because("will_not_stop", sentence=sentence))
+        if self.test is not None and not self.test.stood:
+            self.test.fault_sentence = self.test.fault_sentence or sentence
+
     def will_not_stop(self, sentence: str) -> None:
         """Take note that the spindle could not be shown to stand."""
         self.warn(because("will_not_stop", sentence=sentence))

@@ -52,10 +52,11 @@ class Spinning:
                     encoder_s=now,
                 )
             )
-            if do in (DriveStep.STANDING, DriveStep.GIVE_UP):
+            if do is DriveStep.STANDING:
                 assert sequence.step(Seen(now, 0.0, 0.0, True)) is DriveStep.WAIT
+            if do in (DriveStep.STANDING, DriveStep.GIVE_UP):
                 return do, now
-            if do is DriveStep.WAIT:
+            if do in (DriveStep.WAIT, DriveStep.NO_EFFECT):
                 continue
             self.done.append(do)
             if self.takes:
@@ -97,6 +98,19 @@ def test_a_command_that_is_not_taken_is_given_again() -> None:
     assert spindle.done.count(DriveStep.POWER_OFF) > 2
 
 
+def test_a_ramp_that_is_confirmed_and_ignored_is_repeated() -> None:
+    sequence, now, repeated = StopSequence(False, 0.0, 10.0, 15.0), 0.0, 0
+    sequence.commanded(DriveStep.RAMP_DOWN, 0.0)
+    while now < 5.0:
+        now += 0.01
+        do = sequence.step(Seen(now, 60.0, 60.0, False, turns=now, turns_s=now))
+        if do is DriveStep.RAMP_DOWN:
+            repeated += 1
+            sequence.commanded(do, now)
+    assert repeated > 2
+    assert not sequence.escalated
+
+
 def test_a_drive_that_does_not_hear_is_left_to_its_watchdog() -> None:
     sequence = StopSequence(False, 0.0, ramp_s=5.0, coast_s=5.0, watchdog_s=0.5)
     rpm, now, heard, silences = 30.0, 0.0, 0.0, []
@@ -114,6 +128,113 @@ def test_a_drive_that_does_not_hear_is_left_to_its_watchdog() -> None:
         assert now < 3.0
     assert sequence.escalated
     assert len(silences) > 50
+
+
+class Disobedient:
+    """A drive that confirms all and obeys the power-off after so many; its watchdog works."""
+
+    WATCHDOG_S = 0.5
+
+    def __init__(self, ignores: float, rpm: float = 60.0, coast_rpm_per_s: float = 20.0) -> None:
+        self.ignores, self.rpm, self.slows = ignores, rpm, coast_rpm_per_s
+        self.fired: float | None = None
+        self.now = self.fed = self.turns = 0.0
+        self.steps: list[tuple[float, DriveStep]] = []
+
+    def run(self, sequence: StopSequence, seconds: float) -> float | None:
+        """Run for so long; return when it was seen to stand."""
+        stood = None
+        end = self.now + seconds
+        while self.now < end:
+            self.now += 0.01
+            if self.now - self.fed > self.WATCHDOG_S and self.fired is None and self.ignores > 0:
+                self.fired, self.rpm = self.now, 0.0
+            if self.ignores <= 0:
+                self.rpm = max(0.0, self.rpm - 0.01 * self.slows)
+            self.turns += self.rpm / 60.0 * 0.01
+            told = None if self.now - self.fed > 0.5 else self.rpm
+            do = sequence.step(
+                Seen(self.now, told, self.rpm, self.rpm == 0.0, turns=self.turns, turns_s=self.now)
+            )
+            if do is DriveStep.POWER_OFF:
+                self.ignores -= 1
+                sequence.commanded(do, self.now)
+            if not sequence.quiet or do is DriveStep.POWER_OFF:
+                self.fed = self.now
+            if do is not DriveStep.WAIT:
+                self.steps.append((self.now, do))
+            if do is DriveStep.STANDING:
+                stood = self.now
+        return stood
+
+
+@pytest.mark.parametrize("ignored", [1, 5])
+def test_a_power_off_that_is_confirmed_and_ignored_is_repeated(ignored: int) -> None:
+    drive = Disobedient(ignored)
+    stood = drive.run(StopSequence(True, 0.0, 1.0, 15.0), 10.0)
+    assert stood == pytest.approx(3.0 + 0.1 * ignored, abs=0.2)
+    assert drive.fired is None
+
+
+@pytest.mark.parametrize(("rpm", "within_s"), [(60.0, 3.5), (400.0, 3.5), (30.0, 5.5), (2.0, 16.5)])
+def test_a_drive_that_confirms_and_ignores_every_power_off_is_left_to_its_watchdog(
+    rpm: float, within_s: float
+) -> None:
+    drive = Disobedient(math.inf, rpm)
+    stood = drive.run(StopSequence(True, 0.0, 1.0, 15.0), 20.0)
+    assert drive.fired is not None
+    assert stood is not None
+    assert stood < within_s
+    steps = [do for _, do in drive.steps]
+    assert steps.count(DriveStep.NO_EFFECT) == 1
+    assert (DriveStep.GIVE_UP in steps) == (rpm == 2.0), "before its second turn"
+
+
+@pytest.mark.parametrize(("rpm", "slows"), [(600.0, 42.0), (60.0, 5.0), (60.0, 60.0), (10.0, 1.0)])
+def test_a_crank_that_coasts_is_not_taken_for_one_that_is_driven(rpm: float, slows: float) -> None:
+    drive = Disobedient(1, rpm, slows)
+    sequence = StopSequence(True, 0.0, 1.0, 15.0)
+    assert drive.run(sequence, 16.0) is not None
+    assert not sequence.ignored
+
+
+def test_a_stop_that_was_given_up_goes_on_until_the_crank_stands() -> None:
+    drive = Disobedient(math.inf)
+    drive.WATCHDOG_S = 3.0  # longer than the engine was told
+    sequence = StopSequence(True, 0.0, 1.0, 2.0, watchdog_s=0.5)
+    assert drive.run(sequence, 10.0) is None
+    assert [do for _, do in drive.steps].count(DriveStep.GIVE_UP) == 1
+    drive.ignores = 1
+    assert drive.run(sequence, 10.0) is not None
+
+
+def test_a_crank_that_begins_to_turn_by_itself_is_switched_off_again() -> None:
+    sequence = StopSequence.at_rest(15.0, 0.5)
+    drive = Disobedient(2, rpm=0.0)
+    drive.run(sequence, 1.0)
+    assert drive.steps == []
+    drive.rpm = 30.0
+    assert drive.run(sequence, 5.0) is not None
+    assert sequence.by_itself
+    drive.ignores, drive.rpm = math.inf, 30.0
+    drive.run(sequence, 20.0)
+    assert drive.fired is not None, "in every state, nothing is sent to a drive that ignores it"
+    assert drive.rpm == 0.0
+
+
+def test_a_crank_that_is_turned_by_hand_leaves_the_drive_in_peace() -> None:
+    sequence = StopSequence.at_rest(15.0, 0.5)
+    now = turns = 0.0
+    for i in range(6000):
+        now += 0.01
+        rpm = 25.0 + 8.0 * math.sin(0.003 * i) + 5.0 * math.sin(0.11 * i)
+        turns += rpm / 60.0 * 0.01
+        assert sequence.step(Seen(now, rpm, rpm, False, turns=turns, turns_s=now)) in (
+            DriveStep.WAIT,
+            DriveStep.POWER_OFF,
+        )
+        sequence.commanded(DriveStep.POWER_OFF, now)
+        assert not sequence.quiet
 
 
 def test_one_witness_is_enough_and_none_is_not() -> None:

@@ -135,6 +135,17 @@ class Axis402:
         elif self.state is not State.FAULT:
             self.power_off(State.FAULT)
 
+    @property
+    def powered(self) -> bool:
+        """Tell whether the motor has power."""
+        return self.state in _POWERED
+
+    def turn_by_itself(self, rpm: float) -> None:
+        """Turn as nobody has commanded."""
+        self._objects.set(0x6061, PROFILE_VELOCITY)
+        self._objects.set(0x60FF, round(rpm / 60.0 / self._unit))
+        self.state, self._after_stop = State.ENABLED, None
+
     def power_off(self, state: State) -> None:
         """Take the power off the motor and enter a state without power."""
         self.state = state

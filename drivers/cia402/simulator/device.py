@@ -85,6 +85,11 @@ class Cia402Simulator:
         return self._advance(self._plan.tick(now_s))
 
     @property
+    def watchdog_tripped(self) -> bool:
+        """Tell whether the supervision of the host has stopped the motor since power-on."""
+        return self.node.watchdog_tripped
+
+    @property
     def _hears(self) -> bool:
         return self._adapter.bit_rate in (None, self._bit_rate)
 

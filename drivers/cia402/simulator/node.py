@@ -33,14 +33,14 @@ from drivers.cia402.simulator.objects import (
     add_profile,
 )
 from drivers.cia402.simulator.pdo import Pdos
-from drivers.cia402.simulator.sdo import SdoServer
+from drivers.cia402.simulator.sdo import DOWNLOAD, SdoServer
 from drivers.cia402.slcan import Frame
 from drivers.simulated import FaultPlan
 from drivers.simulator_api import DriveCommand, MotorState
 
 BOOT_S: Final = 0.1
 _SLOW_COMMAND_S: Final = 2.0  # longer than any driver's time-outs for one transfer
-_DOWNLOAD: Final = 1  # command specifier of an SDO that writes
+_BY_ITSELF_RPM: Final = 30.0
 HEARTBEAT_LOST: Final = 0x8130
 BUS_OFF: Final = 0x81FD
 PDO_LENGTH: Final = 0x8210
@@ -56,6 +56,8 @@ class Cia402Fault(enum.StrEnum):
     BUS_OFF = "bus_off"  # off the bus until end_s, then emergency 81FD
     SDO_ABORT = "sdo_abort"  # abort code
     NO_SDO_REPLY = "no_sdo_reply"
+    IGNORED_COMMAND = "ignored_command"  # the write is confirmed and not obeyed
+    TURNS_BY_ITSELF = "turns_by_itself"  # rpm that nobody has commanded
     SLOW_COMMAND = "slow_command"  # s until a download is confirmed; it is obeyed at once
     LATE_TPDO = "late_tpdo"  # s of delay
     NO_TPDO = "no_tpdo"
@@ -114,6 +116,7 @@ class Cia402Node:
         self.state = NodeState.PRE_OPERATIONAL
         self._last_heartbeat_s: float | None = None
         self._heard: dict[int, float] = {}
+        self.watchdog_tripped = False
         if self._observed:
             self.axis.observe(self._motor)
 
@@ -183,15 +186,21 @@ class Cia402Node:
     def _answer_sdo(self, request: bytes, time_s: float) -> None:
         index = int.from_bytes(request[1:3], "little")
         abort = self._plan.strike(Cia402Fault.SDO_ABORT, index, default=Abort.STATE)
-        reply = self.sdo.answer(request, None if abort is None else int(abort))
+        ignored = request[0] >> 5 == DOWNLOAD and self._ignores(index)
+        reply = self.sdo.answer(request, None if abort is None else int(abort), obey=not ignored)
         if reply is None or self._plan.strike(Cia402Fault.NO_SDO_REPLY, index) is not None:
             return
-        if request[0] >> 5 == _DOWNLOAD:
+        if request[0] >> 5 == DOWNLOAD:
             slow = Cia402Fault.SLOW_COMMAND
             time_s += self._plan.strike(slow, index, _SLOW_COMMAND_S) or 0.0
         self._queue.append((time_s, Frame(SDO_REPLY_BASE + self._options.node_id, reply)))
 
+    def _ignores(self, index: int) -> bool:
+        return self._plan.strike(Cia402Fault.IGNORED_COMMAND, index) is not None
+
     def _take_pdo(self, frame: Frame, time_s: float) -> None:
+        if self._ignores(0x6040):  # what the driver maps into its PDO
+            return
         try:
             fits = self.pdos.receive(frame)
         except AbortTransfer:
@@ -228,6 +237,9 @@ class Cia402Node:
             self.objects.set(0x1016, 0, 1)
         while (code := self._plan.take(Cia402Fault.EMERGENCY, 0x1000)) is not None:
             self.emergency(int(code), time_s)
+        rpm = self._plan.take(Cia402Fault.TURNS_BY_ITSELF, _BY_ITSELF_RPM)
+        if rpm is not None:
+            self.axis.turn_by_itself(rpm)
         self.axis.set_torque_off(self._plan.on(Cia402Fault.TORQUE_OFF))
         self._judge_bus(time_s)
         self._judge_hosts(time_s)
@@ -256,6 +268,7 @@ class Cia402Node:
 
     def _host_lost(self, time_s: float) -> None:
         option = self.objects.number(0x6007)
+        self.watchdog_tripped |= self.axis.powered
         self._announce(HEARTBEAT_LOST, time_s)
         if option == 1:
             self.axis.fail()

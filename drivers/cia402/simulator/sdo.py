@@ -6,7 +6,7 @@ import struct
 
 from drivers.cia402.simulator.objects import Abort, AbortTransfer, Dictionary
 
-_DOWNLOAD, _UPLOAD, _UPLOAD_SEGMENT, _ABORT = 1, 2, 3, 4
+DOWNLOAD, _UPLOAD, _UPLOAD_SEGMENT, _ABORT = 1, 2, 3, 4
 
 
 class SdoServer:
@@ -18,8 +18,13 @@ class SdoServer:
         self._toggle = 0
         self._place = (0, 0)
 
-    def answer(self, request: bytes, forced_abort: int | None = None) -> bytes | None:
-        """Return the reply, None where the protocol has none; forced_abort is a fault to show."""
+    def answer(
+        self, request: bytes, forced_abort: int | None = None, *, obey: bool = True
+    ) -> bytes | None:
+        """Return the reply, None where the protocol has none.
+
+        forced_abort: a fault to show. obey: whether a download that is confirmed is carried out.
+        """
         if len(request) != 8:
             return None
         command = request[0] >> 5
@@ -32,13 +37,16 @@ class SdoServer:
         try:
             if forced_abort is not None:
                 raise AbortTransfer(forced_abort)
-            return self._obey(command, request)
+            return self._obey(command, request) if obey else self._confirmed()
         except AbortTransfer as abort:
             self._rest = b""
             return struct.pack("<BHBI", 0x80, *self._place, abort.code)
 
+    def _confirmed(self) -> bytes:
+        return struct.pack("<BHBI", 0x60, *self._place, 0)
+
     def _obey(self, command: int, request: bytes) -> bytes:
-        if command == _DOWNLOAD:
+        if command == DOWNLOAD:
             return self._download(request)
         if command == _UPLOAD:
             return self._upload()
@@ -54,7 +62,7 @@ class SdoServer:
         entry = self._objects.find(index, subindex)
         length = 4 - (request[0] >> 2 & 3) if sized else entry.length
         self._objects.write(index, subindex, request[4 : 4 + length])
-        return struct.pack("<BHBI", 0x60, index, subindex, 0)
+        return self._confirmed()
 
     def _upload(self) -> bytes:
         index, subindex = self._place

@@ -28,6 +28,7 @@ _BOOT_S: Final = 0.2
 _SLOW_S: Final = 0.15
 _SLOW_COMMAND_S: Final = 2.0  # longer than any driver's time-outs for one packet
 _WRONG_ACKNOWLEDGE: Final = 0x7F
+_BY_ITSELF_COUNT_PER_S: Final = 1800  # 30 rpm of an encoder of 3600 counts
 
 
 class RoboClawSimulator:
@@ -141,6 +142,9 @@ class RoboClawSimulator:
             self._registers.power_on(clock_runs_on=True)
         if self._plan.take(RoboClawFault.WATCHDOG_LOST) is not None:
             self._registers.memory.timeout = 0
+        speed = self._plan.take(RoboClawFault.TURNS_BY_ITSELF, _BY_ITSELF_COUNT_PER_S)
+        if speed is not None:
+            self._registers.axes[self._registers.motor - 1].run(round(speed))
         timeout_s = self.serial_timeout_s
         if timeout_s and time_s - self._last_byte_s > timeout_s and self._registers.halt():
             self.watchdog_tripped = True
@@ -175,7 +179,8 @@ class RoboClawSimulator:
         elif crc16(packet[:-2]) != int.from_bytes(packet[-2:], "big"):
             return b""
         else:
-            self._registers.write(command, struct.unpack(layout, packet[2:-2]))
+            if self._plan.strike(RoboClawFault.IGNORED_COMMAND, command) is None:
+                self._registers.write(command, struct.unpack(layout, packet[2:-2]))
             self._registers.judge()
             wrong = self._plan.strike(RoboClawFault.WRONG_ACKNOWLEDGE, command, _WRONG_ACKNOWLEDGE)
             reply = ACKNOWLEDGE if wrong is None else bytes((int(wrong),))

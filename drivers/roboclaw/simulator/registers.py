@@ -39,6 +39,8 @@ class RoboClawFault(enum.StrEnum):
     WRONG_ACKNOWLEDGE = "wrong_acknowledge"  # byte sent instead of FF
     NO_REPLY = "no_reply"
     LOST_COMMAND = "lost_command"  # the packet is neither obeyed nor answered
+    IGNORED_COMMAND = "ignored_command"  # the write is acknowledged and not obeyed
+    TURNS_BY_ITSELF = "turns_by_itself"  # counts/s that nobody has commanded
     SLOW_REPLY = "slow_reply"  # s of delay
     DUPLICATED_REPLY = "duplicated_reply"
     SLOW_COMMAND = "slow_command"  # s until a command is acknowledged; it is obeyed at once

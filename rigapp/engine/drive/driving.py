@@ -65,7 +65,7 @@ class SpindleControl:
         self._deciding = threading.Lock()
         self._commanding = threading.Lock()
         self._power_offs = 0
-        self._stop: StopSequence | None = None
+        self._stop: StopSequence | None = StopSequence.at_rest(timing.coast, watchdog_s)
         self._pause: PauseSequence | None = None
         self._ramp = Ramp(0.0, 60.0)
         self._unsent = False
@@ -132,7 +132,8 @@ class SpindleControl:
                 self._stop = StopSequence(off, now, ramp_s, self._timing.coast, self._watchdog_s)
             elif off:
                 self._stop.cut_power(now)
-        self._carry_out(DriveStep.POWER_OFF if off else DriveStep.RAMP_DOWN)
+        if not self.quiet:  # what the drive receives would feed its watchdog
+            self._carry_out(DriveStep.POWER_OFF if off else DriveStep.RAMP_DOWN)
 
     # --- the drive thread ------------------------------------------------------------------------
 
@@ -208,7 +209,7 @@ class SpindleControl:
 
     def step(self) -> DriveStep:
         """Take the pause or stop under way one step further, and return what was done."""
-        seen = self.seen() if self.busy else None
+        seen = self.seen() if self._stop is not None or self._pause is not None else None
         with self._deciding:
             stop, pause = self._stop, self._pause
             do = DriveStep.WAIT

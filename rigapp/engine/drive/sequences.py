@@ -10,9 +10,18 @@ import math
 from dataclasses import dataclass
 
 STANDING_RPM = 1.0  # a drive shows less by the ripple of its own encoder
-RETRY_S = 0.1  # a command that failed is sent again so often, no faster than a drive answers
-DEAF_S = 0.4
-"""A drive that has not accepted a command for so long does not hear, or cannot answer."""
+RETRY_S = 0.1
+"""Period in which a command is repeated that failed or has no effect: no drive answers faster."""
+IGNORED_S = 0.4
+"""A drive that has not accepted a command for so long ignores it, or cannot answer."""
+SEGMENT_S = 1.0
+"""Shortest time over which the mean speed of whole turns is taken."""
+STEADY_SHARE = 0.03
+"""Change of that speed from one segment to the next below which the motor drives the crank: a crank
+that comes to rest within the coast time of 15 s loses 1/15 of its speed in the first second."""
+STEADY_AT_REST = 3
+"""Steady segments in a row that a hand hardly turns; after a stop nobody turns by hand, and one is
+enough."""
 CREEP_RPM = 10.0  # 60 deg/s: one look of the drive thread is a third of a degree
 CREEPING_SHARE, CREEPING_RPM = 1.15, 0.5
 """What the crank may turn faster than creep speed by ripple and counts and creep all the same."""
@@ -29,6 +38,7 @@ class DriveStep(enum.Enum):
     CREEP = "creep"
     POWER_OFF = "power off"
     STANDING = "standing"
+    NO_EFFECT = "no effect"
     GIVE_UP = "give up"
 
 
@@ -39,6 +49,7 @@ class Seen:
     drive_rpm: what the drive says, None when it does not answer. encoder_rpm, encoder_stands: what
     the crank encoder says, None when its data are stale. drive_s, encoder_s: host time of the two.
     angle_deg: crank angle now, extrapolated. deg_per_s: its change per second of host time.
+    turns: of the crank by the encoder, signed; turns_s: time of the data source for them.
     """
 
     now_s: float
@@ -49,6 +60,8 @@ class Seen:
     deg_per_s: float = 0.0
     drive_s: float = math.inf
     encoder_s: float = math.inf
+    turns: float | None = None
+    turns_s: float = 0.0
 
     def later_than(self, time_s: float) -> bool:
         """Tell whether what is seen was seen after a host time."""
@@ -68,6 +81,14 @@ class Seen:
         return known
 
     @property
+    def moves(self) -> bool:
+        """Tell whether drive or encoder shows motion; data that are too few show none."""
+        rpm = max(
+            abs(self.drive_rpm or 0.0), 0.0 if self.encoder_stands else abs(self.encoder_rpm or 0.0)
+        )
+        return rpm >= STANDING_RPM
+
+    @property
     def witnesses(self) -> str:
         """Return who confirms the stand, in words."""
         drive, encoder = self.drive_rpm is not None, self.encoder_stands is not None
@@ -76,11 +97,40 @@ class Seen:
         return "the drive only" if drive else "the encoder only" if encoder else "nobody"
 
 
+class SpeedTrend:
+    """Compare the mean speed of successive segments of whole turns.
+
+    The work of spring, weight and friction is the same in each turn, so that a crank without power
+    is slower from turn to turn, and one that the motor drives is not.
+    """
+
+    def __init__(self) -> None:
+        self._start: tuple[float, float] | None = None
+        self._rev_per_s: float | None = None
+        self.steady = 0
+
+    def add(self, turns: float, time_s: float) -> None:
+        """Take the newest turns; ``steady`` counts segments in a row without a change of speed."""
+        if self._start is None:
+            self._start = turns, time_s
+            return
+        turned, elapsed_s = turns - self._start[0], time_s - self._start[1]
+        if abs(turned) < 1.0 or elapsed_s < SEGMENT_S:
+            return
+        before, now = self._rev_per_s, turned / elapsed_s
+        alike = before is not None and abs(now - before) < STEADY_SHARE * abs(before)
+        self.steady = self.steady + 1 if alike else 0
+        self._start, self._rev_per_s = (turns, time_s), now
+
+
 class StopSequence:
     """Stop: ramp down, see that it stands, take the power off; escalate when it does not stand.
 
-    A drive that accepts no command is left alone for a while (``quiet``): what it hears may feed
-    its watchdog, and the watchdog is then the only one who can stop it.
+    What counts is what the encoder shows, not what the drive has acknowledged: the power-off is
+    repeated while the crank moves. Where it stays without effect, or is not accepted, nothing is
+    sent for a while (``quiet``): what the drive receives feeds its watchdog, and only the watchdog
+    can then stop it. This goes on after the stop was given up, and begins again when a crank that
+    stood begins to turn.
 
     off: skip the ramp. ramp_s, coast_s: longest time for the ramp and for coasting without power.
     watchdog_s: the drive's watchdog time.
@@ -90,25 +140,39 @@ class StopSequence:
         self, off: bool, now_s: float, ramp_s: float, coast_s: float, watchdog_s: float = 0.5
     ) -> None:
         self._off = off
-        self._trying_since = now_s
+        self._trying_since = self._repeated_from = now_s
         self._quiet_s = 1.5 * watchdog_s + 0.2
-        self._quiet_until = -math.inf
+        self._quiet_until = self._watchdog_from = -math.inf
         self.quiet = False
         self._off_done = False
         self._ramp_done = False
         self._last_try = -1e9
         self._commanded_s = -math.inf
         self._coast_s = coast_s
+        self._trend = SpeedTrend()
+        self._steady_limit = 1
         self._deadline = now_s + (coast_s if off else ramp_s)
         self.done = False
+        self.given_up = False
+        self.by_itself = False
         self.escalated = False
+        self.ignored = False
         self.witnesses = ""
+
+    @classmethod
+    def at_rest(cls, coast_s: float, watchdog_s: float) -> StopSequence:
+        """Return a stop that is through, of a crank that nobody has turned yet."""
+        stop = cls(True, 0.0, 0.0, coast_s, watchdog_s)
+        stop.done = stop._off_done = True
+        return stop
 
     @property
     def how(self) -> str:
         """Return how the spindle came to a stand, in words."""
         if not self._off_done:
             return "though the drive accepted no command"
+        if self.ignored:
+            return "though the power-off had no effect"
         return "after the power had to be cut" if self.escalated else "without power"
 
     @property
@@ -118,7 +182,7 @@ class StopSequence:
 
     def ramp_unanswered(self, now_s: float) -> bool:
         """Tell whether a ramp down was not accepted for too long."""
-        return not self._off and self._deaf(self._ramp_done, now_s)
+        return not self._off and self._not_accepted(self._ramp_done, now_s)
 
     @property
     def power_cut(self) -> bool:
@@ -127,8 +191,7 @@ class StopSequence:
 
     def commanded(self, do: DriveStep, now_s: float) -> None:
         """Take note that the drive has accepted a command."""
-        self._commanded_s = now_s
-        self._trying_since = now_s
+        self._commanded_s = self._trying_since = self._last_try = now_s
         if do is DriveStep.RAMP_DOWN:
             self._ramp_done = True
         elif do is DriveStep.POWER_OFF:
@@ -139,42 +202,76 @@ class StopSequence:
         if not self._off:
             self._off = True
             self._deadline = now_s + self._coast_s
-            self._trying_since = now_s
+            self._trying_since = self._repeated_from = now_s
+            self._trend = SpeedTrend()
 
     def step(self, seen: Seen) -> DriveStep:
-        """Return what to do now; STANDING and GIVE_UP come once, at the end."""
-        if self.done:
+        """Return what to do now.
+
+        STANDING comes once for each stand; NO_EFFECT and GIVE_UP once, and the stop goes on.
+        """
+        if self.done and not self._moves_again(seen):
             return DriveStep.WAIT
         stands = seen.stands and seen.later_than(self._commanded_s)
+        if seen.turns is not None:
+            self._trend.add(seen.turns, seen.turns_s)
         if not self._off:
             if stands and (self._ramp_done or seen.drive_rpm is None):
                 self.cut_power(seen.now_s)
-            elif seen.now_s > self._deadline or self._deaf(self._ramp_done, seen.now_s):
+            elif seen.now_s > self._deadline or self._not_accepted(self._ramp_done, seen.now_s):
                 self.escalated = True
                 self.cut_power(seen.now_s)
-            elif not self._ramp_done:
+            elif not self._ramp_done or self._trend.steady:
                 return self._try(DriveStep.RAMP_DOWN, seen.now_s)
             else:
                 return DriveStep.WAIT
             self._last_try = -1e9
         if stands and (self._off_done or seen.drive_rpm is None):
             self.witnesses = seen.witnesses
-            self.done = True
+            self.done, self.quiet = True, False
             return DriveStep.STANDING
-        if seen.now_s > self._deadline:
+        if seen.now_s > self._deadline and not self.given_up:
             self.witnesses = seen.witnesses
-            self.done = True
+            self.given_up = True
             return DriveStep.GIVE_UP
-        if self._off_done:
-            return DriveStep.WAIT
-        if self._deaf(False, seen.now_s):
-            self._quiet_until = seen.now_s + self._quiet_s
-            self._trying_since = self._quiet_until
-        self.quiet = seen.now_s < self._quiet_until
-        return DriveStep.WAIT if self.quiet else self._try(DriveStep.POWER_OFF, seen.now_s)
+        return self._repeat(seen)
 
-    def _deaf(self, accepted: bool, now_s: float) -> bool:
-        return not accepted and now_s - self._trying_since > DEAF_S
+    def _moves_again(self, seen: Seen) -> bool:
+        """Begin anew when a crank moves that stood and that nothing may turn."""
+        if not seen.moves:
+            return False
+        self.done, self.by_itself, self.ignored = False, True, False
+        self._last_try, self._trying_since, self._repeated_from = -1e9, seen.now_s, seen.now_s
+        self._steady_limit, self._trend = STEADY_AT_REST, SpeedTrend()
+        self._deadline = math.inf
+        return True
+
+    def _repeat(self, seen: Seen) -> DriveStep:
+        """Repeat the power-off, or leave the drive to its watchdog."""
+        now_s = seen.now_s
+        self.quiet = now_s < self._quiet_until
+        if self.quiet:
+            return DriveStep.WAIT
+        if seen.stands and self._off_done:  # seen before the last command; what follows counts
+            self._trying_since = now_s
+            return DriveStep.WAIT
+        steady = self._trend.steady >= self._steady_limit
+        tried = now_s - self._repeated_from > IGNORED_S
+        too_long = (steady and tried) or now_s > max(self._deadline, self._watchdog_from)
+        ignored = self._off_done and too_long
+        if not ignored and not self._not_accepted(False, now_s):
+            return self._try(DriveStep.POWER_OFF, now_s)
+        self.quiet = True
+        self._quiet_until = self._trying_since = self._repeated_from = now_s + self._quiet_s
+        self._trend = SpeedTrend()
+        if not ignored:
+            return DriveStep.WAIT
+        self._watchdog_from = self._quiet_until + self._quiet_s
+        before, self.ignored = self.ignored, True
+        return DriveStep.WAIT if before else DriveStep.NO_EFFECT
+
+    def _not_accepted(self, accepted: bool, now_s: float) -> bool:
+        return not accepted and now_s - self._trying_since > IGNORED_S
 
     def _try(self, do: DriveStep, now_s: float) -> DriveStep:
         if now_s - self._last_try < RETRY_S:

@@ -73,6 +73,11 @@ class MotionWindow:
         with self._lock:
             return self._points[-1] if self._points else None
 
+    def turns(self) -> tuple[float, float] | None:
+        """Return the turns counted up to the newest sample, and its device time in seconds."""
+        last = self.newest()
+        return None if last is None else (last.count / self._turn, last.sample / self._rate)
+
     def speed_rpm(self, window_s: float = 0.05) -> float:
         """Return the mean speed over the last window_s of device time, one block at least.
 
