@@ -20,6 +20,8 @@ from drivers.roboclaw.link import Link
 from drivers.roboclaw.probe import identity_of
 from drivers.roboclaw.protocol import (
     CURRENT_UNIT_A,
+    MAXIMUM_DUTY,
+    MAXIMUM_DUTY_ACCELERATION,
     TIMEOUT_UNIT_S,
     VOLTAGE_UNIT_V,
     Command,
@@ -31,6 +33,19 @@ from drivers.roboclaw.status import generation_of
 
 _MAXIMUM_TIMEOUT: Final = 255  # one byte
 _BOTH_WIDTHS: Final = 16 + 32
+_TWICE: Final = 2  # a command that a firmware may lack; a lost reply must not hide one that it has
+_LONGEST_POWER_OFF_S: Final = 0.1
+"""Longest ramp of a duty that counts as taking the power off: 36 deg of a crank at 60 rpm."""
+_S3_WORDS: Final[Mapping[int, str]] = {
+    0x00: "emergency stop, latching (default)",
+    0x01: "emergency stop",
+    0x81: "emergency stop, latching",
+}
+_S3_WORDS_OLDER: Final[Mapping[int, str]] = {
+    0: "emergency stop, latching (default)",
+    1: "emergency stop, latching",
+    2: "emergency stop",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,13 +105,14 @@ def _generation(link: Link, firmware: str, status_width: str) -> Generation:
 
 
 def commission(link: Link, request: DriveRequest, motor: int, combined: bool) -> Setup:
-    """Set the serial time-out and read back what the run depends on.
+    """Set the serial time-out and the duty ramp, and read back what the run depends on.
 
-    combined: use command 73 where the drive knows it. Raises SettingRefused when the time-out is
+    combined: use command 73 where the drive knows it. Raises SettingRefused when one of the two is
     not read back as set, ReplyTimeout, ProtocolError, DeviceLost.
     """
     units = _watchdog_units(request)
     _set_watchdog(link, units)
+    stopping = _power_off(link, motor) | _emergency_stop_input(link)
     combined = combined and can_combine(link)
     pid = velocity_pid_of(link.read(Command.VELOCITY_PID_M1 + motor - 1))
     (main,) = link.read(Command.MAIN_VOLTAGE)
@@ -119,8 +135,59 @@ def commission(link: Link, request: DriveRequest, motor: int, combined: bool) ->
         "velocity_d": pid.d,
         "speed_limit_count_per_s": pid.qpps,
         "speed_limit_rev_per_s": pid.qpps / request.counts_per_crank_revolution,
+        **stopping,
     }
     return Setup(request, units, combined, pid.qpps, readback)
+
+
+def _power_off(link: Link, motor: int) -> dict[str, str | float | int]:
+    """Make duty 0 take the power off at once; return how long it takes.
+
+    Duty commands follow a ramp, which the drive keeps for them (commands 68, 69 and 81). Nothing
+    else of this program uses it, and it is not saved. Raises SettingRefused when the drive keeps a
+    ramp that is too long.
+    """
+    try:
+        found = link.read(Command.DUTY_ACCELERATIONS, _TWICE)[motor - 1]
+        if found < MAXIMUM_DUTY_ACCELERATION:
+            link.write(Command.SET_DUTY_ACCELERATION_M1 + motor - 1, MAXIMUM_DUTY_ACCELERATION)
+            found = link.read(Command.DUTY_ACCELERATIONS)[motor - 1]
+    except ReplyTimeout:
+        link.read(Command.STATUS)  # a drive that answers this is not silent: it lacks the command
+        return {
+            "power_off_ramp_s": "unknown",
+            "advice": "This firmware does not tell how fast it takes the power off: watch it at "
+            "the first stop.",
+        }
+    ramp_s = MAXIMUM_DUTY / found if found else math.inf
+    if ramp_s > _LONGEST_POWER_OFF_S:
+        raise _refused(
+            link,
+            f"taking the power off is a ramp of {ramp_s:.2g} s; set the default duty acceleration "
+            f"of motor {motor} to {MAXIMUM_DUTY_ACCELERATION} with the maker's tool.",
+        )
+    return {"power_off_ramp_s": round(ramp_s, 3)}
+
+
+def _emergency_stop_input(link: Link) -> dict[str, str | float | int]:
+    """Return what input S3 does, with an advice where it is no emergency stop."""
+    try:
+        mode = link.read(Command.PIN_FUNCTIONS, _TWICE)[0]
+    except (ReplyTimeout, ProtocolError):
+        link.read(Command.STATUS)
+        return {
+            "input_S3": "unknown",
+            "advice": "The drive does not tell what its input S3 does: press the emergency stop "
+            "before the first test.",
+        }
+    words = (_S3_WORDS if link.generation.pin_modes == 5 else _S3_WORDS_OLDER).get(mode)
+    if words is not None:
+        return {"input_S3": words}
+    return {
+        "input_S3": f"mode {mode:02X}",
+        "advice": "Input S3 is not set to emergency stop: a button on it stops nothing. Set it "
+        "with the maker's tool.",
+    }
 
 
 def check_watchdog(request: DriveRequest) -> None:

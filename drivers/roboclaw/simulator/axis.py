@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from drivers.roboclaw.protocol import MAXIMUM_DUTY
+from drivers.roboclaw.protocol import MAXIMUM_DUTY, MAXIMUM_DUTY_ACCELERATION
 from drivers.simulator_api import DriveCommand, DriveMode, MotorState
 
 _INT32 = 1 << 32
@@ -18,6 +18,7 @@ class AxisSettings:
     pid: tuple[int, int, int, int] = (0x10000, 0x8000, 0x4000, 44000)  # P, I, D, QPPS
     current_limit: tuple[int, int] = (3000, 0)
     encoder_mode: int = 0
+    duty_acceleration: int = MAXIMUM_DUTY_ACCELERATION
 
 
 @dataclass(slots=True)
@@ -32,7 +33,8 @@ class Axis:
     target: float = 0.0
     setpoint: float = 0.0
     acceleration: float = math.inf
-    duty: int = 0
+    duty: float = 0.0
+    duty_target: int = 0
     position: float = 0.0
     speed: float = 0.0
     current_A: float = 0.0
@@ -56,18 +58,23 @@ class Axis:
             self.setpoint = self.target
 
     def drive(self, duty: int) -> None:
-        """Take a duty command, +-32767; 0 takes the power off."""
-        if duty == 0:
-            self.power_off()
-            return
+        """Take a duty command, +-32767, which is reached by a ramp; 0 takes the power off."""
+        self.duty_target = max(-MAXIMUM_DUTY, min(MAXIMUM_DUTY, duty))
+        self.duty = float(self.pwm)
         self.mode = DriveMode.DUTY
-        self.duty = max(-MAXIMUM_DUTY, min(MAXIMUM_DUTY, duty))
         self.target = self.setpoint = 0.0
+        if self.settings.duty_acceleration >= MAXIMUM_DUTY_ACCELERATION:
+            self._ramp_duty(math.inf)
+
+    def _ramp_duty(self, step: float) -> None:
+        self.duty += max(-step, min(step, self.duty_target - self.duty))
+        if self.duty == self.duty_target == 0:
+            self.power_off()
 
     def power_off(self) -> None:
         """Forget every command."""
         self.mode = DriveMode.OFF
-        self.duty = 0
+        self.duty = 0.0
         self.target = self.setpoint = 0.0
 
     @property
@@ -80,7 +87,7 @@ class Axis:
         """Stop at once and hold: a motor that was only switched off would swing in its spring."""
         if self.mode is not DriveMode.OFF:
             self.mode = DriveMode.VELOCITY
-            self.duty = 0
+            self.duty = 0.0
             self.target = self.setpoint = 0.0
 
     def advance(self, elapsed_s: float) -> None:
@@ -89,6 +96,8 @@ class Axis:
             step = self.acceleration * elapsed_s if elapsed_s > 0 else 0.0
             gap = self.target - self.setpoint
             self.setpoint += max(-step, min(step, gap))
+        elif self.mode is DriveMode.DUTY:
+            self._ramp_duty(self.settings.duty_acceleration * elapsed_s)
         if not self.observed:
             self.speed = self.setpoint
             self._move_to(self.position + self.speed * elapsed_s)
@@ -129,7 +138,7 @@ class Axis:
         """Return the output as the drive reports it, +-32767."""
         if self.mode is DriveMode.VELOCITY and self.qpps:
             return round(max(-1.0, min(1.0, self.setpoint / self.qpps)) * MAXIMUM_DUTY)
-        return self.duty
+        return round(self.duty)
 
     def _move_to(self, position: float) -> None:
         """Move, and note a wrap of the unsigned counter as the drive does."""

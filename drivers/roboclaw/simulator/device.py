@@ -13,6 +13,7 @@ from typing import Final
 
 from drivers.roboclaw.protocol import (
     ACKNOWLEDGE,
+    MAXIMUM_DUTY_ACCELERATION,
     TIMEOUT_UNIT_S,
     Command,
     Generation,
@@ -39,7 +40,9 @@ class RoboClawSimulator:
     layouts follow from it unless status_width, pin_modes, voltage_offset or combined_status say
     otherwise. inter_byte_timeout_s: a longer gap inside a packet discards it; 0.01 on the real
     drive, longer by default because a busy host pauses inside a packet. qpps: speed limit of
-    both motors in counts/s. unknown_commands: numbers that this firmware lacks and is silent to
+    both motors in counts/s. duty_acceleration: of both, in duty per second; s3_mode: what input S3
+    does, as set with the maker's tool, None for the latching emergency stop. unknown_commands:
+    numbers that this firmware lacks and is silent to
     (200 to 202 are not in every manual). faults: ``Fault`` records or tables of their fields.
     """
 
@@ -58,6 +61,8 @@ class RoboClawSimulator:
         combined_status: bool | None = None,
         inter_byte_timeout_s: float = 0.5,
         qpps: int = 44000,
+        duty_acceleration: int = MAXIMUM_DUTY_ACCELERATION,
+        s3_mode: int | None = None,
         unknown_commands: Iterable[int] = (),
         faults: Faults = (),
     ) -> None:
@@ -67,6 +72,9 @@ class RoboClawSimulator:
             saved.pin_modes = (1, 0, 0)
         for settings in saved.axes:
             settings.pid = (*settings.pid[:3], qpps)
+            settings.duty_acceleration = duty_acceleration
+        if s3_mode is not None:
+            saved.pin_modes = (s3_mode, *saved.pin_modes[1:])
         if combined_status is None:
             combined_status = generation.status_bits == 32
         self.generation = generation

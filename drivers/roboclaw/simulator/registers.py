@@ -22,8 +22,8 @@ from drivers.simulator_api import DriveMode, MotorState
 
 Numbers = tuple[int, ...]
 
-_LATCHING_MODES: Final = {5: (0x81,), 3: (1,)}
-_STOP_MODES: Final = {5: (0x01, 0x81), 3: (1, 2)}
+_LATCHING_MODES: Final = {5: (0x00, 0x81), 3: (0, 1)}
+_STOP_MODES: Final = {5: (0x00, 0x01, 0x81), 3: (0, 1, 2)}
 
 
 class RoboClawFault(enum.StrEnum):
@@ -249,6 +249,7 @@ class Registers:
             Command.ENCODER_MODES: of_axes(lambda axis: axis.settings.encoder_mode),
             Command.EMERGENCY_STOP_LOCK: lambda: (self.memory.stop_lock,),
             Command.COMBINED_STATUS: self._combined_status,
+            Command.DUTY_ACCELERATIONS: of_axes(lambda axis: axis.settings.duty_acceleration),
         }
 
     def _motor_readers(self, number: int) -> dict[int, Callable[[], Numbers]]:
@@ -313,6 +314,9 @@ class Registers:
             maximum, minimum = values
             self.axes[number].settings.current_limit = (maximum, minimum)
 
+        def set_duty_acceleration(values: Numbers) -> None:
+            (self.axes[number].settings.duty_acceleration,) = values
+
         def set_encoder_mode(values: Numbers) -> None:
             (self.axes[number].settings.encoder_mode,) = values
 
@@ -320,6 +324,7 @@ class Registers:
             Command.SET_COUNT_M1 + number: lambda v: self.axes[number].set_count(v[0]),
             Command.SET_VELOCITY_PID_M1 + number: set_pid,
             Command.DUTY_M1 + number: lambda v: self.axes[number].drive(v[0]),
+            Command.SET_DUTY_ACCELERATION_M1 + number: set_duty_acceleration,
             Command.SET_SPEED_M1 + number: lambda v: self.axes[number].run(v[0]),
             Command.RAMP_SPEED_M1 + number: lambda v: self.axes[number].run(v[1], v[0]),
             Command.SET_ENCODER_MODE_M1 + number: set_encoder_mode,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import threading
 import time
@@ -178,6 +179,53 @@ def test_configure_reads_everything_back(drive_rig: Any, connect: Any, request_f
     assert readback["velocity_p"] == 1.0
     assert readback["current_limit_A"] == pytest.approx(30.0)
     assert readback["supply_V"] == pytest.approx(48.0)
+
+
+def test_the_ramp_of_a_power_off_is_made_short_and_told(
+    drive_rig: Any, connect: Any, wait_until: Any, request_for: Any
+) -> None:
+    rig = drive_rig(duty_acceleration=3276)  # 10 s from full duty
+    drive = connect(rig, **PATIENT)
+    assert drive.configure(request_for())["power_off_ramp_s"] == pytest.approx(0.05)
+    drive.set_speed(10.0, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 36000, "the speed")
+    begun = rig.time_s
+    drive.drive_off()
+    wait_until(lambda: rig.last.mode is DriveMode.OFF, "the power to be off")
+    assert rig.time_s - begun < 1.0
+    keeps = drive_rig(duty_acceleration=3276)
+    keeps.simulator.inject("ignored_command", target=int(Command.SET_DUTY_ACCELERATION_M1))
+    with pytest.raises(SettingRefused, match=r"a ramp of 10 s; set the default duty accel.*655359"):
+        connect(keeps, **PATIENT)
+    lacks = drive_rig(unknown_commands=(Command.DUTY_ACCELERATIONS,))
+    told = connect(lacks, reply_timeout_ms=50.0).configure(request_for())
+    assert told["power_off_ramp_s"] == "unknown"
+    assert "how fast it takes the power off" in told["advice"]
+
+
+@pytest.mark.parametrize(
+    ("firmware", "mode", "words", "advised"),
+    [
+        (NEWER, None, "emergency stop, latching", ""),
+        (NEWER, 0x01, "emergency stop", ""),
+        (NEWER, 0x14, "mode 14", "S3 is not set to emergency stop"),
+        (OLDER, 2, "emergency stop", ""),
+        (OLDER, 3, "mode 03", "S3 is not set to emergency stop"),
+    ],
+)
+def test_what_the_emergency_stop_input_does_is_read_told_and_judged(
+    drive_rig: Any,
+    connect: Any,
+    request_for: Any,
+    firmware: str,
+    mode: int | None,
+    words: str,
+    advised: str,
+) -> None:
+    told = connect(drive_rig(firmware=firmware, s3_mode=mode), **PATIENT).configure(request_for())
+    assert told["input_S3"] == words
+    assert advised in told.get("advice", "")
+    assert bool(told.get("advice")) == bool(advised)
 
 
 def test_configure_switches_a_motor_off_that_is_found_running(
@@ -667,6 +715,46 @@ def test_a_command_that_never_arrives_is_an_error(drive_rig: Any, connect: Any) 
     rig.simulator.inject("lost_command", target=int(Command.RAMP_SPEED_M1))
     with pytest.raises(ReplyTimeout, match="RAMP_SPEED_M1"):
         drive.set_speed(1.0, 1000.0)
+
+
+@pytest.mark.parametrize("lost", [0, 1, 2])
+@pytest.mark.parametrize("settings", [{}, {"combined_status": "never"}])
+def test_a_late_acknowledgement_is_not_taken_for_that_of_the_power_off(
+    drive_rig: Any, connect: Any, wait_until: Any, lost: int, settings: dict[str, Any]
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, watchdog_s=20.0, reply_timeout_ms=100.0, **settings)
+    drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
+    rig.simulator.inject("slow_reply", target=int(Command.RAMP_SPEED_M1), value=0.15, count=1)
+    rig.simulator.inject("lost_command", target=int(Command.DUTY_M1), count=lost)
+
+    def slow_down() -> None:
+        with contextlib.suppress(ReplyTimeout, DeviceFault):
+            drive.set_speed(0.9, 1000.0)
+
+    sent = len(rig.wire.received)
+    other = threading.Thread(target=slow_down, name="other")
+    other.start()
+    wait_until(lambda: len(rig.wire.received) > sent, "the ramp to be sent")
+    drive.drive_off()
+    other.join(10.0)
+    wait_until(lambda: rig.last.mode is DriveMode.OFF, "what was confirmed", 1.0)
+
+
+def test_a_power_off_that_is_acknowledged_and_ignored_is_an_error(
+    drive_rig: Any, connect: Any, wait_until: Any
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, watchdog_s=20.0, **PATIENT)
+    drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
+    rig.simulator.inject("ignored_command", target=int(Command.DUTY_M1))
+    with pytest.raises(ProtocolError, match=r"DUTY_M1.*acknowledged, and not in effect"):
+        drive.drive_off()
+    rig.simulator.clear("ignored_command")
+    drive.drive_off()
+    wait_until(lambda: rig.last.mode is DriveMode.OFF, "the power to be off")
 
 
 def test_drive_off_ends_the_retries_of_another_call(

@@ -203,10 +203,22 @@ def test_the_emergency_stop_is_released_as_its_lock_says(lock: EmergencyStopLock
 
 def test_an_input_without_the_stop_function_stops_nothing() -> None:
     simulator = RoboClawSimulator()
-    tell(simulator, Command.SET_PIN_FUNCTIONS, 0, 0, 0, 0, 0)
+    tell(simulator, Command.SET_PIN_FUNCTIONS, 3, 0, 0, 0, 0)
     simulator.inject(RoboClawFault.EMERGENCY_STOP)
     tell(simulator, Command.SET_SPEED_M1, 1000)
     assert simulator.command(0.1, 0.1).mode is DriveMode.VELOCITY
+
+
+def test_a_duty_follows_its_ramp_down_to_no_power() -> None:
+    simulator = RoboClawSimulator(duty_acceleration=32767)
+    tell(simulator, Command.SET_SPEED_M1, 44000)
+    simulator.command(0.1, 0.0)
+    tell(simulator, Command.DUTY_M1, 0)
+    assert simulator.command(0.5, 0.1).duty == pytest.approx(0.5, abs=0.01)
+    assert ask(simulator, Command.PWM)[0] == pytest.approx(16384, abs=300)
+    assert simulator.command(0.6, 0.2).mode is DriveMode.OFF
+    tell(simulator, Command.SET_DUTY_ACCELERATION_M1, 655359)
+    assert ask(simulator, Command.DUTY_ACCELERATIONS) == (655359, 32767)
 
 
 @pytest.mark.parametrize(
