@@ -87,6 +87,7 @@ class DriveControl:
                     f"the drive stays in state {state or 'unknown'} after disable voltage; use the "
                     "emergency stop."
                 )
+            node.write(0x6040, Control.DISABLE_VOLTAGE)
         node.write(0x60FF, 0)
 
     def acknowledge(self, monitor: NodeMonitor) -> None:

@@ -7,6 +7,7 @@ import re
 import threading
 import time
 from collections.abc import Callable
+from dataclasses import replace
 
 import pytest
 
@@ -182,6 +183,43 @@ def test_a_power_off_waits_for_no_other_call(spindle: Contract, bench: Make, cal
     b.port.stop_fault(fault)
     b.driver.drive_off()
     b.turn()
+
+
+def test_a_power_off_without_effect_is_not_confirmed(spindle: Contract, bench: Make) -> None:
+    b = bench(spindle)
+    b.connect(PATIENT_S)
+    b.turn()
+    fault = spindle.fault("ignored_command")
+    b.port.start_fault(fault)
+    with pytest.raises(DeviceError):
+        b.driver.drive_off()
+    assert not b.is_safe()
+    b.port.stop_fault(fault)
+    b.driver.drive_off()
+    b.stops_within(PROMPT_S, b.port.time_s, "the power to be off")
+    b.turn()
+
+
+@pytest.mark.parametrize("ignored", [1, 2, 4])
+def test_what_is_confirmed_late_or_for_another_command_is_no_power_off(
+    spindle: Contract, bench: Make, ignored: int
+) -> None:
+    b = bench(spindle)
+    b.connect(PATIENT_S)
+    late = replace(spindle.fault("slow_command"), value=0.15, count=ignored)
+    for _ in range(3):
+        b.turn()
+        b.port.start_fault(late)
+        b.port.start_fault(replace(spindle.fault("ignored_command"), count=ignored))
+        slow = b.in_background(lambda: b.driver.set_speed(1.5, 1000.0))
+        with contextlib.suppress(DeviceError):
+            b.driver.drive_off()
+            b.stops_within(PROMPT_S, b.port.time_s, "what was confirmed")
+        slow.join(60.0)
+        b.port.stop_fault(late)
+        b.port.stop_fault(spindle.fault("ignored_command"))
+        b.driver.drive_off()
+        b.stops_within(PROMPT_S, b.port.time_s, "what was confirmed")
 
 
 def test_fault_is_told_in_time_and_the_spindle_is_safe(

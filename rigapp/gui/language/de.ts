@@ -5360,6 +5360,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kommt es wieder: Kabel, Schirm und Versorgung des Drehgebers prüfen.</translation>
     </message>
     <message>
+        <source>Input S3 is not set to emergency stop: a button on it stops nothing. Set it with the maker&apos;s tool</source>
+        <translation>Der Eingang S3 ist nicht als Not-Halt eingestellt: ein Taster daran hält nichts an. Mit dem Programm des Herstellers einstellen</translation>
+    </message>
+    <message>
         <source>Input saturated</source>
         <translation>Eingang übersteuert</translation>
     </message>
@@ -7388,6 +7392,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Es gibt kein Programm für {}; die Datei ist {}</translation>
     </message>
     <message>
+        <source>The drive does not tell what its input S3 does: press the emergency stop before the first test</source>
+        <translation>Der Antrieb meldet nicht, was sein Eingang S3 bewirkt: vor dem ersten Versuch den Not-Halt betätigen</translation>
+    </message>
+    <message>
         <source>The drive may switch off by itself soon.</source>
         <translation>Der Antrieb könnte bald selbst abschalten.</translation>
     </message>
@@ -7698,6 +7706,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>These faults happen in the simulated devices, on the wire or on the signals, not in the program: what you see is what a real fault would show.</source>
         <translation>Diese Fehler geschehen in den simulierten Geräten, auf der Leitung oder in den Signalen, nicht im Programm: Zu sehen ist, was ein wirklicher Fehler zeigen würde.</translation>
+    </message>
+    <message>
+        <source>This firmware does not tell how fast it takes the power off: watch it at the first stop</source>
+        <translation>Diese Firmware meldet nicht, wie schnell sie abschaltet: beim ersten Halt darauf achten</translation>
     </message>
     <message>
         <source>This is a replay: no rig is connected</source>
@@ -8428,6 +8440,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>quittiert</translation>
     </message>
     <message>
+        <source>acknowledged, and not in effect</source>
+        <translation>bestätigt, aber nicht wirksam</translation>
+    </message>
+    <message>
         <source>additional modules or sensors</source>
         <translation>Zusatzmodule oder Sensoren</translation>
     </message>
@@ -8650,6 +8666,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>elastic approach of pin and bushing</source>
         <translation>elastische Annäherung von Bolzen und Buchse</translation>
+    </message>
+    <message>
+        <source>emergency stop, latching</source>
+        <translation>Not-Halt, verriegelnd</translation>
+    </message>
+    <message>
+        <source>emergency stop, latching (default)</source>
+        <translation>Not-Halt, verriegelnd (Voreinstellung)</translation>
     </message>
     <message>
         <source>ends {}</source>
@@ -8938,6 +8962,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>no drive is connected</source>
         <translation>kein Antrieb ist verbunden</translation>
+    </message>
+    <message>
+        <source>no effect</source>
+        <translation>ohne Wirkung</translation>
     </message>
     <message>
         <source>no fault</source>
@@ -9450,6 +9478,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>this record</source>
         <translation>dieser Datensatz</translation>
+    </message>
+    <message>
+        <source>though the power-off had no effect</source>
+        <translation>obwohl das Abschalten ohne Wirkung blieb</translation>
     </message>
     <message>
         <source>timed out</source>
@@ -11475,6 +11507,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Betriebsart von counter_{}</translation>
     </message>
     <message>
+        <source>mode {:02X}</source>
+        <translation>Modus {:02X}</translation>
+    </message>
+    <message>
         <source>moved by {:.1f} N</source>
         <translation>um {} N gewandert</translation>
     </message>
@@ -11969,6 +12005,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>take {} to {} positions</source>
         <translation>{} bis {} Positionen nehmen</translation>
+    </message>
+    <message>
+        <source>taking the power off is a ramp of {:.2g} s; set the default duty acceleration of motor {} to {} with the maker&apos;s tool</source>
+        <translation>das Abschalten ist eine Rampe von {:.2g} s; die voreingestellte Duty-Beschleunigung von Motor {} mit dem Programm des Herstellers auf {} stellen</translation>
     </message>
     <message>
         <source>test {} of the queue runs already</source>
@@ -12801,6 +12841,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} cannot go on here: {}</source>
         <translation>{} kann hier nicht fortgesetzt werden: {}</translation>
+    </message>
+    <message>
+        <source>{} confirmed the power-off, but the crank turns on. It is left to its watchdog</source>
+        <translation>{} hat das Abschalten bestätigt, aber die Kurbel dreht weiter. Nun muss seine Überwachung sie anhalten</translation>
     </message>
     <message>
         <source>{} counts per revolution are not four times a whole number</source>
