@@ -157,9 +157,10 @@ class Supervisor:
             return
         if test is None or core.state is not RunState.STOPPING:
             return
-        hangs = not connection.drive.well or connection.control.ramp_unanswered
-        if hangs and not test.stood:
+        if not connection.drive.well and not test.stood:
             self._help("stop", self._stop_in_place_of_the_drive_thread)
+        elif connection.control.ramp_unanswered:
+            self._help("power off", partial(connection.control.stop_now, True))
         steps = test.sequence
         ramp = 1.5 * steps.fastest_rpm / steps.gentlest_rpm_per_s * connection.slow()
         longest = ramp + timing.stop_margin + timing.coast + 4 * timing.make_safe
@@ -169,10 +170,13 @@ class Supervisor:
             self._help("finish", core.finish)
 
     def _stop_in_place_of_the_drive_thread(self) -> None:
-        """Cut the power and watch the spindle come to a stand; runs in a helper thread."""
+        """Cut the power and watch the spindle come to a stand; runs in a helper thread.
+
+        It ends when the drive's thread runs again: two that ask would feed the watchdog in turn.
+        """
         connection = self._connection
         connection.control.stop_now(off=True)
-        while self._core.state in ACTIVE and not connection.supervise.halting:
+        while not (connection.drive.well or connection.supervise.halting):
             if not connection.control.quiet:
                 connection.control.poll()
             connection.follow(connection.control.step())

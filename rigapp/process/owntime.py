@@ -8,6 +8,10 @@ from __future__ import annotations
 
 LONGEST_PASS_S = 0.05
 """No pass and no wait of a loop is longer unless the computer makes it so."""
+DEVICE_SHARE = 0.5
+"""Least part of the wall clock's time that passes for a simulated device. A watchdog that is due
+fires within twice its time, however busy the computer is: ``--speed max`` keeps it busy for good,
+and what must be left alone until then (``StopSequence.quiet``) is left alone for so long."""
 LATENESS_S = 0.001
 """How late a process may be woken on a computer that has nothing else to do."""
 
@@ -16,12 +20,14 @@ class OwnTime:
     """Tell a loop's own time: what it ran or chose to wait since the last ``tick``.
 
     The time for which it stood in line for a processor, or the whole computer stood still, is left
-    out, but for ``LATENESS_S`` a tick. Where nothing else runs it is the wall clock.
+    out, but for ``LATENESS_S`` a tick. Where nothing else runs it is the wall clock. least_share:
+    part of the wall clock's time that passes in any case, unless a single pass is too long.
     """
 
-    def __init__(self, now_s: float, ran_s: float) -> None:
+    def __init__(self, now_s: float, ran_s: float, least_share: float = 0.0) -> None:
         """Start with the wall clock; ran_s: processor time of this process so far."""
         self.time_s = now_s
+        self._least_share = least_share
         self._wall_s = now_s
         self._ran_s = ran_s
 
@@ -29,6 +35,7 @@ class OwnTime:
         """Return the own time; waited_s: wait that was asked for since the last call."""
         passed = max(0.0, now_s - self._wall_s)
         own = max(0.0, ran_s - self._ran_s) + waited_s + LATENESS_S
+        own = max(own, self._least_share * passed)
         self._wall_s, self._ran_s = now_s, ran_s
         self.time_s += min(passed, own, LONGEST_PASS_S)
         return self.time_s

@@ -121,13 +121,13 @@ def _endpoints(sockets: bool, stack: contextlib.ExitStack) -> Callable[[str], An
 
 
 def _loop(rig: Any, stopping: list[str], *, exit_with_parent: bool) -> None:
-    from rigapp.process.owntime import OwnTime
+    from rigapp.process.owntime import DEVICE_SHARE, OwnTime
     from rigapp.simulation.control import Lines, answer
 
     lines = Lines()
     stdin = _command_input()
     orphan_until = math.inf
-    own, wait_s = OwnTime(time.monotonic(), time.thread_time()), 0.0
+    own, wait_s = OwnTime(time.monotonic(), time.thread_time(), DEVICE_SHARE), 0.0
     while not stopping:
         now_s = time.monotonic()
         wait_s = rig.step(now_s, own.tick(now_s, time.thread_time(), wait_s))

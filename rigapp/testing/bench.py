@@ -28,7 +28,7 @@ from drivers.api import (
 )
 from drivers.registry import check_settings, load_simulator
 from drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
-from rigapp.process.owntime import OwnTime
+from rigapp.process.owntime import DEVICE_SHARE, OwnTime
 from rigapp.simulation.wire.link import SimulatedWire, WireFault
 from rigapp.simulation.wire.ports import port_at
 from rigapp.testing.contracts import Contract, ExpectedFault
@@ -97,7 +97,7 @@ class Port:
             raise self.failure
 
     def _run(self) -> None:
-        own = OwnTime(time.monotonic(), time.thread_time())
+        own = OwnTime(time.monotonic(), time.thread_time(), DEVICE_SHARE)
         try:
             while not self._stopping.is_set():
                 with self._lock:

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from rigapp.process.owntime import LONGEST_PASS_S, OwnTime
+from rigapp.process.owntime import DEVICE_SHARE, LONGEST_PASS_S, OwnTime
 from rigapp.simulation.pacing import LONGEST_CATCH_UP_S, PlantPace
 
 
@@ -94,3 +94,12 @@ def test_own_time_leaves_out_what_the_process_stood_in_line() -> None:
     for step in range(1, 501):  # a fifth of a processor
         busy.tick(step * 0.02, step * 0.004, 0.0)
     assert busy.time_s == pytest.approx(2.5)
+
+
+def test_the_watchdog_of_a_simulated_device_fires_on_a_busy_computer_too() -> None:
+    busy = OwnTime(0.0, 0.0, DEVICE_SHARE)
+    for step in range(1, 501):  # a fifth of a processor
+        busy.tick(step * 0.02, step * 0.004, 0.0)
+    assert busy.time_s == pytest.approx(DEVICE_SHARE * 10.0)
+    before = busy.time_s
+    assert busy.tick(12.0, 2.0, 0.0) == pytest.approx(before + LONGEST_PASS_S), "it stood still"

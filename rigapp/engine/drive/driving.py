@@ -292,7 +292,7 @@ class SpindleControl:
                     raise
                 self._note(error)
             finally:
-                if self._power_offs != before:
+                if self._power_offs != before and not self.quiet:
                     self._carry_out(DriveStep.POWER_OFF)
 
     def _note(self, error: DeviceError) -> None:

@@ -141,7 +141,7 @@ class StopSequence:
     ) -> None:
         self._off = off
         self._trying_since = self._repeated_from = now_s
-        self._quiet_s = 1.5 * watchdog_s + 0.2
+        self._quiet_s = 2.0 * watchdog_s + 0.2  # twice: as a simulated one may take (``owntime``)
         self._quiet_until = self._watchdog_from = -math.inf
         self.quiet = False
         self._off_done = False
@@ -181,8 +181,9 @@ class StopSequence:
         return self._off
 
     def ramp_unanswered(self, now_s: float) -> bool:
-        """Tell whether a ramp down was not accepted for too long."""
-        return not self._off and self._not_accepted(self._ramp_done, now_s)
+        """Tell whether a ramp down waits for so long that even the drive's thread must wait."""
+        waited_s = now_s - self._trying_since
+        return not (self._off or self._ramp_done) and waited_s > 2.0 * IGNORED_S
 
     @property
     def power_cut(self) -> bool:
