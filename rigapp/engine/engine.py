@@ -35,7 +35,7 @@ from rigapp.engine.values.calibrate import Calibration, calibration_of
 from rigapp.engine.views import build_status, next_step
 from rigapp.process.threads import OneAtATime
 from rigapp.schema.alarms import Cause, because
-from rigapp.schema.loglines import LIMIT_CHANGED, LimitChange, RestSignals
+from rigapp.schema.loglines import LIMIT_CHANGED, SPECIMEN, LimitChange, RestSignals, SpecimenWear
 from rigapp.schema.messages import (
     Ends,
     FinishReason,
@@ -218,17 +218,19 @@ class Engine:
         operator: str = "",
         resume: bool = False,
         remarks: Sequence[LogEntry] = (),
+        worn: SpecimenWear | None = None,
     ) -> None:
         """Make the file of a test (or reopen it: ``resume``) and start to turn.
 
-        remarks: go into the log before the crank turns.
+        remarks: go into the log before the crank turns. worn: how far the specimen is worn by its
+        last known depth, which the first one measured is compared with.
         Raises Refused (InFault with the cause where there is a fault, whenever it came),
         UnusableInput (the test contradicts the rig, the file cannot be made) or DeviceError (the
         drive refuses); the spindle does not turn then.
         """
         with self._command:
             try:
-                self._start(test, path, operator, resume, remarks)
+                self._start(test, path, operator, resume, remarks, worn)
             except Refused:
                 self._refuse_in_fault()
                 raise
@@ -240,6 +242,7 @@ class Engine:
         operator: str,
         resume: bool,
         remarks: Sequence[LogEntry],
+        worn: SpecimenWear | None,
     ) -> None:
         core, connection = self._core, self._connection
         transition(core.state, Trigger.START)
@@ -258,6 +261,7 @@ class Engine:
             operator=operator,
             resume=resume,
             rest=rest,
+            worn=worn,
         )
         active = open_test(core, connection, request, monitor, self._open_store)
         core.publisher.restart(active.recorder.rows)
@@ -276,6 +280,10 @@ class Engine:
             raise
         for remark in remarks:
             core.event(remark.kind, remark.who, remark.text, remark.before, remark.after)
+        if worn is not None:
+            words = f"worn by {worn.depth_um:.1f} +/- {worn.uncertainty_um:.1f} um"
+            where = f"revolution {worn.revolution} of {worn.file}"
+            core.event(SPECIMEN, "engine", f"the specimen is {words} since {where}", data=worn)
         note_rest(core, rest)
         connection.begin_test()
         with connection.turning():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from pathlib import Path
+from pathlib import Path, PurePath
 
 from drivers.api import SampleClock
 from rigapp.config.channels import channel_table
@@ -17,6 +17,7 @@ from rigapp.engine.activetest import ActiveTest
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
 from rigapp.engine.judging.criteria import StopMonitor
+from rigapp.engine.judging.depthwatch import DepthWatch, KnownDepth
 from rigapp.engine.judging.jointwatch import JointWatch
 from rigapp.engine.judging.limits import RuleMonitor
 from rigapp.engine.judging.reach import FEWEST_SAMPLES, load_cell_reach_N
@@ -24,6 +25,7 @@ from rigapp.engine.judging.testrun import TestRun
 from rigapp.engine.recording.history import History
 from rigapp.engine.recording.recorder import Recorder
 from rigapp.engine.recording.store import Opened, OpenRequest, OpenStore
+from rigapp.schema.loglines import SpecimenWear
 from rigapp.schema.states import Refused
 
 
@@ -125,6 +127,7 @@ def open_test(
             stops=stops,
             slow=connection.slow_channels.columns,
             joint=JointWatch(test.record.model.pairing),
+            depth=DepthWatch(_last_depth(request.worn)),
             step=lambda number: sequence.at(number).step,
         ),
         recorder=Recorder(
@@ -144,6 +147,13 @@ def open_test(
         sequence=sequence,
         stage=stage,
     )
+
+
+def _last_depth(worn: SpecimenWear | None) -> KnownDepth | None:
+    if worn is None:
+        return None
+    when = f"revolution {worn.revolution} of {PurePath(worn.file).name}"
+    return KnownDepth(worn.depth_um, worn.uncertainty_um, when=when)
 
 
 def _stop_monitor(test: TestFile, opened: Opened, offset_s: float, path: Path) -> StopMonitor:

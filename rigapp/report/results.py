@@ -20,7 +20,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.process.priority import give_way
 from rigapp.schema.messages import NOT_STEADY
 from rigapp.schema.results import TestResult
-from rigapp.storage import TestReader, largest_force, open_test
+from rigapp.storage import TestReader, believed_until, largest_force, open_test
 
 LINE_POINTS = 48
 """Of the small line in a list: two pixels each are as much as is seen."""
@@ -83,7 +83,9 @@ def _compared(found: TestResult, test: TestReader) -> TestResult:
     depth, residual = columns["measured_wear_depth"], columns["residual_rms"]
     good = test.column("revolution")[test.column("quality") == 0]
     residual = residual[np.isfinite(residual) & np.isin(columns["revolution"], good)]
-    coefficients = (_last(columns[f"wear_coefficient{end}"]) for end in ("", "_low", "_high"))
+    until = believed_until(test)
+    rows = slice(None) if until is None else columns["revolution"] <= until
+    coefficients = (_last(columns[f"wear_coefficient{end}"][rows]) for end in ("", "_low", "_high"))
     middle, low, high = coefficients
     known = residual.size > 0
     return msgspec.structs.replace(

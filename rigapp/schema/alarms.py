@@ -56,6 +56,10 @@ KINDS: Mapping[str, Kind] = msgspec.toml.decode(
 )
 """Every kind by its key. The rules of a test file make kinds of their own, ``rule:...``."""
 
+UNBELIEVED = ("wear_jumped", "wear_fell", "wear_negative")
+"""Alarms after which the measured wear depth of a test is not believed any more; their value is the
+last believed one, um."""
+
 RULE_ACTIONS: Mapping[str, tuple[str, FinishReason | None]] = {
     "none": ("Nothing was done.", None),
     "warn": ("The test goes on.", None),

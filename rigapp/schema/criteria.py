@@ -34,7 +34,8 @@ class Criterion:
     planned: it is the end that was planned (complete), else a limit (stopped). count: key of how
     many judged revolutions in a row must reach the level. window: key of the revolutions over which
     the slope of the value, per 1000 revolutions, is judged in its place. model: why nothing is
-    known of it without the prediction. doubt: the value's expanded uncertainty (k = 2).
+    known of it without the prediction. doubt: the value's expanded uncertainty (k = 2). of_depth:
+    its columns that follow from the measured wear depth.
     """
 
     key: str
@@ -48,6 +49,7 @@ class Criterion:
     model: str = ""
     doubt: Callable[[At], float] | None = None
     falls: bool = False
+    of_depth: tuple[str, ...] = ()
 
 
 def _in_a_row(what: str, unit: str, side: str = "above") -> Sentence:
@@ -109,6 +111,7 @@ CRITERIA = {
             count="wear_depth_revolutions",
             model=_ELASTIC,
             doubt=lambda at: 1e3 * at("measured_wear_depth_uncertainty"),
+            of_depth=("measured_wear_depth",),
         ),
         Criterion(
             "force_N",
@@ -129,6 +132,7 @@ CRITERIA = {
             ),
             window="wear_rate_window_revolutions",
             model=_ELASTIC,
+            of_depth=("measured_wear_depth",),
         ),
         Criterion(
             "deviation_N",
@@ -156,6 +160,7 @@ CRITERIA = {
             _in_a_row("The lower 95 % limit of the wear coefficient", "mm^3/(N m)"),
             count="identified_revolutions",
             model=_IDENTIFIED,
+            of_depth=("wear_coefficient_low",),
         ),
         Criterion(
             "remaining_revolutions",
@@ -167,6 +172,7 @@ CRITERIA = {
             count="identified_revolutions",
             model=_IDENTIFIED,
             falls=True,
+            of_depth=("remaining_revolutions_low",),
         ),
         Criterion(
             "wear_consistency",
@@ -176,6 +182,7 @@ CRITERIA = {
             _in_a_row("The wear's departure from what was expected", "standard deviations"),
             count="identified_revolutions",
             model=_IDENTIFIED,
+            of_depth=("wear_consistency",),
         ),
     )
 }

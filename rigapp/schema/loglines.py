@@ -16,6 +16,7 @@ from rigapp.schema.messages import Alarm, Ends, Event, Severity
 
 ALARM = "alarm"
 LIMIT_CHANGED = "limit_changed"
+SPECIMEN = "specimen"
 REST = "rest"
 """Kind of the event that holds the signals at rest before a start."""
 
@@ -61,6 +62,18 @@ class LimitChange(msgspec.Struct, frozen=True):
     after: float
 
 
+class SpecimenWear(msgspec.Struct, frozen=True):
+    """Say how far a specimen was worn when a test of it was begun or resumed.
+
+    file, revolution: where that was measured last. depth_um with its expanded uncertainty (k = 2).
+    """
+
+    file: str
+    revolution: int
+    depth_um: float
+    uncertainty_um: float
+
+
 class RestSignals(msgspec.Struct, frozen=True):
     """Carry what the load cell showed while the crank stood, mV/V.
 
@@ -87,7 +100,7 @@ class RestSignals(msgspec.Struct, frozen=True):
         return self.noise_1_mV_per_V, self.noise_2_mV_per_V
 
 
-Record = TypeVar("Record", AlarmChange, LimitChange, RestSignals)
+Record = TypeVar("Record", AlarmChange, LimitChange, RestSignals, SpecimenWear)
 
 
 def alarm_line(time: float, revolution: int, who: str, alarm: Alarm, change: AlarmChange) -> Event:
@@ -124,6 +137,11 @@ def newest_limits(events: Iterable[Event]) -> dict[str, float]:
 def rest_signals(event: Event) -> RestSignals | None:
     """Return the signals at rest, None when a line is about something else."""
     return _record(event, REST, RestSignals)
+
+
+def specimen_wear(event: Event) -> SpecimenWear | None:
+    """Return how far the specimen was worn, None when a line is about something else."""
+    return _record(event, SPECIMEN, SpecimenWear)
 
 
 def _record(event: Event, kind: str, record: type[Record]) -> Record | None:

@@ -36,6 +36,7 @@ from rigapp.process.private import private_folder
 from rigapp.process.threads import OneAtATime
 from rigapp.queue.items import removed
 from rigapp.queue.worker import Hands
+from rigapp.schema.loglines import SpecimenWear
 from rigapp.schema.messages import (
     PROTOCOL_VERSION,
     Reply,
@@ -50,9 +51,10 @@ from rigapp.schema.states import ACTIVE, Refused
 from rigapp.schema.verbs import VERBS, Hand, Nothing, QueueAdd, QueueRemove, Resume, Start
 from rigapp.service.bounds import asked_of, refusal
 from rigapp.service.command import InCommand
-from rigapp.service.lasttest import cut_off, remember
+from rigapp.service.lasttest import cut_off, last_wear, remember
 from rigapp.service.queued import add_tests
 from rigapp.service.recorded import (
+    bushing_left,
     checkpoint,
     complete_test,
     compress_complete,
@@ -232,23 +234,25 @@ class EngineHost:
                 for section, words in self._records.remarks.items()
             ]
             specimen = test.record.metadata.specimen
-            if self._simulated.fit(specimen) and past is None:
-                words = "an unworn bushing is in the simulated rig"
+            worn = past.worn if past is not None else last_wear(self._rig.path, specimen)
+            depth_um = worn.depth_um if worn is not None else 0.0
+            if self._simulated.fit(specimen, depth_um) and past is None:
+                words = f"a bushing worn by {depth_um:.1f} um is in the simulated rig"
                 notes.append(LogEntry("specimen", f"{words}: {specimen or 'no name'}", operator))
             if past is not None:
                 found = self._compare(past)
                 examined(found)
                 notes += remarks(found, operator, reason)
-                if self._simulated.needed and past.wear_depth_um is None:
+                if self._simulated.needed and past.worn is None:
                     words = "the file tells no wear depth: the simulated rig has an unworn bushing"
                     notes.append(LogEntry("resumed", words, operator))
                 self._take_up(past)
-            self._start_twin(test.record, out, past)
+            self._start_twin(test.record, out, past, worn)
             self._go_on()
             self._keep_log(out)
-            self.engine.start(test, out, operator=operator, resume=resume, remarks=notes)
+            self.engine.start(test, out, operator=operator, resume=resume, remarks=notes, worn=worn)
             self.engine.test_cut_off("")
-            remember(self._rig.path, out)
+            remember(self._rig.path, out, specimen)
 
     def tell_of_cut_off_test(self) -> None:
         """Warn where the last test of this rig was ended by nobody; nothing turns."""
@@ -338,15 +342,18 @@ class EngineHost:
         )
 
     def _take_up(self, past: Past) -> None:
-        """Use the tare of the test again; let a simulated rig go on with its bushing."""
+        """Use the tare of the test again."""
         tare = stored_tare(past)
         if tare is not None and not self.engine.rest().calibration.load_cell.tare.any():
             self.engine.set_tare(tare)
-        if self._simulated.needed:
-            self._simulated.process.wear_to(max(0.0, past.wear_depth_um or 0.0))
 
-    def _start_twin(self, test: TestFile, file: Path, past: Past | None) -> None:
-        """Start the twin of a test, as its file left it where the test goes on."""
+    def _start_twin(
+        self, test: TestFile, file: Path, past: Past | None, worn: SpecimenWear | None
+    ) -> None:
+        """Start the twin of a test, as its file left it where the test goes on.
+
+        worn: another test has left the bushing so; its file has what is known of it.
+        """
         if self._twin is not None:
             self._twin.close()
             self._twin = None
@@ -365,9 +372,16 @@ class EngineHost:
                 ),
                 force_uncertainty_N=rig.load_cell.uncertainty_N,
             )
-            if past is not None:
+            own = past is not None and (worn is None or Path(worn.file) == past.path)
+            if past is not None and own:
                 setup = msgspec.structs.replace(
                     setup, new_position_um=past.new_position_um, checkpoint=checkpoint(file)
+                )
+            elif worn is not None:
+                left, model = bushing_left(Path(worn.file))
+                same_model = model == (test.model, test.prediction.joint)
+                setup = msgspec.structs.replace(
+                    setup, checkpoint=left, new_test=True, same_model=same_model
                 )
             self._twin = TwinLink(
                 setup,

@@ -9,12 +9,13 @@ import msgspec
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test
+from rigapp.config.parameters import ParameterFile
 from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.toml import toml_text
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.notices import Finished
-from rigapp.storage import compact_in_background, finish_whole_test, open_test
+from rigapp.storage import believed_until, compact_in_background, finish_whole_test, open_test
 
 
 def with_revolutions(test: Document[TestFile], revolutions: int | None) -> Document[TestFile]:
@@ -69,6 +70,22 @@ def checkpoint(path: Path) -> bytes:
     """Return what the twin of an earlier part of the test left in its file, or nothing."""
     with open_test(path) as reader:
         return reader.checkpoint()
+
+
+def bushing_left(path: Path) -> tuple[bytes, tuple[ParameterFile, str] | None]:
+    """Return what the twin of an ended test left of its bushing, and its model and technique.
+
+    The model is None where it cannot be read, or where readings that are not believed are in it.
+    """
+    with open_test(path) as reader:
+        left = reader.checkpoint()
+        if believed_until(reader) is not None:
+            return left, None
+    try:
+        test = recorded_test(path).record
+    except UnusableInput:
+        return left, None
+    return left, (test.model, test.prediction.joint)
 
 
 def compress_complete(end: Finished) -> None:

@@ -27,8 +27,14 @@ from rigapp.engine.engine import LogEntry
 from rigapp.engine.recording.store import calibration_record, missing_channels
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.channels import ChannelTable, Kind
-from rigapp.schema.loglines import RestSignals, rest_signals
+from rigapp.schema.loglines import (
+    RestSignals,
+    SpecimenWear,
+    rest_signals,
+    specimen_wear,
+)
 from rigapp.schema.states import Refused, refuse_long
+from rigapp.storage import TestReader, believed_until, open_test
 from rigapp.twin.measureddepth import FIRST_STEADY, NEW_REVOLUTIONS
 
 ZERO_SHARE = 0.02
@@ -99,7 +105,7 @@ class Resumption(msgspec.Struct, frozen=True):
 class Past:
     """What a file says of its test. rest: the load cell's signals at rest before its start, mV/V.
 
-    wear_depth_um: measured, at the last row; None when it is not known.
+    worn: how far its specimen was at the last row; None when it is not known.
     new_position_um: of the pin in the new bushing.
     """
 
@@ -113,7 +119,7 @@ class Past:
     channels: ChannelTable
     rest: RestSignals | None
     new_position_um: Pair | None
-    wear_depth_um: float | None
+    worn: SpecimenWear | None
 
 
 def read_past(path: Path) -> Past:
@@ -121,8 +127,6 @@ def read_past(path: Path) -> Past:
 
     A complete test and one that another process writes are refused here, before a device is opened.
     """
-    from rigapp.storage import open_test
-
     with open_test(path) as reader:
         status = reader.summary()["status"]
         if status == "complete":
@@ -155,7 +159,7 @@ def read_past(path: Path) -> Past:
             channels=reader.plan.table,
             rest=rests[0] if rests else None,
             new_position_um=new,
-            wear_depth_um=_depth(reader, rows),
+            worn=wear_of(reader),
         )
 
 
@@ -169,16 +173,28 @@ def _new_position(reader: Any) -> Pair | None:
     return float(first), float(second)
 
 
-def _depth(reader: Any, rows: int) -> float | None:
-    """Return the measured wear depth at the last row, um: a line through the newest ones."""
-    table = reader.predictions()
-    number, depth = (table[name].astype(float) for name in ("revolution", "measured_wear_depth"))
-    known = np.flatnonzero(np.isfinite(depth))[-FITTED:]
+def wear_of(reader: TestReader) -> SpecimenWear | None:
+    """Return how far the specimen is worn at a test's last row: a line through the newest depths.
+
+    Of depths that are not believed any more the last believed one; where none is known, as it was
+    when the test was begun.
+    """
+    worn: SpecimenWear | None = None
+    for event in reader.events():
+        worn = specimen_wear(event) or worn
+    table, rows = reader.predictions(), reader.committed()
+    number, depth, doubt = (
+        table[name].astype(float)
+        for name in ("revolution", "measured_wear_depth", "measured_wear_depth_uncertainty")
+    )
+    until = believed_until(reader)
+    believed = number <= (np.inf if until is None else until)
+    known = np.flatnonzero(np.isfinite(depth) & np.isfinite(doubt) & believed)[-FITTED:]
     if not (rows and known.size):
-        return None
-    away = number[known] - float(reader.column("revolution", rows - 1)[0])
-    line = np.polyfit(away, 1e3 * depth[known], 1 if known.size > 2 else 0)
-    return float(line[-1])
+        return worn
+    last = int(reader.column("revolution", rows - 1)[0]) if until is None else until
+    line = np.polyfit(number[known] - last, 1e3 * depth[known], 1 if known.size > 2 else 0)
+    return SpecimenWear(str(reader.path), last, float(line[-1]), 1e3 * float(doubt[known[-1]]))
 
 
 def compare(

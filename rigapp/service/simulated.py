@@ -92,15 +92,17 @@ class SimulatedDevices:
             raise UnusableInput("There is no simulated rig running; connect it first.")
         return self._process
 
-    def fit(self, specimen: str) -> bool:
-        """Put an unworn bushing in where a test has another specimen than the one before it.
+    def fit(self, specimen: str, worn_um: float = 0.0) -> bool:
+        """Put the bushing of a test in, worn as it was left, unless it is the one before.
 
         True when it was changed. Raises UnusableInput while the spindle turns.
         """
         before, self._specimen = self._specimen, specimen
-        if not self.needed or before is None or before == specimen:
+        new = before is None and worn_um <= 0.0
+        if not self.needed or new or before == specimen:
             return False
         self.process.hand("new_specimen")
+        self.process.wear_to(max(worn_um, 0.0))
         return True
 
     def close(self) -> None:

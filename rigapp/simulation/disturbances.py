@@ -44,6 +44,7 @@ class SignalFault(enum.StrEnum):
     SATURATED_INPUT = "saturated_input"  # sign of the overload, +1 by default
     BROKEN_BRIDGE_WIRE = "broken_bridge_wire"  # the bridge's input floats to one side
     SLIP_RING_SPIKES = "slip_ring_spikes"  # mV/V, about ``rate_per_s`` of them, either sign
+    MOVED_PROBE = "moved_probe"  # V by which a probe's signal differs from then on
     SWAPPED_BRIDGES = "swapped_bridges"  # the two bridges' plugs are exchanged
     SWINGING_WEIGHT = "swinging_weight"  # share of the signal by which it goes to and fro
     JAM = "jam"  # N m of dry friction on the shaft
@@ -54,6 +55,7 @@ _SHAFT = "shaft"
 _DEFAULTS = {
     SignalFault.SLIP_RING_SPIKES: 1.5,
     SignalFault.SWINGING_WEIGHT: 0.03,
+    SignalFault.MOVED_PROBE: 0.5,
     SignalFault.JAM: 1e3,
 }
 """What stands behind a fault when nothing is said; 1 for the others."""
@@ -121,6 +123,8 @@ class Disturbances:
             threshold = self._spike_rate / rate
             spikes = np.where(chance < 0.5 * threshold, value, -value)
             return signal + np.where(chance < threshold, spikes, 0.0)
+        if fault is SignalFault.MOVED_PROBE:
+            return signal + value
         size = np.inf if fault is SignalFault.BROKEN_BRIDGE_WIRE else FAR_OUT
         return np.full_like(signal, np.copysign(size, value))
 

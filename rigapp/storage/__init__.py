@@ -11,6 +11,7 @@ from __future__ import annotations
 from rigapp.storage.filesystem.errors import NoRoom, StorageFailed
 from rigapp.storage.filesystem.folder import SPACE_MARGIN, hidden_name, move_into_place
 from rigapp.storage.filesystem.system import hold_writer_lock
+from rigapp.storage.reading.belief import believed_until
 from rigapp.storage.reading.export import export_columns, export_test
 from rigapp.storage.reading.reader import (
     Columns,
@@ -49,6 +50,7 @@ __all__ = [
     "TestReader",
     "TestWriter",
     "Trip",
+    "believed_until",
     "compact_in_background",
     "compact_test",
     "create_test",

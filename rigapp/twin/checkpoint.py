@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from typing import Any
 
 import msgspec
@@ -16,6 +17,8 @@ from rigapp.twin.ahead import BushingAhead
 from rigapp.twin.identifying import IdentifiedRecord
 from rigapp.twin.pinpath import Reference
 from rigapp.twin.twin import TrackedBushing, Twin
+
+log = logging.getLogger(__name__)
 
 VERSION = 1
 
@@ -45,7 +48,8 @@ class Checkpoint(msgspec.Struct, frozen=True):
     """Everything of a twin after revolution ``newest``.
 
     loads: of the bushing ahead, float64 (positions, 3) as bytes: force (N) and slip (m); empty
-    where there is none. identified: the wear coefficient so far, None in those of before.
+    where there is none. identified: the wear coefficient so far, None in those of before. before:
+    revolutions that the bushing had made when the test began.
     """
 
     version: int
@@ -57,6 +61,7 @@ class Checkpoint(msgspec.Struct, frozen=True):
     reference: ReferenceRecord | None
     loads: bytes = b""
     identified: IdentifiedRecord | None = None
+    before: int = 0
 
 
 def packed(twin: Twin) -> bytes:
@@ -73,6 +78,7 @@ def packed(twin: Twin) -> bytes:
             VERSION, twin.newest, twin.profiled, twin.kept_profile,
             _record(twin.predicted), _record(twin.driven), reference, _loads(twin.ahead),
             None if twin.identifier is None else twin.identifier.packed(),
+            twin.before,
         )
     )  # fmt: skip
 
@@ -90,16 +96,44 @@ def restore(twin: Twin, checkpoint: bytes) -> bool:
         return False
     twin.predicted, twin.driven, twin.ahead = predicted, driven, ahead
     twin.newest, twin.profiled = found.newest, found.profiled
-    twin.kept_profile = found.kept_profile
+    twin.kept_profile, twin.before = found.kept_profile, found.before
     if twin.identifier is not None and found.identified is not None:
         twin.identifier.restore(found.identified, None if ahead is None else ahead.loads)
-    kept = found.reference
-    if kept is not None:
-        twin.reference = Reference(
-            np.array(kept.centre), np.array(kept.run_out), kept.centred,
-            kept.radial, kept.across, kept.approach, kept.elastic,
-        )  # fmt: skip
+    twin.reference = _reference(found.reference)
     return True
+
+
+def take_over(twin: Twin, checkpoint: bytes, same_model: bool) -> None:
+    """Let a new twin go on with the bushing that another test has left.
+
+    same_model: of both tests, and its readings are believed; else only the probes' reading of the
+    new bushing is taken over, the model's bushings begin unworn, and no coefficient is identified
+    from a wear that they lack.
+    """
+    if same_model and restore(twin, checkpoint):
+        twin.before, twin.newest = twin.before + twin.newest, 0
+        twin.profiled = twin.kept_profile = 0
+        if twin.identifier is not None:
+            sought = twin.identifier.sought
+            planned = sought.planned + twin.before
+            twin.identifier.sought = msgspec.structs.replace(sought, planned=planned)
+        return
+    found = _decoded(checkpoint)
+    if found is not None and found.reference is not None:
+        log.warning(
+            "The specimen's last test had another model, or its wear depth is not to be trusted:"
+            " the model's bushings begin unworn, and the wear coefficient is not stated."
+        )
+        twin.reference, twin.identifier = _reference(found.reference), None
+
+
+def _reference(kept: ReferenceRecord | None) -> Reference | None:
+    if kept is None:
+        return None
+    return Reference(
+        np.array(kept.centre), np.array(kept.run_out), kept.centred,
+        kept.radial, kept.across, kept.approach, kept.elastic,
+    )  # fmt: skip
 
 
 def _decoded(checkpoint: bytes) -> Checkpoint | None:

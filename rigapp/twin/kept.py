@@ -15,10 +15,11 @@ from rigapp.twin.messages import Sought
 from rigapp.twin.twin import Twin
 
 
-def kept_of(reader: TestReader) -> Identifier:
+def kept_of(reader: TestReader) -> tuple[Identifier, int]:
     """Return the identification of a test as its twin left it; raise CannotBeTold for none.
 
-    Its readings stand in bins, and its life is worn as far as it had come.
+    Its readings stand in bins, and its life is worn as far as it had come. The second value: the
+    revolutions that the bushing had made when the test began, which its readings count.
     """
     if "wear_coefficient" not in reader.column_units("prediction"):
         raise CannotBeTold(
@@ -42,7 +43,7 @@ def kept_of(reader: TestReader) -> Identifier:
     identifier = Identifier(parameters, found.identified.sought)
     twin = Twin(parameters, test.prediction.joint, identifier=identifier)
     restore(twin, state)
-    return identifier
+    return identifier, twin.before
 
 
 def life_of(identifier: Identifier) -> DepthLife:

@@ -36,14 +36,18 @@ class TwinSetup(msgspec.Struct, frozen=True):
 
     new_position_um: mean pin position (probe_1, probe_2) of the new bushing, where the file of a
     resumed test knows it; else the first revolutions tell. checkpoint: what an earlier twin of the
-    same test left, to go on from there. sought: what is to be identified. force_uncertainty_N:
-    expanded (k = 2) of the measured force, constant and per N, None where nothing states it.
+    same test left, to go on from there. new_test: that was another test of the same specimen,
+    whose revolutions begin anew; same_model: of both tests, else only where the probes saw the new
+    bushing counts. sought: what is to be identified. force_uncertainty_N: expanded (k = 2) of the
+    measured force, constant and per N, None where nothing states it.
     """
 
     parameters: ParameterFile
     joint: str
     new_position_um: tuple[float, float] | None = None
     checkpoint: bytes = b""
+    new_test: bool = False
+    same_model: bool = True
     sought: Sought = Sought()
     force_uncertainty_N: tuple[float, float] | None = None
 

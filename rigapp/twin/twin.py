@@ -62,6 +62,8 @@ Array = NDArray[np.float64]
 STEP_SHARE = 0.02
 """A bushing is worn on once this share of the cycles so far has come together."""
 CATCH_UP_STEPS = 12
+COUNTED = ("wear_change_revolution", "wear_departure_revolution")
+"""Columns that name a revolution, which the bushing counts from when it was new."""
 STILL_NEW = 20
 """A bushing first seen after this revolution is not new any more."""
 
@@ -133,7 +135,8 @@ class Twin:
     revolutions this twin has not seen and of which no checkpoint is left. cell: what is stated of
     the load cell, None where nothing is. identifier: of the wear coefficient, None where it cannot
     be told. changed: whether the
-    last revolution changed what a checkpoint keeps.
+    last revolution changed what a checkpoint keeps. before: revolutions that the bushing had made
+    when this test began.
     """
 
     parameters: Parameters
@@ -149,6 +152,7 @@ class Twin:
     kept_profile: int = 0
     ahead: BushingAhead | None = None
     changed: bool = False
+    before: int = 0
     _last: MeasuredDepth = field(default_factory=MeasuredDepth)
     _first: dict[int, PathSum] = field(default_factory=dict)
     _path: PathSum | None = None
@@ -160,7 +164,8 @@ class Twin:
             self.parameters, self.joint, measured, 0.0 if np.isnan(depth) else depth
         )
         slip = motion.slip_increments(self.parameters.joint.pin_radius)
-        cycles = float(measured.revolution)
+        made = measured.revolution + self.before
+        cycles = float(made)
         in_crank = measured_force(measured)
         force = _in_follower(in_crank, motion)
         sliding = motion.slip_rate(self.parameters.joint.pin_radius)
@@ -183,8 +188,9 @@ class Twin:
         known = NOTHING
         if self.identifier is not None:
             usual = self.ahead.loads if self.ahead is not None else None
-            self.identifier.take(measured.revolution, loads, usual, self._last)
-            self.changed, known = True, self.identifier.known
+            self.identifier.take(made, loads, usual, self._last)
+            counted = {name: self.identifier.known[name] - self.before for name in COUNTED}
+            self.changed, known = True, self.identifier.known | counted
         load = joint_load(self.parameters, in_crank, motion, self.cell)
         found = compare(measured, motion, wear, doubt, load, known)
         return msgspec.structs.replace(found, profile=profile)

@@ -21,7 +21,7 @@ from model.wear.techniques import solve_of
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import to_parameters
 from rigapp.schema.messages import RevolutionMeasured
-from rigapp.twin.checkpoint import packed, restore
+from rigapp.twin.checkpoint import packed, restore, take_over
 from rigapp.twin.identifying import Identifier
 from rigapp.twin.messages import TwinAnswer, TwinSetup
 from rigapp.twin.predict import Unpredictable, unpack
@@ -66,7 +66,10 @@ def new_twin(setup: TwinSetup) -> Twin:
         cell=_cell(setup.force_uncertainty_N),
         identifier=identifier if identifier.possible() else None,
     )
-    restore(twin, setup.checkpoint)
+    if setup.new_test:
+        take_over(twin, setup.checkpoint, setup.same_model)
+    else:
+        restore(twin, setup.checkpoint)
     if twin.reference is None:
         twin.new_position_um = setup.new_position_um
     return twin

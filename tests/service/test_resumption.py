@@ -55,7 +55,7 @@ def past(rig: RigFile) -> Past:
         channels=channel_table(rig),
         rest=RestSignals(0.1, 0.0, crank_angle_deg=359.0),
         new_position_um=(500.0, 0.0),
-        wear_depth_um=1.0,
+        worn=None,
     )
 
 

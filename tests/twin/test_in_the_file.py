@@ -6,6 +6,8 @@ milliseconds; what it wears is known.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import msgspec
 import numpy as np
 import pytest
@@ -13,7 +15,7 @@ from plant_revolutions import PARAMETERS, column, measured_revolutions
 
 from rigapp.schema.columns import profile_columns
 from rigapp.schema.messages import Prediction, WornProfile, as_array
-from rigapp.twin.checkpoint import Checkpoint, packed, restore
+from rigapp.twin.checkpoint import Checkpoint, packed, restore, take_over
 from rigapp.twin.predict import MeasuredRevolution
 from rigapp.twin.profile import ANGLES
 from rigapp.twin.twin import Twin, profile_is_due
@@ -134,6 +136,30 @@ def test_a_twin_goes_on_from_its_checkpoint_as_if_nothing_had_happened() -> None
     for name in ("wear_depth", "driven_wear_depth", "measured_wear_depth"):
         assert column(rest[0], name) == pytest.approx(column(whole[24], name), rel=1e-6)
         assert column(rest[-1], name) == pytest.approx(column(whole[-1], name), rel=1e-3)
+
+
+def test_another_test_of_the_specimen_goes_on_with_its_bushing() -> None:
+    revolutions = measured_revolutions(1.0, 36)
+    whole = followed(Twin(PARAMETERS, "continuous"), revolutions)
+    before = Twin(PARAMETERS, "continuous")
+    followed(before, revolutions[:24])
+    later = [(replace(one, revolution=one.revolution - 24), depth) for one, depth in revolutions]
+    after, other = Twin(PARAMETERS, "continuous"), Twin(PARAMETERS, "continuous")
+    take_over(after, packed(before), same_model=True)
+    take_over(other, packed(before), same_model=False)
+    rest, apart = followed(after, later[24:]), followed(other, later[24:])
+    for name in ("wear_depth", "driven_wear_depth", "measured_wear_depth"):
+        assert column(rest[0], name) == pytest.approx(column(whole[24], name), rel=1e-6)
+        assert column(rest[-1], name) == pytest.approx(column(whole[-1], name), rel=1e-3)
+    assert column(rest[-1], "revolution") == 12
+    resumed = Twin(PARAMETERS, "continuous")
+    assert restore(resumed, packed(after))
+    assert (resumed.before, resumed.newest) == (24, 12)
+    # Another model has bushings of its own; what the probes saw of the new one stays.
+    name = "measured_wear_depth"
+    doubt = column(whole[-1], f"{name}_uncertainty")
+    assert column(apart[-1], name) == pytest.approx(column(whole[-1], name), abs=doubt)
+    assert column(apart[-1], "wear_depth") < 0.5 * column(whole[-1], "wear_depth")
 
 
 def test_a_checkpoint_that_does_not_fit_is_refused() -> None:

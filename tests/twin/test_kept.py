@@ -74,6 +74,26 @@ def test_the_early_band_holds_what_came(folder: Path) -> None:
     assert inside.mean() > 0.8
 
 
+def test_a_second_test_of_a_specimen_has_the_readings_of_the_first(tmp_path: Path) -> None:
+    whole = record(tmp_path / "whole.h5", 1.1, RECORDED, 100)
+    first = record(tmp_path / "first.h5", 1.1, RECORDED, 60)
+    second = record(tmp_path / "second.h5", 1.1, RECORDED, 40, after=first, made=60)
+    unbroken, found = identified_test(whole), identified_test(second)
+    assert unbroken.known is not None
+    assert found.known is not None
+    assert found.before == 60
+    assert "60 before this test" in found.said
+    both = [(one.low, one.median, one.high) for one in
+            (unbroken.known.coefficient, found.known.coefficient)]  # fmt: skip
+    assert both[1] == pytest.approx(both[0], rel=1e-2)
+    with open_test(second) as reader:
+        live = reader.predictions()["wear_coefficient"][-1]
+    assert 1e9 * both[1][1] == pytest.approx(live, rel=1e-6)
+    together = identified_tests([first, second])
+    assert [one.path for one in together.counted] == [second]
+    assert "its readings are among those of second.h5" in together.why_not
+
+
 def test_two_specimens_tell_their_scatter_and_the_next_ones_limits(folder: Path) -> None:
     found = identified_tests([folder / "first.h5", folder / "second.h5", folder / "bare.h5"])
     assert found.pairing is not None

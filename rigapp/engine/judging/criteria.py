@@ -195,9 +195,13 @@ class StopMonitor:
             one.since_value += 1
         return self._first(Sight.ROW, number, at)
 
+    def judges(self, number: int) -> bool:
+        """Tell whether the prediction of a revolution counts: it was whole and at the set speed."""
+        return number not in self._unjudged and number > self._stop.hold_off_revolutions
+
     def prediction(self, number: int, values: Mapping[str, float]) -> Met | None:
         """Judge the twin's answer: its columns by name, see ``prediction_columns``."""
-        if number in self._unjudged or number <= self._stop.hold_off_revolutions:
+        if not self.judges(number):
             return None
         return self._first(Sight.PREDICTION, number, values.__getitem__)
 
@@ -205,6 +209,10 @@ class StopMonitor:
         """Return the planned end that a test has reached at this time of its own, if any."""
         clocks = {"time": time_s, "running_time": self.running_h}
         return self._first(Sight.CLOCK, self._last, clocks.__getitem__)
+
+    def of_depth(self) -> list[str]:
+        """Return the criteria that are set and follow from the measured wear depth."""
+        return [one.criterion.key for one in self._judged if one.criterion.of_depth]
 
     def blind(self) -> list[str]:
         """Return the criteria that have had no value for too long."""

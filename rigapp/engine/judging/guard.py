@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.engine.judging.criteria import Met
+from rigapp.engine.judging.depthwatch import DEPTH_COLUMNS
 from rigapp.engine.judging.limits import LevelPassed
 from rigapp.engine.judging.machine import JudgedRig, JudgedRun, OpenTest
 from rigapp.engine.judging.speeds import LATE_S, SpeedComparison, wrong_sense
@@ -282,7 +283,7 @@ class Guard:
         sentence = f"The planned {planned} revolutions are made and recorded."
         if rows < planned:
             sentence = f"The planned {planned} revolutions are made; {rows} of them are recorded."
-        self._run.trip(Ending(FinishReason.COMPLETE, sentence))
+        self._run.trip(Ending(FinishReason.COMPLETE, _remarked(sentence, test)))
 
     def _act(self, test: OpenTest, row: Row) -> None:
         run, flags = self._run, row.measured.revolution.flags
@@ -319,7 +320,7 @@ class Guard:
         if met.planned:
             run = test.run
             sentence = f"{met.sentence} That was revolution {run.number} of at most {run.planned}."
-            self._run.trip(Ending(FinishReason.COMPLETE, sentence))
+            self._run.trip(Ending(FinishReason.COMPLETE, _remarked(sentence, test)))
         else:
             name, sentence = CRITERIA[met.name].title, met.sentence
             self._run.act_on(because("stop", met.name, name=name, sentence=sentence))
@@ -336,7 +337,16 @@ class Guard:
                 self._run.alarms.clear(found)
             else:
                 self._run.warn(found)
-        met = test.run.stops.prediction(int(named["revolution"]), named)
+        number, stops, depth = int(named["revolution"]), test.run.stops, test.run.depth
+        if stops.judges(number):
+            for cause in depth.look(number, named):
+                self._run.warn(cause)
+                for name in stops.of_depth():
+                    title = CRITERIA[name].title
+                    self._run.warn(because("depth_not_judged", name, name=title))
+        if depth.doubtful:
+            named = {**named, **dict.fromkeys(DEPTH_COLUMNS, math.nan)}
+        met = stops.prediction(number, named)
         if met is not None:
             self._end(test, met)
 
@@ -357,6 +367,11 @@ class Guard:
         self._sound[key] = self._sound.get(key, 0) + 1 if sound else 0
         if self._sound[key] == CALM_REVOLUTIONS:
             self._run.alarms.clear(key)
+
+
+def _remarked(sentence: str, test: OpenTest) -> str:
+    """Return why a test is complete, with what its wear depth lacks: nobody may believe it then."""
+    return f"{sentence} {test.run.depth.remark}".rstrip()
 
 
 def _at_speed(speed_rpm: float, test: OpenTest) -> bool:

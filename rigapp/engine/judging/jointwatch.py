@@ -38,7 +38,8 @@ class JointWatch:
             self._in_a_row, self._left = 0, bool(beyond)
             yield because("pairing_left", sentence=beyond) if beyond else "pairing_left"
         since = values["wear_departure_revolution"]
-        if math.isfinite(since) and since != self._told:
+        # One of an earlier test of the specimen was told then.
+        if since > 0.0 and since != self._told:
             self._told = since
             how = "faster" if values["wear_consistency"] > 0.0 else "more slowly"
             yield because("wears_otherwise", since=since, how=how)

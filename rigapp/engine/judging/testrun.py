@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from rigapp.config.recipe import StopSection
 from rigapp.engine.judging.criteria import Met, StopMonitor
+from rigapp.engine.judging.depthwatch import DepthWatch
 from rigapp.engine.judging.jointwatch import JointWatch
 from rigapp.engine.judging.limits import LevelPassed, RuleMonitor
 from rigapp.engine.samples.assembler import Revolution
@@ -46,7 +47,8 @@ class TestRun:
     first: number of the first revolution to record. planned: number of the last. time_offset_s:
     the test's time at its start (not 0 when it was resumed). utc: UTC seconds of a host time.
     stops: the criteria that end the test before. slow: the columns of the slow channels at a host
-    time. joint: what the twin's answers are watched for. step: number of the step of a revolution.
+    time. joint, depth: what the twin's answers are watched for. step: number of the step of a
+    revolution.
     """
 
     __test__ = False
@@ -63,12 +65,14 @@ class TestRun:
         stops: StopMonitor | None = None,
         slow: Callable[[int], Mapping[str, float]] = lambda host_time_ns: {},
         joint: JointWatch | None = None,
+        depth: DepthWatch | None = None,
         step: Callable[[int], int] = lambda number: 0,
     ) -> None:
         self.calibration = calibration
         self.monitor = monitor
         self.stops = stops if stops is not None else StopMonitor(StopSection())
         self.joint = joint if joint is not None else JointWatch()
+        self.depth = depth if depth is not None else DepthWatch()
         self.first = first
         self.planned = planned
         self.time_offset_s = time_offset_s

@@ -28,7 +28,7 @@ from rigapp.engine.recording.history import TRIGGERED
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.engine.values.instruments import InputLine, ProbePair
 from rigapp.schema.channels import LOAD_CELL, PROBES, ChannelTable, Kind
-from rigapp.schema.loglines import RestSignals
+from rigapp.schema.loglines import RestSignals, SpecimenWear
 from rigapp.schema.messages import Event, LookedAfter
 from rigapp.storage import (
     CALIBRATION,
@@ -142,7 +142,10 @@ class Opened:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class OpenRequest:
-    """Everything that goes into a new file before its first row. rest: the signals at rest."""
+    """Everything that goes into a new file before its first row.
+
+    rest: the signals at rest. worn: how far the specimen is worn, None for a new one.
+    """
 
     path: Path
     rig: Document[RigFile]
@@ -153,6 +156,7 @@ class OpenRequest:
     operator: str
     resume: bool
     rest: RestSignals | None = None
+    worn: SpecimenWear | None = None
 
 
 OpenStore = Callable[[OpenRequest], Opened]

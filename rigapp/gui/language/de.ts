@@ -400,6 +400,10 @@
         <translation>Prüfen, ob es repariert ist, dann neu verbinden.</translation>
     </message>
     <message>
+        <source>Check that specimen and probes are those of before; if not, stop and begin a new test.</source>
+        <translation>Prüfen, ob Probe und Wegsensoren noch die von vorher sind; sonst stoppen und einen neuen Versuch beginnen.</translation>
+    </message>
+    <message>
         <source>Check the bridge&apos;s wires, plug and cell; then reconnect and reset.</source>
         <translation>Adern der Brücke, Stecker und Sensor prüfen; dann neu verbinden und zurücksetzen.</translation>
     </message>
@@ -448,12 +452,24 @@
         <translation>Schwergängigkeit der Mechanik, Stromgrenze und Einstellung des Antriebs prüfen.</translation>
     </message>
     <message>
+        <source>Check the probes and the specimen; stop the test, or let it go on.</source>
+        <translation>Wegsensoren und Probe prüfen; den Versuch stoppen oder weiterlaufen lassen.</translation>
+    </message>
+    <message>
+        <source>Check the probes and their holders, and the temperature of the joint.</source>
+        <translation>Wegsensoren, ihre Halter und die Temperatur des Gelenks prüfen.</translation>
+    </message>
+    <message>
         <source>Check the probes, or the prediction&apos;s process, or stop the test.</source>
         <translation>Die Wegsensoren oder den Prozess der Vorhersage prüfen, oder den Versuch stoppen.</translation>
     </message>
     <message>
         <source>Check the sensor&apos;s wires and plug, then reconnect.</source>
         <translation>Adern und Stecker des Sensors prüfen, dann neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Check the specimen&apos;s name in the test file and the probes; stop and begin a new test.</source>
+        <translation>Den Namen der Probe in der Versuchsdatei und die Wegsensoren prüfen; stoppen und einen neuen Versuch beginnen.</translation>
     </message>
     <message>
         <source>Checks</source>
@@ -1464,6 +1480,14 @@
         <translation>Der Wegsensor steht bei</translation>
     </message>
     <message>
+        <source>The test goes on to its last revolution, or to another criterion.</source>
+        <translation>Der Versuch läuft bis zur letzten Umdrehung oder bis zu einem anderen Kriterium.</translation>
+    </message>
+    <message>
+        <source>The test goes on. The wear depth does not end it, and is marked at its end.</source>
+        <translation>Der Versuch läuft weiter. Die Verschleißtiefe beendet ihn nicht; an seinem Ende wird darauf hingewiesen.</translation>
+    </message>
+    <message>
         <source>The wear&apos;s departure from what was expected</source>
         <translation>Die Abweichung des Verschleißes vom Erwarteten</translation>
     </message>
@@ -1578,6 +1602,18 @@
     <message>
         <source>Wear depth against cycle, with bands</source>
         <translation>Verschleißtiefe über dem Zyklus, mit Bändern</translation>
+    </message>
+    <message>
+        <source>Wear depth falls</source>
+        <translation>Verschleißtiefe nimmt ab</translation>
+    </message>
+    <message>
+        <source>Wear depth jumped</source>
+        <translation>Verschleißtiefe gesprungen</translation>
+    </message>
+    <message>
+        <source>Wear depth negative</source>
+        <translation>Verschleißtiefe negativ</translation>
     </message>
     <message>
         <source>Wear depth with its predicted band</source>
@@ -2422,6 +2458,10 @@
     <message>
         <source>its matrix cannot be inverted</source>
         <translation>seine Matrix ist nicht umkehrbar</translation>
+    </message>
+    <message>
+        <source>its measured wear depth is not to be trusted; see the alarms</source>
+        <translation>seiner gemessenen Verschleißtiefe nicht zu trauen ist; siehe die Alarme</translation>
     </message>
     <message>
         <source>its signature is incomplete</source>
@@ -8484,10 +8524,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>eine offene Datei kann hier keinen zweiten Namen bekommen</translation>
     </message>
     <message>
-        <source>an unworn bushing is in the simulated rig</source>
-        <translation>im simulierten Prüfstand ist eine neue Buchse</translation>
-    </message>
-    <message>
         <source>analog output</source>
         <translation>Analogausgang</translation>
     </message>
@@ -10815,6 +10851,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die letzte Prüfung liegt {} Standardabweichungen {} dem Mittel aller vorigen: sie wiederholen; bleibt es dabei, vor dem Versuch die Ursache suchen</translation>
     </message>
     <message>
+        <source>The measured wear depth has fallen from {before_um:.1f} um in {when} to {now_um:.1f} um, beyond its uncertainty of {doubt_um:.1f} um: a probe has moved, or the joint cools.</source>
+        <translation>Die gemessene Verschleißtiefe ist von {before_um:.1f} um in {when} auf {now_um:.1f} um gefallen, mehr als ihre Messunsicherheit von {doubt_um:.1f} um: Ein Wegsensor hat sich verschoben, oder das Gelenk kühlt ab.</translation>
+    </message>
+    <message>
+        <source>The measured wear depth is {depth_um:.1f} +/- {doubt_um:.1f} um, less than a new bushing has: a probe was moved, or the specimen was not new when the test began.</source>
+        <translation>Die gemessene Verschleißtiefe ist {depth_um:.1f} +/- {doubt_um:.1f} um, weniger als bei einer neuen Buchse: Ein Wegsensor wurde verschoben, oder die Probe war zu Beginn nicht neu.</translation>
+    </message>
+    <message>
+        <source>The measured wear depth is {now_um:.1f} um; in {when} it was {before_um:.1f} um. The difference is beyond its uncertainty of {doubt_um:.1f} um: a probe was moved, or the specimen exchanged.</source>
+        <translation>Die gemessene Verschleißtiefe ist {now_um:.1f} um; in {when} war sie {before_um:.1f} um. Der Unterschied übersteigt seine Messunsicherheit von {doubt_um:.1f} um: Ein Wegsensor wurde verschoben oder die Probe getauscht.</translation>
+    </message>
+    <message>
         <source>The other probe moved by {:.3f} V, this one by {:.3f} V: the target stands before the wrong probe, or the two plugs are exchanged</source>
         <translation>Der andere Wegsensor bewegte sich um {} V, dieser um {} V: Das Ziel steht vor dem falschen Wegsensor, oder die beiden Stecker sind vertauscht</translation>
     </message>
@@ -10939,6 +10987,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Spannung erreicht {} V bei {} um, das Ende des Bereichs; den Wegsensor verschieben oder einen größeren Bereich wählen</translation>
     </message>
     <message>
+        <source>The wear depth is not to be trusted, so stop.{} does not end the test.</source>
+        <translation>Der Verschleißtiefe ist nicht zu trauen, deshalb beendet stop.{} den Versuch nicht.</translation>
+    </message>
+    <message>
+        <source>The wear depth is not to be trusted. {}</source>
+        <translation>Der Verschleißtiefe ist nicht zu trauen. {}</translation>
+    </message>
+    <message>
         <source>The worn area, {:.4f} of what Archard&apos;s law makes of the force itself, is less than possible even with its stated error: do not use this result; give a smaller tolerance</source>
         <translation>Die verschlissene Fläche, das {}-Fache dessen, was das Archardsche Gesetz aus der Kraft selbst macht, ist selbst mit ihrem angegebenen Fehler kleiner als möglich: dieses Ergebnis nicht verwenden; eine kleinere Toleranz angeben</translation>
     </message>
@@ -11021,6 +11077,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>a DI-{} answers, and the rig file says DI-{}; {}</source>
         <translation>ein DI-{} antwortet, und die Prüfstandsdatei nennt DI-{}; {}</translation>
+    </message>
+    <message>
+        <source>a bushing worn by {:.1f} um is in the simulated rig</source>
+        <translation>eine um {} um verschlissene Buchse ist im simulierten Prüfstand</translation>
     </message>
     <message>
         <source>a cycle needs exactly the columns of the plan; check {}</source>
@@ -11787,6 +11847,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Umdrehung {} ist schon gemacht; der Versuch kann nur nach einer späteren als {} enden</translation>
     </message>
     <message>
+        <source>revolution {} of {}</source>
+        <translation>Umdrehung {} von {}</translation>
+    </message>
+    <message>
         <source>revolutions {} to {}</source>
         <translation>Umdrehungen {} bis {}</translation>
     </message>
@@ -12275,6 +12339,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der simulierte Prüfstand ist beendet ({})</translation>
     </message>
     <message>
+        <source>the specimen is {} since {}</source>
+        <translation>die Probe ist {} seit {}</translation>
+    </message>
+    <message>
         <source>the spindle stands {}; seen by {}</source>
         <translation>die Spindel steht {}; gesehen durch {}</translation>
     </message>
@@ -12517,6 +12585,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>without {}</source>
         <translation>ohne {}</translation>
+    </message>
+    <message>
+        <source>worn by {:.1f} +/- {:.1f} um</source>
+        <translation>um {} +/- {} um verschlissen</translation>
     </message>
     <message>
         <source>write failed: {}</source>

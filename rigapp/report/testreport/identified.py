@@ -35,7 +35,7 @@ from model.identification.words import sentence
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.columns import identified_columns
 from rigapp.schema.messages import last_set_speed
-from rigapp.storage import TestReader, open_test
+from rigapp.storage import TestReader, believed_until, open_test
 from rigapp.twin.identifying import LEAST_REFERENCE
 from rigapp.twin.kept import kept_of, life_of
 
@@ -63,7 +63,8 @@ class IdentifiedTest:
 
     identifier: of the test; record: the probes' calibration; said: the statement in words, or why
     there is none, and then refused; course: columns over the revolutions at which the twin stated
-    something new; known: after the last bin; left: None without a depth at which the test ends.
+    something new; known: after the last bin; before: revolutions that the bushing had made when the
+    test began, which readings and bands count; left: None without a depth at which the test ends.
     """
 
     path: Path
@@ -79,6 +80,7 @@ class IdentifiedTest:
     known: Identification | None = None
     left: Remaining | None = None
     bands: tuple[ForecastBand, ...] = ()
+    before: int = 0
 
     @property
     def remaining_s(self) -> float:
@@ -113,15 +115,22 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
         "rpm": last_set_speed(speed, quality) if speed.size else 0.0,
     }
     record = ""
+    until = believed_until(reader)
+    if until is not None:
+        after = until if after is None else min(after, until)
     try:
-        kept = kept_of(reader)
+        if until == 0:
+            raise CannotBeTold("its measured wear depth is not to be trusted; see the alarms")
+        kept, before = kept_of(reader)
         record = kept.sought.record
-        moments = _moments(reader, kept.bins.closed, after)
+        moments = _moments(reader, kept.bins.closed, after, before)
         life = life_of(kept)
 
         def known_at(place: int) -> Identification:
             moment = moments[place]
-            errors = replace(kept.errors(), reference=max(moment.reference, LEAST_REFERENCE))
+            errors = kept.errors()
+            if not before:  # else the zero was known best in an earlier test, and stays so
+                errors = replace(errors, reference=max(moment.reference, LEAST_REFERENCE))
             return identify(kept.bins.closed[: place + 1], life, errors, kept.prior())
 
         known = known_at(len(moments) - 1)
@@ -129,20 +138,27 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
         words = f"The wear coefficient cannot be told, because {str(error).rstrip('.')}."
         return IdentifiedTest(**plain, record=record, said=words)
     depth, departure = kept.sought.depth, kept.consistency.departure
-    if departure is not None and after is not None and departure.revolution > after:
+    if departure is not None and after is not None and departure.revolution > after + before:
         departure = None
-    early = [place for place, one in enumerate(moments) if one.closed <= EARLY * plain["planned"]]
-    bands = [_band(known, life, plain["planned"])]
+    planned = plain["planned"] + before
+    early = [place for place, one in enumerate(moments) if one.closed <= EARLY * planned]
+    bands = [_band(known, life, planned)]
     if early and early[-1] < len(moments) - 1:
-        bands = [*_early(known_at, early[-1], life, plain["planned"]), *bands]
+        bands = [*_early(known_at, early[-1], life, planned), *bands]
+    said = sentence(known, departure)
+    if until is not None:
+        said += f" After revolution {until} the measured wear depth is not to be trusted."
+    if before:
+        said += f" Revolutions are counted from the new bushing, {before} before this test."
     return IdentifiedTest(
         **plain,
         record=record,
-        said=sentence(known, departure),
+        said=said,
+        before=before,
         refused=False,
         course=_course(reader, after),
         known=known,
-        left=None if depth is None else _left(known, life, depth, _last(reader, after)),
+        left=None if depth is None else _left(known, life, depth, _last(reader, after) + before),
         bands=tuple(bands),
     )
 
@@ -155,19 +171,21 @@ class _Moment:
     reference: float
 
 
-def _moments(reader: TestReader, bins: Sequence[Bin], after: int | None) -> list[_Moment]:
+def _moments(
+    reader: TestReader, bins: Sequence[Bin], after: int | None, before: int
+) -> list[_Moment]:
     """Return the moments at which bins were closed: at the first reading that is in none of them.
 
     Raises CannotBeTold where there is none.
     """
     table = reader.predictions()
     read = np.isfinite(table["measured_wear_depth"])
-    revolutions = table["revolution"][read].astype(np.float64)
+    revolutions = table["revolution"][read].astype(np.float64) + before
     doubt = np.minimum.accumulate(0.5e-3 * table["measured_wear_depth_uncertainty"][read])
     found = []
     for one in bins:
         place = int(np.searchsorted(revolutions, one.revolution, side="right"))
-        if place < revolutions.size and (after is None or revolutions[place] <= after):
+        if place < revolutions.size and (after is None or revolutions[place] <= after + before):
             found.append(_Moment(float(revolutions[place]), float(doubt[place])))
     if not found:
         raise CannotBeTold("no bin of revolutions is complete yet: wait")
@@ -253,6 +271,10 @@ def identified_tests(
     why_not = ""
     for one in tests:
         if one.known is None:
+            continue
+        later = next((two for two in tests if two.specimen == one.specimen and two.before), None)
+        if later is not None and later.before > one.before:
+            why_not = f"{one.path.name}: its readings are among those of {later.path.name}"
             continue
         try:
             estimates.append(estimate_of(one.known, one.record))
