@@ -332,7 +332,7 @@ class RoboClaw:
             supply_V=read.main_voltage * VOLTAGE_UNIT_V,
             temperature_C=read.temperature * TEMPERATURE_UNIT_C,
             torque_Nm=torque_Nm(read.current * CURRENT_UNIT_A, self._settings),
-            enabled=self._target is not None and not faults,
+            enabled=(self._target is not None or bool(read.pwm)) and not faults,
             emergency_stop=words.emergency_stop,
             faults=faults,
             warnings=words.warnings,

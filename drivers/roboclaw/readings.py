@@ -26,6 +26,7 @@ class Readings:
     main_voltage: int
     temperature: int
     setpoint: int | None = None
+    pwm: int | None = None
     tick: int | None = None
 
 
@@ -77,6 +78,7 @@ class StatusReader:
             main_voltage=status.main_voltage,
             temperature=max(status.temperatures),
             setpoint=status.setpoints[self._motor],
+            pwm=status.pwm[self._motor],
             tick=status.tick,
         )
 

@@ -327,6 +327,8 @@ class Connection:
             return
         if do is DriveStep.STANDING:
             core.stood(stop.witnesses, stop.how)
+        elif do is DriveStep.POWER_OFF and stop.by_itself and core.state not in ACTIVE:
+            self._turns_by_itself()
         elif do is DriveStep.NO_EFFECT:
             core.stop_without_effect(self.spindle.name)
         elif do is DriveStep.GIVE_UP:
@@ -334,6 +336,13 @@ class Connection:
                 f"The stop was commanded, the power was cut, and still the spindle is not seen to "
                 f"stand (asked: {stop.witnesses})."
             )
+
+    def _turns_by_itself(self) -> None:
+        """Tell of a crank that turns without a command; one without power is turned by hand."""
+        status, rpm = self.control.status, self.processor.motion.speed_rpm()
+        if status is not None and status.enabled:
+            drive = self.spindle.name
+            self.core.act_on(because("turns_by_itself", drive=drive, speed_rpm=rpm))
 
     def begin_test(self) -> None:
         """Let the revolutions from the next index on belong to the test."""

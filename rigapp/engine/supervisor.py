@@ -12,7 +12,7 @@ from rigapp.engine.core import SLOW_DISK_S, Core
 from rigapp.engine.resting import begin_rest, end_rest
 from rigapp.process.threads import OVERSLEPT_S
 from rigapp.schema.alarms import because
-from rigapp.schema.messages import RunState
+from rigapp.schema.messages import Ends, RunState
 from rigapp.schema.states import ACTIVE
 
 ANCHOR_S = 60.0  # drift alone parts two clocks by milliseconds in that time
@@ -151,9 +151,11 @@ class Supervisor:
     def _look_at_stop(self) -> None:
         core, connection, timing = self._core, self._connection, self._core.timing
         test = core.test
-        if core.state not in ACTIVE and core.alarms.is_active("will_not_stop"):
-            if connection.control.seen().stands:
-                core.alarms.clear("will_not_stop")
+        if core.state not in ACTIVE:
+            alarms = core.alarms.alarms()
+            waiting = any(one.active and one.ends is Ends.STAND for one in alarms)
+            if waiting and connection.control.seen().stands:
+                core.alarms.clear_ended_by(Ends.STAND)
             return
         if test is None or core.state is not RunState.STOPPING:
             return

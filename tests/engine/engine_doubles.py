@@ -6,6 +6,7 @@ an attribute; everything else is deterministic.
 
 from __future__ import annotations
 
+import math
 import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
@@ -63,6 +64,7 @@ COUNTS = 360
 RATE = 480.0
 BLOCK = 48
 GAIN = 200.0
+WATCHDOG_S = 0.3
 
 
 @dataclass
@@ -76,6 +78,7 @@ class Crank:
     powered: bool = True
     jammed: bool = False
     deaf: bool = False
+    fed_at: float = math.inf
     lock: threading.Lock = field(default_factory=threading.Lock)
 
     turned_at: float = 0.0
@@ -86,6 +89,8 @@ class Crank:
         step = 1.0 / RATE
         self.turned_at = time.monotonic()
         with self.lock:
+            if self.turned_at - self.fed_at > WATCHDOG_S:
+                self.powered = False
             for i in range(samples):
                 target = self.target if self.powered else 0.0
                 change = np.clip(target - self.speed, -1.0, 1.0)
@@ -236,6 +241,7 @@ class FakeSpindle:
         self.commands: list[tuple[str, float]] = []
         self.tells_ratio = 1.0
         self.off_at: float | None = None
+        self.ignores = 0.0
         self.polls = 0
 
     def reset_fault(self) -> None:
@@ -255,7 +261,7 @@ class FakeSpindle:
     def set_speed(self, speed_rev_per_s: float, acceleration_rev_per_s2: float) -> None:
         self._alive()
         self.commands.append(("speed", speed_rev_per_s))
-        if self.crank.deaf:
+        if self._ignored():
             return
         with self.crank.lock:
             self.crank.powered = True
@@ -266,7 +272,7 @@ class FakeSpindle:
         self._alive()
         self.commands.append(("off", 0.0))
         self.off_at = time.monotonic()
-        if self.crank.deaf:
+        if self._ignored():
             return
         with self.crank.lock:
             self.crank.powered = False
@@ -276,6 +282,7 @@ class FakeSpindle:
     def status(self) -> DriveStatus:
         self._alive()
         self.polls += 1
+        self.crank.fed_at = time.monotonic() if self.ignores else math.inf
         if not self.is_read() or time.monotonic() - self.crank.turned_at > 5.0:
             self.crank.turn(BLOCK)  # nobody reads; time goes on
         self._stop_latched |= self.emergency_stop and self.latches_stop
@@ -297,6 +304,18 @@ class FakeSpindle:
         with self.crank.lock:
             self.crank.powered = False
             self.crank.target = 0.0
+
+    def _ignored(self) -> bool:
+        """Tell whether a command is confirmed and not obeyed; then its watchdog counts."""
+        ignored = self.crank.deaf or self.ignores > 0
+        self.ignores = max(0.0, self.ignores - 1)
+        self.crank.fed_at = time.monotonic() if self.ignores else math.inf
+        return ignored
+
+    def turn_by_itself(self) -> None:
+        """Turn as nobody has commanded."""
+        with self.crank.lock:
+            self.crank.powered, self.crank.target = True, 0.5
 
     def _alive(self) -> None:
         if self.hang is not None:
@@ -482,7 +501,7 @@ class MemoryRig:
                 "daq": DeviceSection("memory source", "simulated", {"sample_rate_Hz": RATE}),
                 "drive": DeviceSection("memory drive", "simulated"),
             },
-            spindle=SpindleSection("drive", COUNTS, 400.0, watchdog_timeout_s=0.3),
+            spindle=SpindleSection("drive", COUNTS, 400.0, watchdog_timeout_s=WATCHDOG_S),
             encoder=EncoderSection("daq", "counter_1", COUNTS),
             load_cell=LoadCellSection(
                 "daq",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 from collections.abc import Iterator
 from dataclasses import replace
@@ -369,6 +370,35 @@ def test_a_spindle_that_does_not_stop_raises_the_loudest_alarm(rig: MemoryRig) -
     rig.engine.drive_off("Ada")
     eventually(lambda: rig.stands)
     eventually(lambda: not any(a.active for a in rig.engine.status().alarms))
+
+
+def test_a_drive_that_confirms_and_ignores_every_command_is_stopped_by_its_watchdog(
+    rig: MemoryRig,
+) -> None:
+    rig.spindle.ignores = math.inf
+    rig.engine.drive_off("Ada")
+    ended(rig, FinishReason.OPERATOR, "confirmed the power-off, but the crank turns on")
+    assert rig.stands
+    assert rig.engine.state is RunState.FAULT
+    rig.spindle.ignores = 0.0
+    back_to_work(rig)
+
+
+def test_a_crank_that_turns_by_itself_is_switched_off_in_every_state_and_told() -> None:
+    memory = MemoryRig()
+    memory.engine.connect()
+    memory.spindle.turn_by_itself()
+    memory.engine.wait((RunState.FAULT,), 60.0)
+    eventually(lambda: memory.stands)
+    assert "without a command" in memory.engine.status().reason
+    eventually(lambda: not any(a.active for a in memory.engine.status().alarms))
+    memory.spindle.ignores = math.inf
+    memory.spindle.turn_by_itself()
+    eventually(lambda: any(a.key == "will_not_stop" for a in memory.engine.status().alarms))
+    eventually(lambda: memory.stands)
+    memory.spindle.ignores = 0.0
+    back_to_work(memory)
+    memory.engine.shutdown(20.0)
 
 
 def test_a_crank_that_moves_in_a_pause_ends_the_test(rig: MemoryRig) -> None:

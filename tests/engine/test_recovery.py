@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import itertools
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -49,6 +50,7 @@ class Bench:
         spindle.lost = spindle.emergency_stop = spindle.latches_stop = False
         spindle.cause_remains = False
         crank.deaf = crank.jammed = False
+        spindle.ignores = 0.0
         for store in self.rig.stores:
             store.broken = None
 
@@ -112,6 +114,9 @@ DEEDS: dict[str, Callable[[Bench], None]] = {
     "emergency stop": _fault(lambda rig: setattr(rig.spindle, "emergency_stop", True)),
     "drive latches stops": _fault(lambda rig: setattr(rig.spindle, "latches_stop", True)),
     "drive deaf": _fault(lambda rig: setattr(rig.crank, "deaf", True)),
+    "one command ignored": _fault(lambda rig: setattr(rig.spindle, "ignores", 1.0)),
+    "commands ignored": _fault(lambda rig: setattr(rig.spindle, "ignores", math.inf)),
+    "turns by itself": _fault(lambda rig: rig.spindle.turn_by_itself()),
     "crank jammed": _fault(lambda rig: setattr(rig.crank, "jammed", True)),
     "file fails": _fault(_break_file),
     "mend": Bench.mend,
@@ -215,6 +220,8 @@ def leads_out(deeds: list[str]) -> list[str]:
 @example(["connect", "drive fault", "drive fault stays", "acknowledge", "reset"])
 @example(["connect", "start", "drive deaf", "stop", "cable pulled", "wait for the end"])
 @example(["connect", "start", "file fails", "wait for the end"])
+@example(["connect", "start", "commands ignored", "drive off", "wait for the end"])
+@example(["connect", "turns by itself", "wait for the end"])
 @settings(max_examples=4, phases=NO_SHRINKING)
 def test_ready_is_reached_from_every_state_by_the_steps_that_are_named(deeds: list[str]) -> None:
     leads_out(deeds)

@@ -222,10 +222,11 @@ class Axis402:
             return DriveCommand(DriveMode.VELOCITY, speed_count_per_s=self.setpoint * self._counts)
         return DriveCommand(DriveMode.OFF)
 
-    def status_word(self) -> int:
-        """Return the status word (6041)."""
+    def status_word(self, *, no_power: bool = False) -> int:
+        """Return the status word (6041); no_power: that of a drive that says it has none."""
         goal, limited = self._goal()
-        word = _BITS[self.state] | _VOLTAGE_BIT | _REMOTE_BIT
+        state = State.SWITCH_ON_DISABLED if no_power else self.state
+        word = _BITS[state] | _VOLTAGE_BIT | _REMOTE_BIT
         if limited:
             word |= INTERNAL_LIMIT_BIT
         if self._objects.number(0x6061) == PROFILE_VELOCITY:

@@ -57,6 +57,7 @@ class Cia402Fault(enum.StrEnum):
     SDO_ABORT = "sdo_abort"  # abort code
     NO_SDO_REPLY = "no_sdo_reply"
     IGNORED_COMMAND = "ignored_command"  # the write is confirmed and not obeyed
+    FALSE_READBACK = "false_readback"  # it says that the motor has no power, whatever it does
     TURNS_BY_ITSELF = "turns_by_itself"  # rpm that nobody has commanded
     SLOW_COMMAND = "slow_command"  # s until a download is confirmed; it is obeyed at once
     LATE_TPDO = "late_tpdo"  # s of delay
@@ -123,6 +124,9 @@ class Cia402Node:
     def _hook(self) -> None:
         entries = self.objects.entries
         entries[0x1003, 0].written = self._clear_history
+        entries[0x6041, 0].read = lambda: self.axis.status_word(
+            no_power=self._plan.on(Cia402Fault.FALSE_READBACK)
+        )
         entries[0x1016, 1].written = entries[0x1016, 2].written = self._consumer_written
         if (0x2200, 1) in entries:
             entries[0x2200, 1].read = lambda: round(self._motor.supply_V * 10)

@@ -40,6 +40,7 @@ class RoboClawFault(enum.StrEnum):
     NO_REPLY = "no_reply"
     LOST_COMMAND = "lost_command"  # the packet is neither obeyed nor answered
     IGNORED_COMMAND = "ignored_command"  # the write is acknowledged and not obeyed
+    FALSE_READBACK = "false_readback"  # it says that the motor has no power, whatever it does
     TURNS_BY_ITSELF = "turns_by_itself"  # counts/s that nobody has commanded
     SLOW_REPLY = "slow_reply"  # s of delay
     DUPLICATED_REPLY = "duplicated_reply"
@@ -207,6 +208,10 @@ class Registers:
             amperes[self.motor - 1] = high
         return tuple(max(-32768, min(32767, round(value * 100))) for value in amperes)
 
+    def _pwm(self) -> Numbers:
+        no_power = self._plan.on(RoboClawFault.FALSE_READBACK)
+        return tuple(0 if no_power else axis.pwm for axis in self.axes)
+
     def _combined_status(self) -> Numbers:
         first, second = self.axes
         hot = self._temperature()
@@ -215,7 +220,7 @@ class Registers:
             round((self._plan.time_s - self._powered_s) * 1e3) & 0xFFFFFFFF,
             self._status(),
             *(hot, hot, self._main_voltage(), LOGIC_VOLTAGE),
-            *(first.pwm, second.pwm, *self._currents()),
+            *(*self._pwm(), *self._currents()),
             *(first.count, second.count),
             *(round(first.setpoint), round(second.setpoint)),
             *(round(first.speed), round(second.speed)),
@@ -235,7 +240,7 @@ class Registers:
             Command.MAIN_VOLTAGE: lambda: (self._main_voltage(),),
             Command.LOGIC_VOLTAGE: lambda: (LOGIC_VOLTAGE,),
             Command.VOLTAGES: lambda: (self._main_voltage(), LOGIC_VOLTAGE),
-            Command.PWM: of_axes(lambda axis: axis.pwm),
+            Command.PWM: self._pwm,
             Command.CURRENTS: self._currents,
             Command.MAIN_LIMITS: lambda: self.memory.main_limits[:limits],
             Command.PIN_FUNCTIONS: lambda: self.memory.pin_modes,

@@ -4952,6 +4952,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kurbelwinkel (Grad)</translation>
     </message>
     <message>
+        <source>Crank turns by itself</source>
+        <translation>Kurbel dreht von selbst</translation>
+    </message>
+    <message>
         <source>Critical above</source>
         <translation>Kritisch über</translation>
     </message>
@@ -5502,6 +5506,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>K is another one where nominal pressure times sliding speed is above the transition</source>
         <translation>K ist ein anderes, wo nominelle Pressung mal Gleitgeschwindigkeit über dem Übergang liegt</translation>
+    </message>
+    <message>
+        <source>Keep clear of the crank. Check what else commands the drive; then reset.</source>
+        <translation>Von der Kurbel fernbleiben. Prüfen, wer den Antrieb sonst ansteuert; dann zurücksetzen.</translation>
     </message>
     <message>
         <source>Keep clear of the crank; check the drive&apos;s holding torque and the spring.</source>
@@ -10761,6 +10769,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The axes stand as if every pin angle were {:.1f} degrees off. It can be the cell&apos;s own cross-talk; only the angle reference step can tell</source>
         <translation>Die Achsen stehen, als wäre jeder Bolzenwinkel um {} Grad falsch. Es kann das eigene Übersprechen des Kraftsensors sein; nur der Schritt des Winkelbezugs kann es zeigen</translation>
+    </message>
+    <message>
+        <source>The crank turns at {speed_rpm:.1f} rpm without a command, and {drive} has power.</source>
+        <translation>Die Kurbel dreht ohne Befehl mit {speed_rpm:.1f} rpm, und {drive} ist eingeschaltet.</translation>
     </message>
     <message>
         <source>The driver &quot;{}&quot; ({}) cannot be loaded: {}; reinstall the package that brings it</source>
