@@ -112,7 +112,8 @@ def commission(link: Link, request: DriveRequest, motor: int, combined: bool) ->
     """
     units = _watchdog_units(request)
     _set_watchdog(link, units)
-    stopping = _power_off(link, motor) | _emergency_stop_input(link)
+    power_off, input_S3 = _power_off(link, motor), _emergency_stop_input(link)
+    advice = " ".join(filter(None, (power_off.pop("advice", ""), input_S3.pop("advice", ""))))
     combined = combined and can_combine(link)
     pid = velocity_pid_of(link.read(Command.VELOCITY_PID_M1 + motor - 1))
     (main,) = link.read(Command.MAIN_VOLTAGE)
@@ -135,12 +136,16 @@ def commission(link: Link, request: DriveRequest, motor: int, combined: bool) ->
         "velocity_d": pid.d,
         "speed_limit_count_per_s": pid.qpps,
         "speed_limit_rev_per_s": pid.qpps / request.counts_per_crank_revolution,
-        **stopping,
+        **power_off,
+        **input_S3,
+        "wiring": f"power off in {power_off['power_off_ramp']}, input S3: {input_S3['input_S3']}",
     }
+    if advice:
+        readback["advice"] = advice
     return Setup(request, units, combined, pid.qpps, readback)
 
 
-def _power_off(link: Link, motor: int) -> dict[str, str | float | int]:
+def _power_off(link: Link, motor: int) -> dict[str, str]:
     """Make duty 0 take the power off at once; return how long it takes.
 
     Duty commands follow a ramp, which the drive keeps for them (commands 68, 69 and 81). Nothing
@@ -155,7 +160,7 @@ def _power_off(link: Link, motor: int) -> dict[str, str | float | int]:
     except ReplyTimeout:
         link.read(Command.STATUS)  # a drive that answers this is not silent: it lacks the command
         return {
-            "power_off_ramp_s": "unknown",
+            "power_off_ramp": "an unknown time",
             "advice": "This firmware does not tell how fast it takes the power off: watch it at "
             "the first stop.",
         }
@@ -166,10 +171,10 @@ def _power_off(link: Link, motor: int) -> dict[str, str | float | int]:
             f"taking the power off is a ramp of {ramp_s:.2g} s; set the default duty acceleration "
             f"of motor {motor} to {MAXIMUM_DUTY_ACCELERATION} with the maker's tool.",
         )
-    return {"power_off_ramp_s": round(ramp_s, 3)}
+    return {"power_off_ramp": f"{ramp_s:.2f} s"}
 
 
-def _emergency_stop_input(link: Link) -> dict[str, str | float | int]:
+def _emergency_stop_input(link: Link) -> dict[str, str]:
     """Return what input S3 does, with an advice where it is no emergency stop."""
     try:
         mode = link.read(Command.PIN_FUNCTIONS, _TWICE)[0]

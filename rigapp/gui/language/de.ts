@@ -8532,6 +8532,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>eine offene Datei kann hier keinen zweiten Namen bekommen</translation>
     </message>
     <message>
+        <source>an unknown time</source>
+        <translation>unbekannter Zeit</translation>
+    </message>
+    <message>
         <source>analog output</source>
         <translation>Analogausgang</translation>
     </message>
@@ -11765,6 +11769,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>ping.url holds a password; {}</source>
         <translation>ping.url enthält ein Passwort; {}</translation>
+    </message>
+    <message>
+        <source>power off in {}, input S3: {}</source>
+        <translation>abgeschaltet in {}, Eingang S3: {}</translation>
     </message>
     <message>
         <source>preset = &quot;{}&quot; needs at least one entry in registers</source>

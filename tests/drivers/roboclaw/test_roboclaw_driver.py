@@ -186,7 +186,7 @@ def test_the_ramp_of_a_power_off_is_made_short_and_told(
 ) -> None:
     rig = drive_rig(duty_acceleration=3276)  # 10 s from full duty
     drive = connect(rig, **PATIENT)
-    assert drive.configure(request_for())["power_off_ramp_s"] == pytest.approx(0.05)
+    assert drive.configure(request_for())["power_off_ramp"] == "0.05 s"
     drive.set_speed(10.0, 1000.0)
     wait_until(lambda: rig.last.speed_count_per_s == 36000, "the speed")
     begun = rig.time_s
@@ -199,7 +199,7 @@ def test_the_ramp_of_a_power_off_is_made_short_and_told(
         connect(keeps, **PATIENT)
     lacks = drive_rig(unknown_commands=(Command.DUTY_ACCELERATIONS,))
     told = connect(lacks, reply_timeout_ms=50.0).configure(request_for())
-    assert told["power_off_ramp_s"] == "unknown"
+    assert told["power_off_ramp"] == "an unknown time"
     assert "how fast it takes the power off" in told["advice"]
 
 
@@ -224,6 +224,7 @@ def test_what_the_emergency_stop_input_does_is_read_told_and_judged(
 ) -> None:
     told = connect(drive_rig(firmware=firmware, s3_mode=mode), **PATIENT).configure(request_for())
     assert told["input_S3"] == words
+    assert told["wiring"] == f"power off in 0.05 s, input S3: {words}"
     assert advised in told.get("advice", "")
     assert bool(told.get("advice")) == bool(advised)
 
