@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import contextlib
+import os
+import random
 import time
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
-from stories import RIG, recipe, until
+from stories import EXAMPLES, RIG, numbers, recipe, until
 
 from rigapp.config.loading import read_rig
 from rigapp.schema.messages import FinishReason, Remedy, Request, RunState
@@ -19,6 +22,8 @@ from rigapp.service.host import EngineHost, read_test
 CHOICES = fault_choices((("daq", "gsv8"), ("drive", "roboclaw")))
 LONG = 5000
 SEEN_S = 4.0
+WALKS = int(os.environ.get("RIGAPP_SOAK_WALKS", "150"))
+ACTIONS = ("pause", "resume", "stop", "drive_off", "acknowledge", "reset", "connect")
 STEPS_AT_MOST = 12
 
 
@@ -36,16 +41,31 @@ def ask(host: EngineHost, verb: str, **arguments: object) -> str:
     return "" if reply.ok else reply.sentence
 
 
-def recovers(host: EngineHost, choice: FaultChoice, folder: Path) -> None:
-    """Let a fault happen in a test, mend it, follow the steps, and go on to the end."""
-    engine = host.engine
-    host.start(read_test(recipe(folder, LONG, twin=False)), folder / "t.h5", "Ada", resume=False)
-    until(lambda: engine.status().revolution >= 1, "the test runs")
+def begin(host: EngineHost, path: Path) -> None:
+    """Start a test and wait for its first revolution."""
+    host.start(read_test(recipe(path.parent, LONG, twin=False)), path, "Ada", resume=False)
+    until(lambda: host.engine.status().revolution >= 1, "the test runs")
+
+
+def strike(host: EngineHost, choice: FaultChoice) -> None:
+    """Let a fault begin."""
     where = {"channel": "force_1"} if choice.where == "signal" else {"device": choice.where}
     assert not ask(host, "inject_fault", kind=choice.kind, **where)
+
+
+def recovers(host: EngineHost, choice: FaultChoice, folder: Path) -> None:
+    """Let a fault happen in a test, mend it, follow the steps, and go on to the end."""
+    begin(host, folder / "t.h5")
+    strike(host, choice)
     with contextlib.suppress(TimeoutError):
-        engine.wait(ENDED, SEEN_S)
+        host.engine.wait(ENDED, SEEN_S)
     ask(host, "clear_fault", kind=choice.kind)
+    leads_back(host, folder / "t.h5")
+
+
+def leads_back(host: EngineHost, path: Path) -> None:
+    """Follow the steps from wherever a test is to Ready, resume it, and go on to its end."""
+    engine = host.engine
     if engine.state in ACTIVE:  # a fault that a test lives with
         ask(host, "stop")
         engine.wait(ENDED, 60.0)
@@ -60,7 +80,7 @@ def recovers(host: EngineHost, choice: FaultChoice, folder: Path) -> None:
         else:
             ask(host, "reset" if told.step is Remedy.GO_ON else told.verb)
             time.sleep(0.05)
-    assert not ask(host, "resume_file", file=str(folder / "t.h5"), reason="the fault is mended")
+    assert not ask(host, "resume_file", file=str(path), reason="the fault is mended")
     until(lambda: engine.state is RunState.RUNNING, "the test runs again")
     engine.extend(engine.status().revolution + 4)
     engine.wait(ENDED, 60.0)
@@ -78,3 +98,41 @@ def test_the_steps_lead_back_from_every_fault_of_the_simulated_rig(
     host: EngineHost, choice: FaultChoice, tmp_path: Path
 ) -> None:
     recovers(host, choice, tmp_path)
+
+
+@pytest.mark.soak
+@pytest.mark.timeout(0)
+@pytest.mark.parametrize("rig", ["simulated.toml", "simulated_alternate.toml"])
+def test_ready_is_reached_from_every_walk_of_faults_and_actions(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, rig: str
+) -> None:
+    """The number of walks of each rig is set by RIGAPP_SOAK_WALKS (150)."""
+    monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
+    document = read_rig(EXAMPLES / rig)
+    choices = fault_choices(tuple((n, one.driver) for n, one in document.record.devices.items()))
+    seed = time.time_ns()
+    chance = random.Random(seed)
+    host = EngineHost(document, 5.0)
+    try:
+        for walk in range(WALKS):
+            path, deeds = tmp_path / f"{walk}.h5", [f"seed {seed}, walk {walk}"]
+            begin(host, path)
+            safe = 0
+            for _ in range(chance.randint(1, 6)):
+                deed = chance.choice([*choices, *choices[-len(choices) // 2 :], *ACTIONS])
+                deeds.append(str(deed))
+                if isinstance(deed, FaultChoice):
+                    strike(host, deed)
+                else:
+                    ask(host, deed)
+                time.sleep(chance.uniform(0.0, 1.5))  # the walk itself: nothing is waited for
+                safe = max(safe, host.engine.status().committed)
+            for choice in choices:
+                ask(host, "clear_fault", kind=choice.kind)
+            print(deeds, flush=True)
+            leads_back(host, path)
+            found = numbers(path)
+            assert len(found) >= safe, deeds
+            assert np.all(np.diff(found) > 0), deeds
+    finally:
+        host.close()
