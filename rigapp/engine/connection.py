@@ -16,6 +16,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import replace
 
 from drivers.api import (
     Block,
@@ -477,7 +478,13 @@ class Connection:
             and self.process.well
         )
         if newest is None or not fresh:
-            return Seen(now, drive_rpm, None, None, drive_s=self.control.answered_s)
+            seen = Seen(now, drive_rpm, None, None, drive_s=self.control.answered_s)
+            status = self.control.status
+            if drive_rpm is None or status is None:
+                return seen
+            turn = self.devices.drive_request.counts_per_crank_revolution
+            turns, turns_s = status.position_count / turn, status.host_time_ns * 1e-9
+            return replace(seen, turns=turns, turns_s=turns_s)
         rpm = motion.speed_rpm()
         turns, turns_s = motion.turns() or (None, 0.0)
         return Seen(

@@ -66,6 +66,11 @@ CASES = (
     Case("ignores every power-off", ({"kind": "ignored_command", "target": "off"},), fires=True),
     Case("ignores everything", (IGNORES_ALL,), fires=True),
     Case("and says it has no power", (IGNORES_ALL, {"kind": "false_readback"}), fires=True),
+    Case(
+        "and the encoder is stale",
+        (IGNORES_ALL, {"kind": "false_readback"}, {"kind": "hang", "device": "daq"}),
+        fires=True,
+    ),
     Case("ignores the ramp", ({"kind": "ignored_command", "target": "ramp"},), ramp=True),
     Case(
         "confirms late, ignores one",

@@ -49,7 +49,8 @@ class Seen:
     drive_rpm: what the drive says, None when it does not answer. encoder_rpm, encoder_stands: what
     the crank encoder says, None when its data are stale. drive_s, encoder_s: host time of the two.
     angle_deg: crank angle now, extrapolated. deg_per_s: its change per second of host time.
-    turns: of the crank by the encoder, signed; turns_s: time of the data source for them.
+    turns: of the crank, signed, by the encoder, or by the drive while its data are stale; turns_s:
+    time for them, of the device that has counted.
     """
 
     now_s: float
