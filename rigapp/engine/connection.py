@@ -483,8 +483,8 @@ class Connection:
             if drive_rpm is None or status is None:
                 return seen
             turn = self.devices.drive_request.counts_per_crank_revolution
-            turns, turns_s = status.position_count / turn, status.host_time_ns * 1e-9
-            return replace(seen, turns=turns, turns_s=turns_s)
+            turned, time_s = status.position_count / turn, status.host_time_ns * 1e-9
+            return replace(seen, turns=turned, turns_s=time_s)
         rpm = motion.speed_rpm()
         turns, turns_s = motion.turns() or (None, 0.0)
         return Seen(
