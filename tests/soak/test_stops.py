@@ -155,6 +155,9 @@ def test_every_drive_stands_in_time_whatever_it_confirms(
             assert fired == case.fires
             if case.fires:
                 assert took_s < IGNORED_BOUND_S
+            else:
+                told = [one.key for one in engine.status().alarms]
+                assert "will_not_stop" not in told, "a crank that coasts is not driven"
             if case.state is RunState.RUNNING:
                 engine.wait(ENDED, 30.0)
             assert is_stationary(simulated)
