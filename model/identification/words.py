@@ -92,8 +92,9 @@ def revolution_of(known: Identification, progress: float) -> float:
 
 
 def in_words(coefficient: Credible) -> str:
-    """Return a coefficient (m^2/N) with its limits, in mm^3/(N m)."""
+    """Return a coefficient (m^2/N) with its limits, in 10⁻⁶ mm³/(N m)."""
     median, low, high = (
-        f"{MM3_PER_M2 * one:.3g}" for one in (coefficient.median, coefficient.low, coefficient.high)
+        np.format_float_positional(1e6 * MM3_PER_M2 * one, 3, fractional=False, trim="-")
+        for one in (coefficient.median, coefficient.low, coefficient.high)
     )
-    return f"{median} ({low} to {high}) mm^3/(N m)"
+    return f"{median} ({low} to {high}) · 10⁻⁶ mm³/(N m)"

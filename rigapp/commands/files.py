@@ -9,6 +9,9 @@ from pathlib import Path
 
 from calibration.load_cell.force_uncertainty import force_uncertainty
 from rigapp.commands.progress import bar
+from rigapp.presentation.numbers import bytes_text
+from rigapp.presentation.results import key_numbers, outcome_text, trust_lines
+from rigapp.report.results import result_of_open
 from rigapp.report.steps import sequence_of, step_numbers
 from rigapp.storage import export_test, open_test
 
@@ -18,6 +21,8 @@ def print_info(path: Path, *, as_json: bool) -> int:
     with open_test(path) as test:
         summary = test.summary()
         found = force_uncertainty(test.calibration(), test.configuration())
+        file = path.stat()
+        result = result_of_open(test, file.st_mtime, file.st_size, closely=not as_json)
     if as_json:
         summary["force_uncertainty"] = None if found is None else asdict(found)
     elif found is not None:
@@ -25,6 +30,10 @@ def print_info(path: Path, *, as_json: bool) -> int:
     if as_json:
         print(json.dumps(summary))
     else:
+        summary["outcome"] = outcome_text(result)
+        summary |= {one.caption: f"{one.value}, {one.line}" for one in key_numbers(result)}
+        summary |= {one.text: one.line for one in trust_lines(result) if not one.good}
+        summary["size"] = bytes_text(result.size_bytes)
         width = max(len(key) for key in summary)
         for key, value in summary.items():
             print(f"{key.replace('_', ' '):<{width}}  {value}")

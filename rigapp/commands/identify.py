@@ -90,7 +90,7 @@ def _maker(to: Path) -> Callable[[Any], bytes]:
 
 def _say(found: Any) -> None:
     from rigapp.report.testreport.identifiedsections import (
-        coefficient_text,
+        credible_text,
         pairing_rows,
         remaining_text,
     )
@@ -98,7 +98,7 @@ def _say(found: Any) -> None:
     for test in found.tests:
         print(f"{test.path}: {test.said}")
         if test.known is not None:
-            print(f"  wear coefficient  {coefficient_text(test.known.coefficient)}")
+            print(f"  wear coefficient  {credible_text(test.known.coefficient)}")
             print(f"  remaining         {remaining_text(test)}")
     if len(found.tests) > 1:
         for name, text in pairing_rows(found):

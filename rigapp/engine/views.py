@@ -22,11 +22,13 @@ from rigapp.schema.messages import (
     ChannelView,
     DeviceView,
     DriveView,
+    HowEnded,
     Recovery,
     RunState,
     Status,
     as_array,
 )
+from rigapp.schema.results import how_ended
 from rigapp.schema.states import ACTIVE
 
 RIG_FILE = "rig file"
@@ -60,6 +62,8 @@ def build_status(
         step=active.stage.step if active is not None else 0,
         steps=active.sequence.count if active is not None else 0,
         resting=active is not None and active.resting is not None,
+        rest_left_s=_rest_left_s(connection, active),
+        outcome=_outcome(active),
         committed=max(0, active.committed) if active is not None else 0,
         first_revolution=active.run.first if active is not None else 0,
         target_rpm=active.target_rpm if active is not None else 0.0,
@@ -95,6 +99,19 @@ def build_status(
     )
 
 
+def _rest_left_s(connection: Connection | None, active: ActiveTest | None) -> float:
+    """Return the time until a test resumes after a rest, s by this computer; 0 without a rest."""
+    if connection is None or active is None or (rest := active.resting) is None:
+        return 0.0
+    pace = connection.pace()
+    return rest.left_s(pace) / pace
+
+
+def _outcome(active: ActiveTest | None) -> HowEnded | None:
+    ended = active.outcome if active is not None else None
+    return how_ended(ended.status, ended.reason) if ended is not None else None
+
+
 def _criterion(core: Core, active: ActiveTest | None) -> tuple[float | None, str]:
     """Return how far before its nearest end a test is, in percent of it, and which end that is."""
     if active is None or core.state not in ACTIVE:
@@ -109,6 +126,8 @@ def next_step(core: Core, connection: Connection | None) -> Recovery:
     active = core.test
     outcome = active.outcome if active is not None else None
     left = active is not None and active.run.number < active.run.planned
+    if core.state is RunState.PAUSED and active is not None and active.resting is not None:
+        return Recovery(sentence="Wait: the test resumes by itself after the rest.")
     resumable = outcome is not None and outcome.revolutions > 0 and outcome.status != "complete"
     return recovery(
         Situation(

@@ -7,6 +7,7 @@ the controls, the table of tabs), then side by side ``panels`` (what a tab shows
 Of the engine all of them see what ``rigapp.schema``, ``rigapp.service`` and ``rigapp.replay`` say.
 Others enter by ``window.app`` (open it) and ``window.picture`` (draw it), and the page by what is
 known without Qt: ``data.channels``, ``data.comparison``, ``data.connection``, ``data.frames``,
-``data.judged``, ``data.knownwear``, ``data.margins``, ``data.news``, ``data.quantities``,
-``data.ranges``, ``data.series``, ``data.showntest``, ``data.tasks``, ``look.tokens``.
+``data.judged``, ``data.knownwear``, ``data.levels``, ``data.margins``, ``data.news``,
+``data.quantities``, ``data.ranges``, ``data.series``, ``data.shown``, ``data.showntest``,
+``data.tasks``, ``look.tokens``.
 """

@@ -12,7 +12,7 @@ from rigapp.gui.data.channels import SIZE
 from rigapp.gui.data.comparison import CURVES, RevolutionCurves, binned, compose, stacked
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.judged import EVERYTHING, Drawn, Flagged, banded, drawn, rows_in_view
-from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, UNIT, newest_wear
+from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, newest_wear
 from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import (
     LARGEST,
@@ -23,6 +23,7 @@ from rigapp.gui.data.quantities import (
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.series import SeriesTable
 from rigapp.page.drawing import Curve, Drawing, Ribbon, svg
+from rigapp.presentation.numbers import COEFFICIENT_SCALE, COEFFICIENT_UNIT
 
 Floats = NDArray[np.float64]
 
@@ -39,7 +40,12 @@ _NAMES = dict(zip(CURVES, ("|F|", *COMPONENT_NAMES[ForceFrame.CRANK]), strict=Tr
 _ROLES = dict(zip(CURVES, ("main", "first", "second"), strict=True))
 _LIMITED = {
     COEFFICIENT: TrendQuantity(
-        "Wear coefficient, 95 %", f"K (10⁻⁴ {UNIT})", 0.1, (), (TrendLine("", "first", ""),), 1e4
+        "Wear coefficient, 95 %",
+        f"K ({COEFFICIENT_UNIT})",
+        0.1,
+        (),
+        (TrendLine("", "first", ""),),
+        COEFFICIENT_SCALE,
     ),
     REMAINING: TrendQuantity(
         "Revolutions that remain, 95 %", "Revolutions", 100.0, (), (TrendLine("", "first", ""),)

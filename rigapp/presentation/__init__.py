@@ -2,5 +2,5 @@
 
 It knows no Qt and no file. Texts are English where they stand; ``translation`` gives them in the
 language of the process, ``told`` what the engine has told in English.
-Others enter by ``numbers``, ``times``, ``told``, ``translation``.
+Others enter by ``numbers``, ``results``, ``states``, ``times``, ``told``, ``translation``.
 """

@@ -1,6 +1,6 @@
 """Reduce test files to what they came to; a process of its own does it for the window.
 
-``python -m rigapp.report.results [--uncertainty]`` reads paths from standard input, one a line, and
+``python -m rigapp.report.results [--closely]`` reads paths from standard input, one a line, and
 writes a result of each to standard output as soon as it is known: four bytes of length
 (little-endian), then MessagePack.
 """
@@ -18,7 +18,8 @@ from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
 from rigapp.process.priority import give_way
-from rigapp.schema.messages import NOT_STEADY
+from rigapp.schema.loglines import alarm_change, severity_of
+from rigapp.schema.messages import NOT_STEADY, Severity
 from rigapp.schema.results import TestResult
 from rigapp.storage import TestReader, believed_until, largest_force, open_test
 
@@ -29,22 +30,30 @@ NICENESS = 5
 """Lists can wait; the engine and its model on the same computer cannot."""
 
 
-def result_of(path: Path, *, uncertainty: bool = False) -> TestResult:
+def result_of(path: Path, *, closely: bool = False) -> TestResult:
     """Return what a test came to; a file that cannot be read says why.
 
-    uncertainty: state that of the force, which takes several times as long as all else.
+    closely: state the uncertainty of the force, the alarms and why there is no wear coefficient,
+    which takes several times as long as all else.
     """
     try:
         about = path.stat()
-        known = TestResult(str(path), about.st_mtime, about.st_size)
         with open_test(path) as test:
-            found = _measured(_described(known, test), test)
-            if not found.revolutions:
-                return found
-            found = _compared(found, test)
-            return _with_uncertainty(found, test) if uncertainty else found
+            return result_of_open(test, about.st_mtime, about.st_size, closely=closely)
     except (UnusableInput, OSError) as error:
         return TestResult(str(path), reason=str(error))
+
+
+def result_of_open(
+    test: TestReader, modified: float, size: int, *, closely: bool = False
+) -> TestResult:
+    """Return what an open test came to; raise UnusableInput where its file is damaged."""
+    known = TestResult(str(test.path), modified, test.used_bytes(size))
+    found = _measured(_described(known, test), test)
+    if not found.revolutions:
+        return found
+    found = _compared(found, test)
+    return _looked_at_closely(found, test) if closely else found
 
 
 def _described(known: TestResult, test: TestReader) -> TestResult:
@@ -81,6 +90,7 @@ def _measured(found: TestResult, test: TestReader) -> TestResult:
 def _compared(found: TestResult, test: TestReader) -> TestResult:
     columns = _predictions(test)
     depth, residual = columns["measured_wear_depth"], columns["residual_rms"]
+    known_depth = np.where(np.isfinite(depth), columns["wear_depth"], np.nan)
     good = test.column("revolution")[test.column("quality") == 0]
     residual = residual[np.isfinite(residual) & np.isin(columns["revolution"], good)]
     until = believed_until(test)
@@ -91,6 +101,7 @@ def _compared(found: TestResult, test: TestReader) -> TestResult:
     return msgspec.structs.replace(
         found,
         depth_um=1e3 * _last(depth),
+        model_depth_um=1e3 * _last(known_depth),
         depth_uncertainty_um=1e3 * _last(columns["measured_wear_depth_uncertainty"]),
         coefficient=middle,
         coefficient_low=low,
@@ -103,7 +114,13 @@ def _compared(found: TestResult, test: TestReader) -> TestResult:
 
 def _predictions(test: TestReader) -> dict[str, NDArray[Any]]:
     """Return the columns that are looked at; those that an older file lacks are unknown."""
-    names = ["revolution", "residual_rms", "measured_wear_depth", "measured_wear_depth_uncertainty"]
+    names = [
+        "revolution",
+        "residual_rms",
+        "wear_depth",
+        "measured_wear_depth",
+        "measured_wear_depth_uncertainty",
+    ]
     names += [f"wear_coefficient{end}" for end in ("", "_low", "_high")]
     stored = test.column_units("prediction")
     rows = test.committed("prediction")
@@ -124,14 +141,40 @@ def _line(values: NDArray[Any]) -> tuple[float, ...]:
     return tuple(float(part[known].mean()) for part in parts if (known := np.isfinite(part)).any())
 
 
-def _with_uncertainty(found: TestResult, test: TestReader) -> TestResult:
+def _looked_at_closely(found: TestResult, test: TestReader) -> TestResult:
     from calibration.load_cell.force_uncertainty import force_uncertainty
 
     stated = force_uncertainty(test.calibration(), test.configuration())
-    if stated is None or not np.isfinite(found.force_max_N):
-        return found
-    doubt = float(stated.at(found.force_max_N, of_magnitude=True))
-    return msgspec.structs.replace(found, force_uncertainty_N=doubt)
+    doubt = float("nan")
+    if stated is not None and np.isfinite(found.force_max_N):
+        doubt = float(stated.at(found.force_max_N, of_magnitude=True))
+    reason = "" if found.coefficient > 0.0 else _why_no_coefficient(test)
+    return msgspec.structs.replace(
+        found, force_uncertainty_N=doubt, alarms=_alarms(test), coefficient_reason=reason
+    )
+
+
+def _alarms(test: TestReader) -> tuple[str, ...]:
+    """Return the titles of all alarms that were raised, critical ones first."""
+    changes = [(one, alarm_change(one)) for one in test.events()]
+    raised = [(one, it.title) for one, it in changes if it is not None and it.what == "raised"]
+    raised.sort(key=lambda one: severity_of(one[0]) is not Severity.CRITICAL)
+    return tuple(title for _, title in raised)
+
+
+def _why_no_coefficient(test: TestReader) -> str:
+    """Return why ``rigapp identify`` tells no coefficient of a test, as it says it."""
+    from model.identification import CannotBeTold
+    from rigapp.twin.kept import NO_BIN, kept_of, life_of
+
+    try:
+        kept, _ = kept_of(test)
+        kept.prior()
+        kept.errors()
+        life_of(kept)
+    except CannotBeTold as error:
+        return str(error)
+    return "" if kept.bins.closed else NO_BIN
 
 
 def main(arguments: list[str]) -> int:
@@ -141,7 +184,7 @@ def main(arguments: list[str]) -> int:
     try:
         for line in sys.stdin.buffer.read().splitlines():
             path = Path(os.fsdecode(line))
-            data = encoder.encode(result_of(path, uncertainty="--uncertainty" in arguments))
+            data = encoder.encode(result_of(path, closely="--closely" in arguments))
             sys.stdout.buffer.write(len(data).to_bytes(4, "little") + data)
             sys.stdout.buffer.flush()
     except BrokenPipeError:

@@ -48,6 +48,18 @@ class FinishReason(enum.StrEnum):
     INTERNAL = "internal"
 
 
+class HowEnded(enum.StrEnum):
+    """How a test ended, as it is shown to people."""
+
+    COMPLETE = "complete"
+    OPERATOR = "stopped by operator"
+    TRIPPED = "tripped"
+    FAULT = "fault"
+    INTERRUPTED = "interrupted"
+    RUNNING = "running"
+    NOT_READABLE = "not readable"
+
+
 class Flag(enum.IntFlag):
     """Quality of one revolution; 0 is good."""
 
@@ -212,7 +224,9 @@ class Status(msgspec.Struct, frozen=True, omit_defaults=True):
     criterion_percent: how far before its nearest planned end or stop criterion a test is, in
     percent of it. queue: the tests of the rig's queue, those
     that are done among them; queue_works: the next one begins by itself. step: of the test, of so
-    many steps, both 0 where it has none; resting: between two of them, and it goes on by itself.
+    many steps, both 0 where it has none; resting: between two of them; the test resumes by itself
+    in rest_left_s seconds of this computer. outcome: how the last test ended, None before and while
+    one is open.
     """
 
     state: RunState
@@ -253,6 +267,8 @@ class Status(msgspec.Struct, frozen=True, omit_defaults=True):
     step: int = 0
     steps: int = 0
     resting: bool = False
+    rest_left_s: float = 0.0
+    outcome: HowEnded | None = None
     revolution_age_s: float | None = None
 
     def __post_init__(self) -> None:

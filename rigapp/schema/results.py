@@ -2,37 +2,38 @@
 
 from __future__ import annotations
 
-import enum
 import math
 
 import msgspec
 
-from rigapp.schema.messages import FinishReason
+from rigapp.schema.messages import FinishReason, HowEnded
+from rigapp.schema.states import FAULTS
 
 NOT_READABLE = "not readable"
 RESUMABLE = frozenset({"interrupted", "stopped"})
 """Statuses of a file that can be resumed."""
 
 
-class HowEnded(enum.StrEnum):
-    """Tell how a test ended, as it is said to people."""
-
-    COMPLETE = "complete"
-    OPERATOR = "stopped by operator"
-    TRIPPED = "tripped"
-    INTERRUPTED = "interrupted"
-    RUNNING = "running"
-    NOT_READABLE = "not readable"
+def how_ended(status: str, reason_code: str) -> HowEnded:
+    """Return how a test ended; status: of its file, reason_code: a ``FinishReason``."""
+    if status not in ("stopped", "fault"):
+        return HowEnded(status)
+    if reason_code == FinishReason.OPERATOR:
+        return HowEnded.OPERATOR
+    return HowEnded.FAULT if reason_code in FAULTS else HowEnded.TRIPPED
 
 
 class TestResult(msgspec.Struct, frozen=True):
     """Say what a test file holds and what the test came to; NaN and 0 where it is not known.
 
     status: as in ``rigapp info``, or ``not readable``, with why in ``reason``. modified: of the
-    file, seconds since 1970. flagged: revolutions with a fault in the data. Uncertainties
-    are expanded (k = 2), that of the force only where it was asked for; the coefficient's limits
-    hold 95 %. force_lower_bound: the force went beyond the measuring range. depths_um: the wear
-    depth in equal parts of the test, its line in a list.
+    file, seconds since 1970. flagged: revolutions with a fault in the data. Uncertainties are
+    expanded (k = 2), that of the force only where it was asked for; the coefficient's limits
+    hold 95 %. force_lower_bound: the force went beyond the measuring range. coefficient_reason:
+    why there is none, and alarms: titles of all that were raised in the test, only where they
+    were asked for. size_bytes: of what the file holds, without the room reserved for what was
+    not recorded. model_depth_um: beside depth_um. depths_um: the wear depth in equal parts of
+    the test, its line in a list.
     """
 
     __test__ = False
@@ -54,11 +55,14 @@ class TestResult(msgspec.Struct, frozen=True):
     flagged: int = 0
     gaps: int = 0
     cycles_saved: int = 0
+    alarms: tuple[str, ...] = ()
     depth_um: float = math.nan
     depth_uncertainty_um: float = math.nan
+    model_depth_um: float = math.nan
     coefficient: float = math.nan
     coefficient_low: float = math.nan
     coefficient_high: float = math.nan
+    coefficient_reason: str = ""
     force_max_N: float = math.nan
     force_uncertainty_N: float = math.nan
     force_max_revolution: int = 0
@@ -71,7 +75,4 @@ class TestResult(msgspec.Struct, frozen=True):
     @property
     def outcome(self) -> HowEnded:
         """Return how the test ended."""
-        if self.status == "stopped":
-            stopped = self.reason_code == FinishReason.OPERATOR
-            return HowEnded.OPERATOR if stopped else HowEnded.TRIPPED
-        return HowEnded(self.status)
+        return how_ended(self.status, self.reason_code)

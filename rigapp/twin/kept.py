@@ -14,6 +14,9 @@ from rigapp.twin.identifying import Identifier
 from rigapp.twin.messages import Sought
 from rigapp.twin.twin import Twin
 
+NO_BIN = "no bin of revolutions is complete yet: wait"
+"""Why a test tells nothing before its first bin."""
+
 
 def kept_of(reader: TestReader) -> tuple[Identifier, int]:
     """Return the identification of a test as its twin left it; raise CannotBeTold for none.

@@ -86,8 +86,8 @@ def test_the_tiles_tell_coefficient_limits_and_what_remains(stated: Any) -> None
     data.take(stated())
     now = 1.8e9
     coefficient, left = wear_values(data.predictions, 30.0, now, 1000.0)
-    assert coefficient.value == "5.55·10⁻⁴ mm³/(N m)"
-    assert coefficient.detail == "5.30 to 5.80 (95 %); constant"
+    assert coefficient.value == "555 · 10⁻⁶ mm³/(N m)"
+    assert coefficient.detail == "530 to 580 (95 %); constant"
     assert left.value == "1 h 39 min", "2 revolutions of 2 s less than 6000 s"
     assert left.detail.endswith("2\u202f498 to beyond the model revolutions (95 %)")
     assert ":" in left.detail.partition(";")[0]
@@ -181,4 +181,4 @@ def test_the_tiles_stand_in_the_window(
 ) -> None:
     engine.snapshots.append(stated())
     attach()
-    assert window.side.live.free["wear_coefficient"].value.whole == "5.55·10⁻⁴ mm³/(N m)"
+    assert window.side.live.free["wear_coefficient"].value.whole == "555 · 10⁻⁶ mm³/(N m)"

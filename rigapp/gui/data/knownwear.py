@@ -22,11 +22,11 @@ from rigapp.gui.data.channels import FreeValue
 from rigapp.gui.data.judged import QUALITY
 from rigapp.gui.data.news import News
 from rigapp.gui.data.series import SeriesTable
-from rigapp.presentation.numbers import grouped, unit_text
+from rigapp.presentation.numbers import coefficient_text, grouped
 from rigapp.presentation.times import MOMENT, dated, duration
 from rigapp.presentation.translation import tr
 from rigapp.process.children import module_command
-from rigapp.schema.columns import WEAR_MODELS, prediction_columns
+from rigapp.schema.columns import WEAR_MODELS
 from rigapp.schema.messages import RunState, last_set_speed
 
 Floats = NDArray[np.float64]
@@ -36,7 +36,6 @@ TOLD = 20.0
 TIMEOUT_S = 120.0
 """Of one computation: it takes seconds, on a computer that does much else a minute."""
 COEFFICIENT, REMAINING = "wear_coefficient", "remaining_revolutions"
-UNIT = unit_text({one.name: one.unit for one in prediction_columns()}[COEFFICIENT])
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +119,7 @@ def wear_values(
     found = newest_wear(predictions)
     if not found.known:
         return []
-    value, limits = coefficient_words(
+    value, limits = coefficient_text(
         *(found[f"{COEFFICIENT}{suffix}"] for suffix in ("", "_low", "_high"))
     )
     limits = f"{limits}; {found.statement}"
@@ -132,15 +131,6 @@ def wear_values(
     if math.isfinite(left):
         tiles.append(_remaining(left, soon, late, rpm, now))
     return tiles
-
-
-def coefficient_words(middle: float, low: float, high: float) -> tuple[str, str]:
-    """Return a wear coefficient with its unit, and its limits in the same power of ten."""
-    power = math.floor(math.log10(middle))
-    scaled = (one / 10.0**power for one in (middle, low, high))
-    middle, low, high = scaled
-    limits = tr("{:.2f} to {:.2f} (95 %)", low, high)
-    return f"{middle:.2f}·10{_raised(power)} {UNIT}", limits
 
 
 def _remaining(left: float, soon: float, late: float, rpm: float, now: float | None) -> FreeValue:
@@ -155,13 +145,6 @@ def _remaining(left: float, soon: float, late: float, rpm: float, now: float | N
     if now is not None:
         date = dated(f"{MOMENT}; ", time.localtime(now + seconds))
     return FreeValue(REMAINING, title, duration(seconds), date + turns)
-
-
-_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-
-
-def _raised(power: int) -> str:
-    return str(power).translate(_RAISED)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

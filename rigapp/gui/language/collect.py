@@ -26,8 +26,7 @@ from rigapp.presentation import translation
 from rigapp.presentation.translation import Text
 from rigapp.schema.columns import WEAR_MODELS
 from rigapp.schema.criteria import CRITERIA
-from rigapp.schema.messages import RunState, Severity
-from rigapp.schema.results import HowEnded
+from rigapp.schema.messages import HowEnded, RunState, Severity
 from rigapp.schema.verbs import VERBS
 from rigapp.schema.words import WORDS
 from rigapp.service.preflight import Checked

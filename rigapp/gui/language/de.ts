@@ -108,10 +108,6 @@
         <translation>1 Umdrehung</translation>
     </message>
     <message>
-        <source>10⁻⁶ {}; band 95 %</source>
-        <translation>10⁻⁶ {}; Band 95 %</translation>
-    </message>
-    <message>
         <source>A test is under way. It goes on without this window.</source>
         <translation>Ein Versuch läuft. Er geht ohne dieses Fenster weiter.</translation>
     </message>
@@ -1284,6 +1280,10 @@
         <translation>Abweichungen erscheinen, wenn zwei Bolzenwinkel bekannt sind</translation>
     </message>
     <message>
+        <source>Resting</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
         <source>Revolution {} does not have it</source>
         <translation>Umdrehung {} hat ihn nicht</translation>
     </message>
@@ -1488,6 +1488,10 @@
         <translation>Der Versuch läuft weiter. Die Verschleißtiefe beendet ihn nicht; an seinem Ende wird darauf hingewiesen.</translation>
     </message>
     <message>
+        <source>The test resumes by itself.</source>
+        <translation>Der Versuch läuft von selbst weiter.</translation>
+    </message>
+    <message>
         <source>The wear&apos;s departure from what was expected</source>
         <translation>Die Abweichung des Verschleißes vom Erwarteten</translation>
     </message>
@@ -1576,6 +1580,10 @@
         <translation>Warten oder rigapp neu starten</translation>
     </message>
     <message>
+        <source>Wait: the test resumes by itself after the rest</source>
+        <translation>Warten: Der Versuch läuft nach der Ruhezeit von selbst weiter</translation>
+    </message>
+    <message>
         <source>Warn</source>
         <translation>Warnen</translation>
     </message>
@@ -1590,6 +1598,10 @@
     <message>
         <source>Wear coefficient against cycle</source>
         <translation>Verschleißkoeffizient über dem Zyklus</translation>
+    </message>
+    <message>
+        <source>Wear coefficient in 10⁻⁶ mm³/(N m)</source>
+        <translation>Verschleißkoeffizient in 10⁻⁶ mm³/(N m)</translation>
     </message>
     <message>
         <source>Wear coefficient with limits against cycle</source>
@@ -1618,6 +1630,10 @@
     <message>
         <source>Wear depth with its predicted band</source>
         <translation>Verschleißtiefe mit vorhergesagtem Band</translation>
+    </message>
+    <message>
+        <source>Wear differs from the model</source>
+        <translation>Verschleiß weicht vom Modell ab</translation>
     </message>
     <message>
         <source>Wear rate</source>
@@ -4164,10 +4180,6 @@
         <translation>{:.2f} von {:.2f} rpm</translation>
     </message>
     <message>
-        <source>{:.2f} to {:.2f} (95 %)</source>
-        <translation>{:.2f} bis {:.2f} (95 %)</translation>
-    </message>
-    <message>
         <source>{action} when {quantity} is {side} {value} in {revolutions} revolutions</source>
         <translation>{action} bei {quantity} {side} {value} in {revolutions} Umdrehungen</translation>
     </message>
@@ -4276,6 +4288,10 @@
         <translation>{} bis {}</translation>
     </message>
     <message>
+        <source>{} to {} (95 %)</source>
+        <translation>{} bis {} (95 %)</translation>
+    </message>
+    <message>
         <source>{} to {} revolutions (95 %)</source>
         <translation>{} bis {} Umdrehungen (95 %)</translation>
     </message>
@@ -4300,6 +4316,10 @@
         <translation>{}, Mittelwert {}</translation>
     </message>
     <message>
+        <source>{}, model {}</source>
+        <translation>{}, Modell {}</translation>
+    </message>
+    <message>
         <source>{}, passed</source>
         <translation>{}, überschritten</translation>
     </message>
@@ -4310,6 +4330,10 @@
     <message>
         <source>{}: no whole cycle is saved yet</source>
         <translation>{}: noch kein ganzer Zyklus gespeichert</translation>
+    </message>
+    <message>
+        <source>{}; band 95 %</source>
+        <translation>{}; Band 95 %</translation>
     </message>
     <message>
         <source>| null</source>
@@ -4534,6 +4558,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>- at `$</source>
         <translation>- at `$</translation>
+    </message>
+    <message>
+        <source>1 alarm in the test</source>
+        <translation>1 Alarm im Versuch</translation>
     </message>
     <message>
         <source>1 check</source>
@@ -7240,10 +7268,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Gestoppt</translation>
     </message>
     <message>
-        <source>Stopped by the operator</source>
-        <translation>Vom Bediener angehalten</translation>
-    </message>
-    <message>
         <source>Stopping</source>
         <translation>Auslauf</translation>
     </message>
@@ -8018,10 +8042,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Wear coefficient by earlier tests: rigapp identify prints it</source>
         <translation>Verschleißkoeffizient aus früheren Versuchen: rigapp identify gibt ihn aus</translation>
-    </message>
-    <message>
-        <source>Wear coefficient in 10⁻⁴ mm³/(N m)</source>
-        <translation>Verschleißkoeffizient in 10⁻⁴ mm³/(N m)</translation>
     </message>
     <message>
         <source>Wear depth</source>
@@ -9072,10 +9092,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>nicht bekannt</translation>
     </message>
     <message>
-        <source>not known yet: too little wear</source>
-        <translation>noch nicht bekannt: zu wenig Verschleiß</translation>
-    </message>
-    <message>
         <source>not measured</source>
         <translation>nicht gemessen</translation>
     </message>
@@ -9688,6 +9704,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} über der Grenze</translation>
     </message>
     <message>
+        <source>{} alarms in the test</source>
+        <translation>{} Alarme im Versuch</translation>
+    </message>
+    <message>
         <source>{} below limit</source>
         <translation>{} unter der Grenze</translation>
     </message>
@@ -9814,6 +9834,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} refused: {}</source>
         <translation>{} abgelehnt: {}</translation>
+    </message>
+    <message>
+        <source>{} s left, step {} of {}</source>
+        <translation>noch {} s, Schritt {} von {}</translation>
     </message>
     <message>
         <source>{} saved</source>
@@ -10341,6 +10365,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the load cell shows {} mV/V at rest {}</source>
         <translation>der Kraftsensor zeigt in Ruhe {} mV/V {}</translation>
+    </message>
+    <message>
+        <source>{} ({} to {}) · 10⁻⁶ mm³/(N m)</source>
+        <translation>{} ({} bis {}) · 10⁻⁶ mm³/(N m)</translation>
     </message>
     <message>
         <source>{} checks</source>
@@ -12785,10 +12813,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} ({} more like it.)</source>
         <translation>{} ({} weitere dieser Art.)</translation>
-    </message>
-    <message>
-        <source>{} ({} to {}) mm^3/(N m)</source>
-        <translation>{} ({} bis {}) mm^3/(N m)</translation>
     </message>
     <message>
         <source>{} ({}) failed in {} tries: {}: check the cable&apos;s screen and the baud rate</source>

@@ -11,33 +11,36 @@ from PySide6.QtWidgets import QFrame, QLabel, QWidget
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import BODY_PT, CAPTION_PT, GAP, MARGIN, STEP, VALUE_PT, Theme
-from rigapp.gui.results.outcome import (
-    HEADLINES,
+from rigapp.gui.widgets.build import column, named, prose, row, signed
+from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
+from rigapp.gui.widgets.reflow import WrappingGrid
+from rigapp.presentation.results import (
     KeyNumber,
     TrustLine,
     file_line,
     key_numbers,
     origin_of,
+    outcome_text,
     reason_of,
     trust_lines,
 )
-from rigapp.gui.widgets.build import column, named, prose, row, signed
-from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
-from rigapp.gui.widgets.reflow import WrappingGrid
 from rigapp.presentation.translation import Text, tr
-from rigapp.schema.results import HowEnded, TestResult
+from rigapp.schema.messages import HowEnded
+from rigapp.schema.results import TestResult
 
 SHAPES = {
     HowEnded.COMPLETE: Icon.COMPLETE,
     HowEnded.OPERATOR: Icon.ENDED,
     HowEnded.TRIPPED: Icon.TRIPPED,
+    HowEnded.FAULT: Icon.CRITICAL,
     HowEnded.INTERRUPTED: Icon.WARNING,
     HowEnded.RUNNING: Icon.START,
     HowEnded.NOT_READABLE: Icon.UNREADABLE,
 }
 """The shape of each outcome: it is told without its colour."""
 
-MOST_TRUST = 4
+FAILED = frozenset({HowEnded.TRIPPED, HowEnded.FAULT})
+MOST_TRUST = 6
 SHAPE = QSize(6 * STEP, 6 * STEP)
 NUMBER_WIDTH = 17 * STEP
 """Of a number with its words, at least."""
@@ -46,8 +49,9 @@ SMALL = QSize(2 * STEP, 2 * STEP)
 
 def colour_of(outcome: HowEnded, theme: Theme) -> str:
     """Return the colour of an outcome: ink, unless something went wrong."""
-    wrong = {HowEnded.TRIPPED: theme.critical, HowEnded.INTERRUPTED: theme.warning_text}
-    return wrong.get(outcome, theme.text)
+    if outcome in FAILED:
+        return theme.critical
+    return theme.warning_text if outcome is HowEnded.INTERRUPTED else theme.text
 
 
 class NumberTile(QWidget):
@@ -160,7 +164,7 @@ class ResultCard(QFrame):
             return
         outcome = result.outcome
         self.headline.setVisible(True)
-        self.headline.show_text(tr(HEADLINES[outcome]))
+        self.headline.show_text(outcome_text(result))
         self.headline.setStyleSheet(f"color: {colour_of(outcome, self._theme)};")
         made = icon(SHAPES[outcome], colour_of(outcome, self._theme))
         self.shape.setPixmap(made.pixmap(SHAPE))
@@ -177,7 +181,7 @@ class ResultCard(QFrame):
         self.file.show_text(Path(result.path).name)
         self.file.setToolTip(result.path)
         self.about.setText(tr(file_line(result)))
-        self._frame(critical=outcome is HowEnded.TRIPPED)
+        self._frame(critical=outcome in FAILED)
 
     def _frame(self, *, critical: bool) -> None:
         sheet = ""

@@ -22,8 +22,8 @@ from rigapp.gui.widgets.build import button, column, named
 from rigapp.gui.widgets.labels import heading
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.presentation.translation import Text, tr
-from rigapp.schema.messages import Status
-from rigapp.schema.results import RESUMABLE, HowEnded, TestResult
+from rigapp.schema.messages import HowEnded, Status
+from rigapp.schema.results import RESUMABLE, TestResult
 from rigapp.schema.states import ACTIVE
 
 TALL = 5 * STEP

@@ -18,7 +18,6 @@ from rigapp.gui.panels.compare import MOST, ComparePanel
 from rigapp.gui.panels.documents import DocumentPanel, Launch, launch_process
 from rigapp.gui.panels.resultcard import ResultCard
 from rigapp.gui.panels.resulttable import ResultTable
-from rigapp.gui.results.outcome import HEADLINES
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import (
     button,
@@ -34,8 +33,10 @@ from rigapp.gui.widgets.build import (
 from rigapp.gui.widgets.labels import heading
 from rigapp.gui.widgets.reflow import FoldingSplitter, flowing
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.states import OUTCOMES
 from rigapp.presentation.translation import Text, marked, tr
-from rigapp.schema.results import RESUMABLE, HowEnded, TestResult
+from rigapp.schema.messages import HowEnded
+from rigapp.schema.results import RESUMABLE, TestResult
 
 PUMP_MS = 50
 """Between two looks for results that were read: rows appear as they come."""
@@ -88,7 +89,7 @@ class ResultsPanel(QWidget):
         self.words.setPlaceholderText(tr("Title, specimen, file, operator, reason"))
         self.words.setClearButtonEnabled(True)
         QShortcut(QKeySequence.StandardKey.Find, self, self.words.setFocus)
-        endings = [(marked("All"), None), *((HEADLINES[one], one) for one in HowEnded)]
+        endings = [(marked("All"), None), *((OUTCOMES[one], one) for one in HowEnded)]
         self.ending = choice(
             "result_ending", "Show only tests that ended so", endings, self._filter
         )

@@ -32,13 +32,14 @@ from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import icon
 from rigapp.gui.look.tokens import BODY_PT, CAPTION_PT, STEP, Theme
 from rigapp.gui.panels.resultcard import SHAPES, SMALL, colour_of
-from rigapp.gui.results.outcome import day
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import named
-from rigapp.presentation.numbers import grouped
+from rigapp.presentation.numbers import coefficient_number, grouped
+from rigapp.presentation.results import day, outcome_text
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, marked, tr
-from rigapp.schema.results import HowEnded, TestResult
+from rigapp.schema.messages import HowEnded
+from rigapp.schema.results import TestResult
 
 Index = QModelIndex | QPersistentModelIndex
 Row = tuple[str, TestResult | None]
@@ -83,7 +84,7 @@ COLUMNS = (
     ResultColumn(LINE, 96, lambda _: "", lambda one: one.depth_um, rank=3),
     ResultColumn(TEST, 0, lambda one: one.title, lambda one: one.title.lower()),
     ResultColumn("Began", 136, lambda one: day(one.started), lambda one: one.started, rank=1),
-    ResultColumn(ENDED, 176, lambda one: tr(one.outcome.value), lambda one: one.outcome.value),
+    ResultColumn(ENDED, 176, outcome_text, lambda one: one.outcome.value),
     ResultColumn(
         "Cycles",
         64,
@@ -110,13 +111,13 @@ COLUMNS = (
         tip="Wear depth by the probes, with its expanded uncertainty (k = 2)",
     ),
     ResultColumn(
-        "K, 10⁻⁴",
+        "K, 10⁻⁶",
         72,
-        lambda one: _number(1e4 * one.coefficient, 2),
+        lambda one: coefficient_number(one.coefficient),
         lambda one: one.coefficient,
         right=True,
         rank=2,
-        tip="Wear coefficient in 10⁻⁴ mm³/(N m)",
+        tip="Wear coefficient in 10⁻⁶ mm³/(N m)",
     ),
 )
 TITLES = [one.title for one in COLUMNS]

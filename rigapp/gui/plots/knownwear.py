@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from rigapp.gui.data.judged import EVERYTHING, Flagged, drawn
-from rigapp.gui.data.knownwear import COEFFICIENT, UNIT, Floats, KnownWear
+from rigapp.gui.data.knownwear import COEFFICIENT, Floats, KnownWear
 from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import UM_PER_MM
 from rigapp.gui.data.ranges import SteadyRange
@@ -16,7 +16,7 @@ from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, plot_heading, remark
 from rigapp.gui.widgets.build import column
-from rigapp.presentation.numbers import grouped
+from rigapp.presentation.numbers import COEFFICIENT_SCALE, COEFFICIENT_UNIT, grouped
 from rigapp.presentation.translation import Text, tr
 
 BUCKETS = 1200
@@ -108,7 +108,7 @@ class NarrowingPanel(PlotPanel):
         self.plot.label("bottom", "Cycle, by decades")
         self.band = ShadedCurve(self.plot, MEASURED)
         self.title = remark("wear_narrowing_title", "Unit, and what the band is")
-        self.title.setText(tr("10⁻⁶ {}; band 95 %", UNIT))
+        self.title.setText(tr("{}; band 95 %", COEFFICIENT_UNIT))
         column(plot_heading("Wear coefficient"), self.title, (self.plot, 1), on=self)
         waiting = tr("what is known of the wear coefficient is drawn here.")
         self.plot.empty(f"{tr(NO_REVOLUTION)}: {waiting}")
@@ -120,7 +120,8 @@ class NarrowingPanel(PlotPanel):
             self.plot.empty(waiting)
             return
         low, median, high = (
-            1e6 * known.course[f"{COEFFICIENT}{suffix}"] for suffix in ("_low", "", "_high")
+            COEFFICIENT_SCALE * known.course[f"{COEFFICIENT}{suffix}"]
+            for suffix in ("_low", "", "_high")
         )
         x = np.log10(np.maximum(known.course["revolution"], 1.0))
         self.band.draw(x, low, median, high)

@@ -34,8 +34,8 @@ Done = Callable[[TestResult], None]
 class ResultReader:
     """Read results of paths in their order; they wait until they are taken."""
 
-    def __init__(self, paths: Sequence[Path], *, uncertainty: bool = False) -> None:
-        options = ["--uncertainty"] if uncertainty else []
+    def __init__(self, paths: Sequence[Path], *, closely: bool = False) -> None:
+        options = ["--closely"] if closely else []
         self._process = start_module(
             "rigapp.report.results",
             *options,
@@ -148,7 +148,7 @@ class ResultShelf:
 
     def ask(self, path: Path, done: Done) -> None:
         """Read one file at once with the uncertainty of its force; the answer comes from pump."""
-        self._asked.append((ResultReader([path], uncertainty=True), done))
+        self._asked.append((ResultReader([path], closely=True), done))
 
     def pump(self) -> None:
         """Take what has been read."""

@@ -15,10 +15,11 @@ from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import LARGEST
 from rigapp.gui.data.shown import UNKNOWN_AGE, Age, Level, Renewed, age_of, aged, level_of
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.states import is_resting, rest_text, state_word
 from rigapp.presentation.times import dated, duration
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, marked, tr
-from rigapp.schema.messages import RunState, Severity, Status
+from rigapp.schema.messages import HowEnded, RunState, Severity, Status
 from rigapp.schema.states import ACTIVE
 
 OVERLOADS = {"overload": "", "overload:beyond_range": "≥ "}
@@ -89,18 +90,20 @@ class NewestMeasured:
     predicted: Age = UNKNOWN_AGE
 
 
-_STATES: dict[RunState, tuple[Text, StateShape, Level]] = {
-    RunState.IDLE: ("Idle", StateShape.CIRCLE, Level.NORMAL),
-    RunState.CONNECTING: ("Connecting", StateShape.ARROWS, Level.NORMAL),
-    RunState.READY: ("Ready", StateShape.CIRCLE, Level.NORMAL),
-    RunState.STARTING: ("Starting", StateShape.ARROWS, Level.NORMAL),
-    RunState.RUNNING: ("Running", StateShape.TRIANGLE, Level.NORMAL),
-    RunState.PAUSING: ("Pausing", StateShape.ARROWS, Level.NORMAL),
-    RunState.PAUSED: ("Paused", StateShape.BARS, Level.NORMAL),
-    RunState.STOPPING: ("Stopping", StateShape.ARROWS, Level.NORMAL),
-    RunState.STOPPED: ("Stopped", StateShape.SQUARE, Level.NORMAL),
-    RunState.FAULT: ("Fault", StateShape.DIAMOND, Level.CRITICAL),
+_SHAPES: dict[RunState, StateShape] = {
+    RunState.IDLE: StateShape.CIRCLE,
+    RunState.READY: StateShape.CIRCLE,
+    RunState.RUNNING: StateShape.TRIANGLE,
+    RunState.PAUSED: StateShape.BARS,
+    RunState.STOPPED: StateShape.SQUARE,
+    RunState.FAULT: StateShape.DIAMOND,
 }
+"""States without a shape of their own are on the way to another one."""
+_OUTCOME_SHAPES: dict[HowEnded, StateShape] = {
+    HowEnded.COMPLETE: StateShape.CIRCLE,
+    HowEnded.TRIPPED: StateShape.DIAMOND,
+}
+"""Of a test that has ended; the others have that of the state."""
 
 
 def headline(
@@ -147,10 +150,12 @@ def _state(
         return StateShape.BROKEN, TileText(
             "Silent", tr("was {}; {}", word, retold(connection_reason)), Level.WARNING
         )
-    word, shape, level = _STATES[status.state]
-    if status.resting and status.state is RunState.PAUSED:
-        word = tr("Rest")
-    return shape, TileText(word, retold(status.reason), level)
+    shape = _SHAPES.get(status.state, StateShape.ARROWS)
+    if status.state is RunState.STOPPED and status.outcome is not None:
+        shape = _OUTCOME_SHAPES.get(status.outcome, shape)
+    level = Level.CRITICAL if shape is StateShape.DIAMOND else Level.NORMAL
+    detail = rest_text(status) if is_resting(status) else retold(status.reason)
+    return shape, TileText(state_word(status), detail, level)
 
 
 def _cycle(status: Status, now: float, connection: ConnectionState) -> TileText:

@@ -8,19 +8,11 @@ from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import button
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.states import state_line
 from rigapp.presentation.times import duration
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.translation import tr
 from rigapp.schema.messages import RunState, Status
 from rigapp.schema.states import ACTIVE
-
-USUAL: dict[RunState, Text] = {
-    RunState.RUNNING: "Running as planned.",
-    RunState.READY: "Ready: the devices are connected. Start a test with F5.",
-    RunState.CONNECTING: "Connecting: finding the devices of the rig.",
-    RunState.STARTING: "Starting: the zeros are taken, then the spindle is brought to speed.",
-}
-"""What is said in a state of which the engine says nothing more."""
 
 
 class NoticeBar(Bar):
@@ -66,7 +58,11 @@ class NoticeBar(Bar):
 
     def _show(self) -> None:
         status, silent = self._last, self._silent
-        text = silent or self._restart or (sentence(status) if status is not None else "")
+        text = (
+            silent
+            or self._restart
+            or (state_line(status, RECOVER_KEY) if status is not None else "")
+        )
         bad = bool(text) and (
             bool(silent or self._restart) or (status is not None and status.state is RunState.FAULT)
         )
@@ -88,18 +84,6 @@ class NoticeBar(Bar):
     def _put_away(self) -> None:
         self._restart = ""
         self._show()
-
-
-def sentence(status: Status) -> str:
-    """Return what is, and what is next."""
-    word = tr(status.state.value).capitalize()
-    step = status.recovery
-    key = f" ({RECOVER_KEY})" if step.verb and step.left else ""
-    told = [
-        f"{word}: {retold(status.reason)}" if status.reason else "",
-        retold(step.sentence) + key,
-    ]
-    return "  ".join(one for one in told if one) or tr(USUAL.get(status.state, f"{word}."))
 
 
 def silence_sentence(connection: ConnectionState, silence_s: float, last: Status | None) -> str:

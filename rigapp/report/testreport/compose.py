@@ -15,8 +15,10 @@ import numpy as np
 
 from calibration.load_cell.force_uncertainty import ForceUncertainty, force_uncertainty
 from rigapp.presentation.numbers import capitalised, grouped
+from rigapp.presentation.results import key_numbers, outcome_text
 from rigapp.presentation.times import duration
 from rigapp.report.page.manuscript import Block, Manuscript, Section, Table, Text
+from rigapp.report.results import result_of_open
 from rigapp.report.testreport import datasections, logsections, setupsections
 from rigapp.report.testreport.facts import Rows, rows_of
 from rigapp.report.testreport.identified import identified
@@ -35,6 +37,7 @@ from rigapp.report.testreport.wording import (
     stamp,
 )
 from rigapp.report.testreport.worn import worn_of
+from rigapp.schema.results import TestResult
 from rigapp.storage import LargestForce, TestReader, largest_force, open_test, trip_of
 
 LEADS = {
@@ -79,10 +82,12 @@ def _document(reader: TestReader, path: Path, vector: bool) -> Manuscript:
     identity = _identity(path, running=summary["status"] == "running")
     rows, agreement = rows_of(reader), agreement_of(reader)
     uncertainty = force_uncertainty(reader.calibration(), reader.configuration())
+    file = path.stat()
+    result = result_of_open(reader, file.st_mtime, file.st_size, closely=True)
     events = reader.events()
     gaps = rows.gaps if rows is not None else ()
     sections = [
-        _summary(summary, about, rows, identity, largest_force(reader), uncertainty),
+        _summary(summary, about, rows, identity, largest_force(reader), uncertainty, result),
         *logsections.sections(reader, events, rows, summary["reason"]),
         *datasections.extremes(
             rows, agreement, vector, uncertainty, stated_uncertainties(reader.calibration())
@@ -135,6 +140,7 @@ def _summary(
     identity: FileIdentity,
     largest: LargestForce | None,
     uncertainty: ForceUncertainty | None,
+    result: TestResult,
 ) -> Section:
     status, revolutions = summary["status"], summary["revolutions"]
     planned = about["planned_revolutions"]
@@ -152,10 +158,11 @@ def _summary(
         ("Rig", about["rig"] + (" (simulated)" if about["simulated"] else "")),
         ("Started", stamp(about["started"])),
         ("Ended", _ended(status, about)),
+        ("Outcome", outcome_text(result)),
         ("Status", _capital(STATUSES.get(status, status))),
         ("Reason", _reason(summary, about)),
         ("Revolutions", f"{grouped(revolutions)} of {grouped(planned)} planned"),
-        *_data_lines(summary, rows, largest, uncertainty),
+        *_data_lines(summary, rows, largest, uncertainty, result),
         ("Notes", about["notes"]),
         ("File", identity.name),
     ]
@@ -169,6 +176,7 @@ def _data_lines(
     rows: Rows | None,
     largest: LargestForce | None,
     uncertainty: ForceUncertainty | None,
+    result: TestResult,
 ) -> list[tuple[str, str]]:
     force = _force_line(largest, uncertainty)
     if rows is None:
@@ -187,6 +195,8 @@ def _data_lines(
         ("Time of the test", f"{duration(rows.test_s, exact=True)} by the device's clock"),
         ("Speed", speed),
     ]
+    depth, coefficient, _, residual = key_numbers(result)
+    lines += [(one.caption, f"{one.value}, {one.line}") for one in (depth, coefficient, residual)]
     good = f"{grouped(rows.good)} of {grouped(rows.revolutions)}"
     stated = "not stated: no calibration record of the load cell in the file"
     return [
@@ -241,7 +251,7 @@ def _file_section(identity: FileIdentity, summary: dict[str, Any], reader: TestR
         log = f"BROKEN at line {altered + 1}: the log was changed after it was written"
     rows = (
         ("File", identity.name),
-        ("Size", size(identity.octets)),
+        ("Size", size(reader.used_bytes(identity.octets))),
         ("SHA-256", identity.digest or "not stated, the test is running and the file changes"),
         ("Test", str(reader.metadata()["identifier"])),
         ("Schema, form", f"{summary['schema']}, {form}"),

@@ -37,7 +37,7 @@ from rigapp.schema.columns import identified_columns
 from rigapp.schema.messages import last_set_speed
 from rigapp.storage import TestReader, believed_until, open_test
 from rigapp.twin.identifying import LEAST_REFERENCE
-from rigapp.twin.kept import kept_of, life_of
+from rigapp.twin.kept import NO_BIN, kept_of, life_of
 
 Array = NDArray[np.float64]
 
@@ -188,7 +188,7 @@ def _moments(
         if place < revolutions.size and (after is None or revolutions[place] <= after + before):
             found.append(_Moment(float(revolutions[place]), float(doubt[place])))
     if not found:
-        raise CannotBeTold("no bin of revolutions is complete yet: wait")
+        raise CannotBeTold(NO_BIN)
     return found
 
 

@@ -5,7 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from model.identification import Credible, Identification
-from rigapp.presentation.numbers import grouped
+from rigapp.presentation.numbers import (
+    COEFFICIENT_SCALE,
+    COEFFICIENT_UNIT,
+    grouped,
+)
 from rigapp.report.page.manuscript import Figure
 from rigapp.report.testreport.identified import IdentifiedTest, IdentifiedTests
 from rigapp.report.testreport.identifiedtables import PER_UNIT
@@ -17,7 +21,7 @@ from rigapp.report.testreport.plots import (
     saved,
 )
 
-COEFFICIENT = "K in mm³/(N m)"
+COEFFICIENT = f"K in {COEFFICIENT_UNIT}"
 LEGEND: dict[str, Any] = {"loc": "center left", "bbox_to_anchor": (1.0, 0.5)}
 
 
@@ -63,7 +67,9 @@ def depth_figure(test: IdentifiedTest, known: Identification, vector: bool) -> F
 def narrowing_figure(test: IdentifiedTest, vector: bool) -> Figure:
     """Draw the wear coefficient with its limits against the revolution at which it was known."""
     at = test.course["revolution"]
-    median, low, high = (test.course[f"wear_coefficient{one}"] for one in ("", "_low", "_high"))
+    median, low, high = (
+        COEFFICIENT_SCALE * test.course[f"wear_coefficient{one}"] for one in ("", "_low", "_high")
+    )
     with canvas_of(2.4) as canvas:
         axes = canvas.subplots()
         axes.fill_between(at, low, high, color=COLOURS["value"], alpha=0.25, lw=0, label="95 %")
@@ -73,8 +79,8 @@ def narrowing_figure(test: IdentifiedTest, vector: bool) -> Figure:
         axes.set_xlabel("revolution")
         axes.legend(**LEGEND)
         words = (
-            f"The wear coefficient was known within {low[0]:.2e} and {high[0]:.2e} at revolution"
-            f" {grouped(int(at[0]))}, within {low[-1]:.2e} and {high[-1]:.2e} at the end."
+            f"The wear coefficient was known within {low[0]:.3g} and {high[0]:.3g} at revolution"
+            f" {grouped(int(at[0]))}, within {low[-1]:.3g} and {high[-1]:.3g} at the end."
         )
         caption = "What the readings until then tell: median and 95 % credible limits."
         return saved(canvas, "Wear coefficient against revolution", words, caption, vector)
@@ -94,7 +100,9 @@ def specimen_figure(found: IdentifiedTests, vector: bool) -> Figure | None:
         axes = canvas.subplots()
         for place, (_, one) in enumerate(lines):
             colour = COLOURS["value"] if place < len(found.counted) else MODEL
-            median, low, high = (PER_UNIT * x for x in (one.median, one.low, one.high))
+            median, low, high = (
+                COEFFICIENT_SCALE * PER_UNIT * x for x in (one.median, one.low, one.high)
+            )
             axes.plot([low, high], [place, place], color=colour)
             axes.plot([median], [place], "o", ms=3.5, color=colour)
         axes.set_yticks(range(len(lines)), [name for name, _ in lines])

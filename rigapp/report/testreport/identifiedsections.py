@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import math
 
-from model.identification import Credible
+from model.identification import Credible, Prior
 from model.identification.words import revolution_of
-from rigapp.presentation.numbers import grouped
+from rigapp.presentation.numbers import (
+    COEFFICIENT_UNIT,
+    coefficient_number,
+    coefficient_text,
+    grouped,
+)
 from rigapp.presentation.times import duration
 from rigapp.report.page.manuscript import Block, Manuscript, Section, Table, Text
 from rigapp.report.testreport.identified import IdentifiedTest, IdentifiedTests
@@ -21,12 +26,15 @@ from rigapp.report.testreport.wording import UNKNOWN
 SECTION = "What is known of the wear"
 
 
-def coefficient_text(one: Credible, unit: bool = True) -> str:
+def credible_text(one: Credible, unit: bool = True) -> str:
     """Return a wear coefficient with its 95 % limits in words."""
-    power = math.floor(math.log10(PER_UNIT * one.median))
-    median, low, high = (PER_UNIT * x * 10.0**-power for x in (one.median, one.low, one.high))
-    text = f"({median:.2f}, 95 %: {low:.2f} to {high:.2f}) · 10^{power}"
-    return f"{text} mm³/(N m)" if unit else text
+    median, low, high = (PER_UNIT * x for x in (one.median, one.low, one.high))
+    value, limits = coefficient_text(median, low, high)
+    return f"{value}, {limits}" if unit else f"{coefficient_number(median)}, {limits}"
+
+
+def _prior_text(prior: Prior) -> str:
+    return f"{coefficient_number(PER_UNIT * prior.coefficient)} · {COEFFICIENT_UNIT}"
 
 
 def remaining_text(test: IdentifiedTest) -> str:
@@ -50,18 +58,18 @@ def known_blocks(test: IdentifiedTest, vector: bool) -> tuple[Block, ...]:
     if known is None:
         return (Text(test.said),)
     rows = (
-        ("Wear coefficient", coefficient_text(known.coefficient)),
+        ("Wear coefficient", credible_text(known.coefficient)),
         ("Readings up to revolution", grouped(int(known.revolution))),
         ("Remaining", remaining_text(test)),
         ("Record of the probes", test.record),
-        ("Assumed beforehand", f"{PER_UNIT * known.prior.coefficient:.3g}, {known.prior.source}"),
+        ("Assumed beforehand", f"{_prior_text(known.prior)}, {known.prior.source}"),
     )
     statements = tuple(
         (
             one.name,
             f"{100.0 * one.weight:.1f} %",
-            coefficient_text(one.coefficient, unit=False),
-            coefficient_text(one.before, unit=False) if one.before is not None else "–",
+            credible_text(one.coefficient, unit=False),
+            credible_text(one.before, unit=False) if one.before is not None else "–",
             _place(revolution_of(known, one.place.median)) if one.place is not None else "–",
         )
         for one in known.verdicts
@@ -70,7 +78,7 @@ def known_blocks(test: IdentifiedTest, vector: bool) -> tuple[Block, ...]:
     return (
         Text(test.said),
         Table("", rows),
-        Table("What may be true of the coefficient, mm³/(N m)", statements, header),
+        Table(f"What may be true of the coefficient, {COEFFICIENT_UNIT}", statements, header),
         depth_figure(test, known, vector),
         *([narrowing_figure(test, vector)] if test.course["revolution"].size else []),
     )
@@ -104,8 +112,8 @@ def pairing_rows(found: IdentifiedTests) -> tuple[tuple[str, str], ...]:
         return ()
     factor = pairing.scatter
     return (
-        ("Median specimen", coefficient_text(pairing.coefficient)),
-        ("Next specimen", coefficient_text(pairing.next)),
+        ("Median specimen", credible_text(pairing.coefficient)),
+        ("Next specimen", credible_text(pairing.next)),
         (
             "Scatter between specimens",
             f"a factor of {factor.median:.2f} (95 %: {factor.low:.2f} to {factor.high:.2f}) for one"
@@ -113,8 +121,7 @@ def pairing_rows(found: IdentifiedTests) -> tuple[tuple[str, str], ...]:
         ),
         (
             "Prior for the next test",
-            f"{PER_UNIT * pairing.prior.coefficient:.4g} mm³/(N m), spread of ln K"
-            f" {pairing.prior.spread:.3g}",
+            f"{_prior_text(pairing.prior)}, spread of ln K {pairing.prior.spread:.3g}",
         ),
     )
 
@@ -124,12 +131,12 @@ def _together(found: IdentifiedTests, vector: bool) -> Section:
         (
             one.path.name,
             one.specimen or UNKNOWN,
-            coefficient_text(one.known.coefficient, unit=False) if one.known is not None else "–",
+            credible_text(one.known.coefficient, unit=False) if one.known is not None else "–",
             one.said,
         )
         for one in found.tests
     )
-    header = ("file", "specimen", "coefficient, mm³/(N m)", "statement")
+    header = ("file", "specimen", f"coefficient, {COEFFICIENT_UNIT}", "statement")
     blocks: list[Block] = [Table("", lines, header)]
     rows = pairing_rows(found)
     if rows:

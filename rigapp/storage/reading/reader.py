@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import zlib
 from collections.abc import Iterator
@@ -370,6 +371,19 @@ class TestReader:
     def calibration(self) -> dict[str, Any]:
         """Return the calibration records that the test was measured with, nested by name."""
         return self._below(CALIBRATION)
+
+    def used_bytes(self, size: int) -> int:
+        """Return how many of the bytes of the file, ``size``, hold data.
+
+        A file that is written in place has room for everything that was planned.
+        """
+        if self.compressed:
+            return size
+        each = {
+            name: sum(np.dtype(one.dtype).itemsize * math.prod(one.shape) for one in found.fields)
+            for name, found in self._streams.items()
+        }
+        return min(size, sum(self.committed(name) * octets for name, octets in each.items()))
 
     def variables(self, stream: str) -> tuple[StoredVariable, ...]:
         """Return what a stream holds as it stands in the file, shapes cut to the safe rows.

@@ -1,0 +1,75 @@
+"""Say in which state a rig is: in a word, and in a line with what is next."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+from rigapp.presentation.told import retold
+from rigapp.presentation.translation import Text, tr
+from rigapp.schema.messages import HowEnded, RunState, Status
+
+STATES: Final[dict[RunState, Text]] = {
+    RunState.IDLE: "Idle",
+    RunState.CONNECTING: "Connecting",
+    RunState.READY: "Ready",
+    RunState.STARTING: "Starting",
+    RunState.RUNNING: "Running",
+    RunState.PAUSING: "Pausing",
+    RunState.PAUSED: "Paused",
+    RunState.STOPPING: "Stopping",
+    RunState.STOPPED: "Stopped",
+    RunState.FAULT: "Fault",
+}
+OUTCOMES: Final[dict[HowEnded, Text]] = {
+    HowEnded.COMPLETE: "Complete",
+    HowEnded.OPERATOR: "Stopped",
+    HowEnded.TRIPPED: "Tripped",
+    HowEnded.FAULT: "Fault",
+    HowEnded.INTERRUPTED: "Interrupted",
+    HowEnded.RUNNING: "Running",
+    HowEnded.NOT_READABLE: "Cannot be read",
+}
+"""How a test ended, wherever it is shown: strip, card, list, report, command line."""
+
+USUAL: Final[dict[RunState, Text]] = {
+    RunState.RUNNING: "Running as planned.",
+    RunState.READY: "Ready: the devices are connected. Start a test with F5.",
+    RunState.CONNECTING: "Connecting: finding the devices of the rig.",
+    RunState.STARTING: "Starting: the zeros are taken, then the spindle is brought to speed.",
+}
+"""What is said in a state of which the engine says nothing more."""
+
+
+def is_resting(status: Status) -> bool:
+    """Tell whether the test rests between two steps and resumes by itself."""
+    return status.resting and status.state is RunState.PAUSED
+
+
+def state_word(status: Status) -> str:
+    """Return the state in a word; after a test, how the test ended."""
+    if is_resting(status):
+        return tr("Resting")
+    if status.state is RunState.STOPPED and status.outcome is not None:
+        return tr(OUTCOMES[status.outcome])
+    return tr(STATES[status.state])
+
+
+def rest_text(status: Status) -> str:
+    """Return how long a rest lasts still, and which step it belongs to."""
+    left = math.ceil(status.rest_left_s)
+    return tr("{} s left, step {} of {}", left, status.step, status.steps)
+
+
+def state_line(status: Status, key: str = "") -> str:
+    """Return what is, and what is next; key: that does the next step, in the window."""
+    word = state_word(status)
+    if is_resting(status):
+        return f"{word}, {rest_text(status)}. {tr('The test resumes by itself.')}"
+    step = status.recovery
+    pressed = f" ({key})" if key and step.verb and step.left else ""
+    told = [
+        f"{word}: {retold(status.reason)}" if status.reason else "",
+        retold(step.sentence) + pressed,
+    ]
+    return "  ".join(one for one in told if one) or tr(USUAL.get(status.state, f"{word}."))

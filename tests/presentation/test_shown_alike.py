@@ -1,0 +1,91 @@
+"""States, figures and results as window, page, report and command line show them."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import pytest
+
+from rigapp.presentation.numbers import (
+    bytes_text,
+    coefficient_number,
+    coefficient_text,
+    with_uncertainty,
+)
+from rigapp.presentation.results import key_numbers, outcome_text, trust_lines
+from rigapp.presentation.states import state_line, state_word
+from rigapp.schema.messages import FinishReason, HowEnded, Recovery, Remedy, RunState, Status
+from rigapp.schema.results import TestResult, how_ended
+
+
+def test_a_rest_is_no_pause() -> None:
+    paused = Status(
+        RunState.PAUSED,
+        recovery=Recovery(Remedy.GO_ON, "resume", "Resume the paused test.", (Remedy.GO_ON,)),
+    )
+    assert state_line(paused, "F10") == "Resume the paused test. (F10)"
+    resting = msgspec.structs.replace(paused, resting=True, rest_left_s=11.2, step=3, steps=5)
+    line = "Resting, 12 s left, step 3 of 5. The test resumes by itself."
+    assert state_line(resting, "F10") == line
+
+
+@pytest.mark.parametrize(
+    ("status", "reason", "word"),
+    [
+        ("complete", FinishReason.COMPLETE, "Complete"),
+        ("stopped", FinishReason.OPERATOR, "Stopped"),
+        ("stopped", FinishReason.LIMIT, "Tripped"),
+        ("stopped", FinishReason.DEVICE, "Fault"),
+    ],
+)
+def test_strip_and_card_say_the_same_of_an_end(
+    status: str, reason: FinishReason, word: str
+) -> None:
+    result = TestResult("t.h5", status=status, reason_code=reason.value)
+    state = RunState.FAULT if word == "Fault" else RunState.STOPPED
+    shown = Status(state, outcome=how_ended(status, reason))
+    assert state_word(shown) == outcome_text(result) == word
+
+
+def test_a_wear_coefficient_has_one_power_of_ten() -> None:
+    assert coefficient_text(5.05e-4, 4.8e-4, 5.31e-4) == (
+        "505 · 10⁻⁶ mm³/(N m)",
+        "480 to 531 (95 %)",
+    )
+    assert coefficient_number(8.314e-6) == "8.31"
+    assert coefficient_number(math.nan) == "–"
+
+
+def test_a_value_has_the_decimals_of_its_uncertainty() -> None:
+    assert with_uncertainty(14.72, 1.58, "µm") == "14.7 ± 1.6 µm"
+    assert with_uncertainty(3.414, 0.0996, "µm") == "3.41 ± 0.10 µm"
+    assert with_uncertainty(86.8, 12.3, "N") == "87 ± 12 N"
+    assert with_uncertainty(86.84, math.nan, "N") == "86.8 N"
+    assert with_uncertainty(math.nan, 1.0, "N") == "–"
+
+
+def test_a_size_is_said_in_one_way() -> None:
+    assert [bytes_text(one) for one in (12_300, 730_000, 152e6)] == ["12.3 kB", "0.73 MB", "152 MB"]
+
+
+def test_a_result_says_what_to_bear_in_mind() -> None:
+    result = TestResult(
+        "t.h5",
+        status="complete",
+        revolutions=500,
+        depth_um=14.7,
+        depth_uncertainty_um=1.6,
+        model_depth_um=18.7,
+        alarms=("Input saturated: probe_1", "Input saturated: probe_1"),
+        coefficient_reason="the probes have no calibration record",
+    )
+    assert result.outcome is HowEnded.COMPLETE
+    lines = [one for one in trust_lines(result) if not one.good]
+    assert [(one.text, one.line) for one in lines] == [
+        ("2 alarms in the test", "Input saturated: probe_1"),
+        ("Wear differs from the model", "14.7 ± 1.6 µm, model 18.7 µm"),
+    ]
+    depth, coefficient, *_ = key_numbers(result)
+    assert depth.line == "by the probes, k = 2; model 18.7 µm"
+    assert coefficient.line == "The probes have no calibration record"
