@@ -173,8 +173,14 @@ def _of_value(key: str, shown: str, value: Any, ranges: Mapping[str, Range]) -> 
             yield shown + found.removeprefix(key)
 
 
+LONGEST_SHOWN: Final = 1e15
+"""Up to here a number is written out, as an operator types it; a float is exact so far."""
+
+
 def _shown(value: float) -> str:
     try:
+        if 1e9 <= abs(value) < LONGEST_SHOWN:
+            return f"{value:.0f}"
         return f"{value:.9g}"
     except OverflowError:
         return f"a number of {len(str(abs(value)))} digits"

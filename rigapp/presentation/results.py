@@ -145,7 +145,9 @@ def origin_of(result: TestResult) -> str:
 
 
 def file_line(result: TestResult) -> str:
-    """Return what the file is, in one line."""
+    """Return what the file is, in one line; nothing of one that is not there."""
+    if not result.modified:
+        return ""
     size, changed = bytes_text(result.size_bytes), _said(datetime.fromtimestamp(result.modified))
     kept = grouped(result.cycles_saved)
     return tr("{}; {} cycles kept whole; changed {}", size, kept, changed)

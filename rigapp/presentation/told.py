@@ -93,9 +93,14 @@ def templates() -> list[Text]:
 def retold(sentence: str) -> str:
     """Return a sentence of the engine in the language of the window, as it is where unknown.
 
-    What is not known as a whole is looked for in its parts.
+    What is not known as a whole is looked for in its parts. Numbers of the operating system's
+    errors are left out: its words say the same, and the log has both.
     """
+    sentence = ERROR_NUMBER.sub("", sentence)
     return sentence if speaks_english() else _retold(sentence, language_changes())
+
+
+ERROR_NUMBER: Final = re.compile(r"\[Errno -?\d+\] ")
 
 
 EDGES: Final = " .;:,\n"

@@ -36,12 +36,14 @@ def result_of(path: Path, *, closely: bool = False) -> TestResult:
     closely: state the uncertainty of the force, the alarms and why there is no wear coefficient,
     which takes several times as long as all else.
     """
+    modified, size = 0.0, 0
     try:
         about = path.stat()
+        modified, size = about.st_mtime, about.st_size
         with open_test(path) as test:
-            return result_of_open(test, about.st_mtime, about.st_size, closely=closely)
+            return result_of_open(test, modified, size, closely=closely)
     except (UnusableInput, OSError) as error:
-        return TestResult(str(path), reason=str(error))
+        return TestResult(str(path), modified, size, reason=str(error))
 
 
 def result_of_open(

@@ -7,14 +7,16 @@ import math
 import msgspec
 import pytest
 
+from rigapp.config.ranges import refusal
 from rigapp.presentation.numbers import (
     bytes_text,
     coefficient_number,
     coefficient_text,
     with_uncertainty,
 )
-from rigapp.presentation.results import key_numbers, outcome_text, trust_lines
+from rigapp.presentation.results import file_line, key_numbers, outcome_text, trust_lines
 from rigapp.presentation.states import state_line, state_word
+from rigapp.presentation.told import retold
 from rigapp.schema.messages import FinishReason, HowEnded, Recovery, Remedy, RunState, Status
 from rigapp.schema.results import TestResult, how_ended
 
@@ -89,3 +91,11 @@ def test_a_result_says_what_to_bear_in_mind() -> None:
     depth, coefficient, *_ = key_numbers(result)
     assert depth.line == "by the probes, k = 2; model 18.7 µm"
     assert coefficient.line == "The probes have no calibration record"
+
+
+def test_operators_see_no_error_numbers_powers_and_epoch_dates() -> None:
+    told = "could not open port /dev/ttyUSB0: [Errno 2] No such file or directory"
+    assert retold(told) == "could not open port /dev/ttyUSB0: No such file or directory"
+    assert "run.revolutions = 5000000000 is" in refusal("run.revolutions", 5_000_000_000)
+    assert file_line(TestResult("gone.h5")) == ""
+    assert "1970" not in file_line(TestResult("broken.h5", 1.8e9, 100))
