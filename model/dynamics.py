@@ -17,6 +17,9 @@ from model.parameters import Joint, Mechanism
 
 Array = NDArray[np.float64]
 
+LEAST_TORQUE_NM = 0.01
+"""The friction of any crank's bearings holds it against less."""
+
 
 @dataclass(frozen=True, slots=True)
 class MechanismMotion:
@@ -247,3 +250,17 @@ def _friction_moment(
         )
     size = q * fy + np.sqrt((q * fy) ** 2 + remainder * (fx * fx + fy * fy))
     return sense * rho * size / remainder
+
+
+def rest_angle(mechanism: Mechanism) -> float | None:
+    """Return the crank angle (rad) at which spring and weight hold the crank, None without both.
+
+    The deepest minimum of the potential energy, which is the work of the torque that would turn
+    the crank without friction and inertia forces.
+    """
+    angle = np.linspace(0.0, 2.0 * np.pi, 721)
+    torque = inverse_dynamics(mechanism, angle, 0.0).drive_torque
+    if np.abs(torque).max() < LEAST_TORQUE_NM:
+        return None
+    energy = np.concatenate([[0.0], np.cumsum(0.5 * (torque[1:] + torque[:-1]))])
+    return float(angle[int(np.argmin(energy[:-1]))])

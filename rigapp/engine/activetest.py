@@ -10,6 +10,7 @@ from pathlib import Path
 from rigapp.config.loading import Document
 from rigapp.config.recipe import LimitsSection, TestFile
 from rigapp.config.sequence import Sequence, StepPlace
+from rigapp.engine.drive.driving import Approach
 from rigapp.engine.judging.testrun import TestRun
 from rigapp.engine.recording.recorder import Recorder
 from rigapp.schema.loglines import RestSignals
@@ -44,10 +45,11 @@ class Rest:
 class ActiveTest:
     """One test.
 
-    stage: the step that the crank is in; changes: of step, so far. resting: the rest between two
-    steps, None while there is none. fresh: its file was made by its own start. steady_from: ordinal
-    of the first whole revolution at the set speed, None while it changes. off: power is off, or was
-    asked to be. stood: the spindle was seen to stand at the end, or could not be shown to.
+    stage: the step that the crank is in; changes: of step, so far. approach: how a regular end
+    brings the crank to its rest. resting: the rest between two steps, None while there is none.
+    fresh: its file was made by its own start. steady_from: ordinal of the first whole revolution at
+    the set speed, None while it changes. off: power is off, or was asked to be. stood: the spindle
+    was seen to stand at the end, or could not be shown to.
     """
 
     document: Document[TestFile]
@@ -61,6 +63,7 @@ class ActiveTest:
     fresh: bool
     sequence: Sequence
     stage: StepPlace
+    approach: Approach
     resting: Rest | None = None
     changes: int = 0
     steady_from: int | None = None
@@ -105,13 +108,16 @@ class ActiveTest:
         self.recorder.begin(sample)
 
     def end(self, ending: Ending) -> bool:
-        """Take note of an end; True when the drive must be told: for the first, or for off."""
+        """Take note of an end; True when the drive must be told.
+
+        For the first, for off, and for what is not regular: it forbids to turn on to the rest.
+        """
         first = self.ending is None
         if self.ending is None:
             self.ending = ending
             self.stopping_since = time.monotonic()
         elif ending.fault > self.ending.fault:
             self.fault_sentence = self.fault_sentence or ending.sentence
-        tell = first or (ending.off and not self.off)
+        tell = first or (ending.off and not self.off) or not (ending.off or ending.regular)
         self.off |= ending.off
         return tell

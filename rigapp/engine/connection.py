@@ -97,7 +97,7 @@ class Connection:
             devices.spindle,
             timing,
             self._look,
-            self.slow,
+            self.pace,
             devices.drive_request.watchdog_timeout_s,
         )
         core.control = self.control
@@ -432,6 +432,15 @@ class Connection:
         if test is None or self.core.state is not RunState.STOPPING:
             return False
         return test.off or not control.answering
+
+    @property
+    def coasting(self) -> bool:
+        """Tell whether the crank turns without power in a stop: the spring drives it."""
+        return (
+            self.core.state is RunState.STOPPING
+            and self.control.power_cut
+            and not self.processor.motion.standing(self.core.timing.standing)
+        )
 
     @property
     def backed_up(self) -> bool:

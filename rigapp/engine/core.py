@@ -19,7 +19,7 @@ from rigapp.config.loading import Document
 from rigapp.config.recipe import LimitsSection
 from rigapp.config.rig import RigFile
 from rigapp.engine.activetest import ActiveTest
-from rigapp.engine.drive.driving import SpindleControl
+from rigapp.engine.drive.driving import Approach, SpindleControl
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.alarms import AlarmBook
 from rigapp.engine.judging.testrun import Row
@@ -231,6 +231,7 @@ class Core:
         Without a test, a fault leads to the state fault and the power is taken off.
         """
         first = command = under_way = False
+        approach: Approach | None = None
         announce: RunState | None = None
         with self._changed:
             test = self.test
@@ -238,6 +239,7 @@ class Core:
                 under_way, first = True, test.ending is None
                 command = test.end(ending)
                 if first:
+                    approach = test.approach if ending.regular else None
                     announce = self._set(transition(self._state, Trigger.STOP), ending.sentence)
             elif (
                 ending.fault
@@ -251,7 +253,7 @@ class Core:
         if first and cause is not None:
             self.alarms.claim_first_out(cause)
         if command and control is not None:
-            control.stop_now(off=ending.off or not under_way)
+            control.stop_now(off=ending.off or not under_way, approach=approach)
         if cause is not None:
             self.warn(cause)
         if announce is not None:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 import time
 from pathlib import Path, PurePath
 
 from drivers.api import SampleClock
+from model.dynamics import rest_angle
 from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
+from rigapp.config.parameters import to_parameters
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.config.rules import check_rules
@@ -16,6 +19,7 @@ from rigapp.config.sequence import Sequence
 from rigapp.engine.activetest import ActiveTest
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
+from rigapp.engine.drive.driving import Approach
 from rigapp.engine.judging.criteria import StopMonitor
 from rigapp.engine.judging.depthwatch import DepthWatch, KnownDepth
 from rigapp.engine.judging.jointwatch import JointWatch
@@ -27,6 +31,9 @@ from rigapp.engine.recording.recorder import Recorder
 from rigapp.engine.recording.store import Opened, OpenRequest, OpenStore
 from rigapp.schema.loglines import SpecimenWear
 from rigapp.schema.states import Refused
+
+OVERSPEED_SHARE = 0.8
+"""Of the overspeed limit, which the ripple of an approach to the rest must not reach."""
 
 
 def check_start(core: Core, connection: Connection, document: Document[TestFile]) -> RuleMonitor:
@@ -146,6 +153,16 @@ def open_test(
         fresh=not request.resume,
         sequence=sequence,
         stage=stage,
+        approach=_approach(test.record),
+    )
+
+
+def _approach(test: TestFile) -> Approach:
+    """Return how the crank comes to its rest at a regular end."""
+    angle = rest_angle(to_parameters(test.model).mechanism)
+    return Approach(
+        None if angle is None else math.degrees(angle),
+        OVERSPEED_SHARE * test.limits.overspeed_rpm,
     )
 
 

@@ -166,6 +166,7 @@ class Supervisor:
         steps = test.sequence
         ramp = 1.5 * steps.fastest_rpm / steps.gentlest_rpm_per_s * connection.slow()
         longest = ramp + timing.stop_margin + timing.coast + 4 * timing.make_safe
+        longest += connection.control.approach_s
         if not test.stood and time.monotonic() - test.stopping_since > longest:
             core.will_not_stop("The stop was commanded, but the drive could not be asked.")
         if core.finish_due and not connection.commit.well:

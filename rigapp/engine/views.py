@@ -64,6 +64,7 @@ def build_status(
         resting=active is not None and active.resting is not None,
         rest_left_s=_rest_left_s(connection, active),
         outcome=_outcome(active),
+        coasting=connection is not None and connection.coasting,
         committed=max(0, active.committed) if active is not None else 0,
         first_revolution=active.run.first if active is not None else 0,
         target_rpm=active.target_rpm if active is not None else 0.0,

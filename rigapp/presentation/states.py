@@ -50,6 +50,8 @@ def state_word(status: Status) -> str:
     """Return the state in a word; after a test, how the test ended."""
     if is_resting(status):
         return tr("Resting")
+    if status.coasting:
+        return tr("Coasting")
     if status.state is RunState.STOPPED and status.outcome is not None:
         return tr(OUTCOMES[status.outcome])
     return tr(STATES[status.state])

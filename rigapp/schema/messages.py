@@ -226,7 +226,7 @@ class Status(msgspec.Struct, frozen=True, omit_defaults=True):
     that are done among them; queue_works: the next one begins by itself. step: of the test, of so
     many steps, both 0 where it has none; resting: between two of them; the test resumes by itself
     in rest_left_s seconds of this computer. outcome: how the last test ended, None before and while
-    one is open.
+    one is open. coasting: it is being stopped, has no power, and turns.
     """
 
     state: RunState
@@ -269,6 +269,7 @@ class Status(msgspec.Struct, frozen=True, omit_defaults=True):
     resting: bool = False
     rest_left_s: float = 0.0
     outcome: HowEnded | None = None
+    coasting: bool = False
     revolution_age_s: float | None = None
 
     def __post_init__(self) -> None:

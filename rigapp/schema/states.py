@@ -145,6 +145,11 @@ class Ending:
         return self.code in FAULTS
 
     @property
+    def regular(self) -> bool:
+        """Tell whether nothing is wrong with the rig, so that the crank may turn on to its rest."""
+        return not self.off and self.code in (FinishReason.COMPLETE, FinishReason.OPERATOR)
+
+    @property
     def status(self) -> str:
         """Return the status that the file shows: complete, stopped or fault."""
         if self.code is FinishReason.COMPLETE:

@@ -24,6 +24,18 @@ from rigapp.engine.drive.timing import Timing
 TURNS_TO_AIM = 3.0
 """Turns at creep speed granted for coming to an angle: one to slow down, one whole, one more."""
 
+APPROACH_RPM = 4.0
+"""A slower crank is turned at this speed to its rest: a turn of it takes 15 s."""
+
+REST_NEAR_DEG = 5.0
+"""A crank so near to its rest is left there; from farther it swings visibly without power."""
+
+BLOCKED_S = 1.0
+"""A crank that does not move for so long on the way to its rest is blocked."""
+
+SLOW_FROM_PACE = 20.0
+"""A simulated rig that is faster creeps slower by as much: its angle is looked at each 5 ms."""
+
 PROMPT_S = 0.5
 """An answer that is older is a late one, however often the drive is asked."""
 
@@ -42,11 +54,22 @@ class Ramp:
         return max(self.rpm, self.from_rpm) / self.rpm_per_s
 
 
+@dataclass(frozen=True, slots=True)
+class Approach:
+    """Where a crank without power comes to rest, None where nothing drives it, and how to go there.
+
+    limit_rpm: the crank must not turn faster on the way.
+    """
+
+    rest_deg: float | None
+    limit_rpm: float
+
+
 class SpindleControl:
     """Command one spindle; ``step`` belongs to the drive thread, the rest to any thread.
 
-    look: returns what the encoder shows now. slow: how much longer than nominal a ramp may take (a
-    slow simulated rig).
+    look: returns what the encoder shows now. pace: the rig's seconds in one of this computer, 1 for
+    a real one.
     """
 
     def __init__(
@@ -54,19 +77,23 @@ class SpindleControl:
         spindle: Spindle,
         timing: Timing,
         look: Callable[[float | None], Seen],
-        slow: Callable[[], float],
+        pace: Callable[[], float],
         watchdog_s: float,
     ) -> None:
         self._spindle = spindle
         self._timing = timing
         self._look = look
-        self._slow = slow
+        self._pace = pace
         self._watchdog_s = watchdog_s
         self._deciding = threading.Lock()
         self._commanding = threading.Lock()
         self._power_offs = 0
         self._stop: StopSequence | None = StopSequence.at_rest(timing.coast, watchdog_s)
         self._pause: PauseSequence | None = None
+        self._rest: PauseSequence | None = None
+        self._rest_deg: float | None = None
+        self._off_deg: float | None = None
+        self.approach_s = 0.0
         self._ramp = Ramp(0.0, 60.0)
         self._unsent = False
         self.status: DriveStatus | None = None
@@ -79,8 +106,8 @@ class SpindleControl:
     def arm(self, ramp: Ramp) -> None:
         """Forget the last stop, which is through, and prepare for a start."""
         with self._deciding:
-            self._stop = None
-            self._pause = None
+            self._stop = self._pause = self._rest = None
+            self.approach_s = 0.0
             self._ramp, self._unsent = ramp, False
 
     def run(self) -> None:
@@ -90,7 +117,7 @@ class SpindleControl:
     def resume(self, ramp: Ramp) -> None:
         """Turn at the test's speed again after a pause, unless a stop came first."""
         with self._deciding:
-            if self._stop is not None:
+            if self._ending:
                 return
             self._pause = None
             self._ramp, self._unsent = ramp, False
@@ -99,41 +126,91 @@ class SpindleControl:
     def change(self, ramp: Ramp) -> None:
         """Go to another speed, unless a pause or a stop came first; the drive thread sends it."""
         with self._deciding:
-            if self._stop is None and self._pause is None:
+            if not self._ending and self._pause is None:
                 before = max(self._ramp.rpm, self._ramp.from_rpm)
                 self._ramp = Ramp(ramp.rpm, ramp.rpm_per_s, before)
                 self._unsent = True
 
     def pause_at(self, angle_deg: float) -> None:
         """Begin to pause at a crank angle."""
-        slow = self._slow()
-        limit = (
-            self._timing.start_margin
-            + slow * 2.0 * self._ramp.down_s
-            + slow * TURNS_TO_AIM * 60.0 / min(self._ramp.rpm, CREEP_RPM)
-        )
+        creep_rpm = min(self._ramp.rpm, CREEP_RPM)
+        limit_s = self._timing.start_margin + self._aiming_s(creep_rpm)
         with self._deciding:
-            if self._stop is None:
+            if not self._ending:
                 self._unsent = False
                 self._pause = PauseSequence(
-                    angle_deg, self._ramp.rpm, self._ramp.rpm_per_s, time.monotonic(), limit
+                    angle_deg, creep_rpm, self._ramp.rpm_per_s, time.monotonic(), limit_s
                 )
 
-    def stop_now(self, off: bool) -> None:
+    def stop_now(self, off: bool, approach: Approach | None = None) -> None:
         """Stop, or take the power off; the command is on its way when this returns.
 
-        Never raises: a drive that does not take the command is asked again by the drive thread.
+        approach: turn on to where the crank rests without power, and stop there. A stop without it
+        takes its place. Never raises: a drive that does not take the command is asked again by the
+        drive thread.
         """
-        now, slow = time.monotonic(), self._slow()
+        seen = self.seen() if approach is not None and not off else None
         with self._deciding:
-            self._pause = None
-            if self._stop is None or self._stop.done:
-                ramp_s = 1.5 * slow * self._ramp.down_s + self._timing.stop_margin
-                self._stop = StopSequence(off, now, ramp_s, self._timing.coast, self._watchdog_s)
-            elif off:
-                self._stop.cut_power(now)
-        if not self.quiet:  # what the drive receives would feed its watchdog
+            self._pause = self._rest = rest = None
+            if approach is not None and seen is not None and self._stop is None:
+                self._rest = rest = self._approach(approach, seen)
+            if rest is None:
+                self._begin_stop(off)
+        if rest is not None:
+            self._step_to_rest(rest)
+        elif not self.quiet:  # what the drive receives would feed its watchdog
             self._carry_out(DriveStep.POWER_OFF if off else DriveStep.RAMP_DOWN)
+
+    def _begin_stop(self, off: bool) -> None:
+        now = time.monotonic()
+        if self._stop is None or self._stop.done:
+            self._stop = StopSequence(
+                off, now, self._ramp_down_s, self._timing.coast, self._watchdog_s
+            )
+            self._off_deg = None
+        elif off:
+            self._stop.cut_power(now)
+
+    def _approach(self, approach: Approach, seen: Seen) -> PauseSequence | None:
+        """Return how the crank gets to its rest; None where it is there, or has none."""
+        rest_deg = approach.rest_deg if self._rest_deg is None else self._rest_deg
+        if rest_deg is None or (
+            seen.stands
+            and seen.angle_deg is not None
+            and apart_deg(seen.angle_deg, rest_deg) < REST_NEAR_DEG
+        ):
+            return None
+        creep_rpm = min(max(self._ramp.rpm, APPROACH_RPM), CREEP_RPM, approach.limit_rpm)
+        self.approach_s = self._timing.stop_margin + self._aiming_s(creep_rpm)
+        self._unsent = False
+        return PauseSequence(
+            rest_deg,
+            creep_rpm / max(1.0, self._pace() / SLOW_FROM_PACE),
+            self._ramp.rpm_per_s,
+            time.monotonic(),
+            self.approach_s,
+            self._ramp_down_s,
+            self._slow * (BLOCKED_S + creep_rpm / self._ramp.rpm_per_s),
+        )
+
+    @property
+    def _ramp_down_s(self) -> float:
+        """Return how long it takes at most to slow down, late answers of the drive included."""
+        return 1.5 * self._slow * self._ramp.down_s + self._timing.stop_margin
+
+    @property
+    def _slow(self) -> float:
+        """Return how many times slower than real time the rig runs, 1 for a real one."""
+        return 1.0 / min(1.0, self._pace())
+
+    def _aiming_s(self, creep_rpm: float) -> float:
+        """Return how long it takes at most to come to an angle."""
+        return self._slow * (2.0 * self._ramp.down_s + TURNS_TO_AIM * 60.0 / creep_rpm)
+
+    @property
+    def _ending(self) -> bool:
+        """Tell whether a stop was asked for: no other command may reach the drive then."""
+        return self._stop is not None or self._rest is not None
 
     # --- the drive thread ------------------------------------------------------------------------
 
@@ -146,7 +223,8 @@ class SpindleControl:
     def busy(self) -> bool:
         """Tell whether a pause or a stop is under way."""
         stop = self._stop
-        return (stop is not None and not stop.done) or self._pause is not None
+        under_way = stop is not None and not stop.done
+        return under_way or self._pause is not None or self._rest is not None
 
     @property
     def quiet(self) -> bool:
@@ -209,6 +287,10 @@ class SpindleControl:
 
     def step(self) -> DriveStep:
         """Take the pause or stop under way one step further, and return what was done."""
+        rest = self._rest
+        if rest is not None:
+            self._step_to_rest(rest)
+            return DriveStep.WAIT
         seen = self.seen() if self._stop is not None or self._pause is not None else None
         with self._deciding:
             stop, pause = self._stop, self._pause
@@ -218,22 +300,62 @@ class SpindleControl:
         if stop is not None:
             if do in (DriveStep.RAMP_DOWN, DriveStep.POWER_OFF):
                 self._carry_out(do)
+            if seen is not None:
+                self._learn_rest(do, seen)
             return do
         if pause is None:
             self._send_changed()
             return DriveStep.WAIT
-        try:
-            if do is DriveStep.CREEP:
-                self._send(pause.creep_rpm)
-            elif do is DriveStep.RAMP_DOWN:
-                self._send(0.0)
-        except DeviceError as error:
-            self._note(error)
-            return DriveStep.GIVE_UP
+        do = self._aim(pause, do)
         if do in (DriveStep.STANDING, DriveStep.GIVE_UP):
             with self._deciding:
                 self._pause = None
         return do
+
+    def _aim(self, sequence: PauseSequence, do: DriveStep) -> DriveStep:
+        """Carry out a step of coming to an angle; give up where the drive refuses."""
+        try:
+            if do is DriveStep.CREEP:
+                self._send(sequence.creep_rpm, sequence)
+            elif do is DriveStep.RAMP_DOWN:
+                self._send(0.0, sequence)
+        except DeviceError as error:
+            self._note(error)
+            return DriveStep.GIVE_UP
+        return do
+
+    def _step_to_rest(self, rest: PauseSequence) -> None:
+        """Turn on towards the rest, and stop there.
+
+        Stop at once where drive or angle are not known, without power where the crank does not do
+        what was commanded.
+        """
+        seen = self.seen()
+        known = seen.drive_rpm is not None and seen.angle_deg is not None
+        with self._deciding:
+            if self._rest is not rest:
+                return
+            do = rest.step(seen) if known else DriveStep.GIVE_UP
+        off = known and do is DriveStep.GIVE_UP
+        if self._aim(rest, do) not in (DriveStep.STANDING, DriveStep.GIVE_UP):
+            return
+        with self._deciding:
+            if self._rest is not rest:
+                return
+            self._rest = None
+            self._begin_stop(off)
+        self._carry_out(DriveStep.POWER_OFF if off else DriveStep.RAMP_DOWN)
+
+    def _learn_rest(self, do: DriveStep, seen: Seen) -> None:
+        """Remember where the crank came to rest when it left the angle of a regular stop."""
+        now_deg, off_deg = seen.angle_deg, self._off_deg
+        if now_deg is None:
+            return
+        if off_deg is None:
+            if do is DriveStep.POWER_OFF and seen.stands:
+                self._off_deg = now_deg
+        elif do is DriveStep.STANDING and apart_deg(now_deg, off_deg) > REST_NEAR_DEG:
+            self._rest_deg = now_deg
 
     def _carry_out(self, do: DriveStep) -> None:
         """Command the stop under way; a drive that does not take it is asked again."""
@@ -258,7 +380,7 @@ class SpindleControl:
     def _send_changed(self) -> None:
         """Send a speed that was changed; one that the drive does not take is sent again."""
         with self._deciding:
-            if not self._unsent or self._stop is not None:
+            if not self._unsent or self._ending:
                 return
             self._unsent = False
         try:
@@ -267,10 +389,13 @@ class SpindleControl:
             self._note(error)
             self._unsent = True
 
-    def _send(self, rpm: float) -> None:
-        """Command a speed, unless a stop came first. Raises DeviceError."""
+    def _send(self, rpm: float, sequence: PauseSequence | None = None) -> None:
+        """Command a speed, unless a stop came first. Raises DeviceError.
+
+        sequence: which commands it; the one that goes to the rest is the beginning of a stop.
+        """
         with self._one_command():
-            if self._stop is None:
+            if self._stop is None and self._rest in (None, sequence):
                 self._set_speed(rpm)
 
     def _set_speed(self, rpm: float) -> None:
@@ -298,3 +423,8 @@ class SpindleControl:
     def _note(self, error: DeviceError) -> None:
         self.last_error = error
         self.errors += 1
+
+
+def apart_deg(first: float, second: float) -> float:
+    """Return the angle between two directions, 0 to 180 deg."""
+    return abs((first - second + 180.0) % 360.0 - 180.0)

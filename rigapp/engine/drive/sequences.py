@@ -285,7 +285,9 @@ class StopSequence:
 class PauseSequence:
     """Pause: slow down to a creep, stop so that the crank comes to rest at the wanted angle.
 
-    deceleration_rpm_per_s: of the drive's ramp. limit_s: longest time for all of it.
+    deceleration_rpm_per_s: of the drive's ramp. limit_s: longest time for all of it. slow_s:
+    longest time until the crank creeps. blocked_s: longest time for which it may be stationary on
+    the way.
     """
 
     def __init__(
@@ -295,6 +297,8 @@ class PauseSequence:
         deceleration_rpm_per_s: float,
         now_s: float,
         limit_s: float,
+        slow_s: float = math.inf,
+        blocked_s: float = math.inf,
     ) -> None:
         self._angle = angle_deg
         self._creep = min(target_rpm, CREEP_RPM)
@@ -302,6 +306,9 @@ class PauseSequence:
         self._deadline = now_s + limit_s
         self._phase = DriveStep.CREEP
         self._before: float | None = None
+        self._slow_by = now_s + slow_s
+        self._blocked_s = blocked_s
+        self._moved_s = now_s
 
     @property
     def creep_rpm(self) -> float:
@@ -316,10 +323,15 @@ class PauseSequence:
             self._phase = DriveStep.WAIT
             return DriveStep.CREEP
         if self._phase is DriveStep.WAIT:
+            if not seen.encoder_stands:
+                self._moved_s = seen.now_s
+            elif seen.now_s - self._moved_s > self._blocked_s:
+                return DriveStep.GIVE_UP
             if seen.encoder_rpm is None or seen.angle_deg is None:
                 return DriveStep.WAIT
             if abs(seen.encoder_rpm) > CREEPING_SHARE * self._creep + CREEPING_RPM:
-                return DriveStep.WAIT
+                return DriveStep.GIVE_UP if seen.now_s > self._slow_by else DriveStep.WAIT
+            self._slow_by = math.inf
             if not self._reached(seen):
                 return DriveStep.WAIT
             self._phase = DriveStep.RAMP_DOWN

@@ -4928,6 +4928,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>&amp;Vergleichen…</translation>
     </message>
     <message>
+        <source>Coasting</source>
+        <translation>Auslaufen</translation>
+    </message>
+    <message>
         <source>Compare it with the newest tests of its title</source>
         <translation>Mit den neuesten Versuchen dieses Titels vergleichen</translation>
     </message>
