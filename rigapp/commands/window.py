@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
+from rigapp.config.names import login_name
 from rigapp.prepare.shipped import RIG, examples_folder
 from rigapp.process.logs import in_file
 from rigapp.process.memory import begin_to_load
@@ -38,7 +39,7 @@ def open_window(rig: Path | None, test: Path | None, *, start: bool, language: s
     from rigapp.service.launch import attach
 
     def factory() -> Client:
-        return attach(rig_path, os.environ.get("USER", ""))
+        return attach(rig_path, login_name())
 
     with in_file(results / "window.log"):
         return main(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import time
+from getpass import getuser
 from pathlib import Path
 
 LONGEST_NAME_BYTES = 239
@@ -43,3 +44,11 @@ def new_result(folder: Path, name: str) -> Path:
         more += 1
         path = folder / f"{name}-{stamp}-{more}.h5"
     return path
+
+
+def login_name() -> str:
+    """Return who is logged in, empty where the system has no name for the account."""
+    try:
+        return getuser()
+    except (KeyError, OSError, ImportError):  # an account without an entry; Python 3.11 on Windows
+        return ""

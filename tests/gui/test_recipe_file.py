@@ -180,6 +180,11 @@ def test_a_start_means_the_file_and_shows_what_differs(
     engine.say(count=0, curves=False, state=RunState.READY, file="", test="")
     attach()
     assert window.controls.test.whole == "mine.toml, armed"
+    engine.say(count=0, curves=False, state=RunState.STOPPED, file="", test="The one before")
+    attach()
+    assert window.controls.test.whole == "mine.toml, armed"
+    engine.say(count=0, curves=False, state=RunState.READY, file="", test="")
+    attach()
     type_into(recipe, "run.speed_rpm", "45")
     window.controls.buttons["start"].click()
     assert "mine.toml is armed as it is saved" in card.told.text()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import os
 import sys
 import time
 from collections.abc import Callable, Mapping
@@ -24,6 +23,7 @@ from rigapp.commands.live.engine_line import Ask, engine_line
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document, read_rig
+from rigapp.config.names import login_name
 
 PATIENCE_S = 60.0
 """A weight that still swings after a minute needs a hand to steady it."""
@@ -190,7 +190,7 @@ class Terminal:
 
 def operator_of(given: CalibrationFile) -> str:
     """Return who calibrates: whom the settings name, else who is logged in."""
-    return given.paperwork.operator or os.environ.get("USER", "")
+    return given.paperwork.operator or login_name()
 
 
 def sayer(as_json: bool) -> Say:

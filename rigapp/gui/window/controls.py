@@ -231,8 +231,8 @@ class ControlRow(QFrame):
 
     def _show_identity(self, status: Status | None) -> None:
         test, line = identity(status) if status is not None else ("", "")
-        if status is not None and not status.test and self._armed:
-            test = tr("{}, armed", self._armed)
+        if status is not None and status.state not in ACTIVE and self._armed:
+            test = tr("{}, armed", self._armed)  # what Start beside it begins, not what has ended
         self.test.show_text(test)
         self.line.show_text(line)
         # Pressing Start or Go on disables it: the other one may only come when it applies.
