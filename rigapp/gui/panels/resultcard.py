@@ -135,7 +135,7 @@ class ResultCard(QFrame):
         head.setAlignment(self.shape, Qt.AlignmentFlag.AlignTop)
         head.setSpacing(MARGIN)
         grid = WrappingGrid(NUMBER_WIDTH, across)
-        trust = WrappingGrid(NUMBER_WIDTH, across if across >= len(self.trust) else 1)
+        trust = WrappingGrid(NUMBER_WIDTH, across if across > 2 else 1)
         for made, parts in ((grid, self.numbers), (trust, self.trust)):
             for one in parts:
                 made.addWidget(one)
