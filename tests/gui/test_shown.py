@@ -19,6 +19,7 @@ from rigapp.gui.data.news import News
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.shown import Level, Renewed, age_of, level_of, quantity_level
 from rigapp.gui.look.tokens import LIGHT
+from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.window.headline import headline, measured
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.alarms import KINDS, rule_key
@@ -148,3 +149,24 @@ def test_the_key_of_the_message_line_does_what_it_says(
     window.controls.text.setFocus()
     qtbot.keyClick(window.controls.text, Qt.Key.Key_F10)
     assert window.start_bar.isVisible()
+
+
+def test_a_trend_that_is_seen_again_shows_nothing_of_a_test_that_is_over(qtbot: Any) -> None:
+    panel = TrendPanel("x", LIGHT, leads=False)
+    qtbot.addWidget(panel)
+    panel.resize(600, 400)
+    panel.show()
+    over = LiveData()
+    over.take(make_snapshot(1, 480))
+    panel.show_news(News(data=over))
+    assert panel.plot.viewRange()[0][1] >= 480.0
+    assert panel.plot.instead == ""
+    panel.hide()
+    del over
+    panel.show()
+    assert panel.plot.instead, "before it is drawn in its turn"
+    present = LiveData()
+    present.take(make_snapshot(1, 164))
+    panel.show_news(News(data=present))
+    assert panel.plot.instead == ""
+    assert panel.plot.viewRange()[0][1] < 200.0

@@ -93,3 +93,4 @@ class FreeValue:
     detail: str
     level: int = 0
     old: bool = False
+    short: str = ""

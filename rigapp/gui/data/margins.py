@@ -102,7 +102,8 @@ class Margin:
     @property
     def short(self) -> str:
         """Return the same in few words."""
-        return tr("{:.0f} % left", 100.0 * (1.0 - self.used))
+        limit = f"{self.limit.limit:.4g} {self.limit.unit}".rstrip()
+        return tr("{:.0f} % to {}", 100.0 * (1.0 - self.used), limit)
 
 
 def margins(news: News) -> list[Margin]:

@@ -110,7 +110,9 @@ def age_of(news: News, renewed: Renewed) -> Age:
     if seconds is None:
         # Of an engine of before: a revolution is no newer than the samples.
         return Age(news.data_age_s)
-    return Age(seconds + news.silence_s, _revolution_s(news))
+    # Of a silent engine nothing new is due.
+    due_s = _revolution_s(news) if news.silence_s <= OLD_AFTER_S else 0.0
+    return Age(seconds + news.silence_s, due_s)
 
 
 def _revolution_s(news: News) -> float:
@@ -126,7 +128,7 @@ def aged(value: AnyShown, age: Age) -> AnyShown:
     if not age.old or value.value == "–":
         return value
     detail = f"{age.text}, {tr(value.detail)}" if value.detail else age.text
-    return replace(value, detail=detail, old=True)  # type: ignore[type-var]
+    return replace(value, detail=detail, short=age.text, old=True)  # type: ignore[type-var]
 
 
 def standing(alarms: Iterable[Alarm]) -> list[Alarm]:
@@ -168,7 +170,10 @@ def free_values(news: News) -> list[FreeValue]:
         text, level = value_text(value, channel.unit), quantity_level(alarms, channel.name)
         shown = FreeValue(channel.name, title_of(channel), text, "", level)
         # A slow one always says its age: its device sets the pace.
-        found.append(replace(shown, detail=age.text, old=age.old) if slow else aged(shown, age))
+        if slow:
+            found.append(replace(shown, detail=age.text, short=age.text, old=age.old))
+        else:
+            found.append(aged(shown, age))
     return found
 
 

@@ -4164,10 +4164,6 @@
         <translation>Nullpunktdrift während der Kalibrierung</translation>
     </message>
     <message>
-        <source>{:.0f} % left</source>
-        <translation>noch {:.0f} %</translation>
-    </message>
-    <message>
         <source>{:.1f} N at {:.0f}°</source>
         <translation>{:.1f} N bei {:.0f}°</translation>
     </message>
@@ -9678,6 +9674,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>zero</source>
         <translation>nullen</translation>
+    </message>
+    <message>
+        <source>{:.0f} % to {}</source>
+        <translation>{:.0f} % bis {}</translation>
     </message>
     <message>
         <source>{:g} times</source>

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from typing import TYPE_CHECKING, Final
-from weakref import ref
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -26,7 +25,7 @@ from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredRevolution, TripCycles
-from rigapp.gui.data.series import Doubt, LiveData
+from rigapp.gui.data.series import Doubt
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.limitlines import alarm_token, limit_lines
@@ -99,8 +98,6 @@ class OverlayPanel(PlotPanel):
         self._newest: StoredRevolution | None = None
         self._tripped = False
         self._peak: LargestForce | None = None
-        # Weakly: a panel that nobody looks at keeps no test that is over.
-        self._data: ref[LiveData] | None = None
         self._drawn: tuple[object, ...] = ()
         self.frame = ForceFrame.CRANK
         self.held = False
@@ -173,8 +170,9 @@ class OverlayPanel(PlotPanel):
         """Draw the newest revolution if it is not drawn yet and the picture is not held."""
         self.set_mechanism(news.crank_over_follower)
         data = news.data
-        if self._data is None or data is not self._data():
-            self._start_afresh(data)
+        first = self._data is None
+        if self.take_data(data):
+            self._start_afresh(first=first)
         if news.status is not None:
             self._uncertainty = uncertainty_of(news.status.channels)
         if news.stale != self._stale:
@@ -226,14 +224,14 @@ class OverlayPanel(PlotPanel):
         """Return the largest force of a trip; samples may be beyond what the curve shows."""
         return self._peak.value_N if self._peak is not None else -math.inf
 
-    def _start_afresh(self, data: LiveData) -> None:
+    def _start_afresh(self, *, first: bool) -> None:
         """Forget what is of another test: ranges, marks, and what stands behind."""
-        if self._data is not None:
+        if not first:
             self._others.clear()
             self.freeze.setChecked(False)
             for plot in (self.plot, self.residual_plot):
                 plot.start_afresh()
-        self._data, self._drawn = ref(data), ()
+        self._drawn = ()
 
     def _clear(self) -> None:
         self.title.show_text("")

@@ -6,13 +6,15 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any, Final
+from weakref import ref
 
 import pyqtgraph as pg
 from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QFont, QFontMetrics, QKeyEvent, QPainter, QResizeEvent
+from PySide6.QtGui import QFont, QFontMetrics, QKeyEvent, QPainter, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
 from rigapp.gui.data.ranges import SteadyRange
+from rigapp.gui.data.series import LiveData
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import BODY_PT, GAP, STEP, Theme
 from rigapp.gui.plots.axes import QuietAxis
@@ -347,10 +349,14 @@ NO_REVOLUTION: Final[Text] = "No revolution measured yet"
 
 
 class PlotPanel(QWidget):
-    """A panel of plots: in a new theme every plot on it is drawn anew."""
+    """A panel of plots: in a new theme every plot on it is drawn anew.
+
+    The data that is drawn is held weakly: a panel that nobody looks at keeps no test that is over.
+    """
 
     def __init__(self, name: str, spoken: Text) -> None:
         super().__init__()
+        self._data: ref[LiveData] | None = None
         named(self, name, spoken).setProperty("role", "card")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setContentsMargins(GAP, STEP, GAP, STEP)
@@ -359,6 +365,20 @@ class PlotPanel(QWidget):
         """Take a theme."""
         for plot in self.findChildren(QuietPlot):
             plot.dress(theme)
+
+    def take_data(self, data: LiveData) -> bool:
+        """Take the data that is drawn from now on; return whether it is other than before."""
+        other = self._data is None or data is not self._data()
+        if other:
+            self._data = ref(data)
+        return other
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show nothing of a test that is over: what is new is drawn in a turn of its own."""
+        if self._data is not None and self._data() is None:
+            for plot in self.findChildren(QuietPlot):
+                plot.empty(NO_REVOLUTION)
+        super().showEvent(event)
 
 
 def plot_heading(text: Text) -> QLabel:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from weakref import ref
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -30,7 +29,7 @@ from rigapp.gui.plots.plotting import (
     Pointed,
     detail,
 )
-from rigapp.gui.plots.trendview import FOLLOWED, LAST, WHOLE, TrendView
+from rigapp.gui.plots.trendview import FOLLOWED, FREE, LAST, WHOLE, TrendView
 from rigapp.gui.widgets.build import button, choice, column, row
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.presentation.numbers import grouped
@@ -105,8 +104,6 @@ class TrendPanel(PlotPanel):
         self._quantities = trend_quantities(BASE)
         self._drawn: tuple[object, ...] = ()
         self._curves: list[_Curve] = []
-        # Weakly: a panel that nobody looks at keeps no test that is over.
-        self._data: ref[LiveData] | None = None
         self.words = ""
         self.view = view or TrendView()
         self.view.changed.append(self._view_changed)
@@ -155,11 +152,12 @@ class TrendPanel(PlotPanel):
     def show_news(self, news: News) -> None:
         """Draw if rows, quantity or view have changed since the last time."""
         data = news.data
-        if self._data is None or data is not self._data():
-            if self._data is not None:
+        first = self._data is None
+        if self.take_data(data):
+            if not first:
                 self.plot.start_afresh()
                 self.view.start_afresh()
-            self._data, self._drawn = ref(data), ()
+            self._drawn = ()
         if data.channels is not self._channels:
             self._offer(data.channels)
         self._place_view(data.rows, data.predictions)
@@ -177,7 +175,7 @@ class TrendPanel(PlotPanel):
         high = max((one.high for one in extremes), default=np.nan)
         self.plot.fit(low, high)
         self._show_marks(news, found)
-        if not extremes and (self.view.mode in self.modes or not len(data.rows)):
+        if not extremes and (self.view.mode != FREE or not len(data.rows)):
             self.plot.empty(self._nothing(len(data.rows)))
 
     def _draw(

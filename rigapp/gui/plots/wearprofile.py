@@ -79,12 +79,13 @@ class WearProfilePanel(PlotPanel):
         self.plot.steady = SteadyRange(2.0)
         self.title = remark(f"{prefix}_profile_title", "Depths, and what of the bushing was seen")
         column(plot_heading("Worn profile"), self.title, (self.plot, 1), on=self)
-        self._show_entries(_depth(MEASURED_DEPTH, math.nan), _depth(MODEL_DEPTH, math.nan), "")
-        self.plot.empty(NO_DEPTH)
+        self._start_afresh()
 
     def show_news(self, news: News) -> None:
         """Draw the newest recorded profile, or what follows from the newest depths."""
         data = news.data
+        if self.take_data(data):
+            self._start_afresh()
         joint = news.recipe.model.joint if news.recipe is not None else None
         if data.profile is not None:
             self._refresh_recorded(data.profile)
@@ -113,6 +114,13 @@ class WearProfilePanel(PlotPanel):
             _depth(MODEL_DEPTH, predicted),
             tr("no profile is recorded: the pin's circle sunk in by the depth"),
         )
+
+    def _start_afresh(self) -> None:
+        """Draw nothing: the profile was of another test."""
+        self._drawn = None
+        clear(self._measured, self._model, self._band)
+        self._show_entries(_depth(MEASURED_DEPTH, math.nan), _depth(MODEL_DEPTH, math.nan), "")
+        self.plot.empty(NO_DEPTH)
 
     def _refresh_recorded(self, profile: ShownProfile) -> None:
         if self._drawn == (profile,):

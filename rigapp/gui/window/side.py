@@ -45,6 +45,9 @@ MOST_MARGINS = 8
 """Limits that are listed; all of them stand on their page."""
 
 
+SHORT_NAME = 9
+"""Characters of the name of a value whose age has no room beside it."""
+
 TICK = 0.9
 """Of a bar's width, where the limit is: there is room beyond it for what has passed it."""
 
@@ -86,7 +89,9 @@ class Value(QWidget):
     def show_field(self, field: TileText) -> None:
         """Show a value; its line, where there is one, stands beside the caption."""
         detail = tr(field.detail)
-        self.caption.show_text(f"{self._name}, {detail}" if detail else self._name)
+        # The age stays whole where there is no room for the name.
+        short = f"{self._name[:SHORT_NAME].rstrip()}…, {tr(field.short)}" if field.short else ""
+        self.caption.show_text(f"{self._name}, {detail}" if detail else self._name, short)
         self.value.show_text(f"{MARKS[Level(field.level)]}{tr(field.value)}")
         if (field.level, field.old) != self._look:
             self._look = field.level, field.old
@@ -148,7 +153,9 @@ class LiveCard(QFrame):
             self.free = {one.name: Value(one.name, one.title, self._theme) for one in values}
             self._place()
         for one in values:
-            self.free[one.name].show_field(TileText(one.value, one.detail, one.level, old=one.old))
+            self.free[one.name].show_field(
+                TileText(one.value, one.detail, one.level, one.short, one.old)
+            )
 
     def _place(self) -> None:
         values = {**self.values, **self.free}
