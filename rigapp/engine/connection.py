@@ -101,6 +101,7 @@ class Connection:
             devices.drive_request.watchdog_timeout_s,
         )
         core.control = self.control
+        self.counts_per_turn = devices.drive_request.counts_per_crank_revolution
         self.received_s = time.monotonic()
         self.source_errors = 0
         self.last_source_error = ""
@@ -491,8 +492,10 @@ class Connection:
             status = self.control.status
             if drive_rpm is None or status is None:
                 return seen
-            turn = self.devices.drive_request.counts_per_crank_revolution
-            turned, time_s = status.position_count / turn, status.host_time_ns * 1e-9
+            turned, time_s = (
+                status.position_count / self.counts_per_turn,
+                status.host_time_ns * 1e-9,
+            )
             return replace(seen, turns=turned, turns_s=time_s)
         rpm = motion.speed_rpm()
         turns, turns_s = motion.turns() or (None, 0.0)

@@ -330,10 +330,18 @@ class Core:
         test.revolution_at = time.monotonic()
         if revolution.flags & Flag.GAP_BEFORE:
             lost = revolution.lost_samples
-            text = f"samples are missing before revolution {row.number}: {lost} lost"
-            event = Event(time.time(), row.number, "gap", "engine", text, level="warning")
-            _log(event)
-            test.recorder.gap(event)
+            self._gap(test, f"samples are missing before revolution {row.number}: {lost} lost")
+
+    def gap(self, text: str) -> None:
+        """Write an interruption of the data to the file, and count it."""
+        with self._filing() as test:
+            if test is not None:
+                self._gap(test, text)
+
+    def _gap(self, test: ActiveTest, text: str) -> None:
+        event = Event(time.time(), self.revolution, "gap", "engine", text, level="warning")
+        _log(event)
+        test.recorder.gap(event)
 
     def place(self) -> None:
         """Put what waits in memory into the file, without making it safe."""

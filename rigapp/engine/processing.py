@@ -53,8 +53,8 @@ class Judge(Protocol):
     def lost(self, samples: int) -> None:
         """Take note that samples were lost; all of them so far."""
 
-    def time_jump(self, seconds: float) -> None:
-        """Take note that device and host time parted."""
+    def missing(self, seconds: float) -> None:
+        """Take note that samples of so long went missing without a number."""
 
 
 SLOWED_SHARE = 0.8
@@ -350,7 +350,6 @@ class Processor:
                 self._averaging = None
         self._judge.motion(self.motion.speed_rpm())
         if self._watch is not None:
-            jump = self._watch.add(block.first_sample + n, host_s)
+            jump = self._watch.end(block.first_sample + n, host_s)
             if jump > 0:
-                self.assembler.flag_time_jump()
-                self._judge.time_jump(jump)
+                self._judge.missing(jump)

@@ -355,7 +355,7 @@ def test_an_unknown_index_is_an_unknown_angle() -> None:
 
 def jumps(delays: list[float]) -> list[float]:
     watch = TimeWatch(1000.0)
-    found = [watch.add(i * 50, i * 0.05 + delay) for i, delay in enumerate(delays)]
+    found = [watch.end(i * 50, i * 0.05 + delay) for i, delay in enumerate(delays)]
     return [jump for jump in found if jump]
 
 

@@ -93,6 +93,9 @@ class JudgedRun(Protocol):
     def fire_if(self, trigger: Trigger, reason: str = "", only: Iterable[RunState] = ()) -> bool:
         """Carry out a transition when it is possible (and the state is one of ``only``)."""
 
+    def gap(self, text: str) -> None:
+        """Write an interruption of the data to the file, and count it."""
+
     def note_limit(self, cause: Cause) -> None:
         """Write a limit that is passed to the log, and do nothing else."""
 
@@ -121,6 +124,7 @@ class JudgedRig(Protocol):
     spindle: Spindle
     control: SpindleControl
     slow_channels: SlowChannels
+    counts_per_turn: float
 
     @property
     def processor(self) -> JudgedSamples:

@@ -78,6 +78,19 @@ class MotionWindow:
         last = self.newest()
         return None if last is None else (last.count / self._turn, last.sample / self._rate)
 
+    def turns_at(self, host_s: float) -> float | None:
+        """Return the turns counted up to a host time, None before data of it have come."""
+        with self._lock:
+            later: Point | None = None
+            for point in reversed(self._points):
+                if point.host_s <= host_s:
+                    if later is None:
+                        return None
+                    share = (host_s - point.host_s) / (later.host_s - point.host_s)
+                    return (point.count + share * (later.count - point.count)) / self._turn
+                later = point
+        return None
+
     def speed_rpm(self, window_s: float = 0.05) -> float:
         """Return the mean speed over the last window_s of device time, one block at least.
 

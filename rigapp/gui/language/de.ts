@@ -372,10 +372,6 @@
         <translation>Kabel und Versorgung prüfen, dann neu verbinden.</translation>
     </message>
     <message>
-        <source>Check for suspend mode and load of this computer.</source>
-        <translation>Ruhezustand und Last dieses Rechners prüfen.</translation>
-    </message>
-    <message>
         <source>Check its cable, its power and its port in the rig file.</source>
         <translation>Kabel, Versorgung und Anschluss in der Prüfstandsdatei prüfen.</translation>
     </message>
@@ -506,10 +502,6 @@
     <message>
         <source>Click, or Tab to it and use ← →, to read values; Esc ends it.</source>
         <translation>Klicken, oder mit Tab hierher und mit ← →, um Werte zu lesen; Esc beendet es.</translation>
-    </message>
-    <message>
-        <source>Clocks parted</source>
-        <translation>Uhren laufen auseinander</translation>
     </message>
     <message>
         <source>Close</source>
@@ -898,6 +890,10 @@
     <message>
         <source>Force and angle are unknown, so the drive was switched off.</source>
         <translation>Kraft und Winkel sind unbekannt; der Antrieb wurde abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Force and angle were unknown, so the drive was switched off.</source>
+        <translation>Kraft und Winkel waren unbekannt, deshalb wurde der Antrieb abgeschaltet.</translation>
     </message>
     <message>
         <source>Force vector</source>
@@ -1328,6 +1324,10 @@
         <translation>Messwerte</translation>
     </message>
     <message>
+        <source>Samples missing</source>
+        <translation>Messwerte fehlen</translation>
+    </message>
+    <message>
         <source>Save, or start without</source>
         <translation>Speichern oder ohne sie starten</translation>
     </message>
@@ -1446,6 +1446,10 @@
     <message>
         <source>The file is still being read; try again.</source>
         <translation>Die Datei wird noch gelesen; noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>The gap is recorded and the revolution flagged; nothing is interpolated.</source>
+        <translation>Die Lücke ist aufgezeichnet, die Umdrehung gekennzeichnet; nichts wird interpoliert.</translation>
     </message>
     <message>
         <source>The log cannot be read: {}</source>
@@ -4884,6 +4888,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kanäle</translation>
     </message>
     <message>
+        <source>Check the device&apos;s cable and supply, and whether this computer was suspended or loaded.</source>
+        <translation>Kabel und Versorgung des Geräts prüfen, und ob dieser Rechner im Ruhezustand oder überlastet war.</translation>
+    </message>
+    <message>
+        <source>Check the device&apos;s cable and supply, whether this computer was suspended, and whether the belt slips; then reset.</source>
+        <translation>Kabel und Versorgung des Geräts prüfen, ob dieser Rechner im Ruhezustand war und ob der Riemen rutscht; dann zurücksetzen.</translation>
+    </message>
+    <message>
         <source>Choose a settings file</source>
         <translation>Eine Einstellungsdatei wählen</translation>
     </message>
@@ -6850,10 +6862,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Samples lost</source>
         <translation>Messwerte verloren</translation>
-    </message>
-    <message>
-        <source>Samples may have been lost unseen; the revolution is flagged.</source>
-        <translation>Messwerte können unbemerkt verloren sein; die Umdrehung ist gekennzeichnet.</translation>
     </message>
     <message>
         <source>Samples per second: a divisor of 48000 from the device&apos;s list</source>
@@ -10195,10 +10203,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Kurbel dreht mit {speed_rpm:.1f} rpm; eingestellt sind {target_rpm:g} rpm.</translation>
     </message>
     <message>
-        <source>The device&apos;s samples lag {seconds:.2f} s more behind this computer&apos;s clock than before.</source>
-        <translation>Die Messwerte des Geräts hängen {seconds:.2f} s mehr hinter der Uhr dieses Rechners als zuvor.</translation>
-    </message>
-    <message>
         <source>The disk takes {seconds:.1f} s or longer to make the data safe.</source>
         <translation>Die Festplatte braucht {seconds:.1f} s oder länger, um die Daten zu sichern.</translation>
     </message>
@@ -12751,6 +12755,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{device} an {port}: {words}.</translation>
     </message>
     <message>
+        <source>{device} sent no samples for {seconds:.2f} s, and said nothing of it.</source>
+        <translation>{device} hat {seconds:.2f} s lang keine Messwerte gesendet und nichts davon gemeldet.</translation>
+    </message>
+    <message>
+        <source>{device} sent no samples for {seconds:.2f} s, and said nothing of it; the limit is {limit_s:g} s.</source>
+        <translation>{device} hat {seconds:.2f} s lang keine Messwerte gesendet und nichts davon gemeldet; die Grenze ist {limit_s:g} s.</translation>
+    </message>
+    <message>
         <source>{drive} on {port}: {sentence}</source>
         <translation>{drive} an {port}: {sentence}</translation>
     </message>
@@ -13197,6 +13209,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} seems {}, at every pin angle: weigh the piece that joins there</source>
         <translation>{} scheint {}, bei jedem Bolzenwinkel: das Stück wiegen, das dort hinzukommt</translation>
+    </message>
+    <message>
+        <source>{} sent no samples for {:.2f} s, and their number is not known</source>
+        <translation>{} hat {:.2f} s lang keine Messwerte gesendet; ihre Zahl ist nicht bekannt</translation>
     </message>
     <message>
         <source>{} steps, {} revolutions</source>
