@@ -152,7 +152,7 @@ def _faults(rig: Rig, record: Record, again: Verification, now: float) -> list[s
     if where and where != here.name:
         found.append(f"was taken on the rig {where!r}, this is {here.name!r}")
     simulated = taken.get("simulated")
-    if simulated is not None and bool(simulated) is not (here.simulation is not None):
+    if simulated is not None and bool(simulated) is not here.simulated:
         kinds = ("a real rig", "a simulated rig")
         found.append(f"was taken on {kinds[bool(simulated)]}, this is {kinds[not simulated]}")
     line = content["result"].get("uncertainty_line_N")

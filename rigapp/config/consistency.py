@@ -71,12 +71,16 @@ def _of_rig(rig: RigFile) -> Iterator[str]:
         if not device.port.strip():
             yield f"devices.{name}.port is empty; name the port"
     if rig.simulation is None:
-        for name, device in rig.devices.items():
-            if device.port == "simulated":
-                yield (
-                    f"devices.{name}.port is 'simulated' but there is no [simulation]; name the"
-                    " port or add the section"
-                )
+        for name in rig.simulated_devices:
+            yield (
+                f"devices.{name}.port is 'simulated' but there is no [simulation]; name the"
+                " port or add the section"
+            )
+    elif not rig.simulated_devices:
+        yield (
+            "[simulation] stands in the file of a real rig, where no device has port = 'simulated';"
+            " remove the line [simulation] and the keys below it"
+        )
     yield from channel_faults(rig)
     yield from _of_inputs(rig)
     yield from _of_numbers(rig)

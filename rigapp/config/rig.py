@@ -14,6 +14,9 @@ Triple = tuple[float, float, float]
 Matrix = tuple[Pair, Pair]
 Orders = tuple[float, ...]
 
+SIMULATED = "simulated"
+"""The port of a simulated device."""
+
 
 class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[simulation.plant]: how the simulated rig differs from the model, each by how much.
@@ -54,7 +57,7 @@ class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class SimulationSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[simulation]: present only in a simulated rig."""
+    """[simulation]: of the devices that are simulated; refused in a file without any."""
 
     seed: Annotated[int, within(0, 2**63 - 1)] = 1
     speed: Annotated[float, within(0.001, 10_000.0)] | Literal["max"] = 1.0
@@ -67,6 +70,11 @@ class DeviceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     driver: str
     port: str
     settings: dict[str, Any] = {}
+
+    @property
+    def simulated(self) -> bool:
+        """Tell whether the device is a program; nothing but its port decides that."""
+        return self.port == SIMULATED
 
 
 class SpindleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -200,3 +208,18 @@ class RigFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     simulation: SimulationSection | None = None
     notify: tuple[NotifySection, ...] = ()
     ping: PingSection | None = None
+
+    @property
+    def simulated_devices(self) -> tuple[str, ...]:
+        """Return the names of the devices that are simulated."""
+        return tuple(name for name, device in self.devices.items() if device.simulated)
+
+    @property
+    def simulated_samples(self) -> bool:
+        """Tell whether the samples are simulated: then their time need not be the clock's."""
+        return self.devices[self.encoder.device].simulated
+
+    @property
+    def simulated(self) -> bool:
+        """Tell whether nothing real turns: drive and data acquisition are simulated."""
+        return self.simulated_samples and self.devices[self.spindle.device].simulated

@@ -19,7 +19,6 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 from drivers.api import (
-    Block,
     DataOverrun,
     DeviceError,
     Identity,
@@ -49,6 +48,10 @@ from rigapp.schema.messages import FinishReason, RunState
 from rigapp.schema.states import ACTIVE, TURNING, Ending, Trigger, transition
 
 SMALLEST_QUEUE = 16384  # samples; a burst of so many may come after a pause of the host
+PACED_SAMPLES = 4096
+"""Simulated samples wait on the wire while so many are not processed, or as many as the device
+takes in ``queue_age`` if that is more: a stop is not seen late, and no pass is idle."""
+
 PROMPT_S = 0.02
 """Longest pause of a loop that has something to end: 7 deg of a crank at 60 rpm."""
 
@@ -84,15 +87,17 @@ class Connection:
         self.source, self.spindle = devices.source, devices.spindle
         self.setup = setup
         timing = core.timing
-        self._simulated = simulated = core.rig.record.simulation is not None
+        rig = core.rig.record
+        self._simulated = rig.simulated
         self.guard = Guard(core, self)
         self.processor = Processor(
-            calibration, self.guard, lambda: core.limits.overload_N, real_time=not simulated
+            calibration,
+            self.guard,
+            lambda: core.limits.overload_N,
+            real_time=not rig.simulated_samples,
         )
-        held = timing.queue if not simulated else 1.0
-        self.queue = BlockQueue(
-            max(SMALLEST_QUEUE, round(held * setup.sample_rate_Hz)), wait=simulated
-        )
+        self.queue = BlockQueue(max(SMALLEST_QUEUE, round(timing.queue * setup.sample_rate_Hz)))
+        self._paced_samples = max(PACED_SAMPLES, round(timing.queue_age * setup.sample_rate_Hz))
         self.control = SpindleControl(
             devices.spindle,
             timing,
@@ -105,7 +110,6 @@ class Connection:
         self.received_s = time.monotonic()
         self.source_errors = 0
         self.last_source_error = ""
-        self._pending: Block | None = None
         self._in_hand_ns: int | None = None
         self._overrun = False
         self._drive_polled_s = 0.0
@@ -216,29 +220,26 @@ class Connection:
     # --- read ------------------------------------------------------------------------------------
 
     def _read(self) -> None:
-        block = self._pending
+        if self.backed_up:
+            self.queue.wait_below(self._paced_samples, self.core.timing.read)
+            return
+        try:
+            block = self.source.read(self.core.timing.read)
+        except DataOverrun as error:
+            self._note(error)
+            cause = because("device_overrun", device=error.device, sentence=error.sentence)
+            self.core.act_on(cause)
+            return
+        except DeviceError as error:
+            self._note(error)
+            if not self.reader.halting:
+                self.core.act_on(lost_device(error))
+            self.reader.halt()
+            return
         if block is None:
-            try:
-                block = self.source.read(self.core.timing.read)
-            except DataOverrun as error:
-                self._note(error)
-                cause = because("device_overrun", device=error.device, sentence=error.sentence)
-                self.core.act_on(cause)
-                return
-            except DeviceError as error:
-                self._note(error)
-                if not self.reader.halting:
-                    self.core.act_on(lost_device(error))
-                self.reader.halt()
-                return
-            if block is None:
-                return
-            self.received_s = time.monotonic()
-        if self.queue.put(block, 0.1):
-            self._pending = None
-        elif self.core.rig.record.simulation is not None:
-            self._pending = block
-        else:
+            return
+        self.received_s = time.monotonic()
+        if not self.queue.put(block):
             self._overrun = True
             refused = self.queue.refused_blocks
             self.core.act_on(because("overrun", device=block.device, blocks=refused))
@@ -445,14 +446,19 @@ class Connection:
 
     @property
     def backed_up(self) -> bool:
-        """Tell whether the reader waits for the processing thread, which is then the culprit."""
-        return self._pending is not None
+        """Tell whether the reader leaves samples on the wire until those before are processed.
+
+        Only simulated samples wait so: their time waits on the wire with them, which makes
+        ``--speed max`` as fast as the engine. A real device would lose them.
+        """
+        simulated = self.core.rig.record.simulated_samples
+        return simulated and self.queue.samples >= self._paced_samples
 
     def queue_age_s(self) -> float:
         """Return the age of the oldest samples that are not processed yet, 0 when none wait."""
         waiting = (self._in_hand_ns, self.queue.oldest_ns)
         oldest = min((one for one in waiting if one is not None), default=None)
-        return 0.0 if oldest is None else max(0.0, (time.monotonic_ns() - oldest) * 1e-9)
+        return 0.0 if oldest is None else max(0.0, self.age_s(oldest * 1e-9))
 
     def data_age_s(self) -> float:
         """Return the seconds since the last samples came."""
@@ -461,8 +467,8 @@ class Connection:
     def age_s(self, since_s: float) -> float:
         """Return how long ago a host time was, as a silence is judged.
 
-        Simulated devices run on this computer: a time for which it did not let the engine run is
-        not held against them. A real rig is judged by the clock alone.
+        A simulated rig runs on this computer: a time for which it did not let the engine run is
+        not held against it. A real rig, or one of which a part is real, is judged by the clock.
         """
         now = time.monotonic()
         late = self.lateness.since(since_s, now) if self._simulated else 0.0
@@ -518,7 +524,7 @@ class Connection:
 
     def pace(self) -> float:
         """Return the seconds of the rig in a second of this computer, 1 for a real one."""
-        if self.core.rig.record.simulation is None:
+        if not self.core.rig.record.simulated_samples:
             return 1.0
         return max(SLOWEST_PACE, self.processor.motion.pace())
 

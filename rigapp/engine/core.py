@@ -473,7 +473,7 @@ class Core:
     def utc(self, host_time_ns: int, later_s: float) -> float:
         """Return UTC seconds of a monotonic time, less ``later_s`` in a rig in real time."""
         ns, seconds = self.anchor
-        if self.rig.record.simulation is not None:
+        if self.rig.record.simulated_samples:
             later_s = 0.0
         return seconds + (host_time_ns - ns) * 1e-9 - later_s
 

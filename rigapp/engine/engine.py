@@ -545,7 +545,7 @@ class Engine:
 
         Only while no test is under way; raises Refused.
         """
-        simulated = self._core.rig.record.simulation is not None
+        simulated = self._core.rig.record.simulated
         return hear(self._connection, self._core.state, window_s, simulated=simulated)
 
     @property

@@ -44,7 +44,6 @@ def build_status(
     """Return the status; opening: devices that are just being connected."""
     active = core.test
     rig = core.rig.record
-    simulation = rig.simulation
     margin, margin_name = _margin(core, connection, active)
     left, criterion = _criterion(core, active)
     prediction = active.prediction if active is not None else None
@@ -73,7 +72,7 @@ def build_status(
         expected_end_at=_expected_end(core, connection, active),
         data_age_s=connection.data_age_s() if connection is not None else None,
         host_time=time.time(),
-        simulated=simulation is not None,
+        simulated=rig.simulated,
         worst_margin_percent=margin,
         worst_margin=margin_name,
         twin_revolution=prediction.revolution if prediction is not None else 0,

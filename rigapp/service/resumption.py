@@ -1,7 +1,7 @@
 """Going on with an interrupted test: what its file says, what the rig is now, what differs.
 
 ``read_past`` reads the file, ``compare`` judges (pure), ``remarks`` says what goes into the log.
-A device of another kind, another encoder, a simulated rig in place of a real one, an expired
+A device of another kind, another encoder, a simulated device in place of a real one, an expired
 calibration refuse; another calibration, a zero or signals at rest that moved by more than
 ``ZERO_SHARE`` of the full scale need a reason, which is recorded; smaller things are noted. Signals
 at rest are compared where the crank is known to stand as it stood: spring and weight press on the
@@ -22,7 +22,7 @@ import numpy as np
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_rig
-from rigapp.config.rig import RigFile
+from rigapp.config.rig import DeviceSection, RigFile
 from rigapp.engine.engine import LogEntry
 from rigapp.engine.recording.store import calibration_record, missing_channels
 from rigapp.engine.values.calibrate import Calibration
@@ -242,19 +242,31 @@ def _of_rig(past: Past, rig: RigFile) -> Iterator[Compared]:
         return
     same = past.rig.name == rig.name
     yield Compared("Rig", past.rig.name, rig.name, Fit.GOOD if same else Fit.NOTED)
-    was, is_now = ("simulated" if one.simulation is not None else "real" for one in (past.rig, rig))
-    if was != is_now:
-        text = f"the test was made on a {was} rig, this one is {is_now}"
-        yield Compared("Kind of rig", was, is_now, Fit.BLOCKS, text)
     for role, what in (("encoder", "Data acquisition"), ("spindle", "Drive")):
-        then, here = (one.devices[getattr(one, role).device].driver for one in (past.rig, rig))
-        if then == here:
-            yield Compared(what, then, here)
+        then, here = (one.devices[getattr(one, role).device] for one in (past.rig, rig))
+        yield from _of_kind(what, then, here, Fit.BLOCKS)
+        if then.driver == here.driver:
+            yield Compared(what, then.driver, here.driver)
         else:
             text = (
-                f"the test was made with a {then}, this rig has a {here}: use the rig of the test"
+                f"the test was made with a {then.driver}, this rig has a {here.driver}: use the"
+                " rig of the test"
             )
-            yield Compared(what, then, here, Fit.BLOCKS, text)
+            yield Compared(what, then.driver, here.driver, Fit.BLOCKS, text)
+    instruments = {rig.encoder.device, rig.spindle.device}
+    for name, here in rig.devices.items():
+        if name in past.rig.devices and name not in instruments:
+            yield from _of_kind(name, past.rig.devices[name], here, Fit.REASON)
+
+
+def _of_kind(
+    what: str, then: DeviceSection, here: DeviceSection, otherwise: Fit
+) -> Iterator[Compared]:
+    """Compare whether a device is simulated: measured values are not continued by invented ones."""
+    was, is_now = ("simulated" if one.simulated else "real" for one in (then, here))
+    if was != is_now:
+        text = f"{what}: {was} in the test, {is_now} in this rig"
+        yield Compared(f"{what}, kind", was, is_now, otherwise, text)
 
 
 def _of_channels(past: Past, measured: ChannelTable) -> Iterator[Compared]:

@@ -18,12 +18,12 @@ Speed = float | Literal["max"]
 def parse_speed(text: str | None, rig: Document[RigFile]) -> Speed | None:
     """Return the speed that ``--speed`` asks for, the rig file's without it; raise UnusableInput.
 
-    None when the rig is not simulated.
+    None when its samples are not simulated: the crank turns in real time then.
     """
-    simulation = rig.record.simulation
+    simulation, simulated = rig.record.simulation, rig.record.simulated_samples
     if text is None:
-        return None if simulation is None else simulation.speed
-    if simulation is None:
+        return simulation.speed if simulation is not None and simulated else None
+    if not simulated:
         raise UnusableInput(
             f"--speed {text}: {rig.path} is not a simulated rig; leave --speed out."
         )
@@ -43,7 +43,7 @@ class SimulatedDevices:
     """Keep the simulated rig of one rig file running, with the mechanism of the present test."""
 
     def __init__(self, rig: Document[RigFile], speed: Speed | None) -> None:
-        """Remember what to start; nothing runs yet. Without [simulation] nothing ever does."""
+        """Remember what to start; nothing runs yet."""
         self._rig = rig
         self.speed = speed
         self._process: SimulatedRig | None = None
@@ -53,9 +53,7 @@ class SimulatedDevices:
     @property
     def needed(self) -> bool:
         """Tell whether any device of the rig is simulated here."""
-        return self._rig.record.simulation is not None and any(
-            device.port == "simulated" for device in self._rig.record.devices.values()
-        )
+        return bool(self._rig.record.simulated_devices)
 
     def suits(self, parameters: ParameterFile | None) -> bool:
         """Tell whether what runs now is the rig of these parameters."""
@@ -64,7 +62,7 @@ class SimulatedDevices:
         return (
             self._process is not None
             and self._process.alive()
-            and (parameters is None or parameters == self._parameters)
+            and (parameters in (None, self._parameters) or not self._rig.record.simulated_samples)
         )
 
     def ports(self, parameters: ParameterFile | None) -> Mapping[str, str]:
@@ -73,17 +71,12 @@ class SimulatedDevices:
             return {}
         if not self.suits(parameters) or self._process is None:
             self.close()
-            assert self.speed is not None
             self._process = start_simulated_rig(
-                self._rig.path, speed=self.speed, parameters=parameters
+                self._rig.path, speed=self.speed or 1.0, parameters=parameters
             )
             self._parameters = parameters
             self._specimen = None
-        return {
-            name: url
-            for name, url in self._process.urls.items()
-            if self._rig.record.devices[name].port == "simulated"
-        }
+        return self._process.urls
 
     @property
     def process(self) -> SimulatedRig:

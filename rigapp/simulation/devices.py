@@ -16,7 +16,7 @@ from drivers.registry import (
     load_driver,
     load_simulator,
 )
-from drivers.simulator_api import RigSignals
+from drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
 from rigapp.config.channels import input_keys
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import DeviceSection, RigFile
@@ -56,8 +56,56 @@ def signals(seen: WiredSignals, inputs: Mapping[str, int]) -> RigSignals:
     )
 
 
+def simulated_names(rig: RigFile) -> tuple[str, ...]:
+    """Return the devices to simulate: those whose port says so, all of a rig file without any."""
+    return rig.simulated_devices or tuple(rig.devices)
+
+
+class RealDevice:
+    """Stand for a real drive or data acquisition beside simulated devices: it does nothing here."""
+
+    sample_rate_Hz = 1000.0
+    streaming = False
+    url = ""
+
+    def connected(self) -> bool:
+        """Return False: no host finds it here."""
+        return False
+
+    def read(self) -> bytes:
+        """Return nothing."""
+        return b""
+
+    def receive(self, data: bytes, now_s: float) -> bytes:
+        """Answer nothing."""
+        return b""
+
+    def sample(self, signals: RigSignals, now_s: float) -> bytes:
+        """Send nothing."""
+        return b""
+
+    def emit(self, now_s: float) -> bytes:
+        """Send nothing."""
+        return b""
+
+    def observe(self, state: MotorState) -> None:
+        """See nothing."""
+
+    def command(self, elapsed_s: float, now_s: float) -> DriveCommand:
+        """Leave the simulated crank without power."""
+        return DriveCommand(DriveMode.OFF)
+
+
+def real_device(name: str) -> SimulatedDevice:
+    """Return what stands for a device that is real."""
+    here: Any = RealDevice()
+    return SimulatedDevice(name, here, SimulatedWire(here))
+
+
 def data_device(rig: RigFile, make_endpoint: MakeEndpoint, seed: int) -> SimulatedDevice:
     """Return the simulated data acquisition device; raise UnusableInput."""
+    if rig.encoder.device not in simulated_names(rig):
+        return real_device(rig.encoder.device)
     counts = rig.encoder.counts_per_revolution * (4 if rig.encoder.quadrature == "before" else 1)
     facts = {"counts_per_revolution": counts, "seed": seed}
     return _device(rig, rig.encoder.device, DriverKind.DATA_SOURCE, facts, make_endpoint, seed)
@@ -65,6 +113,8 @@ def data_device(rig: RigFile, make_endpoint: MakeEndpoint, seed: int) -> Simulat
 
 def drive_device(rig: RigFile, make_endpoint: MakeEndpoint, seed: int) -> SimulatedDevice:
     """Return the simulated drive; raise UnusableInput."""
+    if rig.spindle.device not in simulated_names(rig):
+        return real_device(rig.spindle.device)
     facts = {"counts_per_revolution": rig.spindle.encoder_counts_per_revolution}
     return _device(rig, rig.spindle.device, DriverKind.SPINDLE, facts, make_endpoint, seed + 1)
 
@@ -74,7 +124,7 @@ def slow_devices(
 ) -> tuple[SimulatedDevice, ...]:
     """Return the simulated thermometers and the like; raise UnusableInput for any other device."""
     instruments = {rig.spindle.device, rig.encoder.device, rig.load_cell.device, rig.probes.device}
-    if rig.spindle.device == rig.encoder.device:
+    if rig.spindle.device == rig.encoder.device and rig.spindle.device in simulated_names(rig):
         raise UnusableInput(
             f"spindle.device and encoder.device are both {rig.spindle.device!r}; the drive and the"
             " data acquisition are separate devices in a simulated rig."
@@ -82,6 +132,7 @@ def slow_devices(
     return tuple(
         _device(rig, name, DriverKind.SLOW_SOURCE, {}, make_endpoint, seed + 2 + place)
         for place, name in enumerate(one for one in rig.devices if one not in instruments)
+        if name in simulated_names(rig)
     )
 
 

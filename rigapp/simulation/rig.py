@@ -28,6 +28,7 @@ from rigapp.simulation.devices import (
     drive_device,
     inputs_of,
     signals,
+    simulated_names,
     slow_devices,
 )
 from rigapp.simulation.disturbances import Disturbances, SignalFault, WiredSignals, terminals
@@ -75,14 +76,16 @@ class RigSimulation:
         seed = seed_of(rig)
         self._free = FreeInputs(rig)
         self._channels = channel_table(rig)
-        self._inputs = inputs_of(rig, self._channels)
         self._section = plant_section(rig)
         self._machine = Machine()
         constants = plant_constants(parameters, rig, self._machine)
         self._daq = data_device(rig, make_endpoint, seed)
         self._drive = drive_device(rig, make_endpoint, seed)
         self._slow = slow_devices(rig, make_endpoint, seed)
-        self._devices = {one.name: one for one in (self._daq, self._drive, *self._slow)}
+        made = (self._daq, self._drive, *self._slow)
+        self._devices = {one.name: one for one in made if one.name in simulated_names(rig)}
+        sampled = self._daq.name in self._devices
+        self._inputs = inputs_of(rig, self._channels) if sampled else {}
         self._wires = {name: one.wire for name, one in self._devices.items()}
         self._counts = rig.spindle.encoder_counts_per_revolution * rig.spindle.gear_ratio
         self._sense = rig.spindle.direction
@@ -243,7 +246,7 @@ class RigSimulation:
         self._deliver(seen, now_s)
 
     def _deliver(self, seen: WiredSignals, now_s: float) -> None:
-        if seen.shaft_revolutions.size == 0:
+        if not self._inputs or seen.shaft_revolutions.size == 0:
             return
         data = self._daq.simulator.sample(signals(seen, self._inputs), self._device_s)
         self._chunk_bytes = len(data)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -172,7 +173,7 @@ def outside_rig(tmp_path: Path) -> Iterator[tuple[Path, subprocess.Popen[str], d
         tail = tail.replace('port = "simulated"', f'port = "{urls[name]}"', 1)
         text = f"{head}[devices.{name}]{tail}"
     path = tmp_path / "rig.toml"
-    path.write_text(text)
+    path.write_text(re.sub(r"(?m)^\[simulation\]\n(?:(?!\[).*\n)*", "", text))
     yield path, process, urls
     process.kill()
     process.communicate()

@@ -494,12 +494,13 @@ class MemoryRig:
         return self.stores[-1]
 
     def rig_file(self) -> RigFile:
+        port = "simulated" if self.simulated else "memory"
         return RigFile(
             schema=1,
             name="Rig in memory",
             devices={
-                "daq": DeviceSection("memory source", "simulated", {"sample_rate_Hz": RATE}),
-                "drive": DeviceSection("memory drive", "simulated"),
+                "daq": DeviceSection("memory source", port, {"sample_rate_Hz": RATE}),
+                "drive": DeviceSection("memory drive", port),
             },
             spindle=SpindleSection("drive", COUNTS, 400.0, watchdog_timeout_s=WATCHDOG_S),
             encoder=EncoderSection("daq", "counter_1", COUNTS),

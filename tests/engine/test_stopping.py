@@ -385,39 +385,41 @@ def block(sequence: int, samples: int = 10) -> Block:
 
 
 def test_a_full_queue_refuses_and_counts() -> None:
-    queue = BlockQueue(25, wait=False)
-    assert [queue.put(block(i), 0.0) for i in range(4)] == [True, True, False, False]
+    queue = BlockQueue(25)
+    assert [queue.put(block(i)) for i in range(4)] == [True, True, False, False]
     assert queue.refused_blocks == 2
     first = queue.get(0.0)
     assert first is not None
     assert first.sequence == 0
-    assert queue.put(block(4), 0.0)
+    assert queue.put(block(4))
     assert queue.samples == 20
 
 
-def test_a_waiting_queue_holds_the_reader_and_loses_nothing() -> None:
-    queue = BlockQueue(25, wait=True)
+def test_a_reader_that_waits_for_room_loses_nothing() -> None:
+    queue = BlockQueue(25)
     sent = list(range(50))
 
     def read() -> None:
         for i in sent:
-            while not queue.put(block(i), 0.05):
+            while not queue.wait_below(11, 0.05):
                 pass
+            assert queue.put(block(i))
 
     reader = threading.Thread(target=read)
     reader.start()
     got = [queue.get(5.0) for _ in sent]
     reader.join(5.0)
     assert [one.sequence for one in got if one is not None] == sent
+    assert not BlockQueue(25).wait_below(0, 0.0)
 
 
 def test_a_block_larger_than_the_queue_passes() -> None:
-    queue = BlockQueue(5, wait=False)
-    assert queue.put(block(0, 10), 0.0)
+    queue = BlockQueue(5)
+    assert queue.put(block(0, 10))
 
 
 def test_an_empty_queue_returns_nothing_in_time() -> None:
-    assert BlockQueue(5, wait=False).get(0.0) is None
+    assert BlockQueue(5).get(0.0) is None
 
 
 def test_a_worker_dies_loudly_and_ends_quietly() -> None:

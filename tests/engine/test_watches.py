@@ -56,8 +56,9 @@ def alarm(rig: MemoryRig, start: str) -> Alarm | None:
     return next((a for a in rig.engine.status().alarms if a.key.startswith(start)), None)
 
 
-def test_old_samples_switch_the_drive_off() -> None:
-    rig = slow_thinking(simulated=False)
+@pytest.mark.parametrize("simulated", [False, True])
+def test_old_samples_switch_the_drive_off(simulated: bool) -> None:
+    rig = slow_thinking(simulated)
     rig.start(patient(LONG))
     eventually(lambda: rig.engine.state is RunState.RUNNING, 60.0)
     free = hold_up(rig)
@@ -78,24 +79,24 @@ def test_old_samples_switch_the_drive_off() -> None:
     rig.engine.shutdown()
 
 
-def test_a_simulated_rig_waits_instead() -> None:
+def test_simulated_samples_wait_on_the_wire_and_none_is_refused() -> None:
     rig = slow_thinking(simulated=True)
+    connection = rig.engine._connection
+    assert connection is not None
+    connection._paced_samples = 200
     rig.start(patient(LONG))
     eventually(lambda: rig.engine.state is RunState.RUNNING, 60.0)
     free = hold_up(rig)
-    limit_age(rig)
-    connection = rig.engine._connection
-    assert connection is not None
+    eventually(lambda: connection.backed_up, 60.0)
+    received = connection.received_s
     eventually(lambda: connection.queue_age_s() > 1.0, 60.0)
-    assert rig.engine.state is RunState.RUNNING
+    assert connection.received_s == received
     rows = len(rig.store.rows)
     free.set()
     eventually(lambda: len(rig.store.rows) > rows + 3, 60.0)
     rig.engine.stop("Ada")
     rig.engine.wait(ENDED, 60.0)
-    assert rig.engine.outcome is not None
-    assert rig.engine.outcome.reason is FinishReason.OPERATOR
-    assert alarm(rig, "queue_age") is None
+    assert connection.queue.refused_blocks == connection.processor.assembler.lost_samples == 0
     rig.engine.shutdown()
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 import threading
@@ -79,8 +80,13 @@ def with_ports(folder: Path, rig: Path, urls: Mapping[str, str]) -> Path:
         head, tail = text.split(f"[devices.{name}]", 1)
         text = f"{head}[devices.{name}]" + tail.replace('"simulated"', f'"{url}"', 1)
     path = folder / "rig.toml"
-    path.write_text(text, encoding="utf-8")
+    path.write_text(real(text), encoding="utf-8")
     return path
+
+
+def real(text: str) -> str:
+    """Return the text of a rig file without [simulation], which a real rig may not have."""
+    return re.sub(r"(?m)^\[simulation\]\n(?:(?!\[).*\n)*", "", text)
 
 
 class Running:

@@ -95,8 +95,14 @@ def test_other_devices_and_another_encoder_refuse_even_with_a_reason(
     assert fits(found) == {"Drive": Fit.BLOCKS, "Encoder": Fit.BLOCKS}
     with pytest.raises(Refused, match="made with a roboclaw, this rig has a cia402"):
         remarks(found, "Ada", "it will do")
-    real = structs.replace(rig, simulation=None)
-    assert fits(judged(past, real))["Kind of rig"] is Fit.BLOCKS
+    real = structs.replace(rig.devices["drive"], port="/dev/ttyACM0")
+    mixed = structs.replace(rig, devices={**rig.devices, "drive": real})
+    found = judged(past, mixed)
+    assert fits(found) == {"Drive, kind": Fit.BLOCKS}
+    with pytest.raises(Refused, match="Drive: simulated in the test, real in this rig"):
+        remarks(found, "Ada", "it will do")
+    leftover = structs.replace(rig, simulation=None)
+    assert fits(judged(past, leftover)) == {}
     expired = judged(past, rig, blocking={"load_cell": "the record 7 expired"})
     assert expired.blocked == "the record 7 expired"
 

@@ -101,7 +101,7 @@ def calibrate_run_out(
         base = plain_test() if test is None else read_test(test).record
         plan = roll_plan(rpm, revolutions, orders)
         rolls = rolls_of(document, base, plan, to.with_suffix(""), operator)
-        own = document.record.simulation is not None
+        own = document.record.simulated
         take_runs(rolls, engine_line(rig, operator, own=own), sayer(as_json))
         files, source = rolls.files, {"rig": document.record.name, "simulated": own}
     return say_outcome(save_map(files, orders, source, given, to), to, as_json=as_json)
@@ -138,7 +138,7 @@ def check_running(
     known = known_term(here, mass_kg, radius_mm)
     if revolutions < LEAST_REVOLUTIONS:
         raise UnusableInput(f"--revolutions: take at least {LEAST_REVOLUTIONS}; 20 are good.")
-    simulated = here.simulation is not None
+    simulated = here.simulated
     if not simulated and not follower_off:
         raise UnusableInput(
             "the follower must be off the pin and nothing may hang on it; then add --follower-off."

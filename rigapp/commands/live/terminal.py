@@ -229,7 +229,7 @@ def calibrate(
     assert subject.plan is not None
     given = read_document(settings, subject.settings).record
     document = read_rig(rig)
-    simulated = document.record.simulation is not None
+    simulated = document.record.simulated
     if practise and not simulated:
         raise UnusableInput(f"--practise: {rig} is not simulated; simulated hands move nothing.")
     sensitivity = document.record.probes.sensitivity_um_per_V

@@ -15,10 +15,6 @@ SILENT_SHARE = 0.6
 """A drive that has not answered for this share of its watchdog's time ends the test: before the
 watchdog does, so that the log names the cause and not what follows from it."""
 
-SILENT_SHARE_SIMULATED = 2.0
-"""The same for a simulated drive: a loaded computer delays its answers, and its own watchdog, which
-counts only the time for which it could run, stops the spindle in any case."""
-
 TURNS_RPM, TURNS_SHARE = 1.0, 0.05
 """A drive that reports more than both, the second of the set speed, surely turns: its own noise and
 the creep of a ramp's first moment stay below."""
@@ -31,8 +27,7 @@ class DriveWatch:
         """Begin; watchdog_s: time-out of the drive's own watchdog."""
         self._run = run
         self._rig = rig
-        simulated = run.rig.record.simulation is not None
-        self._silent_s = watchdog_s * (SILENT_SHARE_SIMULATED if simulated else SILENT_SHARE)
+        self._silent_s = watchdog_s * SILENT_SHARE
         self._blind_since: float | None = None
         self._judging = threading.Lock()
 

@@ -20,7 +20,6 @@ class Watches:
         self._told: tuple[InputFault, ...] = ()
         self._saturated: dict[str, int] = {}
         self._carried = {one.input: one.name for one in run.table.sampled}
-        self._real_time = run.rig.record.simulation is None
 
     def look(self) -> None:
         """Look once."""
@@ -42,13 +41,8 @@ class Watches:
                 self._run.act_on(slow_silent(device.source, silent[name], device.last_error))
 
     def _look_at_queue(self) -> None:
-        """Switch the drive off when an overload would be seen too late.
-
-        The time of a simulated rig waits for the engine, so that lateness costs nothing there.
-        """
+        """Switch the drive off when an overload would be seen too late."""
         run, limit_s = self._run, self._run.timing.queue_age
-        if not self._real_time:
-            return
         age_s = self._rig.queue_age_s()
         if age_s <= limit_s:
             run.alarms.clear("queue_age")

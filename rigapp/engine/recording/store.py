@@ -197,7 +197,7 @@ def _create(request: OpenRequest) -> Opened:
         specimen=test.metadata.specimen,
         bushing=test.metadata.bushing,
         notes=test.metadata.notes,
-        simulated=rig.simulation is not None,
+        simulated=bool(rig.simulated_devices),
     )
     return Opened(create_test(request.path, plan, metadata))
 

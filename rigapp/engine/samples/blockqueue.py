@@ -11,25 +11,21 @@ from drivers.api import Block
 class BlockQueue:
     """Hand Blocks from the reader to the processing thread, bounded by samples.
 
-    Policy when full: ``wait=False`` (a real device) refuses the newest block, which shows as a gap;
-    ``wait=True`` (a simulated rig, whose time waits for us) makes the reader wait.
+    A full queue refuses the newest block, which shows as a gap.
     """
 
-    def __init__(self, samples: int, wait: bool) -> None:
+    def __init__(self, samples: int) -> None:
         self.limit = samples
-        self._wait = wait
         self._blocks: deque[Block] = deque()
         self._samples = 0
         self._condition = threading.Condition()
         self.refused_blocks = 0
 
-    def put(self, block: Block, timeout_s: float) -> bool:
+    def put(self, block: Block) -> bool:
         """Add a block; False when it was refused because the queue is full."""
         size = block.values.shape[1]
         with self._condition:
-            if self._wait:
-                self._condition.wait_for(lambda: self._room(size), timeout_s)
-            if not self._room(size):
+            if self._blocks and self._samples + size > self.limit:
                 self.refused_blocks += 1
                 return False
             self._blocks.append(block)
@@ -48,6 +44,11 @@ class BlockQueue:
             self._condition.notify_all()
         return block
 
+    def wait_below(self, samples: int, timeout_s: float) -> bool:
+        """Wait until fewer samples wait; False when they did not in time."""
+        with self._condition:
+            return self._condition.wait_for(lambda: self._samples < samples, timeout_s)
+
     @property
     def samples(self) -> int:
         """Return the samples waiting."""
@@ -58,6 +59,3 @@ class BlockQueue:
         """Return the host time of the oldest block waiting, None when none waits."""
         with self._condition:
             return self._blocks[0].host_time_ns if self._blocks else None
-
-    def _room(self, size: int) -> bool:
-        return not self._blocks or self._samples + size <= self.limit

@@ -340,7 +340,7 @@ def _pulse_rate(rig: RigFile, setup: StreamSetup) -> PulseRate | None:
     for row, spec in enumerate(setup.channels):
         if spec.name == "rate_1":
             return PulseRate(row, spec.scale, spec.offset)
-    if rig.simulation is not None:
+    if rig.simulated_samples:
         raise UnusableInput(
             f"rig file: devices.{rig.encoder.device}.settings.clock = 'encoder' needs the pulse "
             "rate (rate_range_Hz) on a simulated rig, whose time is not that of this computer"

@@ -14,6 +14,8 @@ from typing import Any
 import numpy as np
 
 from calibration.load_cell.force_uncertainty import ForceUncertainty, force_uncertainty
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import parse_rig
 from rigapp.presentation.numbers import capitalised, grouped
 from rigapp.presentation.results import key_numbers, outcome_text
 from rigapp.presentation.times import duration
@@ -87,7 +89,16 @@ def _document(reader: TestReader, path: Path, vector: bool) -> Manuscript:
     events = reader.events()
     gaps = rows.gaps if rows is not None else ()
     sections = [
-        _summary(summary, about, rows, identity, largest_force(reader), uncertainty, result),
+        _summary(
+            summary,
+            about,
+            _simulated(reader, about),
+            rows,
+            identity,
+            largest_force(reader),
+            uncertainty,
+            result,
+        ),
         *logsections.sections(reader, events, rows, summary["reason"]),
         *datasections.extremes(
             rows, agreement, vector, uncertainty, stated_uncertainties(reader.calibration())
@@ -133,9 +144,25 @@ def _closing(identity: FileIdentity, about: dict[str, Any]) -> str:
     return f"{origin}, SHA-256 {identity.digest}."
 
 
+def _simulated(reader: TestReader, about: dict[str, Any]) -> str:
+    """Return what was simulated, as the beginning of a sentence; empty for a real rig.
+
+    The ports in the recorded rig file tell; the file's own flag where they cannot be read.
+    """
+    try:
+        rig = parse_rig(reader.configuration()["rig"], "the rig of the file", recorded=True)
+        names = rig.simulated_devices
+    except (KeyError, UnusableInput):
+        return "The rig was" if about["simulated"] else ""
+    if len(names) in (0, len(rig.devices)):
+        return "The rig was" if names else ""
+    return f"{' and '.join(names)} {'were' if len(names) > 1 else 'was'}"
+
+
 def _summary(
     summary: dict[str, Any],
     about: dict[str, Any],
+    simulated: str,
     rows: Rows | None,
     identity: FileIdentity,
     largest: LargestForce | None,
@@ -145,8 +172,8 @@ def _summary(
     status, revolutions = summary["status"], summary["revolutions"]
     planned = about["planned_revolutions"]
     blocks: list[Block] = []
-    if about["simulated"]:
-        blocks.append(Text("The rig was simulated: these are not measurements.", strong=True))
+    if simulated:
+        blocks.append(Text(f"{simulated} simulated: these are not measurements.", strong=True))
     if status != "complete":
         sentence = LEADS.get(status, f"The status of the test is {status}.")
         blocks.append(Text(f"{sentence} {_capital(summary['reason'])}".strip(), strong=True))
@@ -155,7 +182,7 @@ def _summary(
         ("Specimen", about["specimen"]),
         ("Bushing", about["bushing"]),
         ("Operator", about["operator"]),
-        ("Rig", about["rig"] + (" (simulated)" if about["simulated"] else "")),
+        ("Rig", about["rig"] + (" (simulated)" if simulated else "")),
         ("Started", stamp(about["started"])),
         ("Ended", _ended(status, about)),
         ("Outcome", outcome_text(result)),
