@@ -266,7 +266,7 @@ def _of_kind(
     was, is_now = ("simulated" if one.simulated else "real" for one in (then, here))
     if was != is_now:
         text = f"{what}: {was} in the test, {is_now} in this rig"
-        yield Compared(f"{what}, kind", was, is_now, otherwise, text)
+        yield Compared("Kind of device", was, is_now, otherwise, text)
 
 
 def _of_channels(past: Past, measured: ChannelTable) -> Iterator[Compared]:

@@ -98,7 +98,7 @@ def test_other_devices_and_another_encoder_refuse_even_with_a_reason(
     real = structs.replace(rig.devices["drive"], port="/dev/ttyACM0")
     mixed = structs.replace(rig, devices={**rig.devices, "drive": real})
     found = judged(past, mixed)
-    assert fits(found) == {"Drive, kind": Fit.BLOCKS}
+    assert fits(found) == {"Kind of device": Fit.BLOCKS}
     with pytest.raises(Refused, match="Drive: simulated in the test, real in this rig"):
         remarks(found, "Ada", "it will do")
     leftover = structs.replace(rig, simulation=None)

@@ -5564,8 +5564,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Tasten</translation>
     </message>
     <message>
-        <source>Kind of rig</source>
-        <translation>Art des Prüfstands</translation>
+        <source>Kind of device</source>
+        <translation>Art des Geräts</translation>
     </message>
     <message>
         <source>Largest force</source>
@@ -8374,6 +8374,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Zero, with its reason</source>
         <translation>Nullpunkt, mit Grund</translation>
+    </message>
+    <message>
+        <source>[simulation] stands in the file of a real rig, where no device has port = &apos;simulated&apos;; remove the line [simulation] and the keys below it</source>
+        <translation>[simulation] steht in der Datei eines echten Prüfstands, in der kein Gerät port = &apos;simulated&apos; hat; die Zeile [simulation] und die Schlüssel darunter entfernen</translation>
     </message>
     <message>
         <source>a condition for the memory is not met</source>
@@ -12415,10 +12419,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Versuch soll {} Umdrehungen haben</translation>
     </message>
     <message>
-        <source>the test was made on a {} rig, this one is {}</source>
-        <translation>der Versuch entstand an einem Prüfstand der Art {}, dieser ist {}</translation>
-    </message>
-    <message>
         <source>the test was made with a {}, this rig has a {}: use the rig of the test</source>
         <translation>der Versuch entstand mit {}, dieser Prüfstand hat {}: den Prüfstand des Versuchs verwenden</translation>
     </message>
@@ -14045,6 +14045,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}: {} failed ({}); what was committed before is safe, check the disk before resuming</source>
         <translation>{}: {} schlug fehl ({}); was vorher gesichert wurde, ist sicher, vor dem Fortsetzen die Festplatte prüfen</translation>
+    </message>
+    <message>
+        <source>{}: {} in the test, {} in this rig</source>
+        <translation>{}: {} im Versuch, {} in diesem Prüfstand</translation>
     </message>
     <message>
         <source>{}: {} is not a finite number. {}</source>
