@@ -292,6 +292,7 @@ def test_a_silent_thread_ends_the_test(rig: MemoryRig, name: str) -> None:
     connection = rig.engine._connection
     assert connection is not None
     worker = next(one for one in connection.workers if one.name == name)
+    rig.engine._core.timing = replace(rig.engine._core.timing, queue_age=600.0)  # would be first
     release = threading.Event()
 
     def hang() -> None:
