@@ -81,6 +81,10 @@ class DeviceLost(DeviceError):
     """The connection broke while in use."""
 
 
+class SettingsLost(DeviceLost):
+    """The device answers, but is not set up any more, as after a restart."""
+
+
 class DataOverrun(DeviceError):
     """The device says that it dropped data."""
 
@@ -345,7 +349,8 @@ class Spindle(Named, Protocol):
     """Turn the crank. Every call but ``drive_off`` is serialised by the driver's own lock.
 
     The watchdog's setting is read back before the motor is enabled, in ``reset_fault`` and now and
-    then in ``status``; where it is not as it was set, the power is taken off and DeviceLost raised.
+    then in ``status``; where it is not as it was set, the power is taken off and SettingsLost
+    raised.
     """
 
     def open(self) -> Identity:

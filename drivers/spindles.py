@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
-from drivers.api import DeviceLost, DriveRequest, Line, Named, SettingRefused, SettingSpec
+from drivers.api import DriveRequest, Line, Named, SettingRefused, SettingsLost, SettingSpec
 
 _log = logging.getLogger(__name__)
 
@@ -33,12 +33,12 @@ def silenced(silence_s: float) -> str:
     )
 
 
-def settings_lost(who: Named, watchdog_s: float, set_s: float) -> DeviceLost:
+def settings_lost(who: Named, watchdog_s: float, set_s: float) -> SettingsLost:
     """Return the error of a drive that is not set up as it was; watchdog_s: 0 when it has none."""
     what = "speed unit, limits or heartbeat"
     if watchdog_s != set_s:
         what = f"watchdog {watchdog_s:g} s instead of {set_s:g} s"
-    return DeviceLost.at(
+    return SettingsLost.at(
         who,
         f"the drive has lost its settings ({what}), as after a restart; check its supply, then "
         "connect again.",

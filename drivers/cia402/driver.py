@@ -24,6 +24,7 @@ from drivers.api import (
     DriveStatus,
     Identity,
     SettingRefused,
+    SettingsLost,
     filled,
 )
 from drivers.cia402.commission import (
@@ -233,7 +234,7 @@ class Cia402Drive:
     def reset_fault(self) -> None:
         """Switch the motor off and acknowledge faults; raise DeviceFault when one stays.
 
-        Raises DeviceLost when the drive is not set up as it was.
+        Raises SettingsLost when the drive is not set up as it was.
         """
         stop_requests = self._open_node().stop_requests
         with self._lock:
@@ -251,7 +252,7 @@ class Cia402Drive:
         """Read the state; feeds the drive's supervision of this computer.
 
         Speed, count and set-point are signed as the rig. Current, supply and temperature are NaN
-        where the drive has no object for them. Raises DeviceLost when the drive has restarted,
+        where the drive has no object for them. Raises SettingsLost when the drive has restarted,
         ReplyTimeout.
         """
         with self._lock:
@@ -339,7 +340,7 @@ class Cia402Drive:
         return self._target is not None and state_of(motion.status_word) is not State.ENABLED
 
     def _check_setup(self, node: CanNode, objects: Iterable[Place], setup: Setup) -> None:
-        """Read back what was set; with another value take the power off and raise DeviceLost.
+        """Read back what was set; with another value take the power off and raise SettingsLost.
 
         A restart may lose some of it and keep the rest, and its only message may be lost.
         """
@@ -367,7 +368,7 @@ class Cia402Drive:
         if self._monitor.boot_ups != setup.boot_ups:
             self._setup = None
             self._target = None
-            raise DeviceLost.at(
+            raise SettingsLost.at(
                 self,
                 "the drive has restarted (boot-up message) and its motor is off; check its supply.",
             )

@@ -25,6 +25,7 @@ from drivers.api import (
     ProtocolError,
     ReplyTimeout,
     SettingRefused,
+    SettingsLost,
     filled,
 )
 from drivers.roboclaw.commission import Setup, check_watchdog, commission, identify
@@ -284,8 +285,8 @@ class RoboClaw:
     def status(self) -> DriveStatus:
         """Read the state; feeds the watchdog. Speed, count and set-point are signed as the rig.
 
-        One packet with command 73, else four, and one more in every eighth call. Raises DeviceLost
-        when the drive has restarted, ReplyTimeout, ProtocolError.
+        One packet with command 73, else four, and one more in every eighth call. Raises
+        SettingsLost when the drive has restarted, ReplyTimeout, ProtocolError.
         """
         with self._lock:
             link, setup = self._link(), self._configured()
@@ -297,7 +298,7 @@ class RoboClaw:
                 self._setup = None
                 self._target = None
                 sentence = "the drive has restarted and its motor is off; check its supply."
-                raise DeviceLost.at(self, sentence)
+                raise SettingsLost.at(self, sentence)
             # A drive that has restarted has no set-point either; nor has a ramp as it begins.
             if reader.watchdog_is_due or (self._target and readings.setpoint == 0):
                 self._check_watchdog(link, setup)
@@ -359,7 +360,7 @@ class RoboClaw:
         return any(link.read(Command.PWM, tries)[self._motor - 1] for _ in range(_LOOKS))
 
     def _check_watchdog(self, link: Link, setup: Setup) -> None:
-        """Read the serial time-out; with another one take the power off, raise DeviceLost."""
+        """Read the serial time-out; with another one take the power off, raise SettingsLost."""
         (found,) = link.read(Command.GET_TIMEOUT)
         if found == setup.watchdog_units:
             return

@@ -11,10 +11,17 @@ from pathlib import Path
 import pytest
 from engine_doubles import MemoryRig, a_test, eventually
 
-from drivers.api import Block, DeviceError, ProtocolError
+from drivers.api import (
+    Block,
+    DeviceError,
+    DriveStatus,
+    ProtocolError,
+    SettingRefused,
+    SettingsLost,
+)
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.speeds import ANSWERS
-from rigapp.schema.messages import Alarm, FinishReason, Flag, LookedAfter, RunState
+from rigapp.schema.messages import Alarm, FinishReason, Flag, LookedAfter, RunState, Severity
 from rigapp.schema.notices import Finished
 from rigapp.schema.states import ENDED, Refused
 
@@ -409,6 +416,22 @@ def test_a_crank_that_moves_in_a_pause_ends_the_test(rig: MemoryRig) -> None:
         rig.crank.target = 0.5
     ended(rig, FinishReason.DEVICE, "paused")
     assert rig.stands
+
+
+def test_a_drive_that_has_lost_its_settings_is_switched_off(rig: MemoryRig) -> None:
+    polled = rig.spindle.status
+    errors = iter([SettingsLost("drive", "memory", "the drive has lost its settings")])
+
+    def status() -> DriveStatus:
+        raise next(errors, SettingRefused("drive", "memory", "configure the drive first"))
+
+    rig.spindle.status = status  # type: ignore[method-assign]
+    ended(rig, FinishReason.DEVICE, "lost its settings")
+    assert rig.spindle.commands[-1] == ("off", 0.0)
+    critical = {one.key for one in rig.engine.status().alarms if one.severity is Severity.CRITICAL}
+    assert critical == {"drive_settings_lost"}
+    rig.spindle.status = polled  # type: ignore[method-assign]
+    back_to_work(rig)
 
 
 def test_a_device_lost_while_ready_is_a_fault() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 import time
 
-from drivers.api import DeviceLost, DriveStatus
+from drivers.api import DeviceLost, DriveStatus, SettingsLost
 from rigapp.engine.judging.machine import JudgedRig, JudgedRun
 from rigapp.schema.alarms import because
 from rigapp.schema.messages import RunState
@@ -40,13 +40,23 @@ class DriveWatch:
                 self._judge(status)
                 return
         error = control.last_error
+        if self._run.alarms.is_active("drive_settings_lost"):
+            return  # it answers, and refuses all until it is connected again
         if not isinstance(error, DeviceLost) and (
             self._rig.age_s(control.answered_s) <= self._silent_s
         ):
             return
         sentence = error.sentence if error is not None else "it does not answer"
         name, port = spindle.name, spindle.port
-        self._run.act_on(because("drive_silent", drive=name, port=port, sentence=sentence))
+        lost = isinstance(error, SettingsLost)
+        self._run.act_on(
+            because(
+                "drive_settings_lost" if lost else "drive_silent",
+                drive=name,
+                port=port,
+                sentence=sentence,
+            )
+        )
 
     def look(self) -> None:
         """Judge what the drive has said last, before anybody waits for the drive's thread."""

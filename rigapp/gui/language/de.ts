@@ -4896,6 +4896,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kabel und Versorgung des Geräts prüfen, ob dieser Rechner im Ruhezustand war und ob der Riemen rutscht; dann zurücksetzen.</translation>
     </message>
     <message>
+        <source>Check the drive&apos;s supply, then reconnect.</source>
+        <translation>Die Versorgung des Antriebs prüfen, dann neu verbinden.</translation>
+    </message>
+    <message>
         <source>Choose a settings file</source>
         <translation>Eine Einstellungsdatei wählen</translation>
     </message>
@@ -5118,6 +5122,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Draw up to {} chosen tests in one plot</source>
         <translation>Bis zu {} gewählte Versuche in einem Bild zeichnen</translation>
+    </message>
+    <message>
+        <source>Drive has lost its settings</source>
+        <translation>Einstellungen des Antriebs verloren</translation>
     </message>
     <message>
         <source>Driver, identity and port</source>
@@ -7578,6 +7586,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The plan and all readings are those of the journal.</source>
         <translation>Plan und alle Messungen sind die des Journals.</translation>
+    </message>
+    <message>
+        <source>The power was taken off: without its watchdog a drive turns on if this computer fails.</source>
+        <translation>Der Antrieb wurde stromlos geschaltet: Ohne Überwachung dreht er weiter, wenn dieser Rechner ausfällt.</translation>
     </message>
     <message>
         <source>The preload is d&amp;one</source>
