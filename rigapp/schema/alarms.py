@@ -120,6 +120,28 @@ def exceeded(
     return Cause(kind, rule_key(quantity, severity.value, side), kind.title, kind.sentence)
 
 
+def without_value(
+    quantity: str, severity: Severity, age_s: float, limit: float, above: bool, action: str
+) -> Cause:
+    """Return the alarm of a level of a rule whose quantity has had no value for too long."""
+    consequence, stop = RULE_ACTIONS[action]
+    kind = Kind(
+        severity,
+        title=f"{quantity} without a value",
+        sentence=f"{quantity} has had no value for {age_s:.0f} s; its limit {limit:.6g} is not"
+        " monitored.",
+        consequence=consequence,
+        action="Check the device of this channel and its cable, then start or resume.",
+        ends=Ends.TEST,
+        stop=stop,
+        off=action == "drive_off",
+        whole_revolution=True,
+    )
+    side = "above" if above else "below"
+    key = rule_key(quantity, severity.value, f"{side}:missing")
+    return Cause(kind, key, kind.title, kind.sentence)
+
+
 def rule_key(quantity: str, severity: str, side: str) -> str:
     """Return the key of the alarm of a level of a rule; side: "above" or "below"."""
     return f"rule:{quantity}:{severity}:{side}"

@@ -338,14 +338,61 @@ def checks_of(rig: ChannelRig, what: str) -> list[Check]:
     return [one for one in preflight(None, None, None, rig.engine.status()) if one.what == what]
 
 
-def test_a_thermometer_that_breaks_its_word_ends_its_thread_alone(rig: ChannelRig) -> None:
+@pytest.mark.parametrize("garbled", ["warm", None], ids=["ValueError", "TypeError"])
+def test_a_garbled_answer_costs_its_values_until_the_device_is_opened_again(
+    rig: ChannelRig, monkeypatch: pytest.MonkeyPatch, garbled: Any
+) -> None:
+    monkeypatch.setattr(slow, "PERIOD_S", 0.01)
+    monkeypatch.setattr(slow, "REOPEN_S", 0.01)
+    monkeypatch.setattr(slow, "SILENT_S", 0.2)
     eventually(heard(rig.engine, "room_temperature"))
-    rig.thermometer.told = {"temperature_C": "warm"}  # type: ignore[dict-item]
+    rig.thermometer.told = {"temperature_C": garbled}
     key = "slow_silent:climate"
-    eventually(lambda: key in {one.key for one in rig.engine.status().alarms})
+    eventually(lambda: key in {one.key for one in rig.engine.status().alarms if one.active})
+    shown = next(one for one in rig.engine.status().devices if one.name == "climate")
+    assert "its driver failed" in shown.last_error
     ran(rig)
     assert rig.engine.outcome is not None
     assert rig.engine.outcome.status == "complete"
+    rig.thermometer.told = dict(TOLD)
+    eventually(lambda: key not in {one.key for one in rig.engine.status().alarms if one.active})
+    assert heard(rig.engine, "room_temperature")()
+    assert rig.thermometer.opened > 1
+
+
+def test_the_pauses_between_attempts_grow_and_are_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    device = slow.SlowDevice(
+        Thermometer("climate", "memory", {}),
+        SlowRequest(("temperature_C",), 1.0),
+        lambda identity, readback: None,
+        lambda worker, error: None,
+        1.0,
+    )
+    device.source.lost = True  # type: ignore[attr-defined]
+    pauses: list[float] = []
+    monkeypatch.setattr(device.worker, "pause", pauses.append)
+    for _ in range(6):
+        device._step()
+    assert pauses == [5.0, 10.0, 20.0, 40.0, 60.0, 60.0]
+    device.source.lost = False  # type: ignore[attr-defined]
+    device._step()
+    device.source.lost = True  # type: ignore[attr-defined]
+    device._step()
+    assert pauses[-1] == 5.0
+
+
+def test_a_limited_channel_without_a_value_does_what_its_limit_says(
+    rig: ChannelRig, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    eventually(heard(rig.engine, "room_temperature"))
+    monkeypatch.setattr(slow, "SILENT_S", 0.2)
+    rule = LimitRule("room_temperature", critical_above=60.0, action_critical="stop")
+    rig.thermometer.lost = True
+    rig.start(a_test(500, rules=(rule,)))
+    rig.engine.wait(ENDED)
+    assert rig.engine.outcome is not None
+    assert rig.engine.outcome.status == "stopped"
+    assert "room_temperature has had no value" in rig.engine.outcome.sentence
 
 
 def test_a_hanging_thermometer_does_not_hold_up_the_end(rig: ChannelRig) -> None:

@@ -11,7 +11,8 @@ import msgspec
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import Action, LimitRule, LimitsSection
 from rigapp.config.rules import ALWAYS, BOUNDS, check_rules, limit_refusal
-from rigapp.schema.alarms import Cause, exceeded
+from rigapp.engine.samples import slow
+from rigapp.schema.alarms import Cause, exceeded, without_value
 from rigapp.schema.channels import ChannelTable
 from rigapp.schema.messages import Severity
 
@@ -39,10 +40,25 @@ class _Watch:
     steps: frozenset[int] = frozenset()
     beyond: int = 0
     active: bool = False
+    missing: bool = False
 
     def cause(self, value: float) -> Cause:
         """Return the alarm that a value raises or ends."""
         return exceeded(self.quantity, self.severity, value, self.limit, self.above, self.action)
+
+    def look_for_value(self, age_s: float | None) -> LevelPassed | None:
+        """Return what changed in whether a slow channel has a value to judge.
+
+        age_s: of a value that is missing; None while there is one.
+        """
+        missing = age_s is not None and age_s >= slow.SILENT_S
+        if missing == self.missing:
+            return None
+        self.missing = missing
+        cause = without_value(
+            self.quantity, self.severity, age_s or 0.0, self.limit, self.above, self.action
+        )
+        return LevelPassed(cause, missing, self.action)
 
     def judges(self, step: int) -> bool:
         """Tell whether it is judged in a step of the test."""
@@ -117,18 +133,28 @@ class RuleMonitor:
             before = former.get((watch.quantity, watch.severity, watch.above, watch.steps))
             if before is not None:
                 watch.beyond, watch.active = before.beyond, before.active
+                watch.missing = before.missing
         self.rules, self._watches = rules, watches
 
     def judge(self, values: Mapping[str, float], step: int = 0) -> list[LevelPassed]:
         """Return what changed with these values; quantities that are missing or NaN are skipped.
 
+        A slow channel without a value for longer than a value may be old is a change too: its limit
+        guards nothing then.
         step: of the test, in which they were measured. What a level of another step has found is
         over.
         """
         found: list[LevelPassed] = []
         for watch in self._watches:
             value = values.get(watch.quantity)
-            if value is None or math.isnan(value):
+            unknown = value is None or math.isnan(value)
+            # Only a slow channel has a column of its age.
+            age_s = values.get(f"{watch.quantity}_age")
+            if age_s is not None and watch.judges(step):
+                missing = watch.look_for_value(age_s if unknown else None)
+                if missing is not None:
+                    found.append(missing)
+            if value is None or unknown:
                 continue
             change = watch.look(value) if watch.judges(step) else watch.leave()
             if change is not None:

@@ -7,6 +7,7 @@ silent gives no value and a growing age, is warned of, and is opened again for a
 
 from __future__ import annotations
 
+import logging
 import math
 import threading
 import time
@@ -17,6 +18,8 @@ from drivers.api import DeviceError, DeviceLost, DriveStatus, Identity, SlowRequ
 from rigapp.process.threads import Worker
 from rigapp.schema.channels import Channel
 
+log = logging.getLogger(__name__)
+
 PERIOD_S = 1.0
 """A device is asked once in so long: rooms and bushings take minutes to change by what such a
 device resolves, and a usual line takes 0.1 s for an answer."""
@@ -25,8 +28,10 @@ SILENT_S = 10.0
 """Without an answer for so long there is no value any more, and a warning: ten questions in a row
 are no passing disturbance of the line."""
 
-REOPEN_S = 5.0
-"""Between two attempts to open a device that was lost: a port that hangs takes some of it."""
+REOPEN_S, LONGEST_REOPEN_S = 5.0, 60.0
+"""Between two attempts to open a device that was lost: a port that hangs takes some of it. The
+pause doubles with each failure: a device that is gone for days is not asked 100,000 times, and one
+that returns is found within a minute."""
 
 
 FIRST_S = 2.0
@@ -67,6 +72,7 @@ class SlowDevice:
         self._request = request
         self._on_open = on_open
         self._open = False
+        self._reopen_s = REOPEN_S
         self._asked = threading.Event()
         self._readings: dict[str, Reading] = {}
 
@@ -85,7 +91,7 @@ class SlowDevice:
 
     def close(self) -> None:
         """Release the device, after its thread has ended."""
-        self.source.close()
+        self._close()
 
     def _step(self) -> None:
         try:
@@ -93,26 +99,40 @@ class SlowDevice:
                 identity = self.source.open()
                 self._on_open(identity, self.source.configure(self._request))
                 self._open = True
-            found = self.source.read()
+            values = {name: float(value) for name, value in self.source.read().items()}
         except DeviceError as error:
-            self._failed(error)
+            self._failed(error, lost=isinstance(error, DeviceLost))
+            return
+        except Exception as error:
+            # One garbled line may raise anything in a driver of others; it costs its values alone.
+            log.warning("%s on %s", self.source.name, self.source.port, exc_info=error)
+            unusable = f"its driver failed ({type(error).__name__}: {error})"
+            cause = DeviceLost(self.source.name, self.source.port, unusable)
+            self._failed(cause, lost=True)
             return
         now = time.monotonic()
-        self._readings = {name: Reading(float(value), now) for name, value in found.items()}
-        self.answered_s, self.last_error = now, ""
+        self._readings = {name: Reading(value, now) for name, value in values.items()}
+        self.answered_s, self.last_error, self._reopen_s = now, "", REOPEN_S
         self._asked.set()
         self.worker.pause(PERIOD_S)
 
-    def _failed(self, error: DeviceError) -> None:
+    def _failed(self, error: DeviceError, lost: bool) -> None:
         self.errors += 1
         self.last_error = error.sentence
         self._asked.set()
-        if self._open and not isinstance(error, DeviceLost):
+        if self._open and not lost:
             self.worker.pause(PERIOD_S)
             return
         self._open = False
-        self.source.close()
-        self.worker.pause(REOPEN_S)
+        self._close()
+        self.worker.pause(self._reopen_s)
+        self._reopen_s = min(2.0 * self._reopen_s, LONGEST_REOPEN_S)
+
+    def _close(self) -> None:
+        try:
+            self.source.close()
+        except Exception as error:
+            log.warning("%s was not closed", self.source.name, exc_info=error)
 
 
 class SlowChannels:

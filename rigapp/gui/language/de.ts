@@ -4888,6 +4888,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kanäle</translation>
     </message>
     <message>
+        <source>Check the device of this channel and its cable, then start or resume</source>
+        <translation>Das Gerät dieses Kanals und sein Kabel prüfen, dann starten oder fortsetzen</translation>
+    </message>
+    <message>
         <source>Check the device&apos;s cable and supply, and whether this computer was suspended or loaded.</source>
         <translation>Kabel und Versorgung des Geräts prüfen, und ob dieser Rechner im Ruhezustand oder überlastet war.</translation>
     </message>
@@ -11571,6 +11575,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>er nimmt Drehzahlen in ganzen Schritten von {} rpm der Kurbel, sodass eine unter {} rpm um mehr als {} neben der verlangten liegen kann; dafür eine feinere velocity_unit wählen</translation>
     </message>
     <message>
+        <source>its driver failed ({}: {})</source>
+        <translation>sein Treiber ist fehlgeschlagen ({}: {})</translation>
+    </message>
+    <message>
         <source>its schema is {}, this program reads {}; update rigapp</source>
         <translation>sein Schema ist {}, dieses Programm liest {}; rigapp erneuern</translation>
     </message>
@@ -13027,6 +13035,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} wird nur mit einem Grund fortgesetzt: {}; es in Ordnung bringen oder den Grund angeben, der aufgezeichnet wird</translation>
     </message>
     <message>
+        <source>{} has had no value for {:.0f} s; its limit {:.6g} is not monitored</source>
+        <translation>{} hat seit {:.0f} s keinen Wert; der Grenzwert {:.6g} wird nicht überwacht</translation>
+    </message>
+    <message>
         <source>{} has shown the very same value for {:.1f} turns; check its sensor, amplifier and cable</source>
         <translation>{} zeigt seit {} Umdrehungen genau denselben Wert; Sensor, Verstärker und Kabel prüfen</translation>
     </message>
@@ -13289,6 +13301,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} with this calibration: in control</source>
         <translation>{} mit dieser Kalibrierung: unter Kontrolle</translation>
+    </message>
+    <message>
+        <source>{} without a value</source>
+        <translation>{} ohne Wert</translation>
     </message>
     <message>
         <source>{} words to function {} instead of {} to {}</source>
