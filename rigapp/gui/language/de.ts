@@ -3777,7 +3777,7 @@
     </message>
     <message>
         <source>the twin had followed no revolution of it when the test ended</source>
-        <translation>die Vorhersage war noch keiner seiner Umdrehungen gefolgt, als der Versuch endete</translation>
+        <translation>am Ende lag noch keine Vorhersage vor</translation>
     </message>
     <message>
         <source>the two plugs are exchanged</source>
@@ -9130,6 +9130,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>not readable</source>
         <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nicht</translation>
     </message>
     <message>
         <source>note</source>

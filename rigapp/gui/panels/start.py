@@ -81,7 +81,7 @@ class WayCard(QFrame):
         self.text.setProperty("role", "secondary")
         self.button: QPushButton = button(
             f"way_button_{act.value}",
-            f"{tr(word)}  {key}",
+            tr(word),
             partial(self.chosen.emit, act),
             title,
             tip=f"{tr(title)} ({key})",
@@ -89,7 +89,9 @@ class WayCard(QFrame):
             guarded=act in (Act.TRY, Act.CALIBRATE),
         )
         self.button.setFixedHeight(5 * STEP)
-        made = column(self.sign, head, (self.text, 1), self.button, on=self)
+        shortcut = prose(f"way_key_{act.value}", title, key)
+        shortcut.setProperty("role", "secondary")
+        made = column(row((self.sign, 1), shortcut), head, (self.text, 1), self.button, on=self)
         made.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
         made.setSpacing(STEP)
 

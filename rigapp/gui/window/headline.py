@@ -197,8 +197,9 @@ def _force(status: Status, measured: NewestMeasured) -> TileText:
         value = tr("{} of {}", value, f"{measured.overload_N:.0f} N")
     level = level_of(status.alarms, LARGEST)
     if measured.nearest is None or status.state not in ACTIVE:
-        running = status.state in ACTIVE
-        return TileText(value, "nothing judged yet" if running else "no test running", level)
+        if status.state in ACTIVE:
+            return TileText(value, "nothing judged yet", level, "not yet")
+        return TileText(value, "no test running", level, "no test")
     return TileText(value, measured.nearest.left, level, measured.nearest.short)
 
 
@@ -211,9 +212,9 @@ def _used(measured: NewestMeasured) -> float:
 def _wear(status: Status, measured: NewestMeasured) -> TileText:
     level = level_of(status.alarms, DEPTH)
     if not math.isfinite(measured.wear_um):
-        return TileText(
-            "–", "not measured yet" if status.state in ACTIVE else "no test running", level
-        )
+        if status.state in ACTIVE:
+            return TileText("–", "not measured yet", level, "not yet")
+        return TileText("–", "no test running", level, "no test")
     value = f"{measured.wear_um:.1f}"
     if math.isfinite(measured.wear_uncertainty_um):
         value += f" ± {measured.wear_uncertainty_um:.1f}"
