@@ -10,7 +10,7 @@ from pathlib import Path
 from rigapp.config.loading import Document
 from rigapp.config.recipe import LimitsSection, TestFile
 from rigapp.config.sequence import Sequence, StepPlace
-from rigapp.engine.drive.driving import Approach
+from rigapp.engine.drive.driving import RestApproach
 from rigapp.engine.judging.testrun import TestRun
 from rigapp.engine.recording.recorder import Recorder
 from rigapp.schema.loglines import RestSignals
@@ -63,7 +63,7 @@ class ActiveTest:
     fresh: bool
     sequence: Sequence
     stage: StepPlace
-    approach: Approach
+    approach: RestApproach
     resting: Rest | None = None
     changes: int = 0
     steady_from: int | None = None

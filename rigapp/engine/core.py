@@ -19,7 +19,7 @@ from rigapp.config.loading import Document
 from rigapp.config.recipe import LimitsSection
 from rigapp.config.rig import RigFile
 from rigapp.engine.activetest import ActiveTest
-from rigapp.engine.drive.driving import Approach, SpindleControl
+from rigapp.engine.drive.driving import RestApproach, SpindleControl
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.alarms import AlarmBook
 from rigapp.engine.judging.testrun import Row
@@ -231,7 +231,7 @@ class Core:
         Without a test, a fault leads to the state fault and the power is taken off.
         """
         first = command = under_way = False
-        approach: Approach | None = None
+        approach: RestApproach | None = None
         announce: RunState | None = None
         with self._changed:
             test = self.test

@@ -19,7 +19,7 @@ from rigapp.config.sequence import Sequence
 from rigapp.engine.activetest import ActiveTest
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
-from rigapp.engine.drive.driving import Approach
+from rigapp.engine.drive.driving import RestApproach
 from rigapp.engine.judging.criteria import StopMonitor
 from rigapp.engine.judging.depthwatch import DepthWatch, KnownDepth
 from rigapp.engine.judging.jointwatch import JointWatch
@@ -157,10 +157,10 @@ def open_test(
     )
 
 
-def _approach(test: TestFile) -> Approach:
+def _approach(test: TestFile) -> RestApproach:
     """Return how the crank comes to its rest at a regular end."""
     angle = rest_angle(to_parameters(test.model).mechanism)
-    return Approach(
+    return RestApproach(
         None if angle is None else math.degrees(angle),
         OVERSPEED_SHARE * test.limits.overspeed_rpm,
     )

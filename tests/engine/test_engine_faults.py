@@ -54,6 +54,8 @@ def ended(rig: MemoryRig, reason: FinishReason, *words: str) -> Finished:
 def back_to_work(rig: MemoryRig) -> None:
     """Repair, reconnect, acknowledge, reset, and run a test to its end."""
     rig.engine.connect()
+    # A repaired fault ends with the next look of the thread that monitors it.
+    eventually(lambda: not any(one.active for one in rig.engine.status().alarms))
     rig.engine.acknowledge(operator="Ada")
     rig.engine.reset("Ada")
     rig.start(a_test(5))

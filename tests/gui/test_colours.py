@@ -17,8 +17,9 @@ from rigapp.gui.look.tokens import DARK, LIGHT, Theme
 from rigapp.gui.panels.alarms import MARKS
 from rigapp.gui.panels.compare import COLOURS
 from rigapp.gui.plots.palette import MODEL, STALE_CURVE, LinePen
-from rigapp.gui.window.headline import _STATES, Level
-from rigapp.schema.messages import RunState, Severity
+from rigapp.gui.window.headline import _OUTCOME_SHAPES, _SHAPES, StateShape
+from rigapp.presentation.states import OUTCOMES, STATES
+from rigapp.schema.messages import HowEnded, RunState, Severity
 
 SEEN_BY = {
     "full colour": np.eye(3),
@@ -159,11 +160,13 @@ def test_measured_and_model_differ_in_their_line_too(theme: Theme) -> None:
 
 
 def test_states_and_alarms_have_words_and_shapes_beside_colour() -> None:
-    assert set(_STATES) == set(RunState)
-    words = [word for word, _, _ in _STATES.values()]
-    assert len(set(words)) == len(words)
-    abnormal = {shape for _, shape, level in _STATES.values() if level is Level.CRITICAL}
-    calm = {shape for _, shape, level in _STATES.values() if level is Level.NORMAL}
-    assert not abnormal & calm
+    assert set(STATES) == set(RunState)
+    assert set(OUTCOMES) == set(HowEnded)
+    for words in (STATES, OUTCOMES):
+        assert len(set(words.values())) == len(words)
+    abnormal = {state for state, shape in _SHAPES.items() if shape is StateShape.DIAMOND}
+    assert abnormal == {RunState.FAULT}
+    tripped = {one for one, shape in _OUTCOME_SHAPES.items() if shape is StateShape.DIAMOND}
+    assert tripped == {HowEnded.TRIPPED}
     marks = {MARKS[severity].split()[0] for severity in Severity}
     assert len(marks) == len(Severity)

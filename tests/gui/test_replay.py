@@ -170,5 +170,5 @@ def test_a_history_that_cannot_be_read_is_said(
 
     qtbot.waitUntil(said, timeout=PATIENCE_MS)
     assert window.header.state.value.whole == "Running"
-    assert window.header.state._level is Level.NORMAL
+    assert window.header.state._look == (Level.NORMAL, False)
     window.close()

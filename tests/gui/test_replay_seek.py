@@ -214,7 +214,7 @@ def test_the_window_shows_margin_of_a_recorded_test(
     player: tuple[MainWindow, ReplayClient],
 ) -> None:
     window, _ = player
-    assert window.header.tiles["force"].detail.whole == "least margin 66 %, overspeed"
+    assert window.header.tiles["force"].detail.whole == "drive off above 380 N, 75 % left"
     assert window._connection.status is not None
     assert window._connection.status.state is RunState.STOPPED
 

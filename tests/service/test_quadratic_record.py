@@ -119,7 +119,7 @@ def test_live_values_tare_and_overload_use_the_terms(
     data = block(kind)
     seen: list[float] = []
     judge = SimpleNamespace(
-        overload=seen.append,
+        overload=lambda force_N, beyond_range: seen.append(force_N),
         **{
             name: lambda *_: None
             for name in ("begun", "calm", "motion", "revolution", "lost", "time_jump")

@@ -190,7 +190,7 @@ class Cia402Node:
     def _answer_sdo(self, request: bytes, time_s: float) -> None:
         index = int.from_bytes(request[1:3], "little")
         abort = self._plan.strike(Cia402Fault.SDO_ABORT, index, default=Abort.STATE)
-        ignored = request[0] >> 5 == DOWNLOAD and self._ignores(index)
+        ignored = request[:1] and request[0] >> 5 == DOWNLOAD and self._ignores(index)
         reply = self.sdo.answer(request, None if abort is None else int(abort), obey=not ignored)
         if reply is None or self._plan.strike(Cia402Fault.NO_SDO_REPLY, index) is not None:
             return

@@ -55,7 +55,7 @@ class Ramp:
 
 
 @dataclass(frozen=True, slots=True)
-class Approach:
+class RestApproach:
     """Where a crank without power comes to rest, None where nothing drives it, and how to go there.
 
     limit_rpm: the crank must not turn faster on the way.
@@ -142,7 +142,7 @@ class SpindleControl:
                     angle_deg, creep_rpm, self._ramp.rpm_per_s, time.monotonic(), limit_s
                 )
 
-    def stop_now(self, off: bool, approach: Approach | None = None) -> None:
+    def stop_now(self, off: bool, approach: RestApproach | None = None) -> None:
         """Stop, or take the power off; the command is on its way when this returns.
 
         approach: turn on to where the crank rests without power, and stop there. A stop without it
@@ -171,7 +171,7 @@ class SpindleControl:
         elif off:
             self._stop.cut_power(now)
 
-    def _approach(self, approach: Approach, seen: Seen) -> PauseSequence | None:
+    def _approach(self, approach: RestApproach, seen: Seen) -> PauseSequence | None:
         """Return how the crank gets to its rest; None where it is there, or has none."""
         rest_deg = approach.rest_deg if self._rest_deg is None else self._rest_deg
         if rest_deg is None or (

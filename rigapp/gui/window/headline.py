@@ -130,7 +130,7 @@ def headline(
         state=state,
         cycle=aged(_cycle(status, now(), connection), measured.told),
         progress=status.revolution / status.planned if status.planned > 0 else 0.0,
-        force=aged(_force(status, measured), measured.turned),
+        force=aged(_force(status, measured, replay), measured.turned),
         used=_used(measured),
         wear=aged(_wear(status, measured), measured.predicted),
         agreement=aged(_agreement(status), measured.predicted),
@@ -190,17 +190,18 @@ def data_age(status: Status | None, data_age_s: float | None) -> TileText:
     return TileText(text, "", level_of(status.alarms, "data_age"))
 
 
-def _force(status: Status, measured: NewestMeasured) -> TileText:
+def _force(status: Status, measured: NewestMeasured, replay: bool) -> TileText:
     known = math.isfinite(measured.force_max_N)
     value = f"{measured.force_sign}{measured.force_max_N:.1f} N" if known else "–"
     if known and math.isfinite(measured.overload_N):
         value = tr("{} of {}", value, f"{measured.overload_N:.0f} N")
     level = level_of(status.alarms, LARGEST)
-    if measured.nearest is None or status.state not in ACTIVE:
-        if status.state in ACTIVE:
-            return TileText(value, "nothing judged yet", level, "not yet")
-        return TileText(value, "no test running", level, "no test")
-    return TileText(value, measured.nearest.left, level, measured.nearest.short)
+    active = status.state in ACTIVE
+    if measured.nearest is not None and (active or replay):
+        return TileText(value, measured.nearest.left, level, measured.nearest.short)
+    if active:
+        return TileText(value, "nothing judged yet", level, "not yet")
+    return TileText(value, "no test running", level, "no test")
 
 
 def _used(measured: NewestMeasured) -> float:

@@ -110,9 +110,9 @@ def test_sentences_say_what_is_known_and_why_not() -> None:
         return sentence(identify(virtual.gathered(depth), LIFE, virtual.ERRORS, virtual.PRIOR))
 
     assert said(100).startswith("The wear coefficient cannot be told yet, because its limits are")
-    assert said(8000).startswith("One wear coefficient, 0.000")
+    assert said(8000).startswith("One wear coefficient, 549 ")
     runs_in = 1.1 * (NUMBER + 3000.0 * -np.expm1(-NUMBER / 1500.0))
-    assert said(LAST, runs_in).startswith("Running-in: the wear coefficient fell from 0.001")
+    assert said(LAST, runs_in).startswith("Running-in: the wear coefficient fell from 1510 ")
     assert "within 1" in said(LAST, runs_in)
     assert said(LAST, 1.1 * DOUBLED).startswith("Changed at revolution 10")
     told = watched(virtual.readings(LIFE, 1, LAST, 1.1 * DOUBLED))
