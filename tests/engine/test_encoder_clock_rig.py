@@ -33,7 +33,10 @@ def patient(folder: Path, *changes: tuple[str, str]) -> Document[RigFile]:
         told = told.replace(old, new, 1)
     path = folder / "rig.toml"
     path.write_text(told, encoding="utf-8")
-    return read_rig(path)
+    rig = read_rig(path)
+    # The drive's settings are read again at each start; at 200 ms a busy host loses an answer.
+    rig.record.devices["drive"].settings["sdo_timeout_ms"] = 2000.0
+    return rig
 
 
 def test_a_test_by_the_encoders_pulses(tmp_path: Path) -> None:
