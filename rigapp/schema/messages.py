@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from rigapp.schema.channels import BASE
 from rigapp.schema.queue import QueuedTest
 
-PROTOCOL_VERSION = 1
+PROTOCOL_VERSION = 2
 
 NOTE_CHARACTERS = 2000
 """The longest note, and the longest reason of a command."""

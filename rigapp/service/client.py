@@ -49,10 +49,12 @@ class Client:
         self._keys = _viewer_keys(entry)
         self._operator = operator
         self._context = zmq.Context()
-        self._stream = self._context.socket(zmq.SUB)
+        self._stream = self._context.socket(zmq.DEALER)
         self._stream.setsockopt(zmq.RCVHWM, SNAPSHOT_QUEUE)
         self._stream.setsockopt(zmq.LINGER, 0)
-        self._stream.setsockopt(zmq.SUBSCRIBE, b"")
+        # Each new connection begins with an empty message, which asks for snapshots.
+        self._stream.setsockopt(zmq.PROBE_ROUTER, 1)
+        self._stream.setsockopt(zmq.IMMEDIATE, 1)
         self._show_keys(self._stream)
         if look:
             self._stream.connect(entry.snapshots)

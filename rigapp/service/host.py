@@ -173,14 +173,13 @@ class EngineHost:
 
     def _listen(self, bind: Bind | None) -> Server:
         if bind is not None:
-            addresses, by_key = bind.endpoints(), bind.curve
+            addresses = bind.endpoints()
         else:
             addresses = local_endpoints(runtime_folder(), os.getpid())
-            # A port of this computer is open to its other users, as a socket in our folder is not.
-            by_key = addresses[0].startswith("tcp:")
-        keys = lasting_folder() if by_key else None
+        # A port of this computer is open to its other users, as a socket in our folder is not.
+        keys = lasting_folder() if addresses[0].startswith("tcp:") else None
         if keys is not None:
-            if bind is not None:
+            if bind is not None and bind.remote:
                 require_viewers(keys, bind)
             authorise_own_viewer(keys)
         return Server(

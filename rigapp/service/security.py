@@ -1,9 +1,8 @@
 """Where an engine listens, and who may attach: by Unix sockets freely, to ports by key.
 
-A port of loopback that the operator asks for is free; one that stands for Unix sockets is not.
-
-Beyond this computer every viewer needs a CurveZMQ key pair whose public half lies in the engine's
-folder of authorised viewers. Keys lie in ``keys`` in the lasting folder (see ``registry``):
+Every account of a computer reaches its ports, those of loopback too. So each viewer of a port needs
+a CurveZMQ key pair whose public half lies in the engine's folder of authorised viewers; the
+viewers of the engine's own user are authorised by the engine itself. Keys lie in ``keys`` in the lasting folder (see ``registry``):
 ``server.key_secret``, ``viewer.key_secret`` (both readable by their owner alone) and
 ``authorised/*.key``. A key that is put into or taken out of that folder counts at once for
 viewers that attach from then on.
@@ -34,11 +33,14 @@ Socket = zmq.Socket[Any]
 
 
 class Bind(msgspec.Struct, frozen=True):
-    """Say where an engine listens; port 0 lets the system choose. ``curve`` demands keys."""
+    """Say where an engine listens; port 0 lets the system choose.
+
+    remote: viewers of other computers are expected there.
+    """
 
     address: str
     port: int
-    curve: bool
+    remote: bool
 
     def endpoints(self) -> tuple[str, str]:
         """Return the addresses for commands and snapshots: a port and the next one."""
@@ -58,7 +60,7 @@ class KeyPair(msgspec.Struct, frozen=True):
 def parse_bind(text: str) -> Bind:
     """Return where ``--bind tcp://ADDRESS:PORT`` asks to listen; raise UnusableInput.
 
-    Every address that is not loopback demands keys. A wildcard is refused: viewers could not know
+    A wildcard is refused: viewers could not know
     the address from the entry, and it would open interfaces that nobody thought of.
     """
     found = re.fullmatch(r"tcp://(?:\[([^\]]+)\]|([^:/]+)):(\d{1,5})", text)
@@ -69,7 +71,7 @@ def parse_bind(text: str) -> Bind:
         raise UnusableInput(
             f"--bind {text}: the port and the next one are used; give at most 65534."
         )
-    return Bind(str(address), port, curve=not address.is_loopback)
+    return Bind(str(address), port, remote=not address.is_loopback)
 
 
 def interface_address(option: str, name: str) -> Address:

@@ -3,9 +3,11 @@
 Commands arrive on a ROUTER socket and are answered in the order in which they finish; each safety
 verb has threads of its own (``verbs``, ``lanes``), so that no number of slow ones delays it. What
 is too much at once is answered "busy", what cannot be read is answered and survived. Snapshots
-leave on an XPUB socket with a short queue: a viewer that lags loses the oldest, and sees the gap in
-``Snapshot.first_row``; ``Server.watched`` tells whether anyone looks.
-With keys, a viewer whose key is not authorised reaches neither.
+leave on a second ROUTER socket, to every viewer that sent an empty message, with a short queue for
+each: a viewer that lags misses some, and sees the gap in ``Snapshot.first_row``. It is no PUB
+socket: that one keeps every topic that a viewer subscribes to, without a bound.
+``Server.watched`` tells whether anyone looks. With keys, a viewer whose key is not authorised
+reaches neither.
 """
 
 from __future__ import annotations
@@ -28,9 +30,13 @@ from rigapp.service.lanes import Lanes
 from rigapp.service.registry import other_version
 from rigapp.service.security import KeyCheck
 
+REQUEST_QUEUE = 100  # of each connection: 6.4 MB at most
 SNAPSHOT_QUEUE = 4  # a viewer that lags wants the newest
-EVERY_SNAPSHOT = b""
-"""What a viewer subscribes to."""
+SUBSCRIPTION = b""
+"""What a viewer sends to get snapshots; nothing else is accepted there."""
+SUBSCRIPTION_BYTES = 1024  # a CurveZMQ handshake takes about 300
+VIEWERS = 64
+"""Viewers that get snapshots at once; a rig has a few windows and a page."""
 PUBLISH_PERIOD_S = 0.05  # as smoothly do live values move, to an eye
 HASTE_S = 0.1
 """In so long, two snapshots are sent out of their turn: of a revolution that has just ended, and of
@@ -81,11 +87,16 @@ class Server:
         self._context = zmq.Context()
         self._key_check = KeyCheck(self._context, keys) if keys is not None else None
         self._router = self._context.socket(zmq.ROUTER)
-        self._publisher = self._context.socket(zmq.XPUB)
-        for socket in (self._router, self._publisher):
-            socket.setsockopt(zmq.LINGER, 200)
-            socket.setsockopt(zmq.MAXMSGSIZE, MESSAGE_BYTES)
-            socket.setsockopt(zmq.SNDHWM, SNAPSHOT_QUEUE if socket is self._publisher else 100)
+        self._publisher = self._context.socket(zmq.ROUTER)
+        self._publisher.setsockopt(zmq.ROUTER_MANDATORY, 1)  # a viewer that has gone is an error
+        for socket, size, waiting in (
+            (self._router, MESSAGE_BYTES, REQUEST_QUEUE),
+            (self._publisher, SUBSCRIPTION_BYTES, SNAPSHOT_QUEUE),
+        ):
+            socket.setsockopt(zmq.LINGER, LINGER_MS)
+            socket.setsockopt(zmq.MAXMSGSIZE, size)
+            socket.setsockopt(zmq.SNDHWM, waiting)
+            socket.setsockopt(zmq.RCVHWM, waiting)
             if self._key_check is not None:
                 self._key_check.protect(socket)
         self._bind(self._router, commands)
@@ -96,7 +107,7 @@ class Server:
         self._lanes = Lanes()
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._serve, name="service", daemon=True)
-        self.watched = False
+        self._viewers: set[bytes] = set()
         self.failure: BaseException | None = None
 
     @property
@@ -145,7 +156,7 @@ class Server:
                 if self._router in ready:
                     self._accept()
                 if self._publisher in ready:
-                    self._hear_viewers(self._publisher.recv())
+                    self._subscribe()
                 self._send_replies()
                 if clock.due() or (self._waits() and haste.allowed(time.monotonic())):
                     self._publish()
@@ -156,18 +167,24 @@ class Server:
             self._on_failure(f"The part that serves windows has died: {_named(error)}")
             raise
 
-    def _hear_viewers(self, message: bytes) -> None:
-        """Take note of the first viewer and the last; whatever else somebody sends is nothing."""
-        kind, topic = message[:1], message[1:]
-        if topic != EVERY_SNAPSHOT or kind not in (b"\x00", b"\x01"):
-            return
-        watched = kind == b"\x01"
-        if watched != self.watched:
-            self.watched = watched
-            try:
-                self._on_viewers(watched)
-            except Exception as error:
-                self._on_failure(f"A viewer could not be taken note of: {_named(error)}")
+    @property
+    def watched(self) -> bool:
+        """Tell whether a viewer is attached."""
+        return bool(self._viewers)
+
+    def _subscribe(self) -> None:
+        """Add the sender of an empty message to the viewers, and ignore every other message."""
+        sender, *body = self._publisher.recv_multipart(zmq.NOBLOCK)
+        if body == [SUBSCRIPTION] and len(self._viewers) < VIEWERS:
+            self._viewers.add(sender)
+            if len(self._viewers) == 1:
+                self._note_viewers()
+
+    def _note_viewers(self) -> None:
+        try:
+            self._on_viewers(self.watched)
+        except Exception as error:
+            self._on_failure(f"Failed to register a viewer: {_named(error)}")
 
     def _accept(self) -> None:
         try:
@@ -217,7 +234,18 @@ class Server:
                 self._told = True
                 self._on_failure(f"No snapshot could be made for windows: {_named(error)}")
             return
-        self._publisher.send(body, zmq.NOBLOCK)
+        gone = set()
+        for viewer in self._viewers:
+            try:
+                self._publisher.send_multipart([viewer, body], zmq.NOBLOCK)
+            except zmq.Again:
+                continue  # its queue is full
+            except zmq.ZMQError:
+                gone.add(viewer)
+        if gone:
+            self._viewers -= gone
+            if not self._viewers:
+                self._note_viewers()
 
 
 def _named(error: BaseException) -> str:

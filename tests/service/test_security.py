@@ -1,4 +1,4 @@
-"""Who may attach: loopback by default, elsewhere only with an authorised key (here: demanded)."""
+"""Who may attach: to a port, that of loopback too, only with an authorised key."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ from rigapp.service.security import (
 from rigapp.service.server import Server
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
-ELSEWHERE = Bind("127.0.0.1", 0, curve=True)
-"""Loopback that stands for another computer: keys are demanded."""
+ELSEWHERE = Bind("127.0.0.1", 0, remote=True)
+"""Loopback that stands for another computer."""
 
 
 @pytest.fixture
@@ -77,7 +77,7 @@ def authorise(viewer_folder: Path, engine_folder: Path) -> Path:
 
 
 @pytest.mark.parametrize(
-    ("text", "address", "port", "curve"),
+    ("text", "address", "port", "remote"),
     [
         ("tcp://127.0.0.1:5000", "127.0.0.1", 5000, False),
         ("tcp://localhost:0", "127.0.0.1", 0, False),
@@ -86,10 +86,10 @@ def authorise(viewer_folder: Path, engine_folder: Path) -> Path:
         ("tcp://[fe80::1]:5000", "fe80::1", 5000, True),
     ],
 )
-def test_every_address_but_loopback_demands_keys(
-    text: str, address: str, port: int, curve: bool
+def test_every_address_but_loopback_expects_viewers_of_other_computers(
+    text: str, address: str, port: int, remote: bool
 ) -> None:
-    assert parse_bind(text) == Bind(address, port, curve)
+    assert parse_bind(text) == Bind(address, port, remote)
 
 
 @pytest.mark.parametrize(
@@ -150,12 +150,13 @@ def test_viewer_without_a_key_cannot_attach(entry: EngineEntry) -> None:
     refuses_strangers(entry)
 
 
-def test_a_port_in_place_of_unix_sockets_demands_keys(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("bind", [None, "tcp://127.0.0.1:0"], ids=["long folder", "--bind"])
+def test_a_port_of_this_computer_demands_keys(
+    bind: str | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    folder = tmp_path / ("long" * 25)
+    folder = tmp_path / ("run" if bind else "long" * 25)
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(folder))
-    host = EngineHost(read_rig(RIG), "max")
+    host = EngineHost(read_rig(RIG), "max", parse_bind(bind) if bind else None)
     try:
         client = attach(RIG)
         assert client.entry.commands.startswith("tcp://127.0.0.1:")
@@ -168,12 +169,12 @@ def test_a_port_in_place_of_unix_sockets_demands_keys(
 
 def refuses_strangers(entry: EngineEntry) -> None:
     context = zmq.Context()
-    asks, looks = context.socket(zmq.REQ), context.socket(zmq.SUB)
+    asks, looks = context.socket(zmq.REQ), context.socket(zmq.DEALER)
     try:
         asks.setsockopt(zmq.IMMEDIATE, 1)
         asks.setsockopt(zmq.SNDTIMEO, 500)
         asks.connect(entry.commands)
-        looks.setsockopt(zmq.SUBSCRIBE, b"")
+        looks.setsockopt(zmq.PROBE_ROUTER, 1)
         looks.connect(entry.snapshots)
         with pytest.raises(zmq.Again):
             asks.send(b"anything")

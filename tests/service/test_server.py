@@ -310,6 +310,7 @@ def test_registry_lists_the_living_and_forgets_the_dead(
 def test_server_knows_whether_anyone_looks(server: Server) -> None:
     assert not server.watched
     viewer = Client(EngineEntry(1, server.commands, server.stream, "rig.toml", 0.0))
-    until(lambda: server.watched)
+    until(lambda: viewer.poll() is not None)
+    assert server.watched
     viewer.close()
     until(lambda: not server.watched)
