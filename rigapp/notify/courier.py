@@ -48,6 +48,7 @@ from rigapp.notify.store import (
 )
 from rigapp.notify.ways import address, attempt, tell
 from rigapp.process.ending import Background
+from rigapp.process.link import connect_link
 from rigapp.process.logs import in_file
 from rigapp.schema.messages import RunState, Severity
 
@@ -358,7 +359,7 @@ def main(arguments: list[str]) -> int:
     socket = context.socket(zmq.PAIR)
     socket.setsockopt(zmq.LINGER, 0)
     socket.setsockopt(zmq.SNDTIMEO, 1000)
-    socket.connect(arguments[0])
+    connect_link(socket, arguments[0])
     engine = int(arguments[1])
     try:
         while not socket.poll(LOOK_MS):

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import os
 import subprocess
-import sys
 import threading
 import time
 from collections import deque
@@ -22,6 +21,7 @@ import zmq
 from rigapp.notify.facts import CourierAnswer, CourierSetup, Fact, Farewell, Seen, SignOfLife
 from rigapp.process.children import start_module
 from rigapp.process.ending import Background
+from rigapp.process.link import bind_link, link_address
 from rigapp.schema.messages import Status
 from rigapp.schema.notices import Committed, Notices
 
@@ -73,9 +73,7 @@ class CourierLink:
     ) -> None:
         self._setup, self._notices, self._look = setup, notices, look
         self._on_said, self._on_wrong = said, wrong
-        self._address = f"ipc://{folder}/courier-{os.getpid()}-{id(self):x}"
-        if sys.platform == "win32" or len(self._address) > 100:
-            self._address = "tcp://127.0.0.1:*"
+        self._address = link_address(folder, f"courier-{os.getpid()}-{id(self):x}")
         self._facts: deque[Fact] = deque()
         self._number = self._handed = self._heard = 0
         self._signed_at = -SIGN_EVERY_S
@@ -122,10 +120,11 @@ class CourierLink:
         """Start a courier and feed it until it has ended or the engine does."""
         socket = context.socket(zmq.PAIR)
         socket.setsockopt(zmq.LINGER, 0)
-        socket.bind(self._address)
-        endpoint = socket.getsockopt_string(zmq.LAST_ENDPOINT)
+        endpoint, environment = bind_link(socket, self._address)
         # It outlives its engine, to tell of its end.
-        process = start_module("rigapp.notify.courier", endpoint, os.getpid())
+        process = start_module(
+            "rigapp.notify.courier", endpoint, os.getpid(), environment=environment
+        )
         self._process = process
         Background(process.wait, "courier's end")
         self._barren += 1

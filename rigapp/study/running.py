@@ -247,6 +247,9 @@ def _client(scheduler: str, workers: int | None) -> Iterator[Any]:
             processes=True,
             dashboard_address="127.0.0.1:0",
             silence_logs=50,
+            # Who reaches a scheduler runs code as its user, and every account reaches loopback:
+            # keys of its own, for this cluster alone.
+            security=True,
         )
         ending.enter_context(cluster)
         yield ending.enter_context(Client(cluster))

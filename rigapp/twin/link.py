@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import os
 import subprocess
-import sys
 import threading
 import time
 from collections import deque
@@ -23,6 +22,7 @@ import msgspec
 import zmq
 
 from rigapp.process.children import start_module
+from rigapp.process.link import bind_link, link_address
 from rigapp.schema.messages import Prediction, RevolutionMeasured
 from rigapp.twin.messages import TwinAnswer, TwinSetup
 
@@ -88,9 +88,7 @@ class TwinLink:
         self._next_report = 0.0
         self._asked_again = -1
         self._newest = 0
-        self._address = f"ipc://{folder}/twin-{os.getpid()}-{id(self):x}"
-        if sys.platform == "win32" or len(self._address) > 100:
-            self._address = "tcp://127.0.0.1:*"
+        self._address = link_address(folder, f"twin-{os.getpid()}-{id(self):x}")
         self._mailbox: deque[RevolutionMeasured] = deque(maxlen=MAILBOX)
         self._wake = threading.Event()
         self._ready = threading.Event()
@@ -175,12 +173,11 @@ class TwinLink:
         socket = context.socket(zmq.PAIR)
         socket.setsockopt(zmq.LINGER, 0)
         socket.setsockopt(zmq.SNDTIMEO, 1000)
-        socket.bind(self._address)
-        endpoint = socket.getsockopt_string(zmq.LAST_ENDPOINT)
+        endpoint, environment = bind_link(socket, self._address)
         self.restarts += 1
         # What matters comes in its answers, not on its standard error.
         self._worker = start_module(
-            "rigapp.twin.worker", endpoint, os.getpid(), environment=SINGLE_THREADED | os.environ
+            "rigapp.twin.worker", endpoint, os.getpid(), environment=SINGLE_THREADED | environment
         )
         try:
             if not self._introduce(socket):

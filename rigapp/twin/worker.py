@@ -20,6 +20,7 @@ from model.friction_circle import COVERAGE_FACTOR, CellDoubt
 from model.wear.techniques import solve_of
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import to_parameters
+from rigapp.process.link import connect_link
 from rigapp.schema.messages import RevolutionMeasured
 from rigapp.twin.checkpoint import packed, restore, take_over
 from rigapp.twin.identifying import Identifier
@@ -129,7 +130,7 @@ def main(arguments: list[str]) -> int:
     context = zmq.Context()
     socket = context.socket(zmq.PAIR)
     socket.setsockopt(zmq.LINGER, 0)
-    socket.connect(arguments[0])
+    connect_link(socket, arguments[0])
     remarks = Remarks()
     logging.getLogger().addHandler(remarks)
     twin: Twin | None = None

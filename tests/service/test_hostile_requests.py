@@ -262,7 +262,7 @@ def test_subscriptions_to_topics_take_no_memory(
     peer.close()
 
 
-def test_100000_mutated_messages_to_the_stream_are_ignored(host: EngineHost, client: Client) -> None:
+def test_100000_messages_to_the_stream_are_ignored(host: EngineHost, client: Client) -> None:
     chance, memory = random.Random(22), psutil.Process().memory_info
     peer = RawPeer(client.entry.snapshots, b"DEALER")
     before = memory().rss

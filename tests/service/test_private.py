@@ -12,10 +12,12 @@ from pathlib import Path
 
 import msgspec
 import pytest
+import zmq
 from stories import until
 
 from rigapp.config.errors import UnusableInput
 from rigapp.process.leftovers import owner_lives, remove_left_behind
+from rigapp.process.link import KEY, bind_link, connect_link, link_address
 from rigapp.process.private import SMALL_BYTES
 from rigapp.service.registry import (
     EngineEntry,
@@ -181,3 +183,25 @@ def test_keys_outlive_a_restart_and_those_of_before_come_along(
     assert not (runtime_folder() / "keys").exists()
     shutil.rmtree(tmp_path / "run" / "rigapp")
     assert viewer_keys(lasting_folder()) == before
+
+
+def test_a_link_at_a_port_lets_only_the_process_in_that_has_its_key(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    context = zmq.Context()
+    try:
+        ours, stranger, child = (context.socket(zmq.PAIR) for _ in range(3))
+        endpoint, environment = bind_link(ours, link_address(tmp_path, "n" * 100))
+        assert endpoint.startswith("tcp://127.0.0.1:")
+        monkeypatch.delenv(KEY, raising=False)
+        connect_link(stranger, endpoint)
+        stranger.send(b"junk")
+        assert not ours.poll(300)
+        monkeypatch.setenv(KEY, environment[KEY])
+        connect_link(child, endpoint)
+        assert KEY not in os.environ
+        child.send(b"answer")
+        assert ours.poll(10_000)
+        assert ours.recv() == b"answer"
+    finally:
+        context.destroy(linger=0)

@@ -75,6 +75,17 @@ def link(tmp_path: Path, inbox: Inbox, reports: list[str]) -> Iterator[TwinLink]
     assert link.worker_pid == 0
 
 
+def test_a_worker_is_reached_through_a_port_where_the_folder_has_a_long_name(
+    tmp_path: Path, inbox: Inbox
+) -> None:
+    link = TwinLink(SETUP, inbox, tmp_path / ("long" * 25))
+    try:
+        link.offer(revolution(1))
+        inbox.wait(lambda: inbox.numbers == [1])
+    finally:
+        link.close()
+
+
 def test_every_revolution_is_predicted_in_order(link: TwinLink, inbox: Inbox) -> None:
     assert link.wait_ready(60.0)
     for number in range(1, 21):
