@@ -5,8 +5,8 @@ a CurveZMQ key pair whose public half lies in the engine's folder of authorised 
 viewers of the engine's own user are authorised by the engine itself.
 
 Keys lie in ``keys`` in the lasting folder (see ``registry``): ``server.key_secret``,
-``viewer.key_secret`` (both readable by their owner alone) and ``authorised/*.key``. A key that is put into or taken out of that folder counts at once for
-viewers that attach from then on.
+``viewer.key_secret`` (both readable by their owner alone) and ``authorised/*.key``. A key that is
+put into or taken out of that folder counts at once for viewers that attach from then on.
 """
 
 from __future__ import annotations
