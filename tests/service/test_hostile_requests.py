@@ -233,6 +233,12 @@ class RawPeer:
         greeting = b"\xff" + bytes(8) + b"\x7f\x03\x00" + b"NULL".ljust(20, b"\x00") + bytes(32)
         ready = b"\x05READY\x0bSocket-Type" + len(kind).to_bytes(4, "big") + kind
         self._socket.sendall(greeting + bytes([4, len(ready)]) + ready)
+        # What comes before the engine's own READY is taken for a part of the handshake. A peer of
+        # another kind than a viewer gets none.
+        answer = b""
+        with contextlib.suppress(ConnectionError):
+            while b"READY" not in answer and (part := self._socket.recv(4096)):
+                answer += part
 
     def send(self, body: bytes) -> bool:
         """Send a message; False once the engine has ended the connection."""
@@ -254,25 +260,24 @@ def test_subscriptions_to_topics_take_no_memory(
     client: Client, kind: bytes, size: int, count: int
 ) -> None:
     memory = psutil.Process().memory_info
-    before, peer = memory().rss, RawPeer(client.entry.snapshots, kind)
-    topics = (b"\x01" + os.urandom(size) for _ in range(count))
-    assert not all(peer.send(topic) for topic in topics), "the connection was not ended"
-    assert client.request("status").ok
-    assert memory().rss - before < 30_000_000
-    peer.close()
+    before = memory().rss
+    with contextlib.closing(RawPeer(client.entry.snapshots, kind)) as peer:
+        topics = (b"\x01" + os.urandom(size) for _ in range(count))
+        assert not all(peer.send(topic) for topic in topics), "the connection was not ended"
+        assert client.request("status").ok
+        assert memory().rss - before < 30_000_000
 
 
 def test_100000_messages_to_the_stream_are_ignored(host: EngineHost, client: Client) -> None:
     chance, memory = random.Random(22), psutil.Process().memory_info
-    peer = RawPeer(client.entry.snapshots, b"DEALER")
-    before = memory().rss
-    for number in range(100_000):
-        body = chance.randbytes(chance.choice((1, 1, 2, 8, 100)))
-        assert peer.send(body), number
-    assert not host.watched
-    assert client.request("status", timeout_s=1.0).ok
-    assert memory().rss - before < 30_000_000
-    peer.close()
+    with contextlib.closing(RawPeer(client.entry.snapshots, b"DEALER")) as peer:
+        before = memory().rss
+        for number in range(100_000):
+            body = chance.randbytes(chance.choice((1, 1, 2, 8, 100)))
+            assert peer.send(body), number
+        assert not host.watched
+        assert client.request("status").ok
+        assert memory().rss - before < 30_000_000
 
 
 def test_notes_of_one_client_do_not_fill_the_log(tmp_path: Path) -> None:
