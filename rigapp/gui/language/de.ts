@@ -10539,10 +10539,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Vor {} fehlt eine Schrittnummer{}: Eine Messung, die nicht gilt, bleibt besser als Kommentar mit ihrem Grund stehen</translation>
     </message>
     <message>
-        <source>A viewer could not be taken note of: {}</source>
-        <translation>Ein Betrachter ließ sich nicht vermerken: {}</translation>
-    </message>
-    <message>
         <source>Acknowledge &quot;{}&quot;{}: say that you have seen it</source>
         <translation>„{}“{} quittieren: bestätigen, dass es gesehen wurde</translation>
     </message>
@@ -10665,6 +10661,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Expected {}</source>
         <translation>erwartet wird {}</translation>
+    </message>
+    <message>
+        <source>Failed to register a viewer: {}</source>
+        <translation>Ein Betrachter ließ sich nicht anmelden: {}</translation>
     </message>
     <message>
         <source>Fewer than {} positions; linearity is known only roughly</source>
