@@ -1,26 +1,83 @@
-"""Run every benchmark in a process of its own: ``python -m benchmarks [WORD ...]``."""
+"""Run every benchmark in a process of its own: ``python -m benchmarks [WORD ...] [--json FILE]``.
+
+The last table has one line for each budget: what, figure, peer with its ratio, budget, kept or
+missed; what was skipped stands below it. Status 1 when a benchmark failed, not when a budget is
+missed: a figure of a busy machine says nothing.
+"""
 
 from __future__ import annotations
 
+import argparse
+import json
+import os
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
+from typing import Any
+
+from benchmarks.budgets import BUDGETS, COLLECTED
+
+HERE = Path(__file__).parent
 
 
-def main(wanted: list[str]) -> int:
-    """Run the benchmarks whose names contain one of the words (all without words)."""
-    failed = []
-    for path in sorted(Path(__file__).parent.glob("bench_*.py")):
-        if wanted and not any(word in path.stem for word in wanted):
+def table(figures: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Return a row for each budget that was measured, skipped ones behind them."""
+    rows = []
+    for one in figures:
+        if "skipped" in one:
             continue
-        print(f"== {path.stem.removeprefix('bench_')}", flush=True)
-        if subprocess.run([sys.executable, str(path)], check=False).returncode != 0:
-            failed.append(path.stem)
-        print(flush=True)
+        budget = BUDGETS[one["name"]]
+        kept = budget.kept(one["value"])
+        limit = {"limit": budget.limit, "at_least": budget.at_least, "unit": budget.unit}
+        rows.append({"what": budget.what, **one, **limit, "kept": kept})
+    return rows + [one for one in figures if "skipped" in one]
+
+
+def line(row: dict[str, Any]) -> str:
+    """Return a row as text."""
+    if "skipped" in row:
+        return f"{row['skipped']:<52} SKIPPED: {row['why']}"
+    peer = f"{row['ratio']:,.1f} x {row['peer']}" if row["ratio"] is not None else ""
+    budget = f"{'>=' if row['at_least'] else '<='} {row['limit']:g} {row['unit']}"
+    return (
+        f"{row['what']:<52}{row['value']:>12,.4g}  {budget:<26}"
+        f"{'kept' if row['kept'] else 'MISSED':<8}{peer}"
+    )
+
+
+def main() -> int:
+    """Run the benchmarks whose names contain one of the words (all without words)."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("words", nargs="*", help="only benchmarks whose name contains one of them")
+    parser.add_argument("--json", type=Path, help="write the last table to this file too")
+    options = parser.parse_args()
+    failed, figures = [], []
+    with tempfile.TemporaryDirectory() as folder:
+        collected = Path(folder) / "figures"
+        collected.touch()
+        for path in sorted(HERE.glob("bench_*.py")):
+            name = path.stem.removeprefix("bench_")
+            if options.words and not any(word in name for word in options.words):
+                continue
+            print(f"== {name}", flush=True)
+            environment = {**os.environ, COLLECTED: str(collected)}
+            command = [sys.executable, str(path)]
+            before = collected.stat().st_size
+            status = subprocess.run(command, env=environment, check=False).returncode
+            # Some return 1 for a missed budget; a benchmark that fails leaves no figure.
+            if status != 0 and collected.stat().st_size == before:
+                failed.append(name)
+            print(flush=True)
+        figures = [json.loads(one) for one in collected.read_text("utf-8").splitlines()]
+    rows = table(figures)
+    print("\n".join(map(line, rows)))
+    if options.json:
+        options.json.write_text(json.dumps(rows, indent=1) + "\n", "utf-8")
     if failed:
         print(f"failed: {', '.join(failed)}", file=sys.stderr)
     return 1 if failed else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -2,7 +2,7 @@
 
 Run with ``python benchmarks/bench_gsv8.py``. One core; bytes as they come from a port (pieces of
 4095 bytes, the kernel's buffer, and of 64 KiB) to (channels, samples) arrays with quality flags.
-The last line is the ratio that the budget speaks of: float32 frames of four analog inputs and the
+The budget is of float32 frames of four analog inputs and the
 counter, against 12000 frames a second.
 """
 
@@ -11,13 +11,13 @@ from __future__ import annotations
 import time
 
 import numpy as np
+from budgets import measured, size
 
 from drivers.gsv8.frames import FrameLayout, StreamParser, encode_frames
 from drivers.gsv8.numbers import DataType
 
-SAMPLES = 600_000
-REPEATS = 3
-BUDGET_RATIO = 50.0
+SAMPLES = size(600_000, 6_000)
+REPEATS = size(3, 1)
 CASES = {
     "float32, 5 objects": (FrameLayout(5), 12_000),
     "float32, 5 objects, CRC-16": (FrameLayout(5, checksum=True), 12_000),
@@ -62,8 +62,7 @@ def main() -> None:
             )
             if layout == FrameLayout(5):
                 slowest = min(slowest, ratio)
-    verdict = "kept" if slowest >= BUDGET_RATIO else "MISSED"
-    print(f"ratio gsv8_parse {slowest:.1f} (budget {BUDGET_RATIO:.0f}: {verdict})")
+    measured("gsv8", slowest)
 
 
 if __name__ == "__main__":

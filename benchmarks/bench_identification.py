@@ -3,9 +3,9 @@
 Run with ``python benchmarks/bench_identification.py [--tests 1000] [--processes N]``. Each virtual
 test has a coefficient, a statement and errors of its own, drawn as the certificate states them (see
 ``tests/model/identification/virtual_tests.py``); the bushing is the reference one, 60 um worn after
-20,000 revolutions. Nothing is tuned to what was drawn: a figure that is missed says so, and the
-exit status is 1. A fifth as many tests are drawn with running-in and with a change, half as many to
-be watched for false alarms, a tenth with a coefficient that doubles at half time.
+20,000 revolutions. Nothing is tuned to what was drawn: a figure that is missed says so. A fifth as
+many tests are drawn with running-in and with a change, half as many to be watched for false alarms,
+a tenth with a coefficient that doubles at half time.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+from budgets import measured, size
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "model" / "identification"))
 import virtual_tests as virtual
@@ -48,7 +49,6 @@ TOLD = 0.99
 """What moves the depth by more than 5 sigma is told in 99 of 100 tests at least."""
 MOST_FALSE = 0.01
 GROWTH = 5.0
-UPDATE_MS = 10.0
 LONG = 1_000_000
 FORCE_N, COEFFICIENT = 110.0, 5.05e-13
 WORN, AFTER = 60e-6, 20_000.0
@@ -188,11 +188,11 @@ def shares(values: Iterable[Iterable[bool]]) -> list[float]:
     return [float(one) for one in np.mean([list(row) for row in values], axis=0)]
 
 
-def main() -> int:
-    """Print the table; return 1 when a figure is missed."""
+def main() -> None:
+    """Print the table."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--tests", type=int, default=1000)
-    parser.add_argument("--processes", type=int, default=os.cpu_count())
+    parser.add_argument("--tests", type=int, default=size(1000, 2))
+    parser.add_argument("--processes", type=int, default=size(os.cpu_count() or 1, 1))
     given = parser.parse_args()
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # for the workers: their matrices are small
     met = []
@@ -232,10 +232,11 @@ def main() -> int:
         met.append(line(title, f"{grown.max():.1f}", goal, bool(grown.max() < GROWTH)))
         spent, reading = pool.submit(update_ms, 15).result()
     title = f"update with what remains, after {LONG} revolutions"
-    met.append(line(title, f"{spent:.1f} ms", f"< {UPDATE_MS:g} ms", spent < UPDATE_MS))
+    print(f"  {title}")
+    measured("identification", spent)
     print(f"        gathering one reading: {1e3 * reading:.1f} us")
-    return 0 if all(met) else 1
+    measured("identified", met.count(False))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

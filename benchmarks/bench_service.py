@@ -24,6 +24,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from budgets import measured, size
 
 ROOT = Path(__file__).parents[1]
 # The project itself stands first: tests has folders named as its packages.
@@ -41,15 +42,14 @@ from rigapp.service.client import Client  # noqa: E402
 from rigapp.service.host import EngineHost  # noqa: E402
 from rigapp.service.registry import running_engines  # noqa: E402
 
-MEMORY_TRIPS = 20
-WIRE_TRIPS = 5
-SECONDS = 30.0
+MEMORY_TRIPS = size(20, 1)
+WIRE_TRIPS = size(5, 1)
+SECONDS = size(30, 5)
 RPM = 120.0
 LONG = 100_000
 OVERLOAD_MV_PER_V = 3.0
 REST_N = 100.0
 """The pin at rest carries less: the block with the overload is no longer the newest one."""
-BUDGET_MS = 100.0
 
 
 def wire_test() -> Document[TestFile]:
@@ -148,18 +148,18 @@ def snapshot_delays_ms() -> list[float]:
     return ages[2:]
 
 
-def show(what: str, values: list[float]) -> None:
-    """Print one line with the ratio to the budget."""
+def show(what: str, values: list[float]) -> float:
+    """Print one line; return the 99th percentile."""
     p99 = float(np.percentile(values, 99))
     print(
         f"{what:44s} median {statistics.median(values):7.2f} ms   p99 {p99:7.2f} ms"
-        f"   largest {max(values):7.2f} ms   budget/p99 {BUDGET_MS / max(p99, 1e-3):6.1f}"
-        f"   n = {len(values)}"
+        f"   largest {max(values):7.2f} ms   n = {len(values)}"
     )
+    return p99
 
 
-def main() -> int:
-    """Print the table; status 1 when a budget is missed."""
+def main() -> None:
+    """Print the table."""
     trips = memory_trips()
     show("trip to drive-off, in memory", trips)
     with tempfile.TemporaryDirectory() as folder:
@@ -179,12 +179,9 @@ def main() -> int:
                 wire.append(trip_ms(host.engine, devices.source, devices.spindle))
         finally:
             host.close()
-    show("trip to drive-off, over wire bytes", wire)
-    show("end of revolution to snapshot at the viewer", ages)
-    within = all(float(np.percentile(v, 99)) <= BUDGET_MS for v in (trips, wire, ages))
-    print("within the budgets" if within else "BUDGET MISSED")
-    return 0 if within else 1
+    measured("trip", show("trip to drive-off, over wire bytes", wire))
+    measured("snapshot", show("end of revolution to snapshot at the viewer", ages))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -10,6 +10,8 @@ import math
 import time
 from pathlib import Path
 
+from budgets import measured, size
+
 from rigapp.config.loading import read_rig
 from rigapp.simulation import layout
 from rigapp.simulation.constants import packaged_parameters, plant_constants
@@ -20,7 +22,7 @@ FASTEST_DAQ_HZ = 12_000.0
 RIG = Path(__file__).resolve().parents[1] / "examples" / "simulated.toml"
 
 
-def samples_per_second(rate_Hz: float, chunk: int, seconds: float = 1.0) -> float:
+def samples_per_second(rate_Hz: float, chunk: int, seconds: float = size(100, 2) / 100) -> float:
     """Return how many samples a second of CPU time the plant makes at 60 rpm."""
     rig = read_rig(RIG).record
     plant = Plant(
@@ -46,6 +48,7 @@ def main() -> None:
     ):
         rate_made = samples_per_second(rate, chunk)
         print(f"{name}: {rate_made:.3g} samples/s = {rate_made / FASTEST_DAQ_HZ:.0f} x GSV-8")
+    measured("plant", rate_made / FASTEST_DAQ_HZ)
 
 
 if __name__ == "__main__":
