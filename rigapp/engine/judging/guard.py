@@ -178,7 +178,12 @@ class Guard:
             by = "crank encoder"
             run.act_on(because("overspeed", by=by, speed_rpm=speed_rpm, limit_rpm=limit))
         turned = rig.processor.assembler.motion.turned_without_index
-        if state is RunState.PAUSED and abs(speed_rpm) > PAUSE_RPM:
+        # The mean speed of a slow crank looks back into the time before it came to rest.
+        if (
+            state is RunState.PAUSED
+            and abs(speed_rpm) > PAUSE_RPM
+            and not rig.processor.motion.standing(run.timing.standing)
+        ):
             run.act_on(because("moved_in_pause", speed_rpm=speed_rpm))
             return
         if test is None or state not in SPEED_HELD:
