@@ -18,6 +18,7 @@ def rig_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
     path = tmp_path / "rig.toml"
     record = msgspec.to_builtins(MemoryRig().rig_file())
+    del record["simulation"]  # refused in the file of a rig without simulated ports
     for device in record["devices"].values():
         device["port"] = "memory"
     path.write_text(toml_text(record), encoding="utf-8")

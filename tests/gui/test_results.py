@@ -388,10 +388,10 @@ def test_the_window_begins_with_four_ways_and_the_last_tests(
     page.setFocus()
     with qtbot.waitActive(window):
         window.activateWindow()
-    # Each key stands on its button, and does the same from a field that takes digits.
+    # Each key stands on its card, and does the same from a field that takes digits.
     for act, name in ((Act.RESULTS, "results"), (Act.PREPARE, "prepare")):
         window.controls.text.setFocus()
-        key = page.ways[act].button.text().rpartition(" ")[2]
+        key = page.ways[act].shortcut.text()
         press = QKeySequence(key)[0]
         qtbot.keyClick(window.controls.text, press.key(), press.keyboardModifiers())
         assert window.tabs.currentIndex() == NUMBERS[name]
@@ -400,8 +400,8 @@ def test_the_window_begins_with_four_ways_and_the_last_tests(
     buttons["prepare"].click()
     assert window.tabs.currentIndex() == NUMBERS["prepare"]
     window.tabs.show_page("start")
-    assert buttons["try"].text().endswith("F11")
-    assert buttons["calibrate"].text().endswith("F3")
+    assert page.ways[Act.TRY].shortcut.text() == "F11"
+    assert page.ways[Act.CALIBRATE].shortcut.text() == "F3"
     window.controls.text.setFocus()
     qtbot.keyClick(window.controls.text, Qt.Key.Key_F11)
 

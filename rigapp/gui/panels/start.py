@@ -89,9 +89,11 @@ class WayCard(QFrame):
             guarded=act in (Act.TRY, Act.CALIBRATE),
         )
         self.button.setFixedHeight(5 * STEP)
-        shortcut = prose(f"way_key_{act.value}", title, key)
-        shortcut.setProperty("role", "secondary")
-        made = column(row((self.sign, 1), shortcut), head, (self.text, 1), self.button, on=self)
+        self.shortcut = prose(f"way_key_{act.value}", title, key)
+        self.shortcut.setProperty("role", "secondary")
+        made = column(
+            row((self.sign, 1), self.shortcut), head, (self.text, 1), self.button, on=self
+        )
         made.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
         made.setSpacing(STEP)
 
