@@ -95,11 +95,11 @@ class Path5:
         if row is not None:
             self.recorder.row(row.number, row.values, row.measured)
 
-    def overload(self, force_N: float) -> None:
+    def overload(self, force_N: float, beyond_range: bool) -> None:
         """No sample of the benchmark is above the limit."""
         raise SystemExit(f"overload of {force_N} N in the benchmark")
 
-    def cut_off(self, inputs: frozenset[str]) -> bool:
+    def cut_off(self, inputs: frozenset[str], force_N: float, slowed: bool) -> bool:
         """No input of the benchmark is saturated."""
         raise SystemExit(f"{inputs} cut off in the benchmark")
 
@@ -117,8 +117,9 @@ class Path5:
         """No sample of the benchmark may be lost."""
         raise SystemExit(f"{samples} samples lost in the benchmark")
 
-    def time_jump(self, seconds: float) -> None:
-        """Nothing to do."""
+    def missing(self, seconds: float) -> None:
+        """No time of the benchmark may be without samples."""
+        raise SystemExit(f"{seconds} s without samples in the benchmark")
 
 
 def whole_path(folder: Path, samples: int) -> float:

@@ -247,7 +247,7 @@ class Quiet:
     def lost(self, samples: int) -> None:
         raise AssertionError
 
-    def time_jump(self, seconds: float) -> None:
+    def missing(self, seconds: float) -> None:
         raise AssertionError
 
 

@@ -122,7 +122,7 @@ def test_live_values_tare_and_overload_use_the_terms(
         overload=lambda force_N, beyond_range: seen.append(force_N),
         **{
             name: lambda *_: None
-            for name in ("begun", "calm", "motion", "revolution", "lost", "time_jump")
+            for name in ("begun", "calm", "motion", "revolution", "lost", "missing")
         },
     )
     processor = Processor(kind, judge, lambda: 1.0, False)
