@@ -12,6 +12,7 @@ from engine_doubles import MemoryRig, a_test, eventually
 
 from drivers.api import Block, InputFault, InputFaultKind, Quality
 from rigapp.config.recipe import TestFile
+from rigapp.engine.judging.drivewatch import DriveWatch
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup
 from rigapp.schema.messages import Alarm, FinishReason, Flag, RunState, Severity
 from rigapp.schema.states import ENDED
@@ -54,6 +55,25 @@ def limit_age(rig: MemoryRig) -> None:
 
 def alarm(rig: MemoryRig, start: str) -> Alarm | None:
     return next((a for a in rig.engine.status().alarms if a.key.startswith(start)), None)
+
+
+@pytest.mark.parametrize(("simulated", "silent_s"), [(False, 0.3), (True, 0.6)])
+def test_a_simulated_drive_may_be_late_by_as_much_as_its_own_watchdog(
+    simulated: bool, silent_s: float
+) -> None:
+    rig = MemoryRig(simulated=simulated)
+    rig.engine.connect()
+    connection = rig.engine._connection
+    assert connection is not None
+    watch = DriveWatch(rig.engine._core, connection, 0.5)
+    connection.age_s = lambda since_s: silent_s - 0.01  # type: ignore[method-assign]
+    connection.control.poll = lambda: None  # type: ignore[method-assign]
+    watch.ask()
+    assert alarm(rig, "drive_silent") is None
+    connection.age_s = lambda since_s: silent_s + 0.01  # type: ignore[method-assign]
+    watch.ask()
+    assert alarm(rig, "drive_silent") is not None
+    rig.engine.shutdown()
 
 
 @pytest.mark.parametrize("simulated", [False, True])
