@@ -53,7 +53,7 @@ def _asked(entry: Any) -> dict[str, Any]:
         client.close()
     if not reply.ok:
         return {**shown, "problem": reply.sentence}
-    status = reply.result
+    status, shown["state_word"], shown["state_line"] = _told(reply.result)
     names = (
         "state", "reason", "rig", "test", "file", "revolution", "planned", "committed",
         "speed_rpm", "data_age_s", "in_command", "simulated",
@@ -72,6 +72,17 @@ def _asked(entry: Any) -> dict[str, Any]:
     }
 
 
+def _told(result: Any) -> tuple[Any, str, str]:
+    """Return a status with its state in a word and in a line, as the window says them."""
+    import msgspec
+
+    from rigapp.presentation.states import state_line, state_word
+    from rigapp.schema.messages import Status
+
+    status = msgspec.convert(result, Status)
+    return result, state_word(status), state_line(status)
+
+
 def _finite(value: Any) -> Any:
     """Return None for an infinite number, which JSON cannot tell."""
     return None if isinstance(value, float) and value in (float("inf"), float("-inf")) else value
@@ -81,8 +92,8 @@ def _lines(one: dict[str, Any]) -> list[str]:
     head = f"engine {one['pid']}: {one['rig_file']}"
     if "problem" in one:
         return [head, f"  {one['problem']}"]
-    reason = f" ({one['reason']})" if one["reason"] else ""
-    lines = [head, f"  {one['state']}{reason}"]
+    word, line = one["state_word"], one["state_line"]
+    lines = [head, f"  {line}" if line.startswith(word) else f"  {word}. {line}"]
     if one["file"]:
         lines.append(
             f"  {one['test']}: revolution {one['revolution']} of {one['planned']},"
@@ -93,6 +104,4 @@ def _lines(one: dict[str, Any]) -> list[str]:
     lines += [
         f"  {alarm['severity']}, {alarm['state']}: {alarm['cause']}" for alarm in one["alarms"]
     ]
-    if one["next"]["sentence"]:
-        lines.append(f"  next: {one['next']['sentence']}")
     return lines

@@ -13,7 +13,7 @@ from rigapp.gui.data.channels import FreeValue, value_text
 from rigapp.gui.data.connection import ConnectionState
 from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, newest_wear, wear_of
 from rigapp.gui.data.levels import margin_words
-from rigapp.gui.data.margins import DEPTH, margins, nearest_margin, newest
+from rigapp.gui.data.margins import DEPTH, margins, nearest_margin, newest, newest_force
 from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import LARGEST, UM_PER_MM
 from rigapp.gui.data.shown import (
@@ -27,6 +27,7 @@ from rigapp.gui.data.shown import (
 )
 from rigapp.page.rig import DiskSpace, WatchedRig
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.states import state_line, state_word
 from rigapp.presentation.times import MOMENT, dated, duration
 from rigapp.schema.messages import Alarm, DeviceView, RunState, Status
 from rigapp.schema.states import ACTIVE
@@ -76,7 +77,8 @@ class ProcessView(msgspec.Struct, frozen=True):
 class RigView(msgspec.Struct, frozen=True):
     """What is known of a rig at one moment.
 
-    line: attaching, attached, silent or lost, with why in ``sentence``. values: newest statistics
+    line: attaching, attached, silent or lost, with why in ``sentence``. state_word, state_line: the
+    state and what is next, as the window says them. values: newest statistics
     and predictions by the names of their columns, of those that are known. wear: those of the wear
     coefficient (mm^3/(N m)) and of the revolutions that remain, with 95 % limits. tile_marks: of
     each tile, "warning" or "critical" by the alarms about it, "old" by its age. null: not known.
@@ -91,6 +93,8 @@ class RigView(msgspec.Struct, frozen=True):
     silence_s: float
     problem: str
     state: str = "unknown"
+    state_word: str = ""
+    state_line: str = ""
     reason: str = ""
     test: str = ""
     file: str = ""
@@ -144,6 +148,8 @@ def view_of(rig: WatchedRig, news: News) -> RigView:
         shown,
         **taken,
         state=status.state.value,
+        state_word=state_word(status),
+        state_line=state_line(status),
         file=status.file.replace("\\", "/").rpartition("/")[2],
         data_age_s=news.data_age_s,
         next_step=status.recovery.sentence,
@@ -209,7 +215,7 @@ def _notes(news: News) -> list[NoteView]:
 
 def _tiles(news: News) -> list[FreeValue]:
     """Return what is read first, each with a word below it."""
-    status, rows = news.status, news.data.rows
+    status = news.status
     assert status is not None
     share = f"{100.0 * status.revolution / status.planned:.1f} %" if status.planned else ""
     planned = f"of {grouped(status.planned)}, {share}" if status.planned else ""
@@ -227,8 +233,9 @@ def _tiles(news: News) -> list[FreeValue]:
         ends = dated(MOMENT, time.localtime(status.expected_end_at))
         left = duration(status.expected_end_at - status.host_time)
         found.append(FreeValue("end", "Planned end", left, ends))
-    if len(rows):
-        force = value_text(rows.last(LARGEST), "N")
+    newest_N, sign = newest_force(news)
+    if math.isfinite(newest_N):
+        force = sign + value_text(newest_N, "N")
         nearest = nearest_margin(news, LARGEST) if status.state in ACTIVE else None
         words = nearest.left if nearest is not None else ""
         level = level_of(alarms, LARGEST)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import Final
 
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
-from rigapp.schema.messages import HowEnded, RunState, Status
+from rigapp.schema.messages import Alarm, HowEnded, RunState, Severity, Status
 
 STATES: Final[dict[RunState, Text]] = {
     RunState.IDLE: "Idle",
@@ -74,4 +75,31 @@ def state_line(status: Status, key: str = "") -> str:
         f"{word}: {retold(status.reason)}" if status.reason else "",
         retold(step.sentence) + pressed,
     ]
-    return "  ".join(one for one in told if one) or tr(USUAL.get(status.state, f"{word}."))
+    return "  ".join(one for one in told if one) or _unnamed(status, word)
+
+
+def _unnamed(status: Status, word: str) -> str:
+    """Return the line of a state of which the engine says no more: its alarm comes first."""
+    alarm = worst_alarm(status.alarms)
+    if alarm is not None:
+        return f"{word}. {retold(alarm.title)}: {retold(alarm.cause)}"
+    return tr(USUAL.get(status.state, f"{word}."))
+
+
+def listed_alarms(alarms: Iterable[Alarm]) -> list[Alarm]:
+    """Return the alarms that are told of: those that are not over, and not shelved."""
+    return [one for one in alarms if one.state not in ("normal", "shelved")]
+
+
+def worst_alarm(alarms: Iterable[Alarm]) -> Alarm | None:
+    """Return the alarm to name: not acknowledged, first out, critical, then the oldest."""
+    return min(
+        listed_alarms(alarms),
+        key=lambda one: (
+            one.acknowledged,
+            not one.first_out,
+            one.severity is not Severity.CRITICAL,
+            one.raised_at,
+        ),
+        default=None,
+    )

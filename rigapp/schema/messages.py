@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import enum
 import math
+from functools import cache
 from typing import Any
 
 import msgspec
@@ -159,14 +160,33 @@ class Recovery(msgspec.Struct, frozen=True):
     cause: str = ""
 
 
-class DriveView(msgspec.Struct, frozen=True):
-    """Show the drive to a viewer; age_s: since it reported this."""
+class _UnknownIsNone(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Hold numbers that may be unknown: None, absent on the wire, whatever was given for them."""
 
-    speed_rpm: float
-    setpoint_rpm: float
-    current_A: float
-    supply_V: float
-    temperature_C: float
+    def __post_init__(self) -> None:
+        """Take a number that is not finite as one that is not known, an older engine's too."""
+        for name in _may_be_unknown(type(self)):
+            value = getattr(self, name)
+            if value is not None and not math.isfinite(value):
+                msgspec.structs.force_setattr(self, name, None)
+
+
+@cache
+def _may_be_unknown(record: type[msgspec.Struct]) -> tuple[str, ...]:
+    return tuple(one.name for one in msgspec.structs.fields(record) if one.type == float | None)
+
+
+class DriveView(_UnknownIsNone, frozen=True):
+    """Show the drive to a viewer; age_s: since it reported this.
+
+    A drive need not tell every number: None is not known.
+    """
+
+    speed_rpm: float | None
+    setpoint_rpm: float | None
+    current_A: float | None
+    supply_V: float | None
+    temperature_C: float | None
     enabled: bool
     emergency_stop: bool
     faults: tuple[str, ...]
@@ -174,7 +194,7 @@ class DriveView(msgspec.Struct, frozen=True):
     age_s: float | None = None
 
 
-class ChannelView(msgspec.Struct, frozen=True):
+class ChannelView(_UnknownIsNone, frozen=True):
     """Show one channel live: its newest raw signal and calibrated value.
 
     calibration: what the value follows from, in words. age_s: of a slow channel's value, None of
@@ -215,7 +235,7 @@ class DeviceView(msgspec.Struct, frozen=True):
     needed: bool = True
 
 
-class Status(msgspec.Struct, frozen=True, omit_defaults=True):
+class Status(_UnknownIsNone, frozen=True):
     """Show the engine at one moment; what the window's header is made of.
 
     A number that is not known is None, and absent on the wire: viewers of before, which expect a
@@ -272,21 +292,9 @@ class Status(msgspec.Struct, frozen=True, omit_defaults=True):
     coasting: bool = False
     revolution_age_s: float | None = None
 
-    def __post_init__(self) -> None:
-        """Take a number that is not finite as one that is not known, an older engine's too."""
-        for name in _MAY_BE_UNKNOWN:
-            value = getattr(self, name)
-            if value is not None and not math.isfinite(value):
-                msgspec.structs.force_setattr(self, name, None)
-
     def tree(self) -> dict[str, Any]:
         """Return it as the answer to a request, every field there, None where not known."""
         return {name: msgspec.to_builtins(getattr(self, name)) for name in self.__struct_fields__}
-
-
-_MAY_BE_UNKNOWN = tuple(
-    one.name for one in msgspec.structs.fields(Status) if one.type == float | None
-)
 
 
 class Cycle(msgspec.Struct, frozen=True):

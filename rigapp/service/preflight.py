@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import enum
-import math
 import os
 import shutil
 from collections.abc import Iterator
@@ -284,12 +283,10 @@ def _of_drive(status: Status) -> Iterator[Check]:
     elif drive.warnings:
         yield Check("Drive", ATTENTION, ", ".join(drive.warnings), "See the drive's manual")
     else:
-        told = {
-            f"{drive.supply_V:.1f} V": drive.supply_V,
-            f"{drive.temperature_C:.0f} °C": drive.temperature_C,
-        }
         # A drive need not tell every one of them.
-        text = ", ".join(words for words, value in told.items() if math.isfinite(value))
+        supply = f"{drive.supply_V:.1f} V" if drive.supply_V is not None else ""
+        heat = f"{drive.temperature_C:.0f} °C" if drive.temperature_C is not None else ""
+        text = ", ".join(filter(None, (supply, heat)))
         yield Check("Drive", GOOD, text or "no fault")
 
 

@@ -46,14 +46,14 @@ def test_running_engine_is_shown(host: EngineHost, capsys: pytest.CaptureFixture
     assert taken.ok, taken.sentence
     assert show_engines(RIG, as_json=False) == 0
     shown = capsys.readouterr().out
-    assert "idle" in shown
+    assert "\n  Idle. Connect.\n" in shown
     assert "in command: Ada" in shown
-    assert "next: Connect" in shown
     assert show_engines(None, as_json=True) == 0
     (one,) = json.loads(capsys.readouterr().out)
     assert (one["state"], one["in_command"], one["alarms"]) == ("idle", "Ada", [])
     assert one["data_age_s"] is None
     assert one["next"]["verb"] == "connect"
+    assert (one["state_word"], one["state_line"]) == ("Idle", "Connect.")
     assert not host.watched  # who only asks is no viewer
 
 

@@ -240,6 +240,7 @@ class FakeSpindle:
         self._stop_latched = False
         self.commands: list[tuple[str, float]] = []
         self.tells_ratio = 1.0
+        self.current_A, self.supply_V = 1.0, 48.0
         self.off_at: float | None = None
         self.ignores = 0.0
         self.polls = 0
@@ -291,8 +292,8 @@ class FakeSpindle:
             speed_rev_per_s=self.tells_ratio * self.crank.speed,
             setpoint_rev_per_s=self.crank.target,
             position_count=round(self.crank.position_rev * COUNTS),
-            current_A=1.0,
-            supply_V=48.0,
+            current_A=self.current_A,
+            supply_V=self.supply_V,
             temperature_C=30.0,
             enabled=self.crank.powered,
             emergency_stop=self.emergency_stop or self._stop_latched,

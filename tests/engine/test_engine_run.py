@@ -467,6 +467,10 @@ def test_no_number_stands_for_one_that_is_not_known(rig: MemoryRig) -> None:
 
     unknown = {"worst_margin_percent", "criterion_percent", "twin_age_s", "revolution_age_s"}
     assert not unknown & set(sent())
+    # A drive need not tell everything; its numbers are None then.
+    rig.spindle.current_A, rig.spindle.supply_V = math.nan, math.inf
+    eventually(lambda: sent()["drive"]["current_A"] is None)
+    assert sent()["drive"]["supply_V"] is None
     rig.start(a_test(LONG))
     recorded(rig, 5)
     eventually(lambda: {"worst_margin_percent", "criterion_percent"} <= set(sent()))

@@ -16,14 +16,17 @@ from rigapp.config.loading import parse_test
 from rigapp.gui.data.connection import LOST_AFTER_S, SILENT_AFTER_S, ConnectionState
 from rigapp.gui.data.margins import margins, nearest_margin
 from rigapp.gui.data.news import News
+from rigapp.gui.data.recording import TripCycles
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.shown import Level, Renewed, age_of, level_of, quantity_level
 from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.window.headline import headline, measured
 from rigapp.gui.window.window import MainWindow
-from rigapp.schema.alarms import KINDS, rule_key
+from rigapp.page.view import _tiles as page_tiles
+from rigapp.schema.alarms import KINDS, because, rule_key
 from rigapp.schema.messages import Alarm, Recovery, Remedy, RunState, Severity
+from rigapp.storage.reading.trip import LargestForce
 
 Attach = Callable[[], None]
 QUICK = (Path(__file__).parents[2] / "examples" / "quick.toml").read_text(encoding="utf-8")
@@ -99,6 +102,28 @@ def test_a_sensible_limit_leaves_the_tile_plain_and_one_passed_marks_it_everywhe
     nearest = nearest_margin(News(make_status(), data, RECIPE), "force_max")
     assert nearest is not None
     assert nearest.limit.limit == 98.0
+
+
+@pytest.mark.parametrize("by", ["alarm", "file"])
+def test_after_an_overload_tile_and_margin_show_the_peak_of_the_unfinished_revolution(
+    by: str,
+) -> None:
+    data = LiveData()
+    data.take(make_snapshot(1, 9))
+    overload = because("overload:beyond_range", force_N=391.04, limit_N=380.0)
+    raised = msgspec.structs.replace(
+        alarm("overload:beyond_range", Severity.CRITICAL, "latched"), value=overload.value
+    )
+    status = make_status(state=RunState.STOPPED, alarms=(raised,) if by == "alarm" else ())
+    peak = LargestForce(391.04, 10, lower_bound=True, whole=False)
+    trip = TripCycles(10, None, None, peak) if by == "file" else None
+    news = News(status, data, RECIPE, trip=trip)
+    head = headline(news.status, ConnectionState.ATTACHED, "", measured(news))
+    assert head.force.value == "≥ 391.0 N of 380 N"
+    row, _ = (one for one in margins(news) if one.limit.column == "force_max")
+    assert (row.passed, row.used, row.text) == (True, 1.0, "≥ 391 of 380 N, drive off")
+    tiles = {one.title: one.value for one in page_tiles(news)}
+    assert tiles["|F| maximum"] == "≥ 391.04 N"
 
 
 def test_a_dead_engine_is_said_everywhere_and_a_restart_until_a_test_runs(

@@ -25,6 +25,7 @@ from patience import PATIENCE_S
 from snapshots import ALARM, write_recorded
 
 from rigapp.page import connections
+from rigapp.schema.messages import HowEnded, RunState
 
 Serve = Callable[..., ServedEngine]
 Show = Callable[..., OpenPage]
@@ -49,6 +50,26 @@ def test_state_tiles_plots_alarms_and_notes_of_a_test_are_shown(
     assert 'class="ribbon first"' in text, "the measured depth has its band"
     assert headers["content-security-policy"].startswith("default-src 'none'; script-src 'self';")
     assert "unsafe" not in headers["content-security-policy"]
+
+
+def test_the_page_says_state_and_next_step_as_the_window_does(
+    rig: Path, serve: Serve, show: Show
+) -> None:
+    resting = {"resting": True, "rest_left_s": 11.2, "step": 3, "steps": 5}
+    served = serve(rig, state=RunState.PAUSED, **resting)
+    page = show([rig])
+    page.shows("Resting, 12 s left, step 3 of 5. The test resumes by itself.")
+    assert '<span class="state paused">Resting</span>' in page.get("/")[2]
+    served.say(
+        state=RunState.STOPPED, resting=False, reason="as asked", outcome=HowEnded.OPERATOR
+    )
+    page.shows("Stopped: as asked")
+    served.say(outcome=HowEnded.COMPLETE)
+    page.shows("Complete: as asked")
+    (one,) = page.rigs()
+    assert (one["state"], one["state_word"]) == ("stopped", "Complete")
+    served.say(state=RunState.RUNNING, reason="", outcome=None, alarms=(ALARM,))
+    page.shows(f"Running. {ALARM.title}: {ALARM.cause}")
 
 
 def test_words_of_an_engine_are_never_elements_of_the_page(

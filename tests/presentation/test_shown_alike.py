@@ -17,7 +17,16 @@ from rigapp.presentation.numbers import (
 from rigapp.presentation.results import file_line, key_numbers, outcome_text, trust_lines
 from rigapp.presentation.states import state_line, state_word
 from rigapp.presentation.told import retold
-from rigapp.schema.messages import FinishReason, HowEnded, Recovery, Remedy, RunState, Status
+from rigapp.schema.messages import (
+    Alarm,
+    FinishReason,
+    HowEnded,
+    Recovery,
+    Remedy,
+    RunState,
+    Severity,
+    Status,
+)
 from rigapp.schema.results import TestResult, how_ended
 
 
@@ -30,6 +39,24 @@ def test_a_rest_is_no_pause() -> None:
     resting = msgspec.structs.replace(paused, resting=True, rest_left_s=11.2, step=3, steps=5)
     line = "Resting, 12 s left, step 3 of 5. The test resumes by itself."
     assert state_line(resting, "F10") == line
+
+
+def test_a_test_with_an_alarm_does_not_run_as_planned() -> None:
+    warning = Alarm(
+        "rule:force_rms:warning:above", Severity.WARNING, "RMS of |F| above limit",
+        "RMS of |F| is 12, above the warning limit 10.", "", "", 1.0, 7,
+    )  # fmt: skip
+    line = "Running. RMS of |F| above limit: RMS of |F| is 12, above the warning limit 10."
+    for changed in ({}, {"acknowledged": True, "state": "acknowledged"}):
+        alarm = msgspec.structs.replace(warning, **changed)
+        assert state_line(Status(RunState.RUNNING, alarms=(alarm,))) == line
+    first = msgspec.structs.replace(warning, key="b", title="Overspeed", raised_at=2.0)
+    known = msgspec.structs.replace(warning, acknowledged=True, state="acknowledged")
+    assert "Overspeed" in state_line(Status(RunState.RUNNING, alarms=(known, first)))
+    for over in ("normal", "shelved"):
+        alarm = msgspec.structs.replace(warning, state=over)
+        status = Status(RunState.RUNNING, alarms=(alarm,))
+        assert state_line(status) == "Running as planned."
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from rigapp.config.recipe import LimitRule, TestFile
 from rigapp.gui.data.channels import SIZE
 from rigapp.gui.data.levels import quantity_text
 from rigapp.gui.data.news import News
-from rigapp.gui.data.quantities import UM_PER_MM
+from rigapp.gui.data.quantities import LARGEST, UM_PER_MM
 from rigapp.gui.data.shown import Level, level_of
 from rigapp.presentation.numbers import capitalised, unit_text
 from rigapp.presentation.translation import Text, tr
@@ -30,6 +30,10 @@ ACTIONS: Final[dict[str, Text]] = {
     "none": "do nothing",
 }
 """What a rule of the test does, in the words of a limit."""
+
+
+OVERLOADS: Final = {"overload": "", "overload:beyond_range": "≥ "}
+"""Alarms of a force, and what stands before its value."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,11 +65,15 @@ class WatchedLimit:
 
 @dataclass(frozen=True, slots=True)
 class Margin:
-    """A quantity, in the unit of its limit, beside it; level: by the alarms about the quantity."""
+    """A quantity, in the unit of its limit, beside it; level: by the alarms about the quantity.
+
+    sign: what stands before the value.
+    """
 
     limit: WatchedLimit
     value: float
     level: Level = Level.NORMAL
+    sign: str = ""
 
     @property
     def passed(self) -> bool:
@@ -87,7 +95,7 @@ class Margin:
         """Return value, limit and what happens, e.g. ``87.1 of 95 N, warn``."""
         limit, action = f"{self.limit.limit:.4g} {self.limit.unit}".rstrip(), tr(self.limit.action)
         said = tr("{} at least {}, {}") if self.limit.below else tr("{} of {}, {}")
-        return said.format(f"{self.value:.4g}", limit, action)
+        return said.format(f"{self.sign}{self.value:.4g}", limit, action)
 
     @property
     def left(self) -> str:
@@ -109,15 +117,18 @@ class Margin:
 def margins(news: News) -> list[Margin]:
     """Return the limits that the newest revolution can be judged by, in the order of the test.
 
+    The largest |F| is that of a trip where it is larger: its revolution is unfinished.
     Of two levels on one side the next one is told: the critical one when the other is passed.
     """
     found: dict[tuple[str, bool], Margin] = {}
     alarms = news.status.alarms if news.status is not None else ()
     for one in watched(news):
-        value = one.scale * newest(news, one.column)
+        largest = one.column == LARGEST
+        value, sign = newest_force(news) if largest else (newest(news, one.column), "")
+        value *= one.scale
         key = (one.title, one.below)
         if math.isfinite(value) and (key not in found or found[key].passed):
-            found[key] = Margin(one, value, level_of(alarms, one.column))
+            found[key] = Margin(one, value, level_of(alarms, one.column), sign)
     return list(found.values())
 
 
@@ -146,6 +157,23 @@ def watched(news: News) -> list[WatchedLimit]:
     for rule in limits.rule:
         found += _of_rule(rule, news.data.channels, changed)
     return found
+
+
+def newest_force(news: News) -> tuple[float, str]:
+    """Return the largest |F| of the newest revolution, or of the trip, and what stands before it.
+
+    The alarm is there at once, the revolution of the trip when the file is finished.
+    """
+    found = [(news.data.rows.last(LARGEST), "")]
+    alarms = news.status.alarms if news.status is not None else ()
+    found += [
+        (one.value, OVERLOADS[one.key])
+        for one in alarms
+        if one.value is not None and one.key in OVERLOADS
+    ]
+    if news.trip is not None and news.trip.peak is not None:
+        found.append((news.trip.peak.value_N, news.trip.peak.sign))
+    return max((one for one in found if math.isfinite(one[0])), default=(math.nan, ""))
 
 
 def overload_limit(news: News) -> float:

@@ -299,7 +299,9 @@ class DevicePanel(QWidget):
         if drive is None:
             self.drive.show_rows([(tr("State"), tr("not connected"))], [warning])
             return
-        speed = tr("{:.2f} of {:.2f} rpm", drive.speed_rpm, drive.setpoint_rpm)
+        speed = "–"
+        if drive.speed_rpm is not None and drive.setpoint_rpm is not None:
+            speed = tr("{:.2f} of {:.2f} rpm", drive.speed_rpm, drive.setpoint_rpm)
         faults, warnings = (
             ", ".join(map(retold, said)) or tr("none") for said in (drive.faults, drive.warnings)
         )

@@ -10,20 +10,17 @@ from dataclasses import dataclass
 from pathlib import PurePath
 
 from rigapp.gui.data.connection import ConnectionState
-from rigapp.gui.data.margins import DEPTH, Margin, nearest_margin, overload_limit
+from rigapp.gui.data.margins import DEPTH, Margin, nearest_margin, newest_force, overload_limit
 from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import LARGEST
 from rigapp.gui.data.shown import UNKNOWN_AGE, Age, Level, Renewed, age_of, aged, level_of
 from rigapp.presentation.numbers import grouped
-from rigapp.presentation.states import is_resting, rest_text, state_word
+from rigapp.presentation.states import is_resting, listed_alarms, rest_text, state_word
 from rigapp.presentation.times import dated, duration
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, marked, tr
 from rigapp.schema.messages import HowEnded, RunState, Severity, Status
 from rigapp.schema.states import ACTIVE
-
-OVERLOADS = {"overload": "", "overload:beyond_range": "≥ "}
-"""Alarms of a force, and what stands before its value."""
 
 
 class StateShape(enum.StrEnum):
@@ -233,7 +230,7 @@ def _agreement(status: Status) -> TileText:
 
 
 def _alarms(status: Status) -> TileText:
-    shown = [alarm for alarm in status.alarms if alarm.state not in ("normal", "shelved")]
+    shown = listed_alarms(status.alarms)
     if not shown:
         return TileText("None")
     new = sum(1 for alarm in shown if not alarm.acknowledged)
@@ -247,7 +244,7 @@ def measured(news: News) -> NewestMeasured:
     """Return what the newest revolutions of a test say."""
     predictions = news.data.predictions
     depth, doubt = (1e3 * predictions.last(name) for name in (DEPTH, f"{DEPTH}_uncertainty"))
-    force, sign = _newest_force(news)
+    force, sign = newest_force(news)
     return NewestMeasured(
         force,
         sign,
@@ -259,23 +256,6 @@ def measured(news: News) -> NewestMeasured:
         age_of(news, Renewed.REVOLUTION),
         age_of(news, Renewed.PREDICTION),
     )
-
-
-def _newest_force(news: News) -> tuple[float, str]:
-    """Return the largest |F| of the newest revolution, or of the trip, and what stands before it.
-
-    The alarm is there at once, the revolution of the trip when the file is finished.
-    """
-    found = [(news.data.rows.last(LARGEST), "")]
-    alarms = news.status.alarms if news.status is not None else ()
-    found += [
-        (one.value, OVERLOADS[one.key])
-        for one in alarms
-        if one.value is not None and one.key in OVERLOADS
-    ]
-    if news.trip is not None and news.trip.peak is not None:
-        found.append((news.trip.peak.value_N, news.trip.peak.sign))
-    return max((one for one in found if math.isfinite(one[0])), default=(math.nan, ""))
 
 
 def rig_words(news: News) -> tuple[str, str]:
