@@ -14,11 +14,11 @@ from dataclasses import replace
 import numpy as np
 from budgets import measured, size
 
-from drivers.api import DataRequest, filled
-from drivers.dataq.link import Link
-from drivers.dataq.plan import Plan, make_plan
-from drivers.dataq.settings import SETTINGS
-from drivers.dataq.stream import Pace, Stream
+from rigapp_drivers.api import DataRequest, filled
+from rigapp_drivers.dataq.link import Link
+from rigapp_drivers.dataq.plan import Plan, make_plan
+from rigapp_drivers.dataq.settings import SETTINGS
+from rigapp_drivers.dataq.stream import Pace, Stream
 
 SCANS = size(1_000_000, 20_000)
 REPEATS = size(3, 1)

@@ -22,7 +22,6 @@ from pathlib import Path
 import numpy as np
 from budgets import measured, size
 
-from drivers.api import Block
 from rigapp.config.recipe import CyclesSection, LimitRule
 from rigapp.engine.judging.limits import RuleMonitor
 from rigapp.engine.judging.testrun import TestRun
@@ -35,6 +34,7 @@ from rigapp.engine.values.instruments import Counter, LoadCell, ProbePair, Wire
 from rigapp.engine.values.reduce import Reducer
 from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.storage import FilePlan, TestMetadata, create_test
+from rigapp_drivers.api import Block
 
 SAMPLES = 3600
 RATE = 3600.0

@@ -13,8 +13,8 @@ import time
 import numpy as np
 from budgets import measured, size
 
-from drivers.gsv8.frames import FrameLayout, StreamParser, encode_frames
-from drivers.gsv8.numbers import DataType
+from rigapp_drivers.gsv8.frames import FrameLayout, StreamParser, encode_frames
+from rigapp_drivers.gsv8.numbers import DataType
 
 SAMPLES = size(600_000, 6_000)
 REPEATS = size(3, 1)

@@ -27,7 +27,7 @@ from budgets import measured, size
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "model" / "identification"))
 import virtual_tests as virtual
 
-from model.identification import (
+from rigapp_model.identification import (
     Bins,
     Consistency,
     DepthLife,
@@ -36,10 +36,10 @@ from model.identification import (
     remaining,
     worn_ahead,
 )
-from model.identification.consistency import FINE
-from model.parameters import Bushing, Joint, Material, Mechanism, Parameters
-from model.wear.loads import constant_load
-from model.wear.state import unworn_state
+from rigapp_model.identification.consistency import FINE
+from rigapp_model.parameters import Bushing, Joint, Material, Mechanism, Parameters
+from rigapp_model.wear.loads import constant_load
+from rigapp_model.wear.state import unworn_state
 
 LAST = 21377
 PARTS = (0.1, 0.3, 0.6)

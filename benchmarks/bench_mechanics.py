@@ -17,12 +17,12 @@ from dataclasses import replace
 import numpy as np
 from budgets import measured, size, skipped
 
-from model.constraints import solve_imperfect, solve_perfect
-from model.dynamics import inverse_dynamics
-from model.history import motion_from_history
-from model.impact import contact_cycle
-from model.impact_system import clearance_system
-from model.parameters import Joint, Material, Mechanism, Spring
+from rigapp_model.constraints import solve_imperfect, solve_perfect
+from rigapp_model.dynamics import inverse_dynamics
+from rigapp_model.history import motion_from_history
+from rigapp_model.impact import contact_cycle
+from rigapp_model.impact_system import clearance_system
+from rigapp_model.parameters import Joint, Material, Mechanism, Spring
 
 MECHANISM = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871)
 MECHANISM = replace(MECHANISM, spring=Spring(525.0, 0.2794 + 20.0 / 525.0))
@@ -136,7 +136,7 @@ def exudyn_cycle(angles: int) -> Callable[[], np.ndarray] | None:
 
 def contact_system(friction: float, bushing: Material, foundation: bool = False):  # type: ignore[no-untyped-def]
     """Return the system of one cycle of technique 3."""
-    from model.contact_law import ContactModel
+    from rigapp_model.contact_law import ContactModel
 
     joint = replace(JOINT, friction_coefficient=friction)
     law = ContactModel(foundation=foundation)

@@ -37,7 +37,7 @@ def rate(study: Path, to: Path, workers: int) -> float:
 def main() -> None:
     """Print both rates, their ratio, how long 10,000 lives take."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--lives", type=int, default=size(600, 12))
+    parser.add_argument("--lives", type=int, default=size(600, 40))
     parser.add_argument("--rounds", type=int, default=size(3, 1))
     given = parser.parse_args()
     rates: dict[int, list[float]] = {1: [], 2: []}

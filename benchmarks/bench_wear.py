@@ -18,17 +18,17 @@ from pathlib import Path
 import numpy as np
 from budgets import measured, size
 
-from model.bushing.compliance import circular_compliance
-from model.bushing.contact import simpson_weights, solve_contact
-from model.bushing.ring import Ring, ring_of
-from model.bushing.sector import SectorMesh, surface_spectrum
-from model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
-from model.wear.explicit import explicit_step, stable_step
-from model.wear.front import Front, implicit_step, touched, wear_problem
-from model.wear.life import life
-from model.wear.loads import constant_load
-from model.wear.state import unworn_state
-from model.wear.techniques import LifeOptions, technique_of
+from rigapp_model.bushing.compliance import circular_compliance
+from rigapp_model.bushing.contact import simpson_weights, solve_contact
+from rigapp_model.bushing.ring import Ring, ring_of
+from rigapp_model.bushing.sector import SectorMesh, surface_spectrum
+from rigapp_model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
+from rigapp_model.wear.explicit import explicit_step, stable_step
+from rigapp_model.wear.front import Front, implicit_step, touched, wear_problem
+from rigapp_model.wear.life import life
+from rigapp_model.wear.loads import constant_load
+from rigapp_model.wear.state import unworn_state
+from rigapp_model.wear.techniques import LifeOptions, technique_of
 
 RING = Ring(0.010, 0.020, 0.0095, 500e6, 0.38)
 WIDTH, FORCE_N, K = 0.0131, 110.0, 5.05e-13

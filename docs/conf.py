@@ -10,14 +10,14 @@ from typing import Any
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 PACKAGES = {
-    "model": [],
-    "calibration": [],
+    "model/rigapp_model": [],
+    "calibration/rigapp_calibration": [],
     # A simulated device is spoken to by its bytes; nobody calls it.
-    "drivers": ["drivers/*simulat*.py"],
+    "drivers/rigapp_drivers": ["drivers/rigapp_drivers/*simulat*.py"],
     # Of the application, what flows and is stored, and the analyst's door.
     "rigapp": [f"rigapp/{one.name}" for one in (ROOT / "rigapp").iterdir()],
 }
-SHOWN = ("schema", "analysis", "model.py", "calibration.py", "__init__.py")
+SHOWN = ("schema", "analysis", "model.py", "calibration.py", "drivers.py", "__init__.py")
 PACKAGES["rigapp"] = sorted(set(PACKAGES["rigapp"]) - {f"rigapp/{one}" for one in SHOWN})
 
 project = "rigapp"
@@ -29,7 +29,7 @@ autodoc_member_order = "bysource"
 apidoc_modules = [
     {
         "path": ROOT / package,
-        "destination": f"api/{package}",
+        "destination": f"api/{Path(package).name}",
         "exclude_patterns": [str(ROOT / pattern) for pattern in without],
         "separate_modules": True,
         "automodule_options": {"members"},

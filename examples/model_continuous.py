@@ -9,8 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from model.joints import continuous_contact
-from model.parameters import Joint, Mechanism, Spring
+from rigapp_model.joints import continuous_contact
+from rigapp_model.parameters import Joint, Mechanism, Spring
 
 FREE = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871)
 SPRUNG = replace(FREE, spring=Spring(525.0, 0.2794 + 20.0 / 525.0))

@@ -9,9 +9,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from model.dynamics import inverse_dynamics
-from model.history import motion_from_history
-from model.parameters import Mechanism, Spring
+from rigapp_model.dynamics import inverse_dynamics
+from rigapp_model.history import motion_from_history
+from rigapp_model.parameters import Mechanism, Spring
 
 MECHANISM = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871)
 MECHANISM = replace(MECHANISM, spring=Spring(525.0, 0.2794 + 20.0 / 525.0))

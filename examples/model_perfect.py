@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from model.constraints import solve_perfect
-from model.dynamics import inverse_dynamics
-from model.parameters import Mechanism, Spring
+from rigapp_model.constraints import solve_perfect
+from rigapp_model.dynamics import inverse_dynamics
+from rigapp_model.parameters import Mechanism, Spring
 
 MECHANISM = Mechanism(
     crank_radius=0.0762,

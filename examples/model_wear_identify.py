@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from model.identification import (
+from rigapp_model.identification import (
     Bins,
     DepthLife,
     Identification,
@@ -20,11 +20,11 @@ from model.identification import (
     remaining,
     worn_ahead,
 )
-from model.identification.words import sentence
-from model.joints import continuous_contact
-from model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
-from model.wear.loads import gathered, loads_of_cycle
-from model.wear.state import POSITIONS, unworn_state
+from rigapp_model.identification.words import sentence
+from rigapp_model.joints import continuous_contact
+from rigapp_model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
+from rigapp_model.wear.loads import gathered, loads_of_cycle
+from rigapp_model.wear.state import POSITIONS, unworn_state
 
 PARAMETERS = Parameters(
     Mechanism(

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
-from model.wear.life import life
+from rigapp_model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
+from rigapp_model.wear.life import life
 
 PARAMETERS = Parameters(
     Mechanism(

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from model.joints import continuous_contact
-from model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
-from model.wear.state import unworn_state
+from rigapp_model.joints import continuous_contact
+from rigapp_model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
+from rigapp_model.wear.state import unworn_state
 
 PARAMETERS = Parameters(
     Mechanism(

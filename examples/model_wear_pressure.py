@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from model.bushing.ring import Ring, pressure_distribution
+from rigapp_model.bushing.ring import Ring, pressure_distribution
 
 RING = Ring(inner=10e-3, outer=20e-3, pin_radius=9.5e-3, youngs_modulus=500e6, poissons_ratio=0.38)
 WIDTH = 13.1e-3

@@ -1,8 +1,9 @@
 """Control, record and understand slider-crank joint wear tests.
 
 For analysts: ``test = rigapp.open("t.h5")`` and ``rigapp.open_many("results/*.h5")``, see
-``rigapp.analysis.recorded``; ``rigapp.model`` and ``rigapp.calibration`` are libraries for scripts.
-What is not named here may change from version to version.
+``rigapp.analysis.recorded``; ``rigapp.model`` and ``rigapp.calibration`` are libraries for scripts,
+``rigapp.drivers`` is what a driver of your own is written with. What is not named here may change
+from version to version.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
     from rigapp.analysis.recorded import Paths, RecordedTest, RecordedTests
 
-__all__ = ["__version__", "calibration", "model", "open", "open_many"]
+__all__ = ["__version__", "calibration", "drivers", "model", "open", "open_many"]
 
 
 def open(path: str | os.PathLike[str], *, chunks: int | None = None) -> RecordedTest:
@@ -52,6 +53,6 @@ def __getattr__(name: str) -> Any:
         from importlib.metadata import version
 
         return version("rigapp")
-    if name in ("model", "calibration"):
+    if name in ("model", "calibration", "drivers"):
         return importlib.import_module(f"rigapp.{name}")
     raise AttributeError(f"module 'rigapp' has no attribute {name!r}")

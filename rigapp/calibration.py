@@ -9,15 +9,6 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from calibration.load_cell.calibrate import LoadCellCalibration, calibrate_load_cell
-from calibration.load_cell.force_uncertainty import ForceUncertainty, force_uncertainty
-from calibration.load_cell.readings import LoadCellReadings, parse_load_cell
-from calibration.load_cell.settings import LoadCellSettings
-from calibration.probes.calibrate import ProbeCalibration, calibrate_probe
-from calibration.probes.readings import ProbeReadings, parse_probe
-from calibration.probes.settings import ProbeSettings
-from calibration.records import Record, RecordError, unseal
-from calibration.taking.readings import ReadingsError
 from rigapp.calibrating.verification import Verification, verify
 from rigapp.config.calibration_settings import (
     LoadCellFile,
@@ -26,6 +17,15 @@ from rigapp.config.calibration_settings import (
     probe_meaning,
 )
 from rigapp.config.loading import read_document
+from rigapp_calibration.load_cell.calibrate import LoadCellCalibration, calibrate_load_cell
+from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty, force_uncertainty
+from rigapp_calibration.load_cell.readings import LoadCellReadings, parse_load_cell
+from rigapp_calibration.load_cell.settings import LoadCellSettings
+from rigapp_calibration.probes.calibrate import ProbeCalibration, calibrate_probe
+from rigapp_calibration.probes.readings import ProbeReadings, parse_probe
+from rigapp_calibration.probes.settings import ProbeSettings
+from rigapp_calibration.records import Record, RecordError, unseal
+from rigapp_calibration.taking.readings import ReadingsError
 
 __all__ = [
     "ForceUncertainty",

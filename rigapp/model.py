@@ -6,16 +6,23 @@ These names stay; what stands in ``model`` itself may change from version to ver
 
 from __future__ import annotations
 
-from model.bushing.ring import Ring, pressure_distribution, ring_of
-from model.constraints import solve_perfect
-from model.dynamics import MechanismMotion, inverse_dynamics
-from model.errors import ModelError
-from model.history import motion_from_history
-from model.identification import CannotBeTold, Credible, Identification, identify
-from model.impact import contact_cycle
-from model.impact_system import clearance_system
-from model.joints import ContinuousContact, continuous_contact, perfect_joint
-from model.parameters import (
+from rigapp.config.loading import read_parameters
+from rigapp.report.testreport.identified import (
+    IdentifiedTest,
+    IdentifiedTests,
+    identified_test,
+    identified_tests,
+)
+from rigapp_model.bushing.ring import Ring, pressure_distribution, ring_of
+from rigapp_model.constraints import solve_perfect
+from rigapp_model.dynamics import MechanismMotion, inverse_dynamics
+from rigapp_model.errors import ModelError
+from rigapp_model.history import motion_from_history
+from rigapp_model.identification import CannotBeTold, Credible, Identification, identify
+from rigapp_model.impact import contact_cycle
+from rigapp_model.impact_system import clearance_system
+from rigapp_model.joints import ContinuousContact, continuous_contact, perfect_joint
+from rigapp_model.parameters import (
     Bushing,
     Joint,
     Material,
@@ -24,14 +31,7 @@ from model.parameters import (
     Spring,
     WearLaw,
 )
-from model.wear.life import Life, life
-from rigapp.config.loading import read_parameters
-from rigapp.report.testreport.identified import (
-    IdentifiedTest,
-    IdentifiedTests,
-    identified_test,
-    identified_tests,
-)
+from rigapp_model.wear.life import Life, life
 
 __all__ = [
     "Bushing",

@@ -16,9 +16,8 @@ from typing import Any
 
 import numpy as np
 
-from drivers import api
-from drivers.api import BytePort
-from drivers.transport import SerialPort
+from rigapp import drivers
+from rigapp.drivers import BytePort, SerialPort
 
 INPUTS = ("analog_1", "analog_2")
 RANGE_V = 10.0
@@ -45,55 +44,55 @@ def ask(line: BytePort, command: str, timeout_s: float) -> tuple[str, bytes]:
         answer, end, rest = behind.partition(b"\n")
         if mark and end:
             return answer.decode("ascii", "replace").strip(), rest
-    raise api.ReplyTimeout(line.device, line.port, f"no answer to {command}; check the cable.")
+    raise drivers.ReplyTimeout(line.device, line.port, f"no answer to {command}; check the cable.")
 
 
-def identify(line: BytePort, timeout_s: float) -> api.Identity | None:
+def identify(line: BytePort, timeout_s: float) -> drivers.Identity | None:
     """Return who answers ``ID?``, None when it is no SimpleADC; raise ReplyTimeout."""
     words = ask(line, "ID?", timeout_s)[0].split()
     if words[:2] != ["Acme", "SimpleADC"] or len(words) != 4:
         return None
-    return api.Identity(words[0], words[1], words[2], words[3], line.port)
+    return drivers.Identity(words[0], words[1], words[2], words[3], line.port)
 
 
-def probe(line: BytePort, timeout_s: float) -> api.Identity | None:
+def probe(line: BytePort, timeout_s: float) -> drivers.Identity | None:
     """Ask for ``rigapp doctor`` who is there; nothing is set."""
     line.write(b"\n")  # ends what a question for another device has left
     line.read_some(4096, 0.05)
-    with contextlib.suppress(api.ReplyTimeout):
+    with contextlib.suppress(drivers.ReplyTimeout):
         return identify(line, timeout_s)
     return None
 
 
 class SimpleAdc:
-    """One SimpleADC on a serial port; implements ``drivers.api.DataSource``."""
+    """One SimpleADC on a serial port; implements ``rigapp.drivers.DataSource``."""
 
     def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
         self.name, self.port, self._settings = name, port, settings
         self._line = SerialPort(name, port, 115200)
         self._turn = threading.Lock()  # one thread at a time reads the port
-        self._channels: tuple[api.ChannelSpec, ...] = ()
+        self._channels: tuple[drivers.ChannelSpec, ...] = ()
         self._rate_Hz = 0.0
         self._running = False
         self._begin()
 
-    def open(self) -> api.Identity:
+    def open(self) -> drivers.Identity:
         """Open the port, halt and identify the device; raise ConnectionFailed, WrongDevice."""
         self._line.open()
         try:
             self._ask("HALT")
             identity = identify(self._line, self._settings["reply_timeout_s"])
             if identity is None:
-                raise api.WrongDevice(self.name, self.port, "what answers is no SimpleADC.")
-        except api.ReplyTimeout as error:
+                raise drivers.WrongDevice(self.name, self.port, "what answers is no SimpleADC.")
+        except drivers.ReplyTimeout as error:
             self._line.close()
-            raise api.ConnectionFailed(self.name, self.port, error.sentence) from error
+            raise drivers.ConnectionFailed(self.name, self.port, error.sentence) from error
         except BaseException:
             self._line.close()
             raise
         return identity
 
-    def configure(self, request: api.DataRequest) -> api.StreamSetup:
+    def configure(self, request: drivers.DataRequest) -> drivers.StreamSetup:
         """Set the rate and return what the device read back; raise SettingRefused."""
         self.stop()
         for name, wanted in request.inputs.items():
@@ -104,9 +103,9 @@ class SimpleAdc:
             raise self._refused(f"the rate {request.sample_rate_Hz:g} is answered by {answer!r}.")
         self._rate_Hz = request.sample_rate_Hz
         self._channels = tuple(
-            api.ChannelSpec(name, "V", 1e-6, 0.0, -RANGE_V, RANGE_V) for name in request.inputs
+            drivers.ChannelSpec(name, "V", 1e-6, 0.0, -RANGE_V, RANGE_V) for name in request.inputs
         )
-        return api.StreamSetup(self._channels, self._rate_Hz, {"sample_rate_Hz": answer})
+        return drivers.StreamSetup(self._channels, self._rate_Hz, {"sample_rate_Hz": answer})
 
     def start(self) -> None:
         """Start streaming; sample index and block sequence restart at 0."""
@@ -116,7 +115,7 @@ class SimpleAdc:
         self._ask("RUN")
         self._running = True
 
-    def read(self, timeout_s: float) -> api.Block | None:
+    def read(self, timeout_s: float) -> drivers.Block | None:
         """Return the next Block, None when none came in time; raise DeviceLost."""
         deadline = time.monotonic() + timeout_s
         enough = max(1.0, self._rate_Hz * self._settings["block_s"])
@@ -140,7 +139,7 @@ class SimpleAdc:
 
     def close(self) -> None:
         """Stop and release the port; never raises; safe to call twice."""
-        with contextlib.suppress(api.DeviceError):
+        with contextlib.suppress(drivers.DeviceError):
             self.stop()
         self._line.close()
 
@@ -164,15 +163,15 @@ class SimpleAdc:
             self._samples.append((first, second, (number - self._next) % NUMBERS))
             self._next = (number + 1) % NUMBERS
 
-    def _block(self) -> api.Block:
+    def _block(self) -> drivers.Block:
         """Hand over the samples up to the next gap; a gap is flagged at the sample behind it."""
         gaps = [place for place, sample in enumerate(self._samples) if place and sample[2]]
         end = gaps[0] if gaps else len(self._samples)
         taken, self._samples = np.array(self._samples[:end], np.int32).T, self._samples[end:]
         lost, count = int(taken[2, 0]), taken.shape[1]
         quality = np.zeros(count, np.uint8)
-        quality[0] = api.Quality.LOST_BEFORE if lost else api.Quality.GOOD
-        block = api.Block(
+        quality[0] = drivers.Quality.LOST_BEFORE if lost else drivers.Quality.GOOD
+        block = drivers.Block(
             device=self.name,
             sequence=self._sequence,
             first_sample=self._first + lost,
@@ -186,20 +185,22 @@ class SimpleAdc:
         self._first += lost + count
         return block
 
-    def _refused(self, sentence: str) -> api.SettingRefused:
-        return api.SettingRefused(self.name, self.port, sentence)
+    def _refused(self, sentence: str) -> drivers.SettingRefused:
+        return drivers.SettingRefused(self.name, self.port, sentence)
 
 
-DRIVER = api.DriverInfo(
+DRIVER = drivers.DriverInfo(
     name="simple_adc",
     title="Acme SimpleADC (imaginary)",
-    kind=api.DriverKind.DATA_SOURCE,
+    kind=drivers.DriverKind.DATA_SOURCE,
     factory=SimpleAdc,
     settings={
-        "sample_rate_Hz": api.SettingSpec(float, 960.0, "Samples per second.", 1.0, 2000.0),
-        "block_s": api.SettingSpec(float, 0.02, "Time of a block of samples.", 0.001, 1.0),
-        "reply_timeout_s": api.SettingSpec(float, 0.5, "Longest wait for an answer.", 0.05, 10.0),
+        "sample_rate_Hz": drivers.SettingSpec(float, 960.0, "Samples per second.", 1.0, 2000.0),
+        "block_s": drivers.SettingSpec(float, 0.02, "Time of a block of samples.", 0.001, 1.0),
+        "reply_timeout_s": drivers.SettingSpec(
+            float, 0.5, "Longest wait for an answer.", 0.05, 10.0
+        ),
     },
     simulator="simple_adc_simulator:SimpleAdcSimulator",
-    probe=api.Probe(probe),
+    probe=drivers.Probe(probe),
 )

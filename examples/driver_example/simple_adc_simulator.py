@@ -6,14 +6,14 @@ from binascii import crc_hqx
 
 import numpy as np
 
-from drivers.simulator_api import RigSignals
+from rigapp.drivers import RigSignals
 
 NUMBERS = 10_000
 LONGEST_LINE = 256
 
 
 class SimpleAdcSimulator:
-    """Answer and stream as the device does; a ``drivers.simulator_api.SimulatedDataSource``."""
+    """Answer and stream as the device does; a ``rigapp.drivers.SimulatedDataSource``."""
 
     def __init__(self) -> None:
         self.sample_rate_Hz = 10.0

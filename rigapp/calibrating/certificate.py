@@ -11,11 +11,11 @@ import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from calibration.records import Record, RecordError, in_future, unseal
 from rigapp.calibrating.certificates.parts import Content, Parts, rows_of, taken_words, write_page
 from rigapp.calibrating.subjects import subject_of
 from rigapp.config.errors import UnusableInput
 from rigapp.report.page.manuscript import Block, Manuscript, Row, Section, Table, Text
+from rigapp_calibration.records import Record, RecordError, in_future, unseal
 
 NEEDED = {"laboratory": "the laboratory", "serial_number": "the serial number"}
 """Keys of [paperwork] without which there is only a draft (ISO/IEC 17025, 7.8.2.1 b and g)."""
@@ -149,7 +149,7 @@ def _identity(record: Record, issued: datetime.date | None) -> Table:
 def _signer(record: Record) -> str:
     if record.signature is None:
         return "not signed: nothing but the names above says who made it"
-    from calibration.signatures import fingerprint
+    from rigapp_calibration.signatures import fingerprint
 
     return f"Ed25519, key {fingerprint(record.signature.public_key)}"
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from calibration.channel import (
+from rigapp.calibrating.records import budget_result, problems_of
+from rigapp.calibrating.session import Outcome
+from rigapp.config.calibration_settings import ChannelFile
+from rigapp_calibration.channel import (
     ChannelCalibration,
     ChannelSettings,
     calibrate_channel,
     parse_channel,
     rule_of,
 )
-from rigapp.calibrating.records import budget_result, problems_of
-from rigapp.calibrating.session import Outcome
-from rigapp.config.calibration_settings import ChannelFile
 
 Content = Mapping[str, Any]
 KIND = "channel"

@@ -15,11 +15,11 @@ from typing import Any
 
 import numpy as np
 
-from calibration.load_cell.daily import DailyCheck
-from calibration.taking.control_chart import Chart, ChartFinding, chart
 from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.session import Rig
 from rigapp.config.errors import UnusableInput
+from rigapp_calibration.load_cell.daily import DailyCheck
+from rigapp_calibration.taking.control_chart import Chart, ChartFinding, chart
 
 STORE = "daily-checks.jsonl"
 

@@ -8,16 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from calibration.load_cell.budget import LoadUncertainty, expanded_line
-from calibration.load_cell.calibrate import LoadCellCalibration, calibrate_load_cell
-from calibration.load_cell.characteristics import Creep, creep_words
-from calibration.load_cell.force_uncertainty import too_uncertain
-from calibration.load_cell.readings import parse_load_cell
-from calibration.load_cell.settings import LoadCellSettings
-from calibration.problems import Problem, blocked
 from rigapp.calibrating.records import budget_result, finite, problems_of
 from rigapp.calibrating.session import NumberTable, Outcome
 from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
+from rigapp_calibration.load_cell.budget import LoadUncertainty, expanded_line
+from rigapp_calibration.load_cell.calibrate import LoadCellCalibration, calibrate_load_cell
+from rigapp_calibration.load_cell.characteristics import Creep, creep_words
+from rigapp_calibration.load_cell.force_uncertainty import too_uncertain
+from rigapp_calibration.load_cell.readings import parse_load_cell
+from rigapp_calibration.load_cell.settings import LoadCellSettings
+from rigapp_calibration.problems import Problem, blocked
 
 OF_A_FIT = (
     "matrix_N_per_unit", "zero", "residual_std_N", "expanded_uncertainty_N", "coverage_factor",

@@ -11,22 +11,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from calibration.load_cell.daily import daily_check
-from calibration.load_cell.live import LoadCellWindow, assess_load
-from calibration.load_cell.plans import (
-    WEIGHING,
-    LoadCellPlan,
-    PlanKind,
-    load_cell_readings,
-)
-from calibration.load_cell.plausible import check_settings
-from calibration.load_cell.readings import HUNG_COLUMN, LOAD_CELL_COLUMNS, parse_load_cell
-from calibration.load_cell.settings import LoadCellSettings
-from calibration.load_cell.two_axis import Terms, fit
-from calibration.load_cell.weights import pin_force, weight_force
-from calibration.taking.level import LevelError, LevelReading, reversed_level, single
-from calibration.taking.procedure import Event, ProcedureError, Step, StepKind, TakenReading
-from calibration.taking.signals import Readiness
 from rigapp.calibrating.daily_history import DailyHistory, append_check, entry_of, read_history
 from rigapp.calibrating.load_cell_result import fit_load_cell
 from rigapp.calibrating.practice import LOAD_CELL_PRACTICE
@@ -43,6 +27,22 @@ from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp.schema.channels import LOAD_CELL
+from rigapp_calibration.load_cell.daily import daily_check
+from rigapp_calibration.load_cell.live import LoadCellWindow, assess_load
+from rigapp_calibration.load_cell.plans import (
+    WEIGHING,
+    LoadCellPlan,
+    PlanKind,
+    load_cell_readings,
+)
+from rigapp_calibration.load_cell.plausible import check_settings
+from rigapp_calibration.load_cell.readings import HUNG_COLUMN, LOAD_CELL_COLUMNS, parse_load_cell
+from rigapp_calibration.load_cell.settings import LoadCellSettings
+from rigapp_calibration.load_cell.two_axis import Terms, fit
+from rigapp_calibration.load_cell.weights import pin_force, weight_force
+from rigapp_calibration.taking.level import LevelError, LevelReading, reversed_level, single
+from rigapp_calibration.taking.procedure import Event, ProcedureError, Step, StepKind, TakenReading
+from rigapp_calibration.taking.signals import Readiness
 
 PLANS = {"daily": PlanKind.DAILY, "routine": PlanKind.ROUTINE, "full": PlanKind.FULL}
 SHARE_OF_FULL_SCALE = 0.99

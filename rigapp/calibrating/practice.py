@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from calibration.taking.procedure import Procedure, StepKind
+from rigapp_calibration.taking.procedure import Procedure, StepKind
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,12 +8,17 @@ from typing import Any
 
 import numpy as np
 
-from calibration.probes.alignment import Alignment, PairCalibration, calibrate_pair, split_pair
-from calibration.probes.calibrate import ProbeCalibration, calibrate_probe
-from calibration.probes.readings import parse_probe
-from calibration.probes.settings import ProbeSettings
 from rigapp.calibrating.records import budget_result, problems_of
 from rigapp.calibrating.session import Outcome
+from rigapp_calibration.probes.alignment import (
+    Alignment,
+    PairCalibration,
+    calibrate_pair,
+    split_pair,
+)
+from rigapp_calibration.probes.calibrate import ProbeCalibration, calibrate_probe
+from rigapp_calibration.probes.readings import parse_probe
+from rigapp_calibration.probes.settings import ProbeSettings
 
 UM = 1e6
 

@@ -10,13 +10,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from calibration.probes.live import ProbeWindow, assess_probe
-from calibration.probes.plans import MEASURING, ProbePlan, probe_readings
-from calibration.probes.positions import robust_line
-from calibration.probes.readings import OTHER_COLUMN, PROBE_COLUMNS
-from calibration.probes.settings import ProbeSettings
-from calibration.taking.procedure import ProcedureError, Step, StepKind, TakenReading
-from calibration.taking.signals import Readiness
 from rigapp.calibrating.practice import PROBE_PRACTICE
 from rigapp.calibrating.probe_result import fit_probes
 from rigapp.calibrating.session import (
@@ -30,6 +23,13 @@ from rigapp.calibrating.session import (
 from rigapp.config.calibration_settings import ProbeFile, probe_meaning
 from rigapp.config.errors import UnusableInput
 from rigapp.schema import channels
+from rigapp_calibration.probes.live import ProbeWindow, assess_probe
+from rigapp_calibration.probes.plans import MEASURING, ProbePlan, probe_readings
+from rigapp_calibration.probes.positions import robust_line
+from rigapp_calibration.probes.readings import OTHER_COLUMN, PROBE_COLUMNS
+from rigapp_calibration.probes.settings import ProbeSettings
+from rigapp_calibration.taking.procedure import ProcedureError, Step, StepKind, TakenReading
+from rigapp_calibration.taking.signals import Readiness
 
 PROBES = {"1": (1,), "2": (2,), "both": (1, 2)}
 PROBE_PLANS = {"routine": 1, "full": 3}

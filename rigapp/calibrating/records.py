@@ -16,14 +16,14 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from calibration.problems import Problem
-from calibration.records import CLOCKS_S, EVALUATION, seal
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
+from rigapp_calibration.problems import Problem
+from rigapp_calibration.records import CLOCKS_S, EVALUATION, seal
 
 if TYPE_CHECKING:
-    from calibration.taking.uncertainty import Budget
+    from rigapp_calibration.taking.uncertainty import Budget
 
 
 def problems_of(problems: Sequence[Problem]) -> list[dict[str, Any]]:

@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from calibration.load_cell.force_uncertainty import too_uncertain
-from calibration.records import Record, RecordError, in_future, moment, unseal
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.reading import read_bytes
 from rigapp.config.rig import ChannelSection, LoadCellSection, ProbesSection, RigFile
+from rigapp_calibration.load_cell.force_uncertainty import too_uncertain
+from rigapp_calibration.records import Record, RecordError, in_future, moment, unseal
 
 if TYPE_CHECKING:
     from rigapp.calibrating.verification import Verification

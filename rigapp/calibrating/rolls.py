@@ -10,8 +10,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from calibration.taking.procedure import ProcedureError
-from calibration.turning.run_out import FASTEST
 from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.practice import NO_PRACTICE, Practice
 from rigapp.calibrating.records import keep_record, refuse_existing
@@ -31,6 +29,8 @@ from rigapp.config.recipe import (
     TestFile,
 )
 from rigapp.config.rig import RigFile
+from rigapp_calibration.taking.procedure import ProcedureError
+from rigapp_calibration.turning.run_out import FASTEST
 
 ROLL_RAMP = 2
 """Revolutions beyond those wanted: the first ones carry the ramp."""

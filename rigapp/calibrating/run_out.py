@@ -11,9 +11,16 @@ from typing import Any
 
 import numpy as np
 
-from calibration.arrays import Array
-from calibration.taking.readings import numbers, read_table
-from calibration.turning.run_out import (
+from rigapp.calibrating.probe_result import UM
+from rigapp.calibrating.records import problems_of
+from rigapp.calibrating.session import Outcome
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import parse_test
+from rigapp.config.parameters import ParameterFile
+from rigapp.schema.messages import Flag
+from rigapp_calibration.arrays import Array
+from rigapp_calibration.taking.readings import numbers, read_table
+from rigapp_calibration.turning.run_out import (
     Harmonics,
     Roll,
     RunOutError,
@@ -24,13 +31,6 @@ from calibration.turning.run_out import (
     map_of_harmonics,
     spread_at,
 )
-from rigapp.calibrating.probe_result import UM
-from rigapp.calibrating.records import problems_of
-from rigapp.calibrating.session import Outcome
-from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import parse_test
-from rigapp.config.parameters import ParameterFile
-from rigapp.schema.messages import Flag
 
 GRID_DEG = 5
 """The record's picture of the map; its orders are what is applied."""
@@ -106,10 +106,10 @@ def _with_elastic(
     path: Path,
 ) -> list[SlowRevolution]:
     """Return the revolutions with how their forces (2, n) each, N, move the pin elastically."""
-    from model.errors import ModelError
     from rigapp.config.parameters import to_parameters
     from rigapp.twin.elasticmotion import elastic_motions
     from rigapp.twin.predict import Unpredictable
+    from rigapp_model.errors import ModelError
 
     parameters = to_parameters(model, f"{path} (its test)", "model")
     try:

@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from calibration.taking.readings import numbers, read_table
-from calibration.turning.running_check import Known, RunningCheck, SpeedRun, running_check
 from rigapp.calibrating.records import problems_of
 from rigapp.calibrating.session import Outcome
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
 from rigapp.schema.messages import Flag
+from rigapp_calibration.taking.readings import numbers, read_table
+from rigapp_calibration.turning.running_check import Known, RunningCheck, SpeedRun, running_check
 
 RUNNING_COLUMNS = ("run", "speed_rpm", "force_1_N", "force_2_N")
 STEADY_SHARE = 0.02

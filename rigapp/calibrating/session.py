@@ -17,10 +17,16 @@ from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 
-from calibration.arrays import Array
-from calibration.load_cell.characteristics import CREEP_TIMES
-from calibration.load_cell.daily import DailyCheck
-from calibration.taking.procedure import (
+from rigapp.calibrating.journal import Journal
+from rigapp.calibrating.practice import Practice
+from rigapp.calibrating.records import keep_record, refuse_existing
+from rigapp.config.calibration_settings import CalibrationFile
+from rigapp.config.errors import UnusableInput
+from rigapp.schema.channels import BASE
+from rigapp_calibration.arrays import Array
+from rigapp_calibration.load_cell.characteristics import CREEP_TIMES
+from rigapp_calibration.load_cell.daily import DailyCheck
+from rigapp_calibration.taking.procedure import (
     Event,
     Method,
     Plan,
@@ -32,13 +38,7 @@ from calibration.taking.procedure import (
     begin,
     take_up,
 )
-from calibration.taking.signals import Readiness, SignalState, SignalWindow
-from rigapp.calibrating.journal import Journal
-from rigapp.calibrating.practice import Practice
-from rigapp.calibrating.records import keep_record, refuse_existing
-from rigapp.config.calibration_settings import CalibrationFile
-from rigapp.config.errors import UnusableInput
-from rigapp.schema.channels import BASE
+from rigapp_calibration.taking.signals import Readiness, SignalState, SignalWindow
 
 
 @dataclass(frozen=True, slots=True)

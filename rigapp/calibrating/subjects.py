@@ -12,9 +12,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from calibration.channel import CHANNEL_COLUMNS
-from calibration.load_cell.readings import LOAD_CELL_COLUMNS
-from calibration.probes.readings import PROBE_COLUMNS
 from rigapp.calibrating.certificates.channel import channel_parts
 from rigapp.calibrating.certificates.load_cell import load_cell_parts
 from rigapp.calibrating.certificates.parts import Parts
@@ -42,6 +39,9 @@ from rigapp.config.calibration_settings import (
     probe_meaning,
 )
 from rigapp.config.errors import UnusableInput
+from rigapp_calibration.channel import CHANNEL_COLUMNS
+from rigapp_calibration.load_cell.readings import LOAD_CELL_COLUMNS
+from rigapp_calibration.probes.readings import PROBE_COLUMNS
 
 
 @dataclass(frozen=True, slots=True)

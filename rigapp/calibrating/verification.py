@@ -14,8 +14,6 @@ from typing import Any
 
 import msgspec
 
-from calibration.records import EVALUATION, Record, unseal
-from calibration.taking.readings import ReadingsError
 from rigapp.calibrating.channel import fit_channel
 from rigapp.calibrating.load_cell_result import fit_load_cell
 from rigapp.calibrating.probe_result import fit_probes
@@ -28,6 +26,8 @@ from rigapp.config.calibration_settings import (
     probe_meaning,
 )
 from rigapp.config.errors import UnusableInput
+from rigapp_calibration.records import EVALUATION, Record, unseal
+from rigapp_calibration.taking.readings import ReadingsError
 
 SAME = 1e-6
 """Relative: a fit repeats to rounding, some 1e-12 on any computer; a certificate prints 1e-5."""
@@ -104,7 +104,7 @@ def verified(data: bytes) -> Verification:
     found = verify(record)
     if record.signature is None:
         return found
-    from calibration.signatures import signature_fault
+    from rigapp_calibration.signatures import signature_fault
 
     fault = signature_fault(record)
     return replace(found, differences=(fault, *found.differences)) if fault else found

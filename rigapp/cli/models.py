@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
-from model.wear.techniques import listed
 from rigapp.cli.options import ToOption, file_option, group, option
+from rigapp_model.wear.techniques import listed
 
 model_verbs = group("Compute forces, wear, pressure and the paper's figures.")
 study_verbs = group()

@@ -116,7 +116,7 @@ def _status_of(error: Exception) -> int:
     """Return the exit status of an error that a verb raised."""
     if isinstance(error, UnusableInput):
         return 2
-    module = sys.modules.get("drivers.api")
+    module = sys.modules.get("rigapp_drivers.api")
     if module is not None and isinstance(error, module.DeviceError):
         return 3
     return 1

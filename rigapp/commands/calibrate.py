@@ -6,7 +6,6 @@ import json
 import sys
 from pathlib import Path
 
-from calibration.taking.readings import ReadingsError
 from rigapp.calibrating.daily_history import history_lines, history_result, read_history
 from rigapp.calibrating.records import keep_record, refuse_existing
 from rigapp.calibrating.session import Outcome
@@ -14,6 +13,7 @@ from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
 from rigapp.config.reading import read_text
+from rigapp_calibration.taking.readings import ReadingsError
 
 ONE_SOURCE = "give --readings (a CSV) or --rig (live readings), one of the two."
 

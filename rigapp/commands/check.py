@@ -12,8 +12,6 @@ from typing import Any, Protocol, runtime_checkable
 
 import msgspec
 
-from drivers.api import DeviceError
-from drivers.registry import load_driver
 from rigapp.calibrating.records_in_use import RigRecords, with_records
 from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
@@ -26,6 +24,8 @@ from rigapp.notify.ways import inspected, ways_of
 from rigapp.schema.messages import Status
 from rigapp.service.preflight import Check, Checked, blocked, disk_facts, preflight
 from rigapp.simulation.handle import SimulationFailed
+from rigapp_drivers.api import DeviceError
+from rigapp_drivers.registry import load_driver
 
 FIRST_DATA_S = 10.0  # a device that has been set sends within a block
 PIPE_WIDTH = 200  # where no terminal tells its width, no line is broken

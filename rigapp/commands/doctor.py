@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Any
 from rigapp.process.children import module_command
 
 if TYPE_CHECKING:
-    from drivers.api import DriverInfo
-    from drivers.discovery import Inquiry
+    from rigapp_drivers.api import DriverInfo
+    from rigapp_drivers.discovery import Inquiry
 
 PACKAGES = (
     "rigapp",
@@ -128,7 +128,7 @@ def _folders() -> Iterator[Observation]:
 
 def installed_drivers(findings: list[Observation]) -> list[DriverInfo]:
     """Return the drivers that can be loaded; a broken one becomes a finding."""
-    from drivers.registry import DriverNotFound, available_drivers, load_driver
+    from rigapp_drivers.registry import DriverNotFound, available_drivers, load_driver
 
     drivers = []
     for name in available_drivers():
@@ -158,7 +158,7 @@ def ports() -> Iterator[Observation]:
 
 
 def _port(port: Any, drivers: Sequence[DriverInfo]) -> Iterator[Observation]:
-    from drivers.discovery import ask, drivers_of_usb_id, may_be_asked
+    from rigapp_drivers.discovery import ask, drivers_of_usb_id, may_be_asked
 
     known = drivers_of_usb_id(port.vid, port.pid, drivers)
     described = "" if port.description in (None, "n/a") else port.description
@@ -197,7 +197,7 @@ def _inquiry_finding(inquiry: Inquiry, label: str, known: bool) -> Iterator[Obse
 
 def ask_port(port: str) -> Iterator[Observation]:
     """Ask one port that the user names."""
-    from drivers.discovery import ask
+    from rigapp_drivers.discovery import ask
 
     broken: list[Observation] = []
     drivers = installed_drivers(broken)
@@ -284,8 +284,8 @@ def can_interfaces(folder: Path = NETWORKS) -> Iterator[Observation]:
 
 
 def _heard(name: str) -> Observation:
-    from drivers.api import DeviceError
-    from drivers.cia402.probe import listen, node_words
+    from rigapp_drivers.api import DeviceError
+    from rigapp_drivers.cia402.probe import listen, node_words
 
     try:
         nodes = listen("socketcan", name, CAN_LISTEN_S)

@@ -7,13 +7,13 @@ from dataclasses import asdict
 from functools import partial
 from pathlib import Path
 
-from calibration.load_cell.force_uncertainty import force_uncertainty
 from rigapp.commands.progress import bar
 from rigapp.presentation.numbers import bytes_text
 from rigapp.presentation.results import key_numbers, outcome_text, trust_lines
 from rigapp.report.results import result_of_open
 from rigapp.report.steps import sequence_of, step_numbers
 from rigapp.storage import export_test, open_test
+from rigapp_calibration.load_cell.force_uncertainty import force_uncertainty
 
 
 def print_info(path: Path, *, as_json: bool) -> int:

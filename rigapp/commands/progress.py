@@ -37,7 +37,7 @@ def watched(label: str, limit_s: float | None) -> Iterator[Callable[[float], Non
 
     It raises the model's OutOfTime when ``limit_s`` seconds have passed since the beginning.
     """
-    from model.errors import OutOfTime
+    from rigapp_model.errors import OutOfTime
 
     begin = monotonic()
     with bar(label) as show:

@@ -9,14 +9,14 @@ import sys
 import time
 from pathlib import Path
 
-from calibration.records import Record, RecordChanged, RecordError, in_future, seal, unseal
-from calibration.signatures import UnusableKey, fingerprint, new_key, public_key_of, sign
 from rigapp.calibrating.records import refuse_existing
 from rigapp.calibrating.verification import verified
 from rigapp.config.errors import UnusableInput
 from rigapp.config.reading import read_bytes
 from rigapp.config.writing import whole_file
 from rigapp.process.private import open_to_others
+from rigapp_calibration.records import Record, RecordChanged, RecordError, in_future, seal, unseal
+from rigapp_calibration.signatures import UnusableKey, fingerprint, new_key, public_key_of, sign
 
 UNSIGNED = "It is not signed: nothing shows which laboratory made it."
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from drivers.api import DriveStatus
-from drivers.registry import load_driver
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp.engine.devices import LoadDriver, make_devices
 from rigapp.service.launch import find_engine
+from rigapp_drivers.api import DriveStatus
+from rigapp_drivers.registry import load_driver
 
 
 def reset_drive(rig_path: Path, load: LoadDriver = load_driver) -> int:

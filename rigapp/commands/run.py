@@ -12,7 +12,6 @@ from typing import Protocol
 
 import msgspec
 
-from drivers.api import DeviceError, DeviceFault
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.recipe import TestFile
@@ -31,6 +30,7 @@ from rigapp.service.registry import withdraw
 from rigapp.service.resumption import Resumption, interval
 from rigapp.service.security import parse_bind
 from rigapp.service.simulated import parse_speed
+from rigapp_drivers.api import DeviceError, DeviceFault
 
 STATUS = {
     FinishReason.COMPLETE: 0,

@@ -8,11 +8,11 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from calibration.load_cell.settings import CellSettings, LoadCellSettings, Use
-from calibration.load_cell.weights import Place, WeightSet, normal_gravity
-from calibration.probes.settings import ProbeSettings
 from rigapp.config.errors import UnusableInput
 from rigapp.config.numbers import TURN_DEG, within
+from rigapp_calibration.load_cell.settings import CellSettings, LoadCellSettings, Use
+from rigapp_calibration.load_cell.weights import Place, WeightSet, normal_gravity
+from rigapp_calibration.probes.settings import ProbeSettings
 
 WEIGHTS_UNCERTAINTY = 5e-5
 """Relative standard uncertainty of weights of which nothing is stated: of class M1 (OIML R 111)."""
@@ -20,7 +20,7 @@ LATITUDE_GRAVITY_UNCERTAINTY = 5e-5
 STATED_GRAVITY_UNCERTAINTY = 1e-5
 """Relative: of a value from latitude and height, and of a stated local value."""
 WITH_THE_READINGS = within(-math.inf, math.inf)
-"""Any number: ``calibration.load_cell.plausible`` judges it, where the readings are."""
+"""Any number: ``rigapp_calibration.load_cell.plausible`` judges it, where the readings are."""
 
 
 class CellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -23,7 +23,7 @@ from rigapp.config.rig import RigFile
 from rigapp.config.toml import toml_tree
 
 if TYPE_CHECKING:
-    from model.parameters import Parameters
+    from rigapp_model.parameters import Parameters
 
 SCHEMA = 1
 LARGEST_SETTINGS_BYTES = 1 << 20

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import msgspec
 
-from model.wear.laws import LAWS
 from rigapp.config.errors import UnusableInput
 from rigapp.config.numbers import (
     INERTIA_KG_M2,
@@ -19,9 +18,10 @@ from rigapp.config.numbers import (
     within,
 )
 from rigapp.schema.units import stem_of, unit_of_key
+from rigapp_model.wear.laws import LAWS
 
 if TYPE_CHECKING:
-    from model.parameters import Parameters, WearLaw
+    from rigapp_model.parameters import Parameters, WearLaw
 
     WearLawName = str
 else:
@@ -130,7 +130,7 @@ def to_parameters(file: ParameterFile, source: str = "", section: str = "") -> P
     ``source`` and ``section`` (for example "model" for the [model] part of a test) only serve the
     message. Raises UnusableInput naming the key, its value in the file's unit, and the remedy.
     """
-    from model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
+    from rigapp_model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
 
     prefix = (f"{source}: " if source else "") + (f"{section}." if section else "")
 
@@ -159,7 +159,7 @@ def to_parameters(file: ParameterFile, source: str = "", section: str = "") -> P
 
 def _law(wear: WearSection | None, coefficient: float, where: str) -> WearLaw:
     """Return the wear law of a bushing; raise UnusableInput for keys that do not fit it."""
-    from model.parameters import ARCHARD, WearLaw
+    from rigapp_model.parameters import ARCHARD, WearLaw
 
     if wear is None:
         return ARCHARD

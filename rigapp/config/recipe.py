@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import msgspec
 
-from model.wear.techniques import SOLVABLE, TECHNIQUES
 from rigapp.config.numbers import FORCE_N, IN_A_ROW, LEVEL, MOST, within
 from rigapp.config.parameters import ParameterFile
+from rigapp_model.wear.techniques import SOLVABLE, TECHNIQUES
 
 if TYPE_CHECKING:
     PredictedJoint = str

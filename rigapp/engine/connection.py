@@ -18,14 +18,6 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 
-from drivers.api import (
-    DataOverrun,
-    DeviceError,
-    Identity,
-    SlowRequest,
-    SlowSource,
-    StreamSetup,
-)
 from rigapp.config.sequence import StepPlace
 from rigapp.engine.activetest import ActiveTest, Rest
 from rigapp.engine.core import Core
@@ -46,6 +38,14 @@ from rigapp.schema.alarms import Cause, because
 from rigapp.schema.channels import LOAD_CELL
 from rigapp.schema.messages import FinishReason, RunState
 from rigapp.schema.states import ACTIVE, TURNING, Ending, Trigger, transition
+from rigapp_drivers.api import (
+    DataOverrun,
+    DeviceError,
+    Identity,
+    SlowRequest,
+    SlowSource,
+    StreamSetup,
+)
 
 SMALLEST_QUEUE = 16384  # samples; a burst of so many may come after a pause of the host
 PACED_SAMPLES = 4096

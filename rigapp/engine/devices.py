@@ -6,7 +6,10 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, cast
 
-from drivers.api import (
+from rigapp.config.channels import channel_table, input_keys
+from rigapp.config.errors import UnusableInput
+from rigapp.config.rig import RigFile
+from rigapp_drivers.api import (
     DataRequest,
     DataSource,
     DriveRequest,
@@ -18,10 +21,7 @@ from drivers.api import (
     Spindle,
     StreamSetup,
 )
-from drivers.registry import DriverNotFound, SettingsError, check_settings, load_driver
-from rigapp.config.channels import channel_table, input_keys
-from rigapp.config.errors import UnusableInput
-from rigapp.config.rig import RigFile
+from rigapp_drivers.registry import DriverNotFound, SettingsError, check_settings, load_driver
 
 LoadDriver = Callable[[str], DriverInfo]
 

@@ -12,8 +12,6 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from drivers.api import DeviceError, DeviceFault
-from drivers.registry import load_driver
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.ranges import refusal
@@ -57,6 +55,8 @@ from rigapp.schema.states import (
     refuse_long,
     transition,
 )
+from rigapp_drivers.api import DeviceError, DeviceFault
+from rigapp_drivers.registry import load_driver
 
 COMMAND_WAIT_S = 10.0
 """A command waits so long for the one before it; stopping waits for none."""

@@ -11,7 +11,6 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import Block, SampleClock
 from rigapp.engine.judging.checks import PeakForce
 from rigapp.engine.judging.saturation import SaturationWatch, full_samples
 from rigapp.engine.samples.assembler import Assembler, Revolution
@@ -21,6 +20,7 @@ from rigapp.engine.samples.signals import Means, RecentSignals
 from rigapp.engine.samples.timewatch import TimeWatch
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.channels import LOAD_CELL, PROBES
+from rigapp_drivers.api import Block, SampleClock
 
 
 class Judge(Protocol):

@@ -11,7 +11,6 @@ from contextlib import suppress
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import DeviceError
 from rigapp.engine.activetest import ActiveTest, Rest
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
@@ -20,6 +19,7 @@ from rigapp.schema.channels import LOAD_CELL
 from rigapp.schema.loglines import REST, RestSignals
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import Refused
+from rigapp_drivers.api import DeviceError
 
 Array = NDArray[np.float64]
 

@@ -6,8 +6,6 @@ import math
 import time
 from pathlib import Path, PurePath
 
-from drivers.api import SampleClock
-from model.dynamics import rest_angle
 from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
@@ -31,6 +29,8 @@ from rigapp.engine.recording.recorder import Recorder
 from rigapp.engine.recording.store import Opened, OpenRequest, OpenStore
 from rigapp.schema.loglines import SpecimenWear
 from rigapp.schema.states import Refused
+from rigapp_drivers.api import SampleClock
+from rigapp_model.dynamics import rest_angle
 
 OVERSPEED_SHARE = 0.8
 """Of the overspeed limit, which the ripple of an approach to the rest must not reach."""

@@ -7,8 +7,6 @@ import os
 import time
 from typing import Any
 
-from calibration.load_cell.force_uncertainty import stated_uncertainty
-from drivers.api import DataSource, LineCounters, SlowSource, Spindle
 from rigapp.engine.activetest import ActiveTest
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
@@ -30,6 +28,8 @@ from rigapp.schema.messages import (
 )
 from rigapp.schema.results import how_ended
 from rigapp.schema.states import ACTIVE
+from rigapp_calibration.load_cell.force_uncertainty import stated_uncertainty
+from rigapp_drivers.api import DataSource, LineCounters, SlowSource, Spindle
 
 RIG_FILE = "rig file"
 """What is told in place of a calibration record where there is none."""

@@ -18,11 +18,11 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-PACKAGES = ("model", "rigapp", "drivers", "calibration")
-COMPILERS = ("numba", "model.compiled")
+PACKAGES = ("rigapp_model", "rigapp", "rigapp_drivers", "rigapp_calibration")
+COMPILERS = ("numba", "rigapp_model.compiled")
 """Modules that make compiled functions; whoever imports one of them may have some."""
 
-NO_KERNELS = ("model.compiled", "rigapp.prepare.kernels")
+NO_KERNELS = ("rigapp_model.compiled", "rigapp.prepare.kernels")
 """Modules that only handle those of others."""
 
 WORTH_TELLING_S = 1.0  # what is loaded from the cache takes less
@@ -73,7 +73,7 @@ def kernels_of(module: ModuleType) -> list[Any]:
 
 def remove_left_over(modules: Iterable[ModuleType]) -> int:
     """Remove what the modules' caches hold of no present kernel; return how many files went."""
-    from model.compiled import cache_name
+    from rigapp_model.compiled import cache_name
 
     kernels = [kernel for module in modules for kernel in kernels_of(module)]
     functions = [kernel.py_func for kernel in kernels]

@@ -22,7 +22,7 @@ LEVELS = ("debug", "info", "warning", "error")
 LEVEL_VARIABLE = "RIGAPP_LOG_LEVEL"
 """Environment variable that hands the level on to the processes of this one."""
 
-OWN = ("rigapp", "drivers", "model", "calibration")
+OWN = ("rigapp", "rigapp_drivers", "rigapp_model", "rigapp_calibration")
 MOST_WAITING = 1000  # lines; more come only from something that has gone wrong
 LARGEST_FILE = 1_000_000
 """Bytes of a log file; the one before is kept beside it."""

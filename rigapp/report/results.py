@@ -144,7 +144,7 @@ def _line(values: NDArray[Any]) -> tuple[float, ...]:
 
 
 def _looked_at_closely(found: TestResult, test: TestReader) -> TestResult:
-    from calibration.load_cell.force_uncertainty import force_uncertainty
+    from rigapp_calibration.load_cell.force_uncertainty import force_uncertainty
 
     stated = force_uncertainty(test.calibration(), test.configuration())
     doubt = float("nan")
@@ -166,8 +166,8 @@ def _alarms(test: TestReader) -> tuple[str, ...]:
 
 def _why_no_coefficient(test: TestReader) -> str:
     """Return why ``rigapp identify`` tells no coefficient of a test, as it says it."""
-    from model.identification import CannotBeTold
     from rigapp.twin.kept import NO_BIN, kept_of, life_of
+    from rigapp_model.identification import CannotBeTold
 
     try:
         kept, _ = kept_of(test)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from drivers.registry import DriverNotFound, load_driver, load_simulator
+from rigapp_drivers.registry import DriverNotFound, load_driver, load_simulator
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,7 +17,6 @@ from typing import Any
 
 import msgspec
 
-from drivers.api import DeviceError
 from rigapp.calibrating.records_in_use import probes_stated, with_records
 from rigapp.calibrating.rig_file import only_records_differ
 from rigapp.config.errors import UnusableInput
@@ -85,6 +84,7 @@ from rigapp.service.simulated import SampleNumbers, SimulatedDevices, Speed, par
 from rigapp.simulation.handle import SimulationFailed
 from rigapp.twin.link import TwinLink
 from rigapp.twin.messages import Sought, TwinSetup
+from rigapp_drivers.api import DeviceError
 
 log = logging.getLogger(__name__)
 

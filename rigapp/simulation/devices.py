@@ -8,15 +8,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from drivers.api import DriverInfo, DriverKind
-from drivers.registry import (
-    DriverNotFound,
-    SettingsError,
-    check_settings,
-    load_driver,
-    load_simulator,
-)
-from drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
 from rigapp.config.channels import input_keys
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import DeviceSection, RigFile
@@ -24,6 +15,15 @@ from rigapp.schema.channels import ChannelTable
 from rigapp.simulation.disturbances import WiredSignals
 from rigapp.simulation.wire.endpoints import Endpoint
 from rigapp.simulation.wire.link import SimulatedWire
+from rigapp_drivers.api import DriverInfo, DriverKind
+from rigapp_drivers.registry import (
+    DriverNotFound,
+    SettingsError,
+    check_settings,
+    load_driver,
+    load_simulator,
+)
+from rigapp_drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
 
 MakeEndpoint = Callable[[str], Endpoint]
 

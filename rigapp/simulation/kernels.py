@@ -11,7 +11,6 @@ import numpy as np
 from numba import float64, int64, types, uint64
 from numpy.typing import NDArray
 
-from model.compiled import njit
 from rigapp.simulation.layout import (
     ACCELERATION,
     ANGLE,
@@ -53,6 +52,7 @@ from rigapp.simulation.mechanics import (
 )
 from rigapp.simulation.sensing import emit, views
 from rigapp.simulation.wall import LASTS, ROW, SQUARE, TOP, WALL, Wall, renew, worn
+from rigapp_model.compiled import njit
 
 
 @njit(types.UniTuple(F, 2)(CONSTANTS, DRIVE, float64[::1], F), cache=True)

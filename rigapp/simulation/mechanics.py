@@ -21,9 +21,9 @@ import math
 
 from numba import float64, types
 
-from model.compiled import njit
 from rigapp.simulation.layout import OFF, VELOCITY, Constants, Drive
 from rigapp.simulation.wall import BORE, Bore
+from rigapp_model.compiled import njit
 
 Numbers = tuple[float, ...]
 F = types.float64

@@ -14,7 +14,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from drivers.simulator_api import DriveCommand, DriveMode, MotorState
 from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
@@ -40,6 +39,7 @@ from rigapp.simulation.plant import Plant
 from rigapp.simulation.surroundings import DRIVE_WARMER_K, FreeInputs, slow_values
 from rigapp.simulation.truth import TruthRecorder
 from rigapp.simulation.wire.link import WireFault
+from rigapp_drivers.simulator_api import DriveCommand, DriveMode, MotorState
 
 STANDING = 1e-6
 """A crank slower than this stands, rad/s."""

@@ -19,7 +19,6 @@ import math
 import numpy as np
 from numba import float64, int64, types, uint64
 
-from model.compiled import njit
 from rigapp.simulation.layout import (
     ANGLE,
     DEPTH,
@@ -45,6 +44,7 @@ from rigapp.simulation.layout import (
 )
 from rigapp.simulation.mechanics import CONSTANTS, POSITION, F, Numbers
 from rigapp.simulation.wall import APPROACH, ROW, SQUARE, looked_up
+from rigapp_model.compiled import njit
 
 U = types.uint64
 FREE_NOISE = 100

@@ -24,7 +24,7 @@ import numpy as np
 from numba import float64, int64, types
 from numpy.typing import NDArray
 
-from model.compiled import njit
+from rigapp_model.compiled import njit
 
 Array = NDArray[np.float64]
 F = types.float64

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import msgspec
 import numpy as np
 
-from model.wear.techniques import SOLVABLE, TECHNIQUES
 from rigapp.config.errors import UnusableInput
 from rigapp.config.numbers import within
 from rigapp.config.parameters import MM, MPA
 from rigapp.study.file import StudyFile
 from rigapp.study.virtual import MM3_PER_NM, VirtualTest, virtual_test
+from rigapp_model.wear.techniques import SOLVABLE, TECHNIQUES
 
 if TYPE_CHECKING:
-    from model.parameters import Parameters
+    from rigapp_model.parameters import Parameters
 
     SolvableName = str
     TechniqueName = str
@@ -95,7 +95,7 @@ def _speed(rpm: float) -> float:
 
 
 def _forces(parameters: Parameters | None, run: ForcesRun, seed: int) -> Numbers:
-    from model.wear.techniques import solve_of
+    from rigapp_model.wear.techniques import solve_of
 
     assert parameters is not None
     angle = 2.0 * np.pi / run.points * np.arange(run.points)
@@ -113,7 +113,7 @@ def _forces(parameters: Parameters | None, run: ForcesRun, seed: int) -> Numbers
 
 
 def _pressure(parameters: Parameters | None, run: PressureRun, seed: int) -> Numbers:
-    from model.bushing.ring import pressure_distribution, ring_of
+    from rigapp_model.bushing.ring import pressure_distribution, ring_of
 
     assert parameters is not None
     ring = ring_of(parameters.joint, parameters.bushing.material)
@@ -126,7 +126,7 @@ def _pressure(parameters: Parameters | None, run: PressureRun, seed: int) -> Num
 
 
 def _life(parameters: Parameters | None, run: LifeRun, seed: int) -> Numbers:
-    from model.wear.life import life
+    from rigapp_model.wear.life import life
 
     assert parameters is not None
     found = life(

@@ -15,7 +15,7 @@ from rigapp.study.design import StudyPoint, Value
 from rigapp.study.kinds import KINDS
 
 if TYPE_CHECKING:
-    from model.parameters import Parameters
+    from rigapp_model.parameters import Parameters
 
 RUN = "run."
 """Before the keys of [run] among those that are varied."""

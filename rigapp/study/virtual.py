@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import msgspec
 import numpy as np
 
-from model.wear.techniques import SOLVABLE
 from rigapp.config.numbers import within
+from rigapp_model.wear.techniques import SOLVABLE
 
 if TYPE_CHECKING:
-    from model.identification import Credible, DepthLife, ProbeErrors
-    from model.parameters import Parameters
+    from rigapp_model.identification import Credible, DepthLife, ProbeErrors
+    from rigapp_model.parameters import Parameters
 
     SolvableName = str
 else:
@@ -47,7 +47,7 @@ class VirtualTest(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 def virtual_test(parameters: Parameters, run: VirtualTest, seed: int) -> dict[str, float]:
     """Return what a virtual test tells of its wear coefficient; the same seed gives the same."""
-    from model.identification import Bins, CannotBeTold, Prior, ProbeErrors, identify
+    from rigapp_model.identification import Bins, CannotBeTold, Prior, ProbeErrors, identify
 
     life = _life(parameters, run.rpm, run.joint, run.revolutions, run.coefficient_factor)
     true = run.coefficient_factor * life.coefficient
@@ -110,11 +110,11 @@ def _life(
     parameters: Parameters, rpm: float, joint: str, revolutions: int, factor: float
 ) -> DepthLife:
     """Return the depth by nominal cycles, as far as the test goes; its work of a point is kept."""
-    from model.identification import depth_life, worn_ahead
-    from model.wear.life import life
-    from model.wear.loads import gathered, loads_of_cycle
-    from model.wear.state import POSITIONS, unworn_state
-    from model.wear.techniques import solve_of
+    from rigapp_model.identification import depth_life, worn_ahead
+    from rigapp_model.wear.life import life
+    from rigapp_model.wear.loads import gathered, loads_of_cycle
+    from rigapp_model.wear.state import POSITIONS, unworn_state
+    from rigapp_model.wear.techniques import solve_of
 
     angle = 2.0 * np.pi / POINTS * np.arange(POINTS)
     speed = rpm * np.pi / 30.0

@@ -14,7 +14,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import (
+from rigapp.process.owntime import DEVICE_SHARE, OwnTime
+from rigapp.simulation.wire.link import SimulatedWire, WireFault
+from rigapp.simulation.wire.ports import port_at
+from rigapp.testing.contracts import Contract, ExpectedFault
+from rigapp_drivers.api import (
     Block,
     DataRequest,
     DataSource,
@@ -26,12 +30,8 @@ from drivers.api import (
     Spindle,
     StreamSetup,
 )
-from drivers.registry import check_settings, load_simulator
-from drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
-from rigapp.process.owntime import DEVICE_SHARE, OwnTime
-from rigapp.simulation.wire.link import SimulatedWire, WireFault
-from rigapp.simulation.wire.ports import port_at
-from rigapp.testing.contracts import Contract, ExpectedFault
+from rigapp_drivers.registry import check_settings, load_simulator
+from rigapp_drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
 
 PATIENCE = 3.0
 """So many times longer may a driver take on a busy computer than the contract says."""

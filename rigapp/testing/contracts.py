@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from drivers.api import DriverInfo
-from drivers.registry import available_drivers, load_driver
+from rigapp_drivers.api import DriverInfo
+from rigapp_drivers.registry import available_drivers, load_driver
 
 SHIPPED = Path(__file__).with_name("shipped.toml")
 

@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from drivers.api import DriverInfo, DriverKind
 from rigapp.testing.bench import SlowBench, SourceBench, SpindleBench
 from rigapp.testing.contracts import Contract, read_contracts
+from rigapp_drivers.api import DriverInfo, DriverKind
 
 OPTION = "--rigapp-contract"
 MARK = "rigapp_contract"

@@ -9,7 +9,9 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from drivers.api import (
+from rigapp.testing.bench import PATIENCE, SourceBench, wait_until
+from rigapp.testing.contracts import Contract, ExpectedFault
+from rigapp_drivers.api import (
     Block,
     ConnectionFailed,
     DeviceError,
@@ -18,8 +20,6 @@ from drivers.api import (
     LineCounters,
     Quality,
 )
-from rigapp.testing.bench import PATIENCE, SourceBench, wait_until
-from rigapp.testing.contracts import Contract, ExpectedFault
 
 pytestmark = pytest.mark.rigapp_contract
 

@@ -10,10 +10,10 @@ from typing import Any
 
 import pytest
 
-from drivers.api import DriverInfo
-from drivers.discovery import Answer, ask
 from rigapp.testing.bench import SourceBench, SpindleBench
 from rigapp.testing.contracts import Contract
+from rigapp_drivers.api import DriverInfo
+from rigapp_drivers.discovery import Answer, ask
 
 pytestmark = pytest.mark.rigapp_contract
 

@@ -7,9 +7,9 @@ from collections.abc import Callable
 
 import pytest
 
-from drivers.api import ConnectionFailed, DeviceError, SettingRefused, SlowRequest
 from rigapp.testing.bench import PATIENCE, SlowBench, wait_until
 from rigapp.testing.contracts import Contract, ExpectedFault
+from rigapp_drivers.api import ConnectionFailed, DeviceError, SettingRefused, SlowRequest
 
 pytestmark = pytest.mark.rigapp_contract
 

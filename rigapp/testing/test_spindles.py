@@ -11,15 +11,15 @@ from dataclasses import replace
 
 import pytest
 
-from drivers.api import (
+from rigapp.testing.bench import COUNTS, PATIENCE, WATCHDOG_S, SpindleBench, wait_until
+from rigapp.testing.contracts import Contract, ExpectedFault
+from rigapp_drivers.api import (
     ConnectionFailed,
     DeviceError,
     DeviceFault,
     DriveStatus,
     SettingRefused,
 )
-from rigapp.testing.bench import COUNTS, PATIENCE, WATCHDOG_S, SpindleBench, wait_until
-from rigapp.testing.contracts import Contract, ExpectedFault
 
 pytestmark = pytest.mark.rigapp_contract
 

@@ -12,12 +12,12 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from model.errors import ModelError
-from model.parameters import Parameters
-from model.wear.front import Front, contact_pressure, implicit_step, touched
-from model.wear.loads import CycleLoads, gathered, loads_of_cycle
-from model.wear.state import POSITIONS, unworn_state
 from rigapp.twin.approach import Approach
+from rigapp_model.errors import ModelError
+from rigapp_model.parameters import Parameters
+from rigapp_model.wear.front import Front, contact_pressure, implicit_step, touched
+from rigapp_model.wear.loads import CycleLoads, gathered, loads_of_cycle
+from rigapp_model.wear.state import POSITIONS, unworn_state
 
 Array = NDArray[np.float64]
 

@@ -9,14 +9,14 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from model.errors import ModelError
-from model.parameters import Parameters
-from model.wear.loads import CycleLoads
-from model.wear.state import restored_state
 from rigapp.twin.ahead import BushingAhead
 from rigapp.twin.identifying import IdentifiedRecord
 from rigapp.twin.pinpath import Reference
 from rigapp.twin.twin import TrackedBushing, Twin
+from rigapp_model.errors import ModelError
+from rigapp_model.parameters import Parameters
+from rigapp_model.wear.loads import CycleLoads
+from rigapp_model.wear.state import restored_state
 
 log = logging.getLogger(__name__)
 

@@ -7,14 +7,14 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from model.frames import into_frame
-from model.joints import perfect_joint
-from model.parameters import Parameters
 from rigapp.twin.ahead import bushing_ahead
 from rigapp.twin.approach import RIGID
 from rigapp.twin.measureddepth import ELASTIC_DOUBT
 from rigapp.twin.pinpath import FRICTION_DOUBT, rotated
 from rigapp.twin.predict import GRID, Unpredictable
+from rigapp_model.frames import into_frame
+from rigapp_model.joints import perfect_joint
+from rigapp_model.parameters import Parameters
 
 Array = NDArray[np.float64]
 

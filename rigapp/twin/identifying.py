@@ -14,8 +14,13 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from model.errors import ModelError
-from model.identification import (
+from rigapp.schema.columns import WEAR_MODELS
+from rigapp.twin.approach import MeanApproach
+from rigapp.twin.measureddepth import MeasuredDepth
+from rigapp.twin.messages import Sought
+from rigapp.twin.predict import NOTHING
+from rigapp_model.errors import ModelError
+from rigapp_model.identification import (
     Bins,
     CannotBeTold,
     Consistency,
@@ -31,17 +36,12 @@ from model.identification import (
     remaining,
     weight,
 )
-from model.identification.inference import Identification
-from model.identification.words import revolution_of
-from model.parameters import Parameters
-from model.wear.front import Front, touched
-from model.wear.loads import CycleLoads
-from model.wear.state import WearState, unworn_state
-from rigapp.schema.columns import WEAR_MODELS
-from rigapp.twin.approach import MeanApproach
-from rigapp.twin.measureddepth import MeasuredDepth
-from rigapp.twin.messages import Sought
-from rigapp.twin.predict import NOTHING
+from rigapp_model.identification.inference import Identification
+from rigapp_model.identification.words import revolution_of
+from rigapp_model.parameters import Parameters
+from rigapp_model.wear.front import Front, touched
+from rigapp_model.wear.loads import CycleLoads
+from rigapp_model.wear.state import WearState, unworn_state
 
 LIFE_ERROR = 0.01
 """The computed life is right to this part of the depth: so much do two independent methods for

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from model.dynamics import MechanismMotion
-from model.friction_circle import CellDoubt, Friction, friction_of
-from model.parameters import Parameters
 from rigapp.schema.columns import JOINT_CURVES
+from rigapp_model.dynamics import MechanismMotion
+from rigapp_model.friction_circle import CellDoubt, Friction, friction_of
+from rigapp_model.parameters import Parameters
 
 Array = NDArray[np.float64]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import msgspec
 
-from model.identification import CannotBeTold, DepthLife
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
 from rigapp.config.parameters import to_parameters
@@ -13,6 +12,7 @@ from rigapp.twin.checkpoint import Checkpoint, restore
 from rigapp.twin.identifying import Identifier
 from rigapp.twin.messages import Sought
 from rigapp.twin.twin import Twin
+from rigapp_model.identification import CannotBeTold, DepthLife
 
 NO_BIN = "no bin of revolutions is complete yet: wait"
 """Why a test tells nothing before its first bin."""

@@ -10,10 +10,6 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from model.dynamics import MechanismMotion
-from model.history import FEWEST_SAMPLES, smooth_history
-from model.parameters import Parameters
-from model.wear.techniques import solve_of
 from rigapp.schema.columns import (
     PREDICTION_POINTS,
     identified_columns,
@@ -23,6 +19,10 @@ from rigapp.schema.columns import (
 from rigapp.schema.messages import Prediction, RevolutionMeasured, as_array
 from rigapp.twin.jointload import UNKNOWN, JointLoad
 from rigapp.twin.uncertainty import PredictionUncertainty, prediction_uncertainty
+from rigapp_model.dynamics import MechanismMotion
+from rigapp_model.history import FEWEST_SAMPLES, smooth_history
+from rigapp_model.parameters import Parameters
+from rigapp_model.wear.techniques import solve_of
 
 Array = NDArray[np.float64]
 

@@ -16,14 +16,6 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from model.dynamics import MechanismMotion
-from model.errors import ModelError
-from model.frames import into_frame
-from model.friction_circle import CellDoubt
-from model.parameters import Parameters
-from model.wear.front import Front
-from model.wear.loads import CycleLoads
-from model.wear.state import WearState, unworn_state, worn_by
 from rigapp.schema.columns import PROFILES_PER_DECADE, in_order, profile_columns
 from rigapp.schema.messages import Prediction, WornProfile
 from rigapp.twin.ahead import BushingAhead, bushing_ahead
@@ -56,6 +48,14 @@ from rigapp.twin.predict import (
     predict_force,
 )
 from rigapp.twin.profile import depth_uncertainty, on_angles, worn_depth
+from rigapp_model.dynamics import MechanismMotion
+from rigapp_model.errors import ModelError
+from rigapp_model.frames import into_frame
+from rigapp_model.friction_circle import CellDoubt
+from rigapp_model.parameters import Parameters
+from rigapp_model.wear.front import Front
+from rigapp_model.wear.loads import CycleLoads
+from rigapp_model.wear.state import WearState, unworn_state, worn_by
 
 Array = NDArray[np.float64]
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from model.dynamics import MechanismMotion
-from model.history import AngleHistory
-from model.history_uncertainty import motion_uncertainty
+from rigapp_model.dynamics import MechanismMotion
+from rigapp_model.history import AngleHistory
+from rigapp_model.history_uncertainty import motion_uncertainty
 
 Array = NDArray[np.float64]
 Compute = Callable[[Array, Array], MechanismMotion]

@@ -15,9 +15,6 @@ from collections import deque
 import msgspec
 import zmq
 
-from model.errors import ModelError
-from model.friction_circle import COVERAGE_FACTOR, CellDoubt
-from model.wear.techniques import solve_of
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import to_parameters
 from rigapp.process.link import connect_link
@@ -27,6 +24,9 @@ from rigapp.twin.identifying import Identifier
 from rigapp.twin.messages import TwinAnswer, TwinSetup
 from rigapp.twin.predict import Unpredictable, unpack
 from rigapp.twin.twin import Twin
+from rigapp_model.errors import ModelError
+from rigapp_model.friction_circle import COVERAGE_FACTOR, CellDoubt
+from rigapp_model.wear.techniques import solve_of
 
 WAIT_MS = 500
 LINGER_MS = 2000

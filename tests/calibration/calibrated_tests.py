@@ -13,16 +13,6 @@ from pathlib import Path
 
 import numpy as np
 
-from calibration.load_cell.force_uncertainty import (
-    ForceUncertainty,
-    force_uncertainty,
-    noise_of_sample,
-    stated_uncertainty,
-    uncertainty_record,
-)
-from calibration.load_cell.readings import LoadCellReadings
-from calibration.load_cell.weights import pin_force, relative_force_uncertainty, weight_force
-from drivers.api import ChannelSpec, StreamSetup
 from rigapp.calibrating.records import keep_record
 from rigapp.calibrating.records_in_use import RigRecords, with_records
 from rigapp.calibrating.subjects import SUBJECTS
@@ -35,6 +25,16 @@ from rigapp.config.calibration_settings import (
 from rigapp.config.loading import Document, parse_rig
 from rigapp.config.rig import RigFile
 from rigapp.engine.values.calibrate import Calibration, calibration_of
+from rigapp_calibration.load_cell.force_uncertainty import (
+    ForceUncertainty,
+    force_uncertainty,
+    noise_of_sample,
+    stated_uncertainty,
+    uncertainty_record,
+)
+from rigapp_calibration.load_cell.readings import LoadCellReadings
+from rigapp_calibration.load_cell.weights import pin_force, relative_force_uncertainty, weight_force
+from rigapp_drivers.api import ChannelSpec, StreamSetup
 from tests.calibration.simulated_cell import Cell, plan
 from tests.calibration.test_commands import as_csv
 

@@ -1,7 +1,7 @@
 """Records of every kind, by which a changed evaluation is noticed.
 
-After ``calibration.records.EVALUATION`` was raised, or for a new kind of records, ``python -m
-tests.calibration.pinned`` keeps what is missing; what is there is never made again.
+After ``rigapp_calibration.records.EVALUATION`` was raised, or for a new kind of records,
+``python -m tests.calibration.pinned`` keeps what is missing; what is there is never made again.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from calibration.records import EVALUATION, seal
-from calibration.turning.running_check import Known, SpeedRun, running_check
 from rigapp.calibrating.records import keep_record
 from rigapp.calibrating.running_check import running_result, runs_csv
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.config.calibration_settings import CellSection, LoadCellFile
 from rigapp.config.loading import read_document
+from rigapp_calibration.records import EVALUATION, seal
+from rigapp_calibration.turning.running_check import Known, SpeedRun, running_check
 from tests.calibration.test_probe_certificates import ANGLE, run_out
 
 FOLDER = Path(__file__).parent / "evaluations"
@@ -78,7 +78,10 @@ def main() -> int:
     missing = {name: folder / f"{name}.json" for name in MAKERS}
     missing = {name: path for name, path in missing.items() if not path.exists()}
     if not missing:
-        print(f"{folder} is complete: raise EVALUATION in calibration/records.py", file=sys.stderr)
+        print(
+            f"{folder} is complete: raise rigapp_calibration.records.EVALUATION",
+            file=sys.stderr,
+        )
         return 1
     for name, path in missing.items():
         MAKERS[name](path)

@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from calibration.load_cell.readings import LoadCellReadings
-from calibration.load_cell.settings import CellSettings, LoadCellSettings
-from calibration.load_cell.weights import Place, WeightSet, pin_force, weight_force
+from rigapp_calibration.load_cell.readings import LoadCellReadings
+from rigapp_calibration.load_cell.settings import CellSettings, LoadCellSettings
+from rigapp_calibration.load_cell.weights import Place, WeightSet, pin_force, weight_force
 
 SETTINGS = LoadCellSettings(
     cell=CellSettings("pin load cell", 400.0, 2.0, "mV/V"),

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from calibration.load_cell.budget import expanded_line
-from calibration.load_cell.calibrate import calibrate_load_cell
-from calibration.taking.uncertainty import Contribution, combine
+from rigapp_calibration.load_cell.budget import expanded_line
+from rigapp_calibration.load_cell.calibrate import calibrate_load_cell
+from rigapp_calibration.taking.uncertainty import Contribution, combine
 from tests.calibration.simulated_cell import SETTINGS, Cell, take
 
 TRIALS = 1_000_000

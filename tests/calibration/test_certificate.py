@@ -12,7 +12,6 @@ import msgspec
 import numpy as np
 import pytest
 
-from calibration.records import seal, unseal
 from rigapp.calibrating.certificate import certificate_of, write_certificate
 from rigapp.calibrating.records import keep_record
 from rigapp.calibrating.subjects import SUBJECTS
@@ -27,6 +26,7 @@ from rigapp.config.calibration_settings import (
 from rigapp.config.errors import UnusableInput
 from rigapp.report.page.html import as_html
 from rigapp.report.page.pdf import as_pdf
+from rigapp_calibration.records import seal, unseal
 from tests.calibration.simulated_cell import Cell, take
 from tests.calibration.test_commands import as_csv
 from tests.calibration.test_verify import GIVEN

@@ -9,15 +9,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from calibration.channel import (
-    ChannelCalibration,
-    ChannelReadings,
-    ChannelSettings,
-    calibrate_channel,
-    value_at,
-)
-from calibration.records import seal
-from drivers.api import ChannelSpec, StreamSetup
 from rigapp.calibrating.certificate import write_certificate
 from rigapp.calibrating.records_in_use import with_records
 from rigapp.calibrating.rig_file import only_records_differ
@@ -28,6 +19,15 @@ from rigapp.config.rig import RigFile
 from rigapp.engine.recording.store import calibration_record
 from rigapp.engine.values.calibrate import calibration_of
 from rigapp.report.testreport.uncertainty import stated_uncertainties
+from rigapp_calibration.channel import (
+    ChannelCalibration,
+    ChannelReadings,
+    ChannelSettings,
+    calibrate_channel,
+    value_at,
+)
+from rigapp_calibration.records import seal
+from rigapp_drivers.api import ChannelSpec, StreamSetup
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SETTINGS, READINGS = (EXAMPLES / "calibration" / f"channel.{one}" for one in ("toml", "csv"))

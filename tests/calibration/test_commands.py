@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 from commandline import Done, program, rigapp
 
-from calibration.load_cell.readings import LoadCellReadings
-from calibration.probes.readings import parse_probe
-from calibration.records import RecordError, seal, unseal
-from calibration.taking.readings import ReadingsError
+from rigapp_calibration.load_cell.readings import LoadCellReadings
+from rigapp_calibration.probes.readings import parse_probe
+from rigapp_calibration.records import RecordError, seal, unseal
+from rigapp_calibration.taking.readings import ReadingsError
 from tests.calibration.simulated_cell import Cell, take
 
 SETTINGS = """

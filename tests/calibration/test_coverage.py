@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from calibration.load_cell.calibrate import calibrate_load_cell
+from rigapp_calibration.load_cell.calibrate import calibrate_load_cell
 from tests.calibration.simulated_cell import SETTINGS, Cell, take
 from tests.calibration.virtual_calibrations import SCENARIOS, coverage
 

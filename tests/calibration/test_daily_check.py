@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calibration.load_cell.daily import DailyCheck, daily_check
-from calibration.load_cell.readings import LoadCellReadings
-from calibration.load_cell.weights import pin_force, weight_force
 from rigapp.calibrating.daily_history import append_check, entry_of, read_history, verdict_lines
 from rigapp.calibrating.session import Rig
 from rigapp.commands.calibrate import show_history
+from rigapp_calibration.load_cell.daily import DailyCheck, daily_check
+from rigapp_calibration.load_cell.readings import LoadCellReadings
+from rigapp_calibration.load_cell.weights import pin_force, weight_force
 from tests.calibration.simulated_cell import SETTINGS
 
 KEPT = np.linalg.inv(np.array([[0.00500, 0.00008], [-0.00006, 0.00495]]))

@@ -13,14 +13,14 @@ from pathlib import Path
 
 import pytest
 
-from calibration.load_cell import two_axis
-from calibration.records import EVALUATION, unseal
 from rigapp.calibrating.verification import KINDS, verify
+from rigapp_calibration.load_cell import two_axis
+from rigapp_calibration.records import EVALUATION, unseal
 from tests.calibration import pinned
 
 RECORDS = sorted(pinned.FOLDER.glob("*/*.json"))
 RAISE = (
-    "the same readings give another result: raise EVALUATION in calibration/records.py, then keep"
+    "the same readings give another result: raise rigapp_calibration.records.EVALUATION, then keep"
     " its records with python -m tests.calibration.pinned"
 )
 

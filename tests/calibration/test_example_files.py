@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from commandline import program, rigapp
 
-from calibration.records import unseal
+from rigapp_calibration.records import unseal
 
 FOLDER = Path(__file__).parents[2] / "examples" / "calibration"
 SETTINGS = sorted(path for path in FOLDER.glob("*.toml") if path.with_suffix(".csv").exists())

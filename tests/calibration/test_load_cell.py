@@ -8,11 +8,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calibration.load_cell.calibrate import calibrate_load_cell
-from calibration.load_cell.readings import LoadCellReadings
-from calibration.load_cell.settings import LoadCellSettings
-from calibration.load_cell.weights import Place
-from calibration.taking.readings import numbered_twice
+from rigapp_calibration.load_cell.calibrate import calibrate_load_cell
+from rigapp_calibration.load_cell.readings import LoadCellReadings
+from rigapp_calibration.load_cell.settings import LoadCellSettings
+from rigapp_calibration.load_cell.weights import Place
+from rigapp_calibration.taking.readings import numbered_twice
 from tests.calibration.simulated_cell import SETTINGS, Cell, take
 
 

@@ -8,12 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from calibration.probes.alignment import calibrate_pair
-from calibration.probes.calibrate import calibrate_probe
-from calibration.probes.readings import ProbeReadings
-from calibration.probes.settings import ProbeSettings
-from calibration.records import Record, unseal
-from calibration.turning.run_out import Roll, SlowRevolution, evaluate, make_map
 from rigapp.calibrating.certificate import certificate_of
 from rigapp.calibrating.probe_result import pair_result, probe_result
 from rigapp.calibrating.records import keep_record
@@ -22,6 +16,12 @@ from rigapp.config.calibration_settings import ProbeFile, ProbeSection, RunOutFi
 from rigapp.report.page.html import as_html
 from rigapp.report.page.pdf import as_pdf
 from rigapp.twin.elasticmotion import DOUBTS
+from rigapp_calibration.probes.alignment import calibrate_pair
+from rigapp_calibration.probes.calibrate import calibrate_probe
+from rigapp_calibration.probes.readings import ProbeReadings
+from rigapp_calibration.probes.settings import ProbeSettings
+from rigapp_calibration.records import Record, unseal
+from rigapp_calibration.turning.run_out import Roll, SlowRevolution, evaluate, make_map
 
 POSITION = np.concatenate((np.linspace(-800e-6, 800e-6, 6), np.linspace(480e-6, -800e-6, 5)))
 

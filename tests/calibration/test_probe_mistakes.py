@@ -9,12 +9,19 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calibration.probes.alignment import align, calibrate_pair
-from calibration.probes.calibrate import calibrate_probe
-from calibration.probes.plans import MEASURING, ProbePlan, probe_readings
-from calibration.probes.readings import ProbeReadings
-from calibration.probes.settings import ProbeSettings
-from calibration.taking.procedure import Procedure, ProcedureError, Step, StepKind, begin, take_up
+from rigapp_calibration.probes.alignment import align, calibrate_pair
+from rigapp_calibration.probes.calibrate import calibrate_probe
+from rigapp_calibration.probes.plans import MEASURING, ProbePlan, probe_readings
+from rigapp_calibration.probes.readings import ProbeReadings
+from rigapp_calibration.probes.settings import ProbeSettings
+from rigapp_calibration.taking.procedure import (
+    Procedure,
+    ProcedureError,
+    Step,
+    StepKind,
+    begin,
+    take_up,
+)
 
 SETTINGS = ProbeSettings("probe", 10.0, 0.5e-6, nominal=100e-6)
 SENSITIVITY = (101e-6, 98.5e-6)

@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from calibration.records import seal, unseal
 from rigapp.calibrating.rolls import RollPlan, roll_test, rolls_of
 from rigapp.calibrating.spindle import speeds_of
 from rigapp.commands.live.spindle_runs import calibrate_run_out, plain_test
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
+from rigapp_calibration.records import seal, unseal
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RIG = EXAMPLES / "simulated.toml"

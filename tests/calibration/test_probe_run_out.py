@@ -9,7 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calibration.turning.run_out import (
+from rigapp.config.loading import read_rig
+from rigapp.config.parameters import to_parameters
+from rigapp.simulation import layout
+from rigapp.simulation.constants import packaged_parameters, plant_constants
+from rigapp.simulation.layout import Drive
+from rigapp.simulation.plant import Plant
+from rigapp.twin.elasticmotion import DOUBTS, elastic_motions
+from rigapp_calibration.turning.run_out import (
     FASTEST,
     Roll,
     RunOutError,
@@ -18,13 +25,6 @@ from calibration.turning.run_out import (
     make_map,
     spread_at,
 )
-from rigapp.config.loading import read_rig
-from rigapp.config.parameters import to_parameters
-from rigapp.simulation import layout
-from rigapp.simulation.constants import packaged_parameters, plant_constants
-from rigapp.simulation.layout import Drive
-from rigapp.simulation.plant import Plant
-from rigapp.twin.elasticmotion import DOUBTS, elastic_motions
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
 GRID = np.linspace(0.0, 2.0 * math.pi, 360, endpoint=False)

@@ -10,13 +10,6 @@ import msgspec
 import numpy as np
 import pytest
 
-from calibration.probes.alignment import calibrate_pair
-from calibration.probes.plans import MEASURING, ProbePlan, probe_readings
-from calibration.probes.settings import ProbeSettings
-from calibration.records import seal
-from calibration.taking.procedure import begin
-from calibration.turning.run_out import SlowRevolution, evaluate
-from drivers.api import Block
 from rigapp.calibrating.records_in_use import with_records
 from rigapp.calibrating.run_out import _as_read, _with_elastic
 from rigapp.config.consistency import number_faults
@@ -34,6 +27,13 @@ from rigapp.simulation import layout
 from rigapp.simulation.constants import packaged_parameters, plant_constants
 from rigapp.simulation.layout import Drive
 from rigapp.simulation.plant import Plant
+from rigapp_calibration.probes.alignment import calibrate_pair
+from rigapp_calibration.probes.plans import MEASURING, ProbePlan, probe_readings
+from rigapp_calibration.probes.settings import ProbeSettings
+from rigapp_calibration.records import seal
+from rigapp_calibration.taking.procedure import begin
+from rigapp_calibration.turning.run_out import SlowRevolution, evaluate
+from rigapp_drivers.api import Block
 from tests.engine.calibrations import calibration_by_hand
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"

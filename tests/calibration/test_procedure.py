@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calibration.load_cell.calibrate import calibrate_load_cell
-from calibration.load_cell.plans import WEIGHING, LoadCellPlan, PlanKind, load_cell_readings
-from calibration.load_cell.weights import force_per_mass, pin_force
-from calibration.taking.pieces import PiecesError, next_change, possible_loads
-from calibration.taking.procedure import (
+from rigapp_calibration.load_cell.calibrate import calibrate_load_cell
+from rigapp_calibration.load_cell.plans import WEIGHING, LoadCellPlan, PlanKind, load_cell_readings
+from rigapp_calibration.load_cell.weights import force_per_mass, pin_force
+from rigapp_calibration.taking.pieces import PiecesError, next_change, possible_loads
+from rigapp_calibration.taking.procedure import (
     Procedure,
     ProcedureError,
     StepKind,
@@ -21,7 +21,7 @@ from calibration.taking.procedure import (
     take_up,
     time_needed,
 )
-from calibration.taking.signals import judge
+from rigapp_calibration.taking.signals import judge
 from tests.calibration.simulated_cell import SETTINGS, Cell
 
 SET = (5.0,) * 8 + (2.0, 2.0, 1.0, 0.5)

@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calibration.records import unseal
-from calibration.turning.running_check import Known, SpeedRun, dither_error, running_check
+from rigapp_calibration.records import unseal
+from rigapp_calibration.turning.running_check import Known, SpeedRun, dither_error, running_check
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
 KNOWN = Known(moment=0.05 * 0.0762, moment_uncertainty=0.01, resolution=2.0, relative=0.001)

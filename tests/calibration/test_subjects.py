@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-from calibration.records import seal
 from rigapp.calibrating.certificate import write_certificate
 from rigapp.calibrating.records_in_use import PLACES
 from rigapp.calibrating.session import LiveSession
@@ -15,6 +14,7 @@ from rigapp.calibrating.subjects import SUBJECTS, Subject, subject_of
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
+from rigapp_calibration.records import seal
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
 ALL = list(SUBJECTS.values())

@@ -11,8 +11,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from calibration.records import seal, unseal
-from calibration.turning.running_check import Known, SpeedRun, running_check
 from rigapp.calibrating.certificate import write_certificate
 from rigapp.calibrating.load_cell_result import fit_load_cell
 from rigapp.calibrating.records import keep_record
@@ -29,6 +27,8 @@ from rigapp.config.calibration_settings import (
 )
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
+from rigapp_calibration.records import seal, unseal
+from rigapp_calibration.turning.running_check import Known, SpeedRun, running_check
 from tests.calibration.simulated_cell import Cell, take
 from tests.calibration.test_commands import as_csv
 from tests.calibration.test_probe_certificates import ANGLE, csv_of, run_out

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy import integrate
 
-from calibration.load_cell.weights import (
+from rigapp_calibration.load_cell.weights import (
     Place,
     WeightSet,
     force_per_mass,
@@ -17,7 +17,7 @@ from calibration.load_cell.weights import (
     relative_force_uncertainty,
     weight_force,
 )
-from calibration.probes.cylinder import (
+from rigapp_calibration.probes.cylinder import (
     apparent_gap,
     sensitivity_gain,
 )

@@ -11,17 +11,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibration.load_cell.budget import (
+from rigapp_calibration.load_cell.budget import (
     LoadUncertainty,
     element_uncertainties,
     uncertainty_at,
     zero_uncertainty,
 )
-from calibration.load_cell.characteristics import loads
-from calibration.load_cell.readings import LoadCellReadings
-from calibration.load_cell.scatter import scatter
-from calibration.load_cell.two_axis import choose_terms
-from calibration.load_cell.weights import pin_force, relative_force_uncertainty, weight_force
+from rigapp_calibration.load_cell.characteristics import loads
+from rigapp_calibration.load_cell.readings import LoadCellReadings
+from rigapp_calibration.load_cell.scatter import scatter
+from rigapp_calibration.load_cell.two_axis import choose_terms
+from rigapp_calibration.load_cell.weights import pin_force, relative_force_uncertainty, weight_force
 from tests.calibration.simulated_cell import SETTINGS, Cell, plan
 
 SCALE = relative_force_uncertainty(SETTINGS.weights, SETTINGS.place)

@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from calibration.load_cell.calibrate import calibrate_load_cell
-from calibration.load_cell.readings import LoadCellReadings
-from calibration.load_cell.weights import pin_force, weight_force
+from rigapp_calibration.load_cell.calibrate import calibrate_load_cell
+from rigapp_calibration.load_cell.readings import LoadCellReadings
+from rigapp_calibration.load_cell.weights import pin_force, weight_force
 from tests.calibration.simulated_cell import SETTINGS, Cell, plan
 
 Rng = np.random.Generator

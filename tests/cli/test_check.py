@@ -8,7 +8,10 @@ from typing import Any
 
 import pytest
 
-from drivers.api import (
+from rigapp.commands.check import self_check
+from rigapp.config.loading import read_rig
+from rigapp.service.preflight import Checked
+from rigapp_drivers.api import (
     ChannelSpec,
     DriverInfo,
     DriverKind,
@@ -17,9 +20,6 @@ from drivers.api import (
     SettingSpec,
     StreamSetup,
 )
-from rigapp.commands.check import self_check
-from rigapp.config.loading import read_rig
-from rigapp.service.preflight import Checked
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
 

@@ -13,12 +13,12 @@ from typing import Any
 import pytest
 from patience import PATIENCE_S
 
-from drivers import registry
-from drivers.api import DriverKind
 from rigapp.commands import doctor
 from rigapp.simulation.wire.link import WireFault
 from rigapp.testing.bench import SourceBench, SpindleBench
 from rigapp.testing.contracts import read_contracts
+from rigapp_drivers import registry
+from rigapp_drivers.api import DriverKind
 
 
 @dataclass(order=True)
@@ -173,7 +173,7 @@ def test_broken_packages_of_others_are_findings(monkeypatch: pytest.MonkeyPatch)
     entries = (
         EntryPoint("absent", "no_such_package_at_all:X", registry.GROUP),
         EntryPoint("wrong", "math:pi", registry.GROUP),
-        EntryPoint("gsv8", "drivers.gsv8.driver:DRIVER", registry.GROUP),
+        EntryPoint("gsv8", "rigapp_drivers.gsv8.driver:DRIVER", registry.GROUP),
     )
     monkeypatch.setattr(registry, "entry_points", lambda group: entries)
     findings: list[doctor.Observation] = []

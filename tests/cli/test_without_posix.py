@@ -18,7 +18,7 @@ CODE = """
 import builtins, sys
 
 POSIX = {"fcntl", "grp", "posix", "pty", "pwd", "resource", "termios", "tty"}
-OURS = {"rigapp", "drivers", "model", "calibration"}
+OURS = {"rigapp", "rigapp_drivers", "rigapp_model", "rigapp_calibration"}
 imported = builtins.__import__
 
 

@@ -7,7 +7,6 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from model.wear.techniques import SOLVABLE, TECHNIQUES
 from rigapp.config.loading import read_parameter_file
 from rigapp.config.ranges import unit_of
 from rigapp.config.recipe import StopSection
@@ -19,6 +18,7 @@ from rigapp.schema.verbs import VERBS, Lane, Verb, Who
 from rigapp.service.bounds import asked_of
 from rigapp.twin.messages import TwinSetup
 from rigapp.twin.worker import set_up
+from rigapp_model.wear.techniques import SOLVABLE, TECHNIQUES
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"

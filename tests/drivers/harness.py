@@ -25,9 +25,9 @@ from typing import Any
 
 import numpy as np
 
-from drivers.api import DriveRequest
-from drivers.simulator_api import DriveCommand, DriveMode, MotorState
 from rigapp.process.owntime import OwnTime
+from rigapp_drivers.api import DriveRequest
+from rigapp_drivers.simulator_api import DriveCommand, DriveMode, MotorState
 
 Respond = Callable[[bytes, float], bytes]
 Produce = Callable[[float], bytes]

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import Block
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Margins, Revolution
+from rigapp_drivers.api import Block
 
 Ints = NDArray[np.int64]
 

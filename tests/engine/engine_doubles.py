@@ -18,22 +18,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from patience import PATIENCE_S
 
-from drivers.api import (
-    Block,
-    ChannelSpec,
-    DataRequest,
-    DeviceFault,
-    DeviceLost,
-    DriveRequest,
-    DriverInfo,
-    DriverKind,
-    DriveStatus,
-    Identity,
-    Quality,
-    ReplyTimeout,
-    SettingSpec,
-    StreamSetup,
-)
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.recipe import (
@@ -59,6 +43,22 @@ from rigapp.engine.recording.store import Opened, OpenRequest, OpenStore
 from rigapp.schema.channels import BASE
 from rigapp.schema.messages import Event, LookedAfter
 from rigapp.simulation.constants import packaged_parameters
+from rigapp_drivers.api import (
+    Block,
+    ChannelSpec,
+    DataRequest,
+    DeviceFault,
+    DeviceLost,
+    DriveRequest,
+    DriverInfo,
+    DriverKind,
+    DriveStatus,
+    Identity,
+    Quality,
+    ReplyTimeout,
+    SettingSpec,
+    StreamSetup,
+)
 
 COUNTS = 360
 RATE = 480.0

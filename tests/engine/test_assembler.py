@@ -10,7 +10,6 @@ from encoder_truth import Shaft, assemble, blocks, counter, reference, shaft
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from drivers.api import Block
 from rigapp.engine.samples.assembler import (
     STANDSTILL_S,
     Assembler,
@@ -19,6 +18,7 @@ from rigapp.engine.samples.assembler import (
     Revolution,
 )
 from rigapp.schema.messages import Flag
+from rigapp_drivers.api import Block
 
 KINDS = ("modulo", "signed", "runs on")
 

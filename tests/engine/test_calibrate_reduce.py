@@ -12,7 +12,6 @@ from engine_doubles import MemoryRig
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from drivers.api import Block, ChannelSpec, StreamSetup
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
 from rigapp.engine.judging.checks import PeakForce
@@ -21,6 +20,7 @@ from rigapp.engine.values.calibrate import Calibration, Measured, calibrate, cal
 from rigapp.engine.values.reduce import Reducer
 from rigapp.schema.channels import BASE, STATISTICS
 from rigapp.schema.messages import Flag
+from rigapp_drivers.api import Block, ChannelSpec, StreamSetup
 from tests.engine.calibrations import calibration_by_hand
 
 RATE = 960.0

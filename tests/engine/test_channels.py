@@ -16,18 +16,6 @@ from engine_doubles import FakeSource, MemoryRig, a_test, eventually
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.api import (
-    Block,
-    ChannelSpec,
-    DataRequest,
-    DeviceLost,
-    DriverInfo,
-    DriverKind,
-    Identity,
-    Quality,
-    SlowRequest,
-    StreamSetup,
-)
 from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test
@@ -47,6 +35,18 @@ from rigapp.schema.states import ENDED
 from rigapp.service.preflight import Check, Checked, preflight
 from rigapp.storage import open_test
 from rigapp.storage.structure.conventions import detectors
+from rigapp_drivers.api import (
+    Block,
+    ChannelSpec,
+    DataRequest,
+    DeviceLost,
+    DriverInfo,
+    DriverKind,
+    Identity,
+    Quality,
+    SlowRequest,
+    StreamSetup,
+)
 from tests.engine.calibrations import calibration_by_hand
 
 FREE = {

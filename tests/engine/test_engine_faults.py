@@ -11,7 +11,12 @@ from pathlib import Path
 import pytest
 from engine_doubles import MemoryRig, a_test, eventually
 
-from drivers.api import (
+from rigapp.engine.drive.timing import Timing
+from rigapp.engine.judging.speeds import ANSWERS
+from rigapp.schema.messages import Alarm, FinishReason, Flag, LookedAfter, RunState, Severity
+from rigapp.schema.notices import Finished
+from rigapp.schema.states import ENDED, Refused
+from rigapp_drivers.api import (
     Block,
     DeviceError,
     DriveStatus,
@@ -19,11 +24,6 @@ from drivers.api import (
     SettingRefused,
     SettingsLost,
 )
-from rigapp.engine.drive.timing import Timing
-from rigapp.engine.judging.speeds import ANSWERS
-from rigapp.schema.messages import Alarm, FinishReason, Flag, LookedAfter, RunState, Severity
-from rigapp.schema.notices import Finished
-from rigapp.schema.states import ENDED, Refused
 
 LONG = 1_000_000
 

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from engine_doubles import MemoryRig, eventually
 
-from drivers.api import DeviceFault
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test
 from rigapp.config.recipe import TestFile
@@ -18,6 +17,7 @@ from rigapp.schema.channels import BASE
 from rigapp.schema.messages import Flag, RunState
 from rigapp.schema.states import ENDED
 from rigapp.storage import open_test
+from rigapp_drivers.api import DeviceFault
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 

@@ -512,12 +512,12 @@ def test_a_ramp_is_no_judged_revolution(rig: MemoryRig) -> None:
 
 def test_what_a_driver_warns_of_is_in_the_log(rig: MemoryRig) -> None:
     rig.start(a_test(LONG))
-    log = logging.getLogger("drivers.memory")
+    log = logging.getLogger("rigapp_drivers.memory")
     for _ in range(3):
         log.warning("daq: %s is hot", "the amplifier")
     told = [event for event in rig.store.events if event.kind == "device"]
     assert [(event.source, event.text) for event in told] == [
-        ("drivers.memory", "daq: the amplifier is hot")
+        ("rigapp_drivers.memory", "daq: the amplifier is hot")
     ]
 
 

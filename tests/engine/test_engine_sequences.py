@@ -15,13 +15,13 @@ from hypothesis.stateful import (
     rule,
 )
 
-from drivers.api import DeviceError
 from rigapp.config.errors import UnusableInput
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.recording.store import Opened
 from rigapp.schema.channels import BASE
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import ACTIVE, ENDED, TURNING, Refused
+from rigapp_drivers.api import DeviceError
 
 LAST = ("revolution", "time")
 

@@ -9,14 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calibration.load_cell.force_uncertainty import (
+from rigapp_calibration.load_cell.force_uncertainty import (
     ForceUncertainty,
     force_uncertainty,
     noise_of_sample,
     stated_uncertainty,
     uncertainty_record,
 )
-from calibration.records import seal
+from rigapp_calibration.records import seal
 
 MATRIX = np.array([[200.0, 5.0], [-3.0, 190.0]])
 RECORD = {

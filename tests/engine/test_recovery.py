@@ -13,13 +13,13 @@ from engine_doubles import MemoryRig, a_test, eventually
 from hypothesis import Phase, example, given, settings
 from hypothesis import strategies as st
 
-from drivers.api import DeviceError, DeviceFault, ProtocolError
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import LimitRule
 from rigapp.engine.recording.store import Opened, OpenRequest
 from rigapp.engine.recovery import AT_REST, WAITING, Situation, recovery
 from rigapp.schema.messages import Alarm, Ends, FinishReason, Remedy, RunState, Severity
 from rigapp.schema.states import ACTIVE, ENDED, InFault, Refused
+from rigapp_drivers.api import DeviceError, DeviceFault, ProtocolError
 
 LONG = 1_000_000
 QUIET = (Refused, UnusableInput, DeviceError, TimeoutError)

@@ -8,9 +8,9 @@ import msgspec
 import pytest
 from engine_doubles import MemoryRig
 
-from drivers.api import DeviceFault, DeviceLost
 from rigapp.commands.reset import reset_drive
 from rigapp.config.toml import toml_text
+from rigapp_drivers.api import DeviceFault, DeviceLost
 
 
 @pytest.fixture

@@ -9,7 +9,6 @@ import msgspec
 import pytest
 from engine_doubles import MemoryRig, a_test, eventually
 
-from model.dynamics import rest_angle
 from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.parameters import to_parameters
 from rigapp.config.recipe import TestFile
@@ -19,6 +18,7 @@ from rigapp.schema.messages import RunState
 from rigapp.schema.states import ENDED
 from rigapp.service.simulated import SimulatedDevices, parse_speed
 from rigapp.simulation.constants import packaged_parameters
+from rigapp_model.dynamics import rest_angle
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 LONG = 1_000_000

@@ -11,7 +11,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from drivers.api import Block, SampleClock
 from rigapp.engine.processing import Processor
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
 from rigapp.engine.samples.sampleclock import TICKS_PER_S, EncoderClock, PulseRate
@@ -19,6 +18,7 @@ from rigapp.engine.values.calibrate import Calibration, Measured, calibrate
 from rigapp.engine.values.reduce import Reducer
 from rigapp.schema.channels import BASE
 from rigapp.schema.messages import Flag
+from rigapp_drivers.api import Block, SampleClock
 from tests.engine.calibrations import calibration_by_hand
 
 LINES = 360

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from engine_doubles import BLOCK, COUNTS, RATE, MemoryRig, a_test, eventually
 
-from drivers.api import InputFault, InputFaultKind
 from rigapp.engine.judging.saturation import BACK_S, STAYS_S, SaturationWatch
 from rigapp.engine.samples.assembler import EncoderSetup
 from rigapp.schema.messages import Alarm, FinishReason, Flag, RunState, Severity
 from rigapp.schema.states import ENDED, Refused
+from rigapp_drivers.api import InputFault, InputFaultKind
 from tests.engine.calibrations import calibration_by_hand
 
 LONG = 1_000_000

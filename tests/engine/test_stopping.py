@@ -12,7 +12,6 @@ from engine_doubles import eventually
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from drivers.api import Block
 from rigapp.engine.drive.sequences import CREEP_RPM, DriveStep, PauseSequence, Seen, StopSequence
 from rigapp.engine.publish import NoticeStream
 from rigapp.engine.samples.blockqueue import BlockQueue
@@ -21,6 +20,7 @@ from rigapp.engine.samples.timewatch import TimeWatch
 from rigapp.process.threads import Worker
 from rigapp.schema.messages import FinishReason, RunState
 from rigapp.schema.notices import Committed, Finished, StateChanged
+from rigapp_drivers.api import Block
 
 # --- the stop ------------------------------------------------------------------------------------
 

@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from engine_doubles import MemoryRig, a_test, eventually
 
-from drivers.api import Block, InputFault, InputFaultKind, Quality
 from rigapp.config.recipe import TestFile
 from rigapp.engine.judging.drivewatch import DriveWatch
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup
 from rigapp.schema.messages import Alarm, FinishReason, Flag, RunState, Severity
 from rigapp.schema.states import ENDED
+from rigapp_drivers.api import Block, InputFault, InputFaultKind, Quality
 
 LONG = 1_000_000
 

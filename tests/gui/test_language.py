@@ -22,7 +22,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from calibration.load_cell.plans import LoadCellPlan, PlanKind
 from rigapp.config.ranges import refusal
 from rigapp.gui.language.catalogue import (
     ENGLISH,
@@ -48,6 +47,7 @@ from rigapp.schema.criteria import CRITERIA
 from rigapp.schema.messages import Alarm, RunState, Severity
 from rigapp.schema.units import UNITS
 from rigapp.service.preflight import preflight
+from rigapp_calibration.load_cell.plans import LoadCellPlan, PlanKind
 
 TRANSLATED = sorted(LANGUAGES.keys() - {ENGLISH})
 

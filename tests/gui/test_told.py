@@ -13,13 +13,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from calibration.load_cell.calibrate import calibrate_load_cell
-from drivers.api import DeviceError
-from drivers.cia402.protocol import describe_code
-from drivers.gsv8.words import STATUS_WORDS, status_words, value_fault_words
-from drivers.registry import SettingsError, available_drivers, check_settings, load_driver
-from drivers.roboclaw.status import describe_status
-from drivers.transport import SerialPort
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_rig, parse_test, read_parameters
 from rigapp.config.ranges import keys_of, refusal
@@ -33,6 +26,13 @@ from rigapp.queue.items import Queue, removed
 from rigapp.schema.alarms import KINDS
 from rigapp.service.preflight import preflight
 from rigapp.storage.reading.reader import open_test
+from rigapp_calibration.load_cell.calibrate import calibrate_load_cell
+from rigapp_drivers.api import DeviceError
+from rigapp_drivers.cia402.protocol import describe_code
+from rigapp_drivers.gsv8.words import STATUS_WORDS, status_words, value_fault_words
+from rigapp_drivers.registry import SettingsError, available_drivers, check_settings, load_driver
+from rigapp_drivers.roboclaw.status import describe_status
+from rigapp_drivers.transport import SerialPort
 from tests.calibration.simulated_cell import SETTINGS
 from tests.calibration.virtual_mistakes import MISTAKES, Kind, take
 

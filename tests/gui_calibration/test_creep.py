@@ -9,7 +9,6 @@ from typing import Any
 
 import pytest
 
-from calibration.taking.procedure import ProcedureError, StepKind
 from rigapp.calibrating import session as live_session
 from rigapp.calibrating.certificate import write_certificate
 from rigapp.calibrating.load_cell_session import LoadCellSession
@@ -19,6 +18,7 @@ from rigapp.commands.live.terminal import Terminal
 from rigapp.config.calibration_settings import LoadCellFile
 from rigapp.config.loading import read_document
 from rigapp.gui.wizard.live_calibration import LiveCalibration
+from rigapp_calibration.taking.procedure import ProcedureError, StepKind
 from tests.calibration.test_procedure import at_the_creep
 from tests.gui_calibration.conftest import BUOYANCY, ScriptedRig
 

@@ -11,10 +11,10 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from calibration.records import unseal
 from rigapp.calibrating.verification import verify
 from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.wizard.wizard import CalibrationWizard
+from rigapp_calibration.records import unseal
 from tests.gui_calibration.test_probe_wizard import RIG, ScriptedProbes, go_ahead, judged
 from tests.gui_calibration.test_rolling import opened, pump
 from tests.gui_calibration.test_story import EXAMPLE, HostLine, line

@@ -11,10 +11,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from calibration.load_cell.plans import WEIGHING
-from calibration.records import unseal
-from calibration.taking.procedure import ProcedureError, StepKind, take_up
-from calibration.taking.signals import SignalState
 from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.load_cell_session import LoadCellSession, load_cell_plan, parse_pieces
 from rigapp.calibrating.practice import WeighingMistake
@@ -23,6 +19,10 @@ from rigapp.commands.live.terminal import LISTEN_S, SimulatedHands, Terminal, _k
 from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
+from rigapp_calibration.load_cell.plans import WEIGHING
+from rigapp_calibration.records import unseal
+from rigapp_calibration.taking.procedure import ProcedureError, StepKind, take_up
+from rigapp_calibration.taking.signals import SignalState
 from tests.gui_calibration.clumsy import ClumsyHands
 
 

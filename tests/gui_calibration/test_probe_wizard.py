@@ -13,8 +13,6 @@ from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWizard
 
-from calibration.probes.plans import ProbePlan
-from calibration.records import unseal
 from rigapp.calibrating.practice import MicrometerMistake
 from rigapp.calibrating.probe_session import ProbeSession, probe_plan
 from rigapp.calibrating.session import Rig
@@ -25,6 +23,8 @@ from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.wizard.chooser import CalibrationChooser
 from rigapp.gui.wizard.wizard import CalibrationWizard
 from rigapp.schema.messages import Reply
+from rigapp_calibration.probes.plans import ProbePlan
+from rigapp_calibration.records import unseal
 from tests.gui_calibration.clumsy import ClumsyHands
 
 SENSITIVITY = np.array([101.0, 98.5])

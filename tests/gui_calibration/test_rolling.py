@@ -10,10 +10,10 @@ from typing import Any
 import pytest
 from patience import PATIENCE_S
 
-from calibration.records import unseal
 from rigapp.config.loading import read_rig
 from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.wizard.wizard import CalibrationWizard
+from rigapp_calibration.records import unseal
 from tests.gui_calibration.test_story import EXAMPLE, HostLine, line
 from tests.gui_calibration.tour import rolling_rig
 

@@ -11,9 +11,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from calibration.load_cell.force_uncertainty import force_uncertainty
-from calibration.load_cell.plans import CREEP_SERIES
-from calibration.records import unseal
 from rigapp.calibrating.session import Rig
 from rigapp.commands.run import run_test
 from rigapp.config.loading import read_rig
@@ -25,6 +22,9 @@ from rigapp.service.host import EngineHost
 from rigapp.simulation.constants import plant_section
 from rigapp.simulation.handle import start_simulated_rig
 from rigapp.storage import open_test
+from rigapp_calibration.load_cell.force_uncertainty import force_uncertainty
+from rigapp_calibration.load_cell.plans import CREEP_SERIES
+from rigapp_calibration.records import unseal
 
 WITHIN_S = 240.0
 REVOLUTIONS = 16

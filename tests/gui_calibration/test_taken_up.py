@@ -14,7 +14,6 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
-from calibration.taking.procedure import ProcedureError
 from rigapp.calibrating.load_cell_session import LoadCellSession, load_cell_plan
 from rigapp.calibrating.probe_session import ProbeSession, probe_plan
 from rigapp.calibrating.rolls import roll_test
@@ -26,6 +25,7 @@ from rigapp.config.calibration_settings import LoadCellFile, ProbeFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document, read_rig, read_test
 from rigapp.storage import FilePlan, open_test
+from rigapp_calibration.taking.procedure import ProcedureError
 from tests.gui_calibration.conftest import ScriptedRig
 from tests.gui_calibration.test_probe_wizard import ScriptedProbes
 from tests.storage.storage_samples import new_test, row

@@ -20,9 +20,9 @@ from PySide6.QtWidgets import (
     QWizard,
 )
 
-from calibration.taking.procedure import StepKind
 from rigapp.calibrating.practice import WeighingMistake
 from rigapp.gui.wizard.plan_page import NEW
+from rigapp_calibration.taking.procedure import StepKind
 
 NEXT, COMMIT, BACK = (
     QWizard.WizardButton.NextButton,

@@ -8,7 +8,13 @@ from functools import cache
 from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[2]
-ROOTS = ("rigapp", "drivers", "model", "calibration")
+ROOTS = {
+    "rigapp": TOP,
+    "rigapp_drivers": TOP / "drivers",
+    "rigapp_model": TOP / "model",
+    "rigapp_calibration": TOP / "calibration",
+}
+"""Each package that is imported, and the folder from which it is."""
 
 Graph = Mapping[str, set[str]]
 
@@ -16,9 +22,10 @@ Graph = Mapping[str, set[str]]
 def modules() -> dict[str, Path]:
     """Return every module by its dotted name; a package is its ``__init__``."""
     found = {}
-    for path in (path for root in ROOTS for path in (TOP / root).rglob("*.py")):
-        parts = path.relative_to(TOP).with_suffix("").parts
-        found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    for name, folder in ROOTS.items():
+        for path in (folder / name).rglob("*.py"):
+            parts = path.relative_to(folder).with_suffix("").parts
+            found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
     return found
 
 

@@ -14,7 +14,8 @@ from pathlib import Path
 from patience import PATIENCE_S
 
 TOP = Path(__file__).parents[2]
-PACKAGES = ("rigapp", "drivers", "model", "calibration")
+SOURCES = ("drivers", "model", "calibration")
+"""Folders of the top that are no package themselves: each holds one."""
 
 STEP = re.compile(
     r"^(?:New file `(?P<made>[^`]+)`|At the end of `(?P<end>[^`]+)`"
@@ -71,7 +72,7 @@ def follow(title: str, folder: Path) -> None:
 
 def copy_of_the_source(folder: Path) -> Path:
     """Return a copy of all packages, compiled kernels with them."""
-    for name in PACKAGES:
+    for name in ("rigapp", *SOURCES):
         shutil.copytree(TOP / name, folder / name)
     return folder
 
@@ -80,7 +81,7 @@ def inside(folder: Path, *command: str | Path) -> subprocess.CompletedProcess[st
     """Run Python in a folder, with the packages that lie there."""
     environment = {
         **os.environ,
-        "PYTHONPATH": str(folder),
+        "PYTHONPATH": os.pathsep.join([str(folder), *(str(folder / name) for name in SOURCES)]),
         "RIGAPP_RUNTIME_DIR": str(folder / "run"),
         "QT_QPA_PLATFORM": "offscreen",
     }

@@ -20,10 +20,10 @@ OPEN = {
     "rigapp.calibrating": "each module is one subject, loaded when it is asked for",
     "rigapp.report": "each document is loaded when it is asked for",
     "rigapp.twin": "each side of the process is entered where it is",
-    "model": "a library of functions: each module is a part of the physics",
-    "calibration": "a library of functions: each package is what is calibrated",
+    "rigapp_model": "a library of functions: each module is a part of the physics",
+    "rigapp_calibration": "a library of functions: each package is what is calibrated",
 }
-"""Rooms without a door of their own, each with its reason; see decision 83."""
+"""Rooms without a door of their own, each with its reason; see decision 19."""
 
 
 def room_of(module: str) -> str:

@@ -215,8 +215,8 @@ def test_a_driver_is_found_and_reads(tmp_path: Path) -> None:
     said = run(
         site,
         "import os, pty, threading, tty\n"
-        "from drivers.api import SlowRequest\n"
-        "from drivers.registry import load_driver\n"
+        "from rigapp_drivers.api import SlowRequest\n"
+        "from rigapp_drivers.registry import load_driver\n"
         "device, port = pty.openpty()\n"
         "tty.setraw(device)\n"
         "def answer():\n"

@@ -7,16 +7,16 @@ import re
 from collections import Counter, defaultdict
 from pathlib import Path
 
-TOP = Path(__file__).parents[2]
-ROOTS = ("rigapp", "drivers", "model", "calibration")
-PACKAGES = sorted(init.parent for root in ROOTS for init in (TOP / root).rglob("__init__.py"))
+from house.imports import MODULES, TOP
+
+NAMES = {path: name for name, path in MODULES.items()}
+PACKAGES = sorted(path.parent for path in NAMES if path.name == "__init__.py")
 MOST_MODULES = 20
 """What one can keep in mind of a folder after reading its names once."""
 
 
 def dotted(path: Path) -> str:
-    parts = path.relative_to(TOP).with_suffix("").parts
-    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+    return NAMES[path if path.suffix else path / "__init__.py"]
 
 
 def classes() -> dict[str, set[str]]:

@@ -88,7 +88,7 @@ def test_what_the_model_advises_can_be_given() -> None:
     assert {"tolerance", "cycles", "modulus", "mass"} <= words
     advised = {
         (path.name, noun)
-        for path in sorted((ROOT / "model").rglob("*.py"))
+        for path in sorted((ROOT / "model/rigapp_model").rglob("*.py"))
         for text in sentences(path)
         for found in ADVICE.findall(text)
         for noun in found

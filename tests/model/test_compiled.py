@@ -11,10 +11,10 @@ from pathlib import Path
 import pytest
 from patience import PATIENCE_S
 
-from model.compiled import njit
+from rigapp_model.compiled import njit
 
 CALLER = """
-from model.compiled import njit
+from rigapp_model.compiled import njit
 from program import constants
 from program.called import OFFSETS, part
 
@@ -29,7 +29,7 @@ def show():
     print(json.dumps([whole(1.0), made(1.0), sum(whole.stats.cache_hits.values())]))
 """
 CALLED = """
-from model.compiled import njit
+from rigapp_model.compiled import njit
 OFFSETS = (10.0, 20.0)
 
 @njit("float64(float64)", cache=True)
@@ -54,7 +54,7 @@ def program(tmp_path: Path) -> Path:
 def run(program: Path, **environment: str) -> tuple[float, float, int]:
     """Return what the caller gives in a new process, and how often it came from the cache."""
     done = subprocess.run(
-        [sys.executable, "-B", "-c", "from program.caller import show; show()"],
+        [sys.executable, "-B", "-c", f"from {program.name}.caller import show; show()"],
         cwd=program.parent,
         env={**os.environ, "PYTHONPATH": f"{program.parent}:{REPOSITORY}", **environment},
         capture_output=True,
@@ -113,6 +113,16 @@ def test_where_nothing_can_be_written_the_users_folder_keeps_the_kernels(
     assert run(program, **chosen)[2] == 0
     change(program / "called.py", "3.0 * x", "4.0 * x")
     assert run(program, **chosen) == (124.0, 125.0, 0)
+
+
+def test_a_package_that_moves_with_its_cache_is_compiled_anew(program: Path) -> None:
+    """Compiled code imports its own module again, by the name that the package had."""
+    run(program)
+    for path in program.glob("*.py"):
+        path.write_text(path.read_text().replace("program", "renamed"))
+    moved = program.rename(program.parent / "renamed")
+    assert run(moved) == (122.0, 123.0, 0)
+    assert run(moved) == (122.0, 123.0, 2)
 
 
 UNKNOWN: list[float] = [1.0]

@@ -10,14 +10,12 @@ import pytest
 
 from rigapp.prepare.kernels import kernel_modules, kernels_of, may_compile, remove_left_over
 
-REPOSITORY = Path(__file__).parents[2]
-
 
 @pytest.mark.parametrize(
     "source",
     [
-        "from model.compiled import njit\n@njit('int64(int64)')\ndef f(x): ...",
-        "from model import compiled\nf = compiled.njit('int64(int64)')(g)",
+        "from rigapp_model.compiled import njit\n@njit('int64(int64)')\ndef f(x): ...",
+        "from rigapp_model import compiled\nf = compiled.njit('int64(int64)')(g)",
         "import numba as nb\nf = nb.njit('int64(int64)')(g)",
         "def make():\n    from numba import vectorize\n    return vectorize(g)",
     ],
@@ -48,11 +46,11 @@ def test_importing_a_module_compiles_all_its_kernels() -> None:
 def test_kernels_are_made_by_one_function_at_the_top_of_a_module() -> None:
     """A kernel made elsewhere could go stale, or be compiled in the middle of a test."""
     for name in kernel_modules():
-        path = REPOSITORY / Path(*name.split(".")).with_suffix(".py")
+        path = Path(str(importlib.import_module(name).__file__))
         tree = ast.parse(path.read_text(encoding="utf-8"))
         own = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)]
         sources = {node.module for node in own for alias in node.names if alias.name == "njit"}
-        assert sources == {"model.compiled"}, name
+        assert sources == {"rigapp_model.compiled"}, name
         inner = [
             part
             for node in ast.walk(tree)

@@ -17,7 +17,6 @@ import yaml
 from publishing_samples import ADA, event, new_test, recorded
 from rocrate.rocrate import ROCrate
 
-from calibration.records import unseal
 from rigapp.commands.files import export_file
 from rigapp.commands.package import package_tests
 from rigapp.config.errors import UnusableInput
@@ -25,6 +24,7 @@ from rigapp.publishing import package as packaging
 from rigapp.publishing.archive import write_archive
 from rigapp.publishing.packed import AT_A_TIME, PackedFile
 from rigapp.storage import compact_test
+from rigapp_calibration.records import unseal
 
 NAMES = [
     "CITATION.cff",

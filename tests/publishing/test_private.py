@@ -11,11 +11,11 @@ import pytest
 from commandline import program, rigapp
 from publishing_samples import ADA, RIG_TEXT, event, recorded
 
-from calibration.records import seal
 from rigapp.commands.package import package_tests
 from rigapp.publishing.package import private_in, published
 from rigapp.publishing.places import RIG, Passage
 from rigapp.publishing.private import found_in
+from rigapp_calibration.records import seal
 
 ROOT = "/root"
 

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from calibration.records import seal
 from rigapp.schema.columns import JOINT_CURVES
 from rigapp.schema.messages import Event, Flag
 from rigapp.storage import FilePlan, TestMetadata, TestWriter, create_test
+from rigapp_calibration.records import seal
 
 STARTED = 1_800_000_000.0
 RPM = 60.0

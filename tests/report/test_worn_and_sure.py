@@ -10,12 +10,12 @@ import pytest
 from report_samples import CALIBRATION, append, cycle, event, metadata
 from reportpage import Page, read
 
-from calibration.load_cell.force_uncertainty import force_uncertainty
-from calibration.records import seal
 from rigapp.commands.report import write_report
 from rigapp.report.testreport.worn import extent_of
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, profile_columns
 from rigapp.storage import FilePlan, create_test
+from rigapp_calibration.load_cell.force_uncertainty import force_uncertainty
+from rigapp_calibration.records import seal
 
 ANGLES = np.asarray(PROFILE_ANGLES_DEG, dtype=np.float64)
 JOINT = {"bushing_radius_mm": 10.0, "bushing_width_mm": 13.1}

@@ -28,7 +28,7 @@ from rigapp.service.registry import running_engines, runtime_folder, starting, s
 
 HANGING_OPEN = """
 import sys, time
-from drivers.roboclaw.driver import RoboClaw
+from rigapp_drivers.roboclaw.driver import RoboClaw
 import rigapp.commands.run as run
 def hang(self):
     print("opening", flush=True)

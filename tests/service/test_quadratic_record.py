@@ -11,9 +11,6 @@ import msgspec
 import numpy as np
 import pytest
 
-from calibration.load_cell.calibrate import LoadCellCalibration, calibrate_load_cell
-from calibration.records import seal
-from drivers.api import Block, ChannelSpec, StreamSetup
 from rigapp.calibrating.load_cell_result import load_cell_result
 from rigapp.calibrating.records_in_use import with_records
 from rigapp.config.errors import UnusableInput
@@ -26,6 +23,9 @@ from rigapp.engine.samples.assembler import Assembler
 from rigapp.engine.values.calibrate import Calibration, Measured, calibrate, calibration_of
 from rigapp.engine.values.reduce import Reducer
 from rigapp.schema.channels import BASE
+from rigapp_calibration.load_cell.calibrate import LoadCellCalibration, calibrate_load_cell
+from rigapp_calibration.records import seal
+from rigapp_drivers.api import Block, ChannelSpec, StreamSetup
 from tests.calibration.simulated_cell import SETTINGS, Cell, take
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"

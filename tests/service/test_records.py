@@ -7,10 +7,10 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from calibration.records import seal
 from rigapp.calibrating.records_in_use import with_records
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
+from rigapp_calibration.records import seal
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
 CELL = {

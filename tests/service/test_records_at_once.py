@@ -9,13 +9,13 @@ from typing import Any
 import pytest
 from patience import PATIENCE_S
 
-from calibration.records import seal
 from rigapp.calibrating.rig_file import name_record
 from rigapp.config.loading import read_rig
 from rigapp.schema.messages import Reply, Request
 from rigapp.schema.states import ENDED
 from rigapp.service.host import EngineHost
 from rigapp.storage import open_test
+from rigapp_calibration.records import seal
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

@@ -14,7 +14,6 @@ import pytest
 from msgspec import structs
 from stories import NEVER_OVER, RIG, end_soon, log, numbers, recipe, summary, until
 
-from drivers.api import ChannelSpec, StreamSetup
 from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_rig, read_rig
@@ -28,6 +27,7 @@ from rigapp.service.host import EngineHost, read_test
 from rigapp.service.resumption import Fit, Past, Resumption, compare, remarks
 from rigapp.service.simulated import parse_speed
 from rigapp.storage import open_test
+from rigapp_drivers.api import ChannelSpec, StreamSetup
 
 INPUTS = ("analog_1", "analog_2", "analog_3", "analog_4", "analog_5")
 

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from calibration.records import seal
 from rigapp.calibrating.rig_file import name_record
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
+from rigapp_calibration.records import seal
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
 CELL = {

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from drivers.api import DataRequest, DataSource, DriveRequest, Quality, Spindle
-from drivers.registry import check_settings, load_driver
 from rigapp.config.rig import RigFile
 from rigapp.simulation.process import SimulatedRig, start_simulated_rig
+from rigapp_drivers.api import DataRequest, DataSource, DriveRequest, Quality, Spindle
+from rigapp_drivers.registry import check_settings, load_driver
 
 Array = NDArray[np.float64]
 

@@ -14,8 +14,6 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from model.dynamics import inverse_dynamics
-from model.parameters import Joint, Mechanism, Spring
 from rigapp.config.parameters import ParameterFile, SpringSection
 from rigapp.config.rig import PlantSection, RigFile, SimulationSection
 from rigapp.simulation import layout, mechanics, sensing
@@ -23,6 +21,8 @@ from rigapp.simulation.constants import Machine, plant_constants
 from rigapp.simulation.layout import Constants, Drive
 from rigapp.simulation.plant import Plant
 from rigapp.simulation.wall import LEVELS
+from rigapp_model.dynamics import inverse_dynamics
+from rigapp_model.parameters import Joint, Mechanism, Spring
 
 DATA = Path(__file__).parents[1] / "data"
 SPEED = math.pi  # 30 rpm

@@ -19,11 +19,11 @@ import serial
 from numpy.typing import NDArray
 from patience import PATIENCE_S
 
-from drivers.api import DriveRequest, Spindle
-from drivers.registry import load_driver
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.simulation.process import SimulatedRig, main, start_simulated_rig
+from rigapp_drivers.api import DriveRequest, Spindle
+from rigapp_drivers.registry import load_driver
 
 FRAME = 20
 HERE = Path(__file__).parent
@@ -247,8 +247,8 @@ def test_outlives_its_parent_until_the_spindle_stands_still(rig_file: Path) -> N
     parent = (
         "import os, sys, json, pathlib, time\n"
         "from rigapp.simulation.process import start_simulated_rig\n"
-        "from drivers.registry import load_driver\n"
-        "from drivers.api import DriveRequest\n"
+        "from rigapp_drivers.registry import load_driver\n"
+        "from rigapp_drivers.api import DriveRequest\n"
         "from rigapp.simulation.constants import packaged_parameters\n"
         "import msgspec\n"
         "light = msgspec.structs.replace(packaged_parameters(), spring=None)\n"

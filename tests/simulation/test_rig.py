@@ -14,7 +14,6 @@ import msgspec
 import numpy as np
 import pytest
 
-from drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import ChannelSection, RigFile
@@ -24,6 +23,7 @@ from rigapp.simulation.control import Lines, answer
 from rigapp.simulation.rig import RigSimulation
 from rigapp.simulation.truth import COLUMNS, TruthRecorder
 from rigapp.simulation.wire.pty import PtyEndpoint
+from rigapp_drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
 
 NONE: Mapping[str, ChannelSection] = {}
 FREE = {

@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drivers.modbus_sensor.driver import ModbusSensor
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import PlantSection, RigFile
 from rigapp.simulation import layout
@@ -20,6 +19,7 @@ from rigapp.simulation.handle import start_simulated_rig
 from rigapp.simulation.layout import Drive
 from rigapp.simulation.plant import Plant, Samples
 from rigapp.simulation.surroundings import DAY_S, FreeInputs, slow_values
+from rigapp_drivers.modbus_sensor.driver import ModbusSensor
 
 SPEED = 2.0 * math.pi
 TURNING = Drive(layout.VELOCITY, SPEED, SPEED, 0.0, 48.0, 0.0)

@@ -9,8 +9,6 @@ import msgspec
 import numpy as np
 import pytest
 
-from model.bushing.ring import Ring, pressure_distribution
-from model.wear.life import life
 from rigapp.config.parameters import ParameterFile, to_parameters
 from rigapp.config.rig import PlantSection, RigFile
 from rigapp.simulation.constants import plant_constants
@@ -26,6 +24,8 @@ from rigapp.simulation.wall import (
     wave_compliance,
     worn_wall,
 )
+from rigapp_model.bushing.ring import Ring, pressure_distribution
+from rigapp_model.wear.life import life
 
 INNER, OUTER, WIDTH = 10e-3, 20e-3, 13.1e-3
 MODULUS, POISSON = 500e6, 0.38

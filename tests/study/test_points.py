@@ -9,13 +9,13 @@ import pytest
 from study.studies import EXAMPLES, PRESSURE, written
 from twin.recorded_plants import RECORDED, record
 
-from model.bushing.ring import pressure_distribution, ring_of
-from model.dynamics import inverse_dynamics
-from model.wear.life import life
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameters
 from rigapp.study.points import Batch, StudyRow, computed
 from rigapp.study.running import read_study
+from rigapp_model.bushing.ring import pressure_distribution, ring_of
+from rigapp_model.dynamics import inverse_dynamics
+from rigapp_model.wear.life import life
 
 PARAMETERS = read_parameters(EXAMPLES / "parameters.toml")
 SPEED = 30.0 * np.pi / 30.0

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from plant_revolutions import PARAMETERS
 
-from model.wear.loads import constant_load
 from rigapp.twin.approach import MeanApproach
 from rigapp.twin.identifying import MODULUS_SHARE, LifeAhead
+from rigapp_model.wear.loads import constant_load
 
 FIFTH = 1.2
 CYCLES = (100.0, 300.0, 1000.0, 3000.0)

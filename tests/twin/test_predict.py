@@ -11,7 +11,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from model.dynamics import inverse_dynamics
 from rigapp.config.loading import read_parameter_file
 from rigapp.config.parameters import to_parameters
 from rigapp.schema.columns import prediction_columns
@@ -27,6 +26,7 @@ from rigapp.twin.predict import (
 )
 from rigapp.twin.twin import Twin
 from rigapp.twin.worker import serve
+from rigapp_model.dynamics import inverse_dynamics
 
 PARAMETERS = to_parameters(
     read_parameter_file(Path(__file__).parents[2] / "examples" / "parameters.toml").record

@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from model.dynamics import inverse_dynamics
-from model.wear.life import life
 from rigapp.config.loading import read_parameters
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import Prediction, as_array
 from rigapp.twin.predict import MeasuredRevolution
 from rigapp.twin.twin import Twin
+from rigapp_model.dynamics import inverse_dynamics
+from rigapp_model.wear.life import life
 
 PARAMETERS = read_parameters(Path(__file__).parents[2] / "examples" / "parameters.toml")
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from calibration.channel import parse_channel, rule_of
 from rigapp.calibrating.certificates.parts import Content, Parts, budget_table, plot
 from rigapp.report.page.manuscript import Table
+from rigapp_calibration.channel import parse_channel, rule_of
 
 
 def channel_parts(content: Content) -> Parts:

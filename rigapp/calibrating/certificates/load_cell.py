@@ -8,11 +8,6 @@ from collections.abc import Sequence
 import msgspec
 import numpy as np
 
-from calibration.arrays import ACROSS
-from calibration.load_cell.characteristics import Creep, creep_words
-from calibration.load_cell.readings import LoadCellReadings, parse_load_cell
-from calibration.load_cell.two_axis import forces
-from calibration.load_cell.weights import pin_force
 from rigapp.calibrating.certificates.parts import (
     UNSTATED,
     Content,
@@ -26,6 +21,11 @@ from rigapp.calibrating.certificates.parts import (
 )
 from rigapp.config.calibration_settings import WeightsSection
 from rigapp.report.page.manuscript import Figure, Row, Table
+from rigapp_calibration.arrays import ACROSS
+from rigapp_calibration.load_cell.characteristics import Creep, creep_words
+from rigapp_calibration.load_cell.readings import LoadCellReadings, parse_load_cell
+from rigapp_calibration.load_cell.two_axis import forces
+from rigapp_calibration.load_cell.weights import pin_force
 
 MARKED = "extrapolated"
 RESULTS = {

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from calibration.probes.alignment import split_pair
-from calibration.probes.readings import ProbeReadings, parse_probe
 from rigapp.calibrating.certificates.parts import (
     Content,
     Parts,
@@ -17,6 +15,8 @@ from rigapp.calibrating.certificates.parts import (
 )
 from rigapp.presentation.numbers import capitalised
 from rigapp.report.page.manuscript import Figure, Row, Table
+from rigapp_calibration.probes.alignment import split_pair
+from rigapp_calibration.probes.readings import ProbeReadings, parse_probe
 
 LINE = {
     "Sensitivity": "{sensitivity_um_per_V:.5f} µm/V",

@@ -12,7 +12,6 @@ from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from typing import Any
 
-from calibration.turning.running_check import LEAST_REVOLUTIONS
 from rigapp.calibrating.practice import BARE_PIN
 from rigapp.calibrating.records import keep_record, refuse_existing
 from rigapp.calibrating.rolls import roll_plan, rolls_of, save_map
@@ -33,6 +32,7 @@ from rigapp.config.recipe import (
     TestFile,
 )
 from rigapp.config.rig import RigFile
+from rigapp_calibration.turning.running_check import LEAST_REVOLUTIONS
 
 LOOK_EVERY_S = 0.1  # the progress line moves ten times a second
 RUN_RAMP = 3

@@ -10,8 +10,6 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from calibration.taking.procedure import ProcedureError
-from calibration.taking.signals import LISTEN_S
 from rigapp.calibrating.daily_history import STORE, history_result, verdict_lines
 from rigapp.calibrating.load_cell_session import LoadCellSession
 from rigapp.calibrating.practice import Actions
@@ -24,6 +22,8 @@ from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document, read_rig
 from rigapp.config.names import login_name
+from rigapp_calibration.taking.procedure import ProcedureError
+from rigapp_calibration.taking.signals import LISTEN_S
 
 PATIENCE_S = 60.0
 """A weight that still swings after a minute needs a hand to steady it."""

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from model.wear.techniques import TECHNIQUES, Technique
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import MM
+from rigapp_model.wear.techniques import TECHNIQUES, Technique
 
 if TYPE_CHECKING:
-    from model.dynamics import MechanismMotion
+    from rigapp_model.dynamics import MechanismMotion
 
 COLUMNS = (
     "crank_angle_deg",

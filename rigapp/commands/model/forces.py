@@ -10,16 +10,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from model.wear.techniques import TECHNIQUES, listed
 from rigapp.commands.model.cycle import CycleTable, check_rpm, columns_of, demand, joint_technique
 from rigapp.commands.model.impacts import Impacting, check_impacting, impact_cycle
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameters
 from rigapp.config.parameters import MM
 from rigapp.report.tables import check_target, write_table
+from rigapp_model.wear.techniques import TECHNIQUES, listed
 
 if TYPE_CHECKING:
-    from model.parameters import Parameters
+    from rigapp_model.parameters import Parameters
 
 FEWEST_POINTS, MOST_POINTS = 4, 1_000_000
 
@@ -40,7 +40,7 @@ def write_forces(
     continuous contact does not hold, and that a curve is one sample of a chaotic motion. Returns
     the exit status: 0, or 1 when time ran out; raises UnusableInput naming what cannot be used.
     """
-    from model.errors import OutOfTime
+    from rigapp_model.errors import OutOfTime
 
     options = impacting or Impacting()
     _check(rpm, joint, clearance_mm, points, params_path, target)

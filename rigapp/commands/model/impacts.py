@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from model.wear.techniques import SOLVABLE, TECHNIQUES, listed
 from rigapp.commands.model.cycle import CycleTable, columns_of
 from rigapp.commands.progress import check_time_limit, watched
 from rigapp.config.errors import UnusableInput
+from rigapp_model.wear.techniques import SOLVABLE, TECHNIQUES, listed
 
 if TYPE_CHECKING:
-    from model.ensemble import Ensemble, Mean
-    from model.impact import ContactCycle
-    from model.impact_system import ClearanceSystem
-    from model.parameters import Parameters
+    from rigapp_model.ensemble import Ensemble, Mean
+    from rigapp_model.impact import ContactCycle
+    from rigapp_model.impact_system import ClearanceSystem
+    from rigapp_model.parameters import Parameters
 
 CONTACT_COLUMNS = ("contact", "penetration_um", "contact_angle_deg")
 FEWEST_REVOLUTIONS, MOST_REVOLUTIONS = 2, 1_000_000
@@ -60,10 +60,10 @@ def impact_cycle(
     One alone is the second revolution after a start in contact. Raises the model's OutOfTime when
     time runs out before there is one.
     """
-    from model.contact_law import ContactModel
-    from model.ensemble import ensemble
-    from model.impact import contact_cycle
-    from model.impact_system import clearance_system
+    from rigapp_model.contact_law import ContactModel
+    from rigapp_model.ensemble import ensemble
+    from rigapp_model.impact import contact_cycle
+    from rigapp_model.impact_system import clearance_system
 
     law = ContactModel() if options.tolerance is None else ContactModel(tolerance=options.tolerance)
     system = clearance_system(

@@ -20,7 +20,7 @@ from rigapp.config.parameters import MM, MPA
 from rigapp.report.tables import check_target, write_table
 
 if TYPE_CHECKING:
-    from model.wear.life import Life
+    from rigapp_model.wear.life import Life
 
 METHODS = ("implicit", "explicit")
 CONTACTS = ("finite-element", "winkler")
@@ -64,8 +64,8 @@ def write_wear(
     result goes to stderr. Returns the exit status: 0, or 1 when the tolerance was missed or time
     ran out. Raises UnusableInput naming what cannot be used.
     """
-    from model.errors import OutOfTime
-    from model.wear.life import life
+    from rigapp_model.errors import OutOfTime
+    from rigapp_model.wear.life import life
 
     _check_wear(params_path, rpm, cycles, joint, force_N, tolerance, target, profile)
     scheme = scheme or Scheme()
@@ -108,7 +108,7 @@ def write_pressure(params_path: Path, force_N: float, target: Path) -> int:
     Angles from -180 to 180 deg, 0 at the middle of the contact. Returns the exit status 0; raises
     UnusableInput when the bushing cannot carry the force.
     """
-    from model.bushing.ring import pressure_distribution, ring_of
+    from rigapp_model.bushing.ring import pressure_distribution, ring_of
 
     presses = math.isfinite(force_N) and force_N > 0.0
     demand(presses, "--force-N", force_N, "give a finite force above 0")
@@ -213,8 +213,8 @@ def _steps(result: Life) -> str:
 @contextmanager
 def _plain(params_path: Path, force_N: float | None) -> Iterator[None]:
     """Turn the model's refusals into a sentence that names the file."""
-    from model.bushing.contact import ContactError
-    from model.wear.explicit import UnstableStep
+    from rigapp_model.bushing.contact import ContactError
+    from rigapp_model.wear.explicit import UnstableStep
 
     try:
         yield

@@ -17,9 +17,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from drivers.api import DeviceError, DriveStatus, Spindle
 from rigapp.engine.drive.sequences import CREEP_RPM, DriveStep, PauseSequence, Seen, StopSequence
 from rigapp.engine.drive.timing import Timing
+from rigapp_drivers.api import DeviceError, DriveStatus, Spindle
 
 TURNS_TO_AIM = 3.0
 """Turns at creep speed granted for coming to an angle: one to slow down, one whole, one more."""

@@ -7,11 +7,11 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from model.compiled import njit
 from rigapp.engine.samples.assembler import Values
 from rigapp.engine.values.bend import straightened
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.channels import LOAD_CELL
+from rigapp_model.compiled import njit
 
 Array = NDArray[np.float64]
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import threading
 import time
 
-from drivers.api import DeviceLost, DriveStatus, SettingsLost
 from rigapp.engine.judging.machine import JudgedRig, JudgedRun
 from rigapp.process.owntime import DEVICE_SHARE
 from rigapp.schema.alarms import because
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import TURNING
+from rigapp_drivers.api import DeviceLost, DriveStatus, SettingsLost
 
 SILENT_SHARE = 0.6
 """A drive that has not answered for this share of its watchdog's time ends the test: before the

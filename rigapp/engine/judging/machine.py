@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Protocol
 
-from drivers.api import DataSource, Spindle
 from rigapp.config.loading import Document
 from rigapp.config.recipe import LimitsSection
 from rigapp.config.rig import RigFile
@@ -26,6 +25,7 @@ from rigapp.schema.alarms import Cause
 from rigapp.schema.channels import ChannelTable
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import Ending, Trigger
+from rigapp_drivers.api import DataSource, Spindle
 
 
 class OpenTest(Protocol):

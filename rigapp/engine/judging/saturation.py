@@ -8,8 +8,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import Block, Quality
 from rigapp.engine.values.calibrate import Calibration
+from rigapp_drivers.api import Block, Quality
 
 AT_THE_END: Final = 0.98
 """A flagged sample belongs to every input whose signal is beyond this share of its range."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from drivers.api import InputFault, InputFaultKind, InputSupervision, SlowSource
 from rigapp.engine.judging.machine import JudgedRig, JudgedRun
 from rigapp.schema.alarms import KINDS, Cause, because, key_of
 from rigapp.schema.states import ACTIVE
+from rigapp_drivers.api import InputFault, InputFaultKind, InputSupervision, SlowSource
 
 CALM_S = 0.5
 """An input that was saturated has returned when no sample has been for so long."""

@@ -23,11 +23,11 @@ class DeviceLog(logging.Handler):
 
     def attach(self) -> None:
         """Begin to listen."""
-        logging.getLogger("drivers").addHandler(self)
+        logging.getLogger("rigapp_drivers").addHandler(self)
 
     def detach(self) -> None:
         """Listen no more."""
-        logging.getLogger("drivers").removeHandler(self)
+        logging.getLogger("rigapp_drivers").removeHandler(self)
 
     def emit(self, record: logging.LogRecord) -> None:
         """Pass a warning on."""

@@ -12,12 +12,6 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from calibration.load_cell.force_uncertainty import (
-    noise_of_sample,
-    stated_uncertainty,
-    uncertainty_record,
-)
-from drivers.api import SampleClock
 from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
@@ -37,6 +31,12 @@ from rigapp.storage import (
     open_test,
     reopen_test,
 )
+from rigapp_calibration.load_cell.force_uncertainty import (
+    noise_of_sample,
+    stated_uncertainty,
+    uncertainty_record,
+)
+from rigapp_drivers.api import SampleClock
 
 
 class Store(Protocol):

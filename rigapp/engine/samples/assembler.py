@@ -16,7 +16,6 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import Block
 from rigapp.engine.samples.counterstate import (
     BEGIN,
     BREAK,
@@ -30,6 +29,7 @@ from rigapp.engine.samples.motion import ENOUGH_COUNTS
 from rigapp.engine.samples.sampleclock import TICKS_PER_S
 from rigapp.engine.samples.unwrap import INDEX_NEAR, scan
 from rigapp.schema.messages import Flag
+from rigapp_drivers.api import Block
 
 Values = NDArray[np.float32] | NDArray[np.int32]
 

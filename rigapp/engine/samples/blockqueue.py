@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections import deque
 
-from drivers.api import Block
+from rigapp_drivers.api import Block
 
 
 class BlockQueue:

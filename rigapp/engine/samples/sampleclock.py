@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import Block
+from rigapp_drivers.api import Block
 
 TICKS_PER_S = 1_000_000_000.0
 

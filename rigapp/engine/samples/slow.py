@@ -14,9 +14,16 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from drivers.api import DeviceError, DeviceLost, DriveStatus, Identity, SlowRequest, SlowSource
 from rigapp.process.threads import Worker
 from rigapp.schema.channels import Channel
+from rigapp_drivers.api import (
+    DeviceError,
+    DeviceLost,
+    DriveStatus,
+    Identity,
+    SlowRequest,
+    SlowSource,
+)
 
 log = logging.getLogger(__name__)
 

@@ -18,7 +18,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from model.compiled import njit
 from rigapp.engine.samples.counterstate import (
     BEGIN,
     BREAK,
@@ -30,6 +29,7 @@ from rigapp.engine.samples.counterstate import (
     StateAt,
 )
 from rigapp.schema.messages import Flag
+from rigapp_model.compiled import njit
 
 _LOST_SAMPLES = int(Flag.LOST_SAMPLES)
 _COUNT_MISMATCH = int(Flag.COUNT_MISMATCH)
@@ -310,7 +310,7 @@ def _event(
 
 @njit("void(uint8, int64[::1])", cache=True, nogil=True)
 def _note_marks(mark: int, state: Counts) -> None:
-    """Turn a sample's marks (``drivers.api.Quality``) into flags of its revolution."""
+    """Turn a sample's marks (``rigapp_drivers.api.Quality``) into flags of its revolution."""
     if mark & 1:
         state[StateAt.FLAGS] |= _SATURATED
     if mark & 6:
@@ -505,11 +505,11 @@ def scan(
 ) -> int:
     """Follow the counts of one block and return the number of events.
 
-    counts: (n,) raw counts. quality: (n,) flags of ``drivers.api.Quality``. first_sample: device
-    index of the first. lost: samples lost before it, 0 none, -1 unknown. state, mean_step: memory
-    between calls. parameters: see ``ParameterAt``. position: (n,) out, unwrapped counts in the
-    rig's positive sense. keep: (n,) out, 0 for samples not worth keeping. events:
-    (rows, EventAt.SIZE) out, 2 n rows at least.
+    counts: (n,) raw counts. quality: (n,) flags of ``rigapp_drivers.api.Quality``. first_sample:
+    device index of the first. lost: samples lost before it, 0 none, -1 unknown. state, mean_step:
+    memory between calls. parameters: see ``ParameterAt``. position: (n,) out, unwrapped counts in
+    the rig's positive sense. keep: (n,) out, 0 for samples not worth keeping. events: (rows,
+    EventAt.SIZE) out, 2 n rows at least.
     """
     found = 0
     i = 0

@@ -23,7 +23,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import ChannelSpec, SampleClock, StreamSetup
 from rigapp.config.channels import channel_table, input_keys
 from rigapp.config.consistency import number_faults
 from rigapp.config.errors import UnusableInput
@@ -35,6 +34,7 @@ from rigapp.engine.values.instruments import Counter, InputLine, LoadCell, Probe
 from rigapp.engine.values.probes import probe_correction
 from rigapp.engine.values.table import follow
 from rigapp.schema.channels import LOAD_CELL, PROBES, ChannelTable, Kind
+from rigapp_drivers.api import ChannelSpec, SampleClock, StreamSetup
 
 Array = NDArray[np.float64]
 

@@ -10,10 +10,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import SampleClock
 from rigapp.engine.samples.sampleclock import PulseRate
 from rigapp.engine.values.probes import ProbeCorrection
 from rigapp.schema.channels import Channel
+from rigapp_drivers.api import SampleClock
 
 Array = NDArray[np.float64]
 

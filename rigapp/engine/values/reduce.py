@@ -14,12 +14,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from model.compiled import njit
 from rigapp.engine.samples.assembler import STANDSTILL_S, Revolution
 from rigapp.engine.values.bend import straighten
 from rigapp.engine.values.calibrate import Calibration, Measured, with_margins
 from rigapp.engine.values.table import follow
 from rigapp.schema.channels import LOAD_CELL, STATISTICS
+from rigapp_model.compiled import njit
 
 Array = NDArray[np.float64]
 

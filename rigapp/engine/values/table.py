@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from model.compiled import njit
+from rigapp_model.compiled import njit
 
 Array = NDArray[np.float64]
 

@@ -32,7 +32,7 @@ from rigapp.schema.messages import RunState, last_set_speed
 Floats = NDArray[np.float64]
 
 TOLD = 20.0
-"""Odds from which a statement is made, as in the sentences of ``model.identification``."""
+"""Odds from which a statement is made, as in the sentences of ``rigapp_model.identification``."""
 TIMEOUT_S = 120.0
 """Of one computation: it takes seconds, on a computer that does much else a minute."""
 COEFFICIENT, REMAINING = "wear_coefficient", "remaining_revolutions"

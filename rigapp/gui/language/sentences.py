@@ -22,8 +22,9 @@ SPEAKERS: Final = (
 """Packages whose sentences the window shows; files and terminals have them in English."""
 
 PAPERS: Final = (
-    "drivers/cia402/simulator", "drivers/dataq/simulator", "drivers/gsv8/simulator",
-    "drivers/modbus_sensor/simulator", "drivers/roboclaw/simulator", "drivers/simulator_api",
+    "drivers/rigapp_drivers/cia402/simulator", "drivers/rigapp_drivers/dataq/simulator",
+    "drivers/rigapp_drivers/gsv8/simulator", "drivers/rigapp_drivers/modbus_sensor/simulator",
+    "drivers/rigapp_drivers/roboclaw/simulator", "drivers/rigapp_drivers/simulator_api",
     "rigapp/calibrating/certificate", "rigapp/calibrating/certificates",
     "rigapp/calibrating/daily_chart", "rigapp/engine/recording/store", "rigapp/notify",
     "rigapp/prepare", "rigapp/report", "rigapp/schema/channels", "rigapp/schema/columns",

@@ -8,12 +8,6 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from calibration.load_cell.plans import LoadCellPlan
-from calibration.load_cell.plausible import GRAVITY
-from calibration.probes.plans import ProbePlan
-from calibration.probes.readings import FEWEST_POSITIONS
-from calibration.taking.procedure import Step, StepKind, duration_words
-from calibration.taking.signals import Readiness
 from rigapp.calibrating.probe_session import usual_reach_um
 from rigapp.calibrating.rolls import ORDERS, RollPlan, RollSession
 from rigapp.config.calibration_settings import (
@@ -33,6 +27,12 @@ from rigapp.gui.wizard.rolling_page import RollingCalibration, RollingPage
 from rigapp.gui.wizard.scenes import Piece, ProbeScene, RollScene, Scene, WeightScene, stack_of
 from rigapp.gui.wizard.taking_page import TakingPage, TakingWords
 from rigapp.presentation.translation import Text, tr
+from rigapp_calibration.load_cell.plans import LoadCellPlan
+from rigapp_calibration.load_cell.plausible import GRAVITY
+from rigapp_calibration.probes.plans import ProbePlan
+from rigapp_calibration.probes.readings import FEWEST_POSITIONS
+from rigapp_calibration.taking.procedure import Step, StepKind, duration_words
+from rigapp_calibration.taking.signals import Readiness
 
 MOST_POSITIONS = 41
 """More than an operator takes at a window; the command line takes more."""

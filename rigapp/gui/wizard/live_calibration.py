@@ -10,8 +10,6 @@ from typing import Any, Protocol
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from calibration.taking.procedure import ProcedureError
-from calibration.taking.signals import LISTEN_S, Readiness, SignalState
 from rigapp.calibrating.practice import Action
 from rigapp.calibrating.session import LiveSession, Outcome, Rig
 from rigapp.config.calibration_settings import CalibrationFile
@@ -19,6 +17,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.presentation.told import retold
 from rigapp.schema.messages import Reply
+from rigapp_calibration.taking.procedure import ProcedureError
+from rigapp_calibration.taking.signals import LISTEN_S, Readiness, SignalState
 
 LOOK_MS = 150
 """Often enough for a hand that waits for a sign; the engine's answer holds the last seconds."""

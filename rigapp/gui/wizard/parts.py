@@ -19,7 +19,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from calibration.taking.signals import Readiness, SignalState
 from rigapp.calibrating.session import ResidualsSoFar
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import LARGE_PT, MARGIN, STEP, VALUE_PT, Theme
@@ -30,6 +29,7 @@ from rigapp.gui.widgets.labels import FittedLabel, scaled_font
 from rigapp.gui.widgets.wheel import steady_field
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
+from rigapp_calibration.taking.signals import Readiness, SignalState
 
 LEAST_PLOT = 15 * STEP
 """Height of a plot below which its residuals are not told apart."""

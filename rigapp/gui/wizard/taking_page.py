@@ -17,8 +17,6 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
-from calibration.taking.procedure import StepKind
-from calibration.taking.signals import Readiness
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, Theme
 from rigapp.gui.widgets.build import button, edit, filled, fit_hint, named, row, tell
@@ -40,6 +38,8 @@ from rigapp.gui.wizard.scenes import Picture, Scene
 from rigapp.presentation.numbers import capitalised
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, marked, tr
+from rigapp_calibration.taking.procedure import StepKind
+from rigapp_calibration.taking.signals import Readiness
 
 RECORD: Text = "&Record"
 LEAVE_OUT: Text = "Lea&ve the creep out"

@@ -13,8 +13,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameters
 
 if TYPE_CHECKING:
-    from model.parameters import Parameters
     from rigapp.report.paper.chapter import Chapter
+    from rigapp_model.parameters import Parameters
 
 PARAMETERS = Path(__file__).with_name("parameters")
 STEEL = PARAMETERS / "table1_steel.toml"
@@ -45,8 +45,8 @@ def make_paper(
     raises the model's OutOfTime the pages hold what was reached. Raises UnusableInput when the
     folder cannot be written or the test file not be read.
     """
-    from model.errors import OutOfTime
     from rigapp.report.paper.pages import provenance, write_chapter, write_pages
+    from rigapp_model.errors import OutOfTime
 
     todo = parts(recorded)
     folder = Path(folder)

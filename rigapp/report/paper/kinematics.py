@@ -11,7 +11,7 @@ import numpy as np
 from rigapp.report.paper.chapter import Chapter, largest_difference
 
 if TYPE_CHECKING:
-    from model.parameters import Mechanism, Parameters
+    from rigapp_model.parameters import Mechanism, Parameters
 
 POINTS = 360  # one a degree
 GAPS_MM = (0.0, 0.1, 0.25, 0.5, 1.0)
@@ -28,7 +28,7 @@ def angles() -> np.ndarray:
 
 def same_without_clearance(parameters: Parameters, speed: float) -> list[Chapter]:
     """Return Figs 6 to 9: with R1 = R2 the imperfect joint's equations give the perfect joint."""
-    from model.constraints import PHI2, X1, X2, X3, solve_imperfect, solve_perfect
+    from rigapp_model.constraints import PHI2, X1, X2, X3, solve_imperfect, solve_perfect
 
     radius = parameters.joint.pin_radius
     perfect = solve_perfect(parameters.mechanism, angles(), speed)
@@ -119,7 +119,7 @@ def _reaction(degrees: np.ndarray, one: np.ndarray, two: np.ndarray) -> Chapter:
 
 def arrangements(mechanism: Mechanism) -> dict[str, Mechanism]:
     """Return the three places of the spring: outboard as given, none, and inboard."""
-    from model.parameters import Spring
+    from rigapp_model.parameters import Spring
 
     assert mechanism.spring is not None
     nearest = mechanism.follower_length - mechanism.crank_radius
@@ -191,8 +191,8 @@ def force_over_gap(parameters: Parameters, speed: float) -> Chapter:
 
 def _sizes(parameters: Parameters, speed: float) -> dict[str, list[np.ndarray]]:
     """Return the force over the cycle at each gap, for each arrangement of the spring."""
-    from model.dynamics import inverse_dynamics
-    from model.joints import continuous_contact
+    from rigapp_model.dynamics import inverse_dynamics
+    from rigapp_model.joints import continuous_contact
 
     springs = arrangements(parameters.mechanism)
     sizes = {
@@ -219,7 +219,7 @@ def _goes(change: float) -> str:
 
 def slip(parameters: Parameters, speed: float) -> Chapter:
     """Return Fig. 13: the slip of pin in bushing over a cycle."""
-    from model.joints import continuous_contact
+    from rigapp_model.joints import continuous_contact
 
     degrees = np.degrees(angles())
     motion = continuous_contact(parameters.mechanism, parameters.joint, angles(), speed).motion

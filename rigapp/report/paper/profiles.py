@@ -13,7 +13,7 @@ from rigapp.report.paper.table2 import CYCLES, TOLERANCE
 from rigapp.report.paper.wear import Tell, whole_life
 
 if TYPE_CHECKING:
-    from model.parameters import Parameters
+    from rigapp_model.parameters import Parameters
 
 STEP_DEG = 0.5
 

@@ -12,8 +12,8 @@ from rigapp.report.paper.kinematics import COLOURS, MM
 from rigapp.report.paper.wear import Tell, whole_life
 
 if TYPE_CHECKING:
-    from model.parameters import Parameters
-    from model.wear.life import Life
+    from rigapp_model.parameters import Parameters
+    from rigapp_model.wear.life import Life
 
 CYCLES = 21_377  # of the paper's test
 TOLERANCE = 1e-3  # far below what paper and test differ by
@@ -66,7 +66,7 @@ def fitting_map(parameters: Parameters, area_mm2: float, measured_mm2: float) ->
     For the paper's simulation and for its experiment. The pin is taken not to indent, which at
     this wear is right to 0.1 %: only clearance and effort K F s N then decide.
     """
-    from model.wear.archard import rigid_course
+    from rigapp_model.wear.archard import rigid_course
 
     pin, width = parameters.joint.pin_radius, parameters.joint.bushing_width
     targets = {

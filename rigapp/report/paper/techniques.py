@@ -14,9 +14,9 @@ from rigapp.report.paper.table2 import CYCLES
 from rigapp.report.paper.wear import Tell, shared, whole_life
 
 if TYPE_CHECKING:
-    from model.ensemble import Ensemble
-    from model.impact_system import ClearanceSystem
-    from model.parameters import Parameters
+    from rigapp_model.ensemble import Ensemble
+    from rigapp_model.impact_system import ClearanceSystem
+    from rigapp_model.parameters import Parameters
 
 TOLERANCE = 3e-3  # a line's width of the figure
 REVOLUTIONS = 40
@@ -30,9 +30,9 @@ SHADES = (COLOURS[0], COLOURS[1], COLOURS[4])
 
 def forces(parameters: Parameters, speed: float, tell: Tell) -> Chapter:
     """Return the joint force by the three techniques, with the spring and without."""
-    from model.ensemble import ensemble
-    from model.impact import contact_cycle
-    from model.joints import continuous_contact, perfect_joint
+    from rigapp_model.ensemble import ensemble
+    from rigapp_model.impact import contact_cycle
+    from rigapp_model.joints import continuous_contact, perfect_joint
 
     loose = replace(parameters, mechanism=replace(parameters.mechanism, spring=None))
     columns = {"crank_angle_deg": np.degrees(angles())}
@@ -74,7 +74,7 @@ def forces(parameters: Parameters, speed: float, tell: Tell) -> Chapter:
 
 
 def _system(parameters: Parameters, speed: float) -> ClearanceSystem:
-    from model.impact_system import clearance_system
+    from rigapp_model.impact_system import clearance_system
 
     return clearance_system(
         parameters.mechanism,

@@ -12,8 +12,8 @@ from rigapp.report.paper.chapter import Chapter
 from rigapp.report.paper.kinematics import COLOURS, MM
 
 if TYPE_CHECKING:
-    from model.parameters import Parameters
-    from model.wear.life import Life
+    from rigapp_model.parameters import Parameters
+    from rigapp_model.wear.life import Life
 
 Tell = Callable[[float], None]
 CYCLES = 23_000  # as far as the paper's Figs 13 and 15 go
@@ -29,8 +29,8 @@ KINDS = {
 
 def whole_life(parameters: Parameters, speed: float, cycles: int, kind: str, **more: Any) -> Life:
     """Return a life; raise OutOfTime when its ``progress`` did, before the end."""
-    from model.errors import OutOfTime
-    from model.wear.life import life
+    from rigapp_model.errors import OutOfTime
+    from rigapp_model.wear.life import life
 
     found = life(parameters, speed, cycles, kind, **more)
     if not found.complete:

@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 
-from calibration.load_cell.force_uncertainty import ForceUncertainty, force_uncertainty
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_rig
 from rigapp.presentation.numbers import capitalised, grouped
@@ -41,6 +40,7 @@ from rigapp.report.testreport.wording import (
 from rigapp.report.testreport.worn import worn_of
 from rigapp.schema.results import TestResult
 from rigapp.storage import LargestForce, TestReader, largest_force, open_test, trip_of
+from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty, force_uncertainty
 
 LEADS = {
     "running": "The test was still running when this report was made.",

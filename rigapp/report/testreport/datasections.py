@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from types import MappingProxyType
 from typing import Any
 
-from calibration.load_cell.force_uncertainty import ForceUncertainty
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.times import duration
 from rigapp.report.page.manuscript import Block, Section, Table, Text
@@ -30,6 +29,7 @@ from rigapp.report.testreport.worn import Worn, profile_blocks
 from rigapp.schema.channels import LOAD_CELL, Kind
 from rigapp.schema.messages import Event
 from rigapp.storage import Trip
+from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty
 
 PANELS = 4
 """Channels in one picture of free ones: five would not fit on a page with their words."""

@@ -2,7 +2,7 @@
 
 The course is what the twin stated while the test ran, from the columns of the file. Posterior and
 bands are made again from what it kept in the file, by the same functions of
-``model.identification``: the same bins give the same numbers.
+``rigapp_model.identification``: the same bins give the same numbers.
 """
 
 from __future__ import annotations
@@ -15,7 +15,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from model.identification import (
+from rigapp.config.errors import UnusableInput
+from rigapp.schema.columns import identified_columns
+from rigapp.schema.messages import last_set_speed
+from rigapp.storage import TestReader, believed_until, open_test
+from rigapp.twin.identifying import LEAST_REFERENCE
+from rigapp.twin.kept import NO_BIN, kept_of, life_of
+from rigapp_model.identification import (
     Band,
     Bin,
     CannotBeTold,
@@ -31,13 +37,7 @@ from model.identification import (
     predictive_band,
     remaining,
 )
-from model.identification.words import sentence
-from rigapp.config.errors import UnusableInput
-from rigapp.schema.columns import identified_columns
-from rigapp.schema.messages import last_set_speed
-from rigapp.storage import TestReader, believed_until, open_test
-from rigapp.twin.identifying import LEAST_REFERENCE
-from rigapp.twin.kept import NO_BIN, kept_of, life_of
+from rigapp_model.identification.words import sentence
 
 Array = NDArray[np.float64]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from model.identification import Credible, Identification
 from rigapp.presentation.numbers import (
     COEFFICIENT_SCALE,
     COEFFICIENT_UNIT,
@@ -20,6 +19,7 @@ from rigapp.report.testreport.plots import (
     revolution_axis,
     saved,
 )
+from rigapp_model.identification import Credible, Identification
 
 COEFFICIENT = f"K in {COEFFICIENT_UNIT}"
 LEGEND: dict[str, Any] = {"loc": "center left", "bbox_to_anchor": (1.0, 0.5)}

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import math
 
-from model.identification import Credible, Prior
-from model.identification.words import revolution_of
 from rigapp.presentation.numbers import (
     COEFFICIENT_UNIT,
     coefficient_number,
@@ -22,6 +20,8 @@ from rigapp.report.testreport.identifiedplots import (
 )
 from rigapp.report.testreport.identifiedtables import PER_UNIT
 from rigapp.report.testreport.wording import UNKNOWN
+from rigapp_model.identification import Credible, Prior
+from rigapp_model.identification.words import revolution_of
 
 SECTION = "What is known of the wear"
 

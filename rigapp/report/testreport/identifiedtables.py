@@ -11,10 +11,10 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from model.identification import Credible, Identification, Pairing, Remaining, Verdict
-from model.identification.words import revolution_of
 from rigapp.report.testreport.identified import ForecastBand, IdentifiedTest, IdentifiedTests
 from rigapp.schema.columns import identified_columns
+from rigapp_model.identification import Credible, Identification, Pairing, Remaining, Verdict
+from rigapp_model.identification.words import revolution_of
 
 UNIT = "mm^3/(N m)"
 PER_UNIT = 1e9

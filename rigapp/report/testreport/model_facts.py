@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from model.errors import ModelError
-from model.wear.techniques import technique_of
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
 from rigapp.report.testreport.envelope import Floats, envelope
 from rigapp.report.testreport.facts import Line, Peak, mean
 from rigapp.schema.channels import Channel
 from rigapp.storage import Columns, TestReader
+from rigapp_model.errors import ModelError
+from rigapp_model.wear.techniques import technique_of
 
 TRIGGERED = ("before", "trigger", "after")
 RESIDUALS = ("residual_rms", "residual_1_rms", "residual_2_rms", "phase_shift")

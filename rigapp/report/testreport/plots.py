@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 
-from calibration.load_cell.force_uncertainty import ForceUncertainty
 from rigapp.presentation.numbers import grouped
 from rigapp.report.page.manuscript import Figure
 from rigapp.report.testreport.envelope import envelope
@@ -21,6 +20,7 @@ from rigapp.report.testreport.uncertainty import Stated
 from rigapp.report.testreport.wording import number, quantity, symbol, title_of
 from rigapp.schema.channels import Channel
 from rigapp.storage import StoredCycle, Trip
+from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty
 
 WIDTH_IN = 7.2
 DPI = 200  # of a printed page at arm's length

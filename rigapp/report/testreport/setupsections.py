@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from calibration.records import Record, RecordError, unseal
 from rigapp.report.page.manuscript import Block, Listing, Section, Table, Text
 from rigapp.report.testreport.wording import UNKNOWN, settings, symbol
 from rigapp.storage import TestReader
+from rigapp_calibration.records import Record, RecordError, unseal
 
 TITLES = {
     "load_cell": "Load cell",

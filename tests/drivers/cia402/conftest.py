@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from drivers.cia402.driver import Cia402Drive
-from drivers.cia402.simulator import Cia402Simulator
+from rigapp_drivers.cia402.driver import Cia402Drive
+from rigapp_drivers.cia402.simulator import Cia402Simulator
 
 GOLDEN = Path(__file__).parents[2] / "data" / "cia402_golden.toml"
 

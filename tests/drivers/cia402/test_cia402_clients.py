@@ -10,14 +10,14 @@ from typing import Any
 
 import pytest
 
-from drivers.cia402.simulator import Cia402Simulator
+from rigapp_drivers.cia402.simulator import Cia402Simulator
 
 can = pytest.importorskip("can")
 canopen = pytest.importorskip("canopen")
 p402 = pytest.importorskip("canopen.profiles.p402")
 
 NODE = 5
-EDS = str(files("drivers.cia402") / "objects.eds")
+EDS = str(files("rigapp_drivers.cia402") / "objects.eds")
 
 
 @pytest.fixture

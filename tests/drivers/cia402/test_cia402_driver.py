@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from drivers.api import (
+from rigapp_drivers.api import (
     ConnectionFailed,
     DeviceFault,
     DeviceLost,
@@ -20,13 +20,13 @@ from drivers.api import (
     Spindle,
     WrongDevice,
 )
-from drivers.cia402.driver import DRIVER, Cia402Drive
-from drivers.cia402.protocol import RPM, State, state_of
-from drivers.cia402.settings import SETTINGS, bus_options
-from drivers.cia402.simulator import Cia402Simulator
-from drivers.cia402.slcan import Frame, encode_frame
-from drivers.registry import check_settings, load_driver, load_simulator
-from drivers.simulator_api import DriveMode
+from rigapp_drivers.cia402.driver import DRIVER, Cia402Drive
+from rigapp_drivers.cia402.protocol import RPM, State, state_of
+from rigapp_drivers.cia402.settings import SETTINGS, bus_options
+from rigapp_drivers.cia402.simulator import Cia402Simulator
+from rigapp_drivers.cia402.slcan import Frame, encode_frame
+from rigapp_drivers.registry import check_settings, load_driver, load_simulator
+from rigapp_drivers.simulator_api import DriveMode
 
 QUICK = {"sleep_after_open_s": 0.0}
 

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.cia402 import protocol
-from drivers.cia402.monitor import HISTORY, NodeMonitor
-from drivers.cia402.protocol import Control, State
-from drivers.cia402.slcan import (
+from rigapp_drivers.cia402 import protocol
+from rigapp_drivers.cia402.monitor import HISTORY, NodeMonitor
+from rigapp_drivers.cia402.protocol import Control, State
+from rigapp_drivers.cia402.slcan import (
     LONGEST_LINE,
     Frame,
     SlcanAdapter,

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.cia402.protocol import MILLI_RPM, State, state_of
-from drivers.cia402.simulator import Cia402Simulator
-from drivers.cia402.slcan import Frame, decode_frame, encode_frame
-from drivers.simulator_api import DriveMode, MotorState
+from rigapp_drivers.cia402.protocol import MILLI_RPM, State, state_of
+from rigapp_drivers.cia402.simulator import Cia402Simulator
+from rigapp_drivers.cia402.slcan import Frame, decode_frame, encode_frame
+from rigapp_drivers.simulator_api import DriveMode, MotorState
 
 OPENING = b"C\rS6\r\rO\rO\r"
 

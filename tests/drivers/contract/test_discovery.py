@@ -13,12 +13,12 @@ import can
 import pytest
 from patience import PATIENCE_S
 
-from drivers.api import DriverInfo, DriverKind, Probe
-from drivers.cia402.probe import listen, node_words
-from drivers.discovery import ask, drivers_of_usb_id, has_speed, may_be_asked
-from drivers.registry import load_driver
 from rigapp.testing.bench import Port
 from rigapp.testing.contracts import read_contracts
+from rigapp_drivers.api import DriverInfo, DriverKind, Probe
+from rigapp_drivers.cia402.probe import listen, node_words
+from rigapp_drivers.discovery import ask, drivers_of_usb_id, has_speed, may_be_asked
+from rigapp_drivers.registry import load_driver
 
 Make = Callable[..., Any]
 
@@ -120,7 +120,7 @@ def test_usual_baud_rates_are_tried_in_turn(monkeypatch: pytest.MonkeyPatch, dev
     def note(line: Any, timeout_s: float) -> None:
         rates.append(line.baud_rate)
 
-    monkeypatch.setattr("drivers.discovery.has_speed", lambda port: True)
+    monkeypatch.setattr("rigapp_drivers.discovery.has_speed", lambda port: True)
     first, second = _info(Probe(note, (9600, 115200))), _info(Probe(note, (115200,)))
     ask(device(Mute()).url, [first, second], 0.05)
     assert rates == [9600, 115200, 115200]

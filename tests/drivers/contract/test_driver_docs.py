@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from drivers.registry import available_drivers, load_driver
 from rigapp.testing.contracts import Contract, read_contracts
+from rigapp_drivers.registry import available_drivers, load_driver
 
 pytestmark = pytest.mark.rigapp_contract
 
@@ -19,7 +19,7 @@ PAGE = (ROOT / "docs" / "drivers.md").read_text("utf-8")
 def test_every_setting_of_a_shipped_driver_is_in_its_table() -> None:
     for name in available_drivers():
         info = load_driver(name)
-        if not info.factory.__module__.startswith("drivers."):
+        if not info.factory.__module__.startswith("rigapp_drivers."):
             continue
         section = PAGE.split(f"### `{name}`", 1)[1].split("\n#", 1)[0]
         rows = dict(re.findall(r"^\| `(\w+)` \| (.*)$", section, re.MULTILINE))
@@ -47,7 +47,7 @@ def test_the_snippet_is_a_part_of_the_example() -> None:
 
 def test_every_driver_tells_how_it_is_recognised(contract: Contract) -> None:
     assert contract.info.probe is not None
-    if contract.info.factory.__module__.startswith("drivers."):
+    if contract.info.factory.__module__.startswith("rigapp_drivers."):
         assert f"| `{contract.info.name}` |" in PAGE.split("## Finding devices", 1)[1]
 
 
@@ -56,7 +56,7 @@ def test_every_shipped_driver_with_a_simulator_is_in_the_contract() -> None:
         name
         for name in available_drivers()
         if (info := load_driver(name)).simulator is not None
-        and info.factory.__module__.startswith("drivers.")
+        and info.factory.__module__.startswith("rigapp_drivers.")
     }
     assert shipped == {one.info.name for one in read_contracts()}
 

@@ -47,7 +47,7 @@ def run(
 
 def test_it_is_listed_beside_the_shipped_drivers(installed: Mapping[str, str]) -> None:
     script = (
-        "from drivers.registry import *\n"
+        "from rigapp_drivers.registry import *\n"
         "info = load_driver('simple_adc')\n"
         "print(available_drivers(), info.title, load_simulator(info).__name__)\n"
         "print(check_settings(info, {'block_s': 0.1}, 'rig'))\n"

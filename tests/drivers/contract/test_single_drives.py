@@ -7,9 +7,9 @@ from collections.abc import Callable
 
 import pytest
 
-from drivers.api import DriveRequest
 from rigapp.testing.bench import COUNTS, WATCHDOG_S, SpindleBench, wait_until
 from rigapp.testing.contracts import read_contracts
+from rigapp_drivers.api import DriveRequest
 
 Make = Callable[..., SpindleBench]
 

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drivers.api import Block, DataRequest, Quality
-from drivers.dataq.driver import Dataq
-from drivers.dataq.simulator import DataqSimulator
-from drivers.simulator_api import RigSignals
+from rigapp_drivers.api import Block, DataRequest, Quality
+from rigapp_drivers.dataq.driver import Dataq
+from rigapp_drivers.dataq.simulator import DataqSimulator
+from rigapp_drivers.simulator_api import RigSignals
 
 LINES = 900
 VOLTS_PER_REVOLUTION = 0.25

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drivers.api import (
+from rigapp_drivers.api import (
     ConnectionFailed,
     DataRequest,
     DataSource,
@@ -19,9 +19,9 @@ from drivers.api import (
     SettingRefused,
     WrongDevice,
 )
-from drivers.dataq.driver import DRIVER, Dataq
-from drivers.dataq.simulator import COMMANDS, DataqFault, DataqSimulator
-from drivers.registry import load_driver, load_simulator
+from rigapp_drivers.dataq.driver import DRIVER, Dataq
+from rigapp_drivers.dataq.simulator import COMMANDS, DataqFault, DataqSimulator
+from rigapp_drivers.registry import load_driver, load_simulator
 
 FAST = {"command_pause_s": 0.0, "reply_timeout_s": 0.2}
 SILENT = {"silence_s": 1.0, "idle_check_s": 1.0}

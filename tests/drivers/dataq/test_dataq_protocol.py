@@ -7,12 +7,12 @@ import struct
 import numpy as np
 import pytest
 
-from drivers.api import ChannelSpec, DataRequest, Unplannable, filled
-from drivers.dataq import protocol as p
-from drivers.dataq.plan import make_plan
-from drivers.dataq.protocol import Clock
-from drivers.dataq.scans import Layout, ScanParser, Steps
-from drivers.dataq.settings import SETTINGS
+from rigapp_drivers.api import ChannelSpec, DataRequest, Unplannable, filled
+from rigapp_drivers.dataq import protocol as p
+from rigapp_drivers.dataq.plan import make_plan
+from rigapp_drivers.dataq.protocol import Clock
+from rigapp_drivers.dataq.scans import Layout, ScanParser, Steps
+from rigapp_drivers.dataq.settings import SETTINGS
 
 
 def _request(**inputs: tuple[str, float]) -> DataRequest:

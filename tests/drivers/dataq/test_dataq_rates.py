@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.dataq.rates import (
+from rigapp_drivers.dataq.rates import (
     DECIMATIONS,
     NoSuchRate,
     Rate,

@@ -17,8 +17,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from drivers.api import Quality
-from drivers.dataq.scans import ENCODER_STEPS, GUARD, Layout, Run, ScanParser, Steps
+from rigapp_drivers.api import Quality
+from rigapp_drivers.dataq.scans import ENCODER_STEPS, GUARD, Layout, Run, ScanParser, Steps
 
 INTERNAL = Steps(0, 40, 6)
 RULES = {"internal": (INTERNAL, 3), "encoder": (ENCODER_STEPS, 1)}

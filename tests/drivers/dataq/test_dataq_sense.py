@@ -9,9 +9,9 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from drivers.dataq.sense import Sense
-from drivers.dataq.simulator.terminals import Terminals, rising_edges
-from drivers.simulator_api import RigSignals
+from rigapp_drivers.dataq.sense import Sense
+from rigapp_drivers.dataq.simulator.terminals import Terminals, rising_edges
+from rigapp_drivers.simulator_api import RigSignals
 
 LINES = 12
 DIRECTION, INDEX = 0, 1

@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.dataq.simulator import COMMANDS, DataqSimulator
-from drivers.dataq.simulator.terminals import rising_edges
-from drivers.simulator_api import RigSignals, SimulatedDataSource
+from rigapp_drivers.dataq.simulator import COMMANDS, DataqSimulator
+from rigapp_drivers.dataq.simulator.terminals import rising_edges
+from rigapp_drivers.simulator_api import RigSignals, SimulatedDataSource
 
 
 def _ask(simulator: DataqSimulator, *lines: bytes, now_s: float = 0.0) -> list[bytes]:

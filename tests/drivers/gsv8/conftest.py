@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drivers.api import Block, DataRequest
-from drivers.gsv8.driver import Gsv8
-from drivers.gsv8.simulator import Gsv8Simulator
-from drivers.simulator_api import RigSignals
+from rigapp_drivers.api import Block, DataRequest
+from rigapp_drivers.gsv8.driver import Gsv8
+from rigapp_drivers.gsv8.simulator import Gsv8Simulator
+from rigapp_drivers.simulator_api import RigSignals
 
 BRIDGE_1, BRIDGE_2, VOLT_3, VOLT_4 = 0.5, -0.25, 2.5, -2.5
 REVOLUTIONS_PER_SAMPLE = 1.0 / 480.0

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drivers.api import (
+from rigapp_drivers.api import (
     ConnectionFailed,
     DataOverrun,
     DataRequest,
@@ -25,10 +25,10 @@ from drivers.api import (
     SettingRefused,
     WrongDevice,
 )
-from drivers.gsv8.driver import DRIVER, Gsv8
-from drivers.gsv8.protocol import Command, InputType
-from drivers.gsv8.simulator import Gsv8Simulator
-from drivers.registry import check_settings, load_driver, load_simulator
+from rigapp_drivers.gsv8.driver import DRIVER, Gsv8
+from rigapp_drivers.gsv8.protocol import Command, InputType
+from rigapp_drivers.gsv8.simulator import Gsv8Simulator
+from rigapp_drivers.registry import check_settings, load_driver, load_simulator
 
 RIG = {
     "analog_1": ("bridge", 3.5),
@@ -667,7 +667,7 @@ def test_the_line_is_counted(bench: Any, wait_until: Any) -> None:
 
 
 def test_a_device_that_streams_but_answers_no_more(bench: Any, monkeypatch: Any) -> None:
-    monkeypatch.setattr("drivers.gsv8.watch._PATIENCE_S", 0.1)
+    monkeypatch.setattr("rigapp_drivers.gsv8.watch._PATIENCE_S", 0.1)
     b = bench(settings={"poll_interval_s": 0.1})
     b.stream()
     b.driver._link.reply_timeout_s = 0.1

@@ -16,8 +16,8 @@ from typing import Any
 
 import pytest
 
-from drivers.api import DataRequest
-from drivers.gsv8.protocol import Command, f32, request, u8, u16
+from rigapp_drivers.api import DataRequest
+from rigapp_drivers.gsv8.protocol import Command, f32, request, u8, u16
 
 VENDOR_MISSING = importlib.util.find_spec("gsv86lib") is None
 OTHER_MISSING = importlib.util.find_spec("gsvpiko") is None

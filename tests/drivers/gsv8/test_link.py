@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drivers.api import DeviceLost, ProtocolError, ReplyTimeout, SettingRefused
-from drivers.gsv8 import link as link_module
-from drivers.gsv8.blocks import BlockMaker
-from drivers.gsv8.frames import FrameLayout, Response, Run, encode_frames, encode_response
-from drivers.gsv8.link import Link, TimedRun
-from drivers.gsv8.protocol import Command, request, u8
+from rigapp_drivers.api import DeviceLost, ProtocolError, ReplyTimeout, SettingRefused
+from rigapp_drivers.gsv8 import link as link_module
+from rigapp_drivers.gsv8.blocks import BlockMaker
+from rigapp_drivers.gsv8.frames import FrameLayout, Response, Run, encode_frames, encode_response
+from rigapp_drivers.gsv8.link import Link, TimedRun
+from rigapp_drivers.gsv8.protocol import Command, request, u8
 
 LAYOUT = FrameLayout(2)
 

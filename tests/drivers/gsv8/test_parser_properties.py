@@ -10,9 +10,9 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from drivers.api import Quality
-from drivers.gsv8.checksums import crc16
-from drivers.gsv8.frames import (
+from rigapp_drivers.api import Quality
+from rigapp_drivers.gsv8.checksums import crc16
+from rigapp_drivers.gsv8.frames import (
     FrameLayout,
     Parsed,
     Response,
@@ -20,7 +20,7 @@ from drivers.gsv8.frames import (
     encode_frames,
     encode_response,
 )
-from drivers.gsv8.numbers import DataType
+from rigapp_drivers.gsv8.numbers import DataType
 
 LAYOUTS = [
     FrameLayout(objects=5),

@@ -5,18 +5,18 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from drivers.gsv8 import protocol
-from drivers.gsv8.checksums import crc8, crc16, crc16_of_rows
-from drivers.gsv8.frames import (
+from rigapp_drivers.gsv8 import protocol
+from rigapp_drivers.gsv8.checksums import crc8, crc16, crc16_of_rows
+from rigapp_drivers.gsv8.frames import (
     FrameLayout,
     Response,
     StreamParser,
     encode_frames,
     encode_response,
 )
-from drivers.gsv8.numbers import DataType, decode, encode, scale_of_code
-from drivers.gsv8.protocol import Command, CounterMode, f32, u8, u16, u32
-from drivers.gsv8.words import decode_value_fault, encode_value_fault, status_words
+from rigapp_drivers.gsv8.numbers import DataType, decode, encode, scale_of_code
+from rigapp_drivers.gsv8.protocol import Command, CounterMode, f32, u8, u16, u32
+from rigapp_drivers.gsv8.words import decode_value_fault, encode_value_fault, status_words
 
 SENT_BY_THE_VENDORS_CLIENT = [
     ("AA902385", Command.STOP_TRANSMISSION, b""),

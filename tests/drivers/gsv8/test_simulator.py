@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.gsv8.frames import FrameLayout, StreamParser
-from drivers.gsv8.protocol import (
+from rigapp_drivers.gsv8.frames import FrameLayout, StreamParser
+from rigapp_drivers.gsv8.protocol import (
     Command,
     CounterMode,
     Quadrature,
@@ -21,9 +21,9 @@ from drivers.gsv8.protocol import (
     u16,
     u32,
 )
-from drivers.gsv8.simulator import Gsv8Simulator
-from drivers.gsv8.simulator.counter import HIGHEST_COUNT, LOWEST_COUNT, QuadratureInput
-from drivers.simulator_api import RigSignals, SimulatedDataSource
+from rigapp_drivers.gsv8.simulator import Gsv8Simulator
+from rigapp_drivers.gsv8.simulator.counter import HIGHEST_COUNT, LOWEST_COUNT, QuadratureInput
+from rigapp_drivers.simulator_api import RigSignals, SimulatedDataSource
 
 GOLDEN_DIALOGUE = [
     ("AA902385", "AA500085"),

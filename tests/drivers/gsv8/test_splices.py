@@ -11,14 +11,14 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from drivers.gsv8.frames import (
+from rigapp_drivers.gsv8.frames import (
     FrameLayout,
     Response,
     StreamParser,
     encode_frames,
     encode_response,
 )
-from drivers.gsv8.numbers import DataType
+from rigapp_drivers.gsv8.numbers import DataType
 
 PLAIN = [
     FrameLayout(objects=5),

@@ -10,11 +10,11 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from drivers.api import ReplyTimeout, SettingRefused, SlowRequest, WrongDevice
-from drivers.modbus_sensor.driver import DRIVER, ModbusSensor
-from drivers.modbus_sensor.protocol import decode_reply, encode_request
-from drivers.modbus_sensor.registers import OWN, PRESETS, Register, questions, registers_of
-from drivers.modbus_sensor.simulator import ModbusSensorSimulator, crc16
+from rigapp_drivers.api import ReplyTimeout, SettingRefused, SlowRequest, WrongDevice
+from rigapp_drivers.modbus_sensor.driver import DRIVER, ModbusSensor
+from rigapp_drivers.modbus_sensor.protocol import decode_reply, encode_request
+from rigapp_drivers.modbus_sensor.registers import OWN, PRESETS, Register, questions, registers_of
+from rigapp_drivers.modbus_sensor.simulator import ModbusSensorSimulator, crc16
 
 REGISTERS: list[dict[str, Any]] = [
     {"quantity": "oil_temperature_C", "function": 3, "address": 10, "type": "i32", "scale": 1e-3},

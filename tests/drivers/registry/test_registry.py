@@ -14,8 +14,8 @@ from typing import Any, cast
 
 import pytest
 
-from drivers import registry
-from drivers.api import DriverFactory, DriverInfo, DriverKind, SettingSpec
+from rigapp_drivers import registry
+from rigapp_drivers.api import DriverFactory, DriverInfo, DriverKind, SettingSpec
 
 
 def _factory(name: str, port: str, settings: Mapping[str, Any]) -> Any:
@@ -43,14 +43,16 @@ def third_party(monkeypatch: pytest.MonkeyPatch) -> None:
     entry = EntryPoint(name="thirdparty", value=f"{__name__}:INFO", group=registry.GROUP)
     broken = EntryPoint(name="broken", value="no_such_package_at_all:X", group=registry.GROUP)
     wrong = EntryPoint(name="wrong", value="math:pi", group=registry.GROUP)
-    entries = (entry, broken, wrong)
+    former = EntryPoint(name="former", value="model.mine:DRIVER", group=registry.GROUP)
+    entries = (entry, broken, wrong, former)
     monkeypatch.setattr(registry, "entry_points", lambda group: entries)
 
 
 def test_installed_drivers_are_listed_without_import() -> None:
     script = (
-        "import sys; from drivers.registry import available_drivers; print(available_drivers());"
-        "print('drivers.gsv8.driver' in sys.modules, 'serial' in sys.modules)"
+        "import sys; from rigapp_drivers.registry import available_drivers as installed;"
+        "print(installed());"
+        "print('rigapp_drivers.gsv8.driver' in sys.modules, 'serial' in sys.modules)"
     )
     done = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, check=True
@@ -62,7 +64,7 @@ def test_installed_drivers_are_listed_without_import() -> None:
 
 @pytest.mark.usefixtures("third_party")
 def test_third_party_driver_loads_by_entry_point() -> None:
-    assert registry.available_drivers() == ("broken", "thirdparty", "wrong")
+    assert registry.available_drivers() == ("broken", "former", "thirdparty", "wrong")
     assert registry.load_driver("thirdparty").title == "A third party's box"
 
 
@@ -73,7 +75,14 @@ def test_unknown_driver_names_the_nearest() -> None:
 
 
 @pytest.mark.usefixtures("third_party")
-@pytest.mark.parametrize(("name", "words"), [("broken", "cannot be loaded"), ("wrong", "float")])
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("broken", "reinstall the package"),
+        ("wrong", "float"),
+        ("former", '"from rigapp.model import ...'),
+    ],
+)
 def test_unusable_entry_is_explained(name: str, words: str) -> None:
     with pytest.raises(registry.DriverNotFound, match=words):
         registry.load_driver(name)
@@ -138,6 +147,6 @@ def test_the_import_rules_cover_every_simulator() -> None:
     simulators = {
         str(registry.load_driver(name).simulator) for name in registry.available_drivers()
     }
-    shared = ("drivers.simulated", "drivers.simulator_api")
+    shared = ("rigapp_drivers.simulated", "rigapp_drivers.simulator_api")
     for module in (*shared, *(one.partition(":")[0] for one in simulators)):
         assert any(fnmatch.fnmatch(module, one) for one in rule["forbidden_modules"]), module

@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from drivers.roboclaw.driver import RoboClaw
-from drivers.roboclaw.simulator import RoboClawSimulator
+from rigapp_drivers.roboclaw.driver import RoboClaw
+from rigapp_drivers.roboclaw.simulator import RoboClawSimulator
 
 GOLDEN = Path(__file__).parents[2] / "data" / "roboclaw_golden.toml"
 

@@ -8,11 +8,11 @@ from typing import Any
 
 import pytest
 
-from drivers.roboclaw.link import Link
-from drivers.roboclaw.protocol import Command
-from drivers.roboclaw.simulator import RoboClawSimulator
-from drivers.simulator_api import MotorState
-from drivers.transport import SerialPort
+from rigapp_drivers.roboclaw.link import Link
+from rigapp_drivers.roboclaw.protocol import Command
+from rigapp_drivers.roboclaw.simulator import RoboClawSimulator
+from rigapp_drivers.simulator_api import MotorState
+from rigapp_drivers.transport import SerialPort
 
 try:
     from basicmicro import Basicmicro

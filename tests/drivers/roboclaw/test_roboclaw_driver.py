@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from drivers.api import (
+from rigapp_drivers.api import (
     ConnectionFailed,
     DeviceError,
     DeviceFault,
@@ -22,12 +22,12 @@ from drivers.api import (
     Spindle,
     WrongDevice,
 )
-from drivers.registry import check_settings, load_driver, load_simulator
-from drivers.roboclaw.driver import DRIVER, RoboClaw
-from drivers.roboclaw.protocol import Command, EmergencyStopLock, write_packet
-from drivers.roboclaw.simulator import RoboClawSimulator
-from drivers.roboclaw.status import describe_status
-from drivers.simulator_api import DriveMode
+from rigapp_drivers.registry import check_settings, load_driver, load_simulator
+from rigapp_drivers.roboclaw.driver import DRIVER, RoboClaw
+from rigapp_drivers.roboclaw.protocol import Command, EmergencyStopLock, write_packet
+from rigapp_drivers.roboclaw.simulator import RoboClawSimulator
+from rigapp_drivers.roboclaw.status import describe_status
+from rigapp_drivers.simulator_api import DriveMode
 
 OLDER = "Roboclaw 2x60a v4.1.34"
 NEWER = "USB Roboclaw 2x30a v4.2.4"

@@ -8,9 +8,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.roboclaw import protocol
-from drivers.roboclaw.protocol import NEWER, OLDER, Command, Generation, Rejected, VelocityPid
-from drivers.roboclaw.status import describe_status, generation_of
+from rigapp_drivers.roboclaw import protocol
+from rigapp_drivers.roboclaw.protocol import (
+    NEWER,
+    OLDER,
+    Command,
+    Generation,
+    Rejected,
+    VelocityPid,
+)
+from rigapp_drivers.roboclaw.status import describe_status, generation_of
 
 COMMANDS = st.sampled_from(list(Command))
 GENERATIONS = st.sampled_from([NEWER, OLDER])

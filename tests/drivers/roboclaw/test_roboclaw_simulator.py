@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.roboclaw import protocol
-from drivers.roboclaw.protocol import OLDER, Command, EmergencyStopLock, Generation
-from drivers.roboclaw.simulator import RoboClawFault, RoboClawSimulator
-from drivers.simulator_api import DriveCommand, DriveMode, MotorState
+from rigapp_drivers.roboclaw import protocol
+from rigapp_drivers.roboclaw.protocol import OLDER, Command, EmergencyStopLock, Generation
+from rigapp_drivers.roboclaw.simulator import RoboClawFault, RoboClawSimulator
+from rigapp_drivers.simulator_api import DriveCommand, DriveMode, MotorState
 
 FF = b"\xff"
 

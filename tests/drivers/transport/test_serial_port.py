@@ -11,9 +11,9 @@ from typing import Any
 
 import pytest
 
-from drivers import transport
-from drivers.api import BytePort, ConnectionFailed, DeviceLost
-from drivers.transport import SerialPort
+from rigapp_drivers import transport
+from rigapp_drivers.api import BytePort, ConnectionFailed, DeviceLost
+from rigapp_drivers.transport import SerialPort
 
 PAYLOAD = bytes(range(256)) * 1024
 

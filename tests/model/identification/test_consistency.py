@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 import virtual_tests as virtual
 
-from model.identification import Consistency, consistency_of, identify, sentence
-from model.identification.consistency import FINE, LARGEST, REFERENCE, THRESHOLD, threshold
+from rigapp_model.identification import Consistency, consistency_of, identify, sentence
+from rigapp_model.identification.consistency import FINE, LARGEST, REFERENCE, THRESHOLD, threshold
 
 LIFE = virtual.a_life()
 LAST, HALF = 21377, 10688

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import virtual_tests as virtual
 
-from model.identification import (
+from rigapp_model.identification import (
     CannotBeTold,
     bins_of,
     depth_life,
@@ -18,7 +18,7 @@ from model.identification import (
     probe_errors,
     remaining,
 )
-from model.identification.evidence import noise_of, readings_of
+from rigapp_model.identification.evidence import noise_of, readings_of
 
 LIFE = virtual.a_life()
 TRUE = 1.1 * virtual.NOMINAL

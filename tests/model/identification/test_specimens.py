@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from virtual_tests import ERRORS, NOMINAL, PRIOR, a_life, gathered, readings
 
-from model.identification import CannotBeTold, Prior, identify
-from model.identification.specimens import Estimate, estimate_of, pairing_of
+from rigapp_model.identification import CannotBeTold, Prior, identify
+from rigapp_model.identification.specimens import Estimate, estimate_of, pairing_of
 
 
 def campaign(random: np.random.Generator, count: int, tau: float, doubt: float) -> list[Estimate]:

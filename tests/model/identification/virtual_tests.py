@@ -8,8 +8,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from model.identification import Bin, Bins, DepthLife, Prior, ProbeErrors, depth_life
-from model.identification.bins import GROUP, trimmed
+from rigapp_model.identification import Bin, Bins, DepthLife, Prior, ProbeErrors, depth_life
+from rigapp_model.identification.bins import GROUP, trimmed
 
 Array = NDArray[np.float64]
 

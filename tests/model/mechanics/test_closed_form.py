@@ -10,10 +10,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from model.dynamics import MechanismMotion, inverse_dynamics
-from model.errors import ModelError
-from model.frames import into_frame
-from model.parameters import Joint, Mechanism, Spring
+from rigapp_model.dynamics import MechanismMotion, inverse_dynamics
+from rigapp_model.errors import ModelError
+from rigapp_model.frames import into_frame
+from rigapp_model.parameters import Joint, Mechanism, Spring
 
 DATA = Path(__file__).parents[2] / "data"
 CASE_A = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871)

@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from model.constraints import ALPHA, PHI1, PHI2, X3, Solution, solve_imperfect, solve_perfect
-from model.dynamics import MechanismMotion, inverse_dynamics
-from model.errors import ModelError
-from model.parameters import Mechanism, Spring
+from rigapp_model.constraints import ALPHA, PHI1, PHI2, X3, Solution, solve_imperfect, solve_perfect
+from rigapp_model.dynamics import MechanismMotion, inverse_dynamics
+from rigapp_model.errors import ModelError
+from rigapp_model.parameters import Mechanism, Spring
 
 CASE_A = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871)
 CASE_B = replace(

@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from model.ensemble import MOST_BATCHES, BatchMeans, ensemble
-from model.errors import ModelError, OutOfTime
-from model.impact_system import ClearanceSystem, clearance_system
-from model.parameters import Joint, Material, Mechanism, Spring
+from rigapp_model.ensemble import MOST_BATCHES, BatchMeans, ensemble
+from rigapp_model.errors import ModelError, OutOfTime
+from rigapp_model.impact_system import ClearanceSystem, clearance_system
+from rigapp_model.parameters import Joint, Material, Mechanism, Spring
 
 CASE_A = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871)
 CASE_B = replace(CASE_A, spring=Spring(525.0, 0.2794 + 20.0 / 525.0))

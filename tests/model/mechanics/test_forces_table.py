@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from model.dynamics import inverse_dynamics
-from model.parameters import Mechanism, Spring
 from rigapp.commands import progress as model_progress
 from rigapp.commands.model.cycle import COLUMNS
 from rigapp.commands.model.forces import write_forces
 from rigapp.commands.model.impacts import CONTACT_COLUMNS, Impacting
 from rigapp.config.errors import UnusableInput
+from rigapp_model.dynamics import inverse_dynamics
+from rigapp_model.parameters import Mechanism, Spring
 
 PARAMETERS = """
 schema = 1

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from model.dynamics import MechanismMotion, inverse_dynamics
-from model.parameters import Mechanism, Spring
+from rigapp_model.dynamics import MechanismMotion, inverse_dynamics
+from rigapp_model.parameters import Mechanism, Spring
 
 CASE_A = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871)
 CASE_B = replace(CASE_A, spring=Spring(525.0, 0.2794 + 20.0 / 525.0), gravity=(0.0, -9.81))

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from model.dynamics import MechanismMotion, inverse_dynamics
-from model.friction_circle import CellDoubt, Friction, friction_of
-from model.parameters import Joint, Mechanism, Spring
+from rigapp_model.dynamics import MechanismMotion, inverse_dynamics
+from rigapp_model.friction_circle import CellDoubt, Friction, friction_of
+from rigapp_model.parameters import Joint, Mechanism, Spring
 
 ANGLE = np.arange(360) * (2.0 * np.pi / 360)
 MECHANISM = Mechanism(

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from model.errors import ModelError
-from model.history import motion_from_history, smooth_history
+from rigapp_model.errors import ModelError
+from rigapp_model.history import motion_from_history, smooth_history
 
 COUNT = 2.0 * np.pi / 3600.0
 

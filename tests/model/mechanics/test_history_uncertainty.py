@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from model.history import smooth_history
-from model.history_uncertainty import MotionUncertainty, motion_uncertainty
+from rigapp_model.history import smooth_history
+from rigapp_model.history_uncertainty import MotionUncertainty, motion_uncertainty
 
 COUNT = 2.0 * np.pi / 3600.0
 FINE = 50

@@ -8,13 +8,18 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from model import impact_laws as laws
-from model.contact_law import ContactModel, WornSurface, foundation_modulus, hertz_stiffness
-from model.dynamics import inverse_dynamics
-from model.errors import ModelError
-from model.impact import ContactCycle, contact_cycle, integrate_contact
-from model.impact_system import ClearanceSystem, ContactState, clearance_system, settled_state
-from model.parameters import Joint, Material, Mechanism, Spring
+from rigapp_model import impact_laws as laws
+from rigapp_model.contact_law import ContactModel, WornSurface, foundation_modulus, hertz_stiffness
+from rigapp_model.dynamics import inverse_dynamics
+from rigapp_model.errors import ModelError
+from rigapp_model.impact import ContactCycle, contact_cycle, integrate_contact
+from rigapp_model.impact_system import (
+    ClearanceSystem,
+    ContactState,
+    clearance_system,
+    settled_state,
+)
+from rigapp_model.parameters import Joint, Material, Mechanism, Spring
 
 CASE_A = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871)
 CASE_B = replace(CASE_A, spring=Spring(525.0, 0.2794 + 20.0 / 525.0))
@@ -125,7 +130,7 @@ def test_looking_up_between_steps_changes_nothing(monkeypatch: pytest.MonkeyPatc
     parts: list[float] = []
     whole = contact_cycle(system, settling_revolutions=0, progress=parts.append)
     assert parts == [1.0]
-    monkeypatch.setattr("model.impact.STEPS_AT_ONCE", 50)
+    monkeypatch.setattr("rigapp_model.impact.STEPS_AT_ONCE", 50)
     looked = contact_cycle(system, settling_revolutions=0, progress=parts.append)
     assert len(parts) > 20
     np.testing.assert_array_equal(looked.motion.force, whole.motion.force)
@@ -134,8 +139,8 @@ def test_looking_up_between_steps_changes_nothing(monkeypatch: pytest.MonkeyPatc
 
 
 def test_steps_without_end_are_refused_with_advice(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("model.impact.MOST_STEPS", 40)
-    monkeypatch.setattr("model.impact.STEPS_AT_ONCE", 20)
+    monkeypatch.setattr("rigapp_model.impact.MOST_STEPS", 40)
+    monkeypatch.setattr("rigapp_model.impact.STEPS_AT_ONCE", 20)
     system = clearance_system(CASE_A, JOINT, POLYMER, STEEL, np.pi)
     with pytest.raises(ModelError, match=r"steps is 40: too many by .* s; raise the tolerance"):
         contact_cycle(system)

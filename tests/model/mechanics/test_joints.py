@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from model.dynamics import inverse_dynamics
-from model.errors import ModelError
-from model.joints import _ranges_above_zero, continuous_contact, perfect_joint
-from model.parameters import Joint, Mechanism, Spring
+from rigapp_model.dynamics import inverse_dynamics
+from rigapp_model.errors import ModelError
+from rigapp_model.joints import _ranges_above_zero, continuous_contact, perfect_joint
+from rigapp_model.parameters import Joint, Mechanism, Spring
 
 CASE_A = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871)
 CASE_B = replace(CASE_A, spring=Spring(525.0, 0.2794 + 20.0 / 525.0))

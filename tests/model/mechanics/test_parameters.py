@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from model.errors import ModelError
-from model.parameters import Bushing, Joint, Material, Mechanism, Spring
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameters
+from rigapp_model.errors import ModelError
+from rigapp_model.parameters import Bushing, Joint, Material, Mechanism, Spring
 
 TABLE_1 = {
     "crank_radius": 0.0762,

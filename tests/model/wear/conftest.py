@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from model.bushing.ring import Ring
-from model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
+from rigapp_model.bushing.ring import Ring
+from rigapp_model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
 
 DATA = Path(__file__).parents[2] / "data"
 sys.path.insert(0, str(Path(__file__).parent))

@@ -7,10 +7,10 @@ from numpy.typing import NDArray
 from scipy.sparse import csc_matrix
 from scipy.sparse.linalg import splu
 
-from model.bushing.compliance import SurfaceCompliance, arc_ends, surface_angles
-from model.bushing.element import Plane, elasticity, integration_points, stiffness
-from model.bushing.sector import SectorMesh
-from model.errors import ModelError
+from rigapp_model.bushing.compliance import SurfaceCompliance, arc_ends, surface_angles
+from rigapp_model.bushing.element import Plane, elasticity, integration_points, stiffness
+from rigapp_model.bushing.sector import SectorMesh
+from rigapp_model.errors import ModelError
 
 Array = NDArray[np.float64]
 

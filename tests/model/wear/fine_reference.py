@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from model.bushing.ring import ring_of
-from model.wear.forces import constant_source
-from model.wear.front import implicit_step, wear_problem, worn_area
-from model.wear.techniques import LifeOptions, technique_of
+from rigapp_model.bushing.ring import ring_of
+from rigapp_model.wear.forces import constant_source
+from rigapp_model.wear.front import implicit_step, wear_problem, worn_area
+from rigapp_model.wear.techniques import LifeOptions, technique_of
 
 
 def fine_life(parameters, speed, rows, technique, force, sectors, positions, steps, half_angle):

@@ -6,8 +6,8 @@ import full_ring
 import numpy as np
 import pytest
 
-from model.bushing.contact import simpson_weights
-from model.bushing.ring import pressure_distribution
+from rigapp_model.bushing.contact import simpson_weights
+from rigapp_model.bushing.ring import pressure_distribution
 
 
 @pytest.mark.parametrize("sectors", [120, 180])

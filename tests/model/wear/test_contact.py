@@ -7,13 +7,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from model.bushing import persson
-from model.bushing.compliance import circular_compliance, surface_angles
-from model.bushing.contact import ContactError, simpson_weights, solve_contact
-from model.bushing.linear import factorise, invert, substitute
-from model.bushing.ring import Ring, arc_nodes, pressure_distribution, sectors_at_least
-from model.bushing.sector import SectorMesh
-from model.bushing.winkler import winkler_compliance
+from rigapp_model.bushing import persson
+from rigapp_model.bushing.compliance import circular_compliance, surface_angles
+from rigapp_model.bushing.contact import ContactError, simpson_weights, solve_contact
+from rigapp_model.bushing.linear import factorise, invert, substitute
+from rigapp_model.bushing.ring import Ring, arc_nodes, pressure_distribution, sectors_at_least
+from rigapp_model.bushing.sector import SectorMesh
+from rigapp_model.bushing.winkler import winkler_compliance
 
 FORCE = 110.0 / 0.0131
 

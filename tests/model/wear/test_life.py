@@ -8,13 +8,13 @@ import fine_reference
 import numpy as np
 import pytest
 
-from model.bushing.contact import ContactError
-from model.errors import ModelError, OutOfTime
-from model.joints import continuous_contact
-from model.parameters import Bushing, Joint, Material, Parameters, Spring
-from model.wear.front import WornThrough
-from model.wear.life import Life, below_archard, life, row_cycles
-from model.wear.state import unworn_state
+from rigapp_model.bushing.contact import ContactError
+from rigapp_model.errors import ModelError, OutOfTime
+from rigapp_model.joints import continuous_contact
+from rigapp_model.parameters import Bushing, Joint, Material, Parameters, Spring
+from rigapp_model.wear.front import WornThrough
+from rigapp_model.wear.life import Life, below_archard, life, row_cycles
+from rigapp_model.wear.state import unworn_state
 
 RPM30 = np.pi
 

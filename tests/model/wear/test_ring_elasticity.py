@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from factorised_ring import general_compliance, ring_mesh
 
-from model.bushing.compliance import circular_compliance, surface_angles
-from model.bushing.contact import simpson_weights
-from model.bushing.element import NODES, elasticity, shape_gradients, stiffness
-from model.bushing.ring import Ring
-from model.bushing.sector import SectorMesh, suitable_mesh
-from model.errors import ModelError
+from rigapp_model.bushing.compliance import circular_compliance, surface_angles
+from rigapp_model.bushing.contact import simpson_weights
+from rigapp_model.bushing.element import NODES, elasticity, shape_gradients, stiffness
+from rigapp_model.bushing.ring import Ring
+from rigapp_model.bushing.sector import SectorMesh, suitable_mesh
+from rigapp_model.errors import ModelError
 
 E, NU, A, B = 500e6, 0.38, 0.010, 0.020
 

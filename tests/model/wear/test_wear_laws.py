@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from fine_reference import fine_life
 
-from model.bushing.contact import simpson_weights
-from model.bushing.ring import ring_of
-from model.parameters import Parameters, WearLaw
-from model.wear.coefficient import cycles_at, steady_cycles
-from model.wear.forces import constant_source
-from model.wear.front import touched, wear_problem
-from model.wear.laws import LAWS
-from model.wear.life import life
+from rigapp_model.bushing.contact import simpson_weights
+from rigapp_model.bushing.ring import ring_of
+from rigapp_model.parameters import Parameters, WearLaw
+from rigapp_model.wear.coefficient import cycles_at, steady_cycles
+from rigapp_model.wear.forces import constant_source
+from rigapp_model.wear.front import touched, wear_problem
+from rigapp_model.wear.laws import LAWS
+from rigapp_model.wear.life import life
 
 SPEED = np.pi
 EXAMPLES = {

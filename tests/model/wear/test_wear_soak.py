@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from model.parameters import Bushing, Joint, Material, Parameters, Spring
-from model.wear.life import life
+from rigapp_model.parameters import Bushing, Joint, Material, Parameters, Spring
+from rigapp_model.wear.life import life
 
 
 def random_joint(parameters: Parameters, rng: np.random.Generator) -> Parameters:

@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from model.bushing.contact import ArcTooSmall, simpson_weights
-from model.bushing.ring import Ring
-from model.errors import ModelError
-from model.wear.archard import largest_explicit_step, rigid_wear
-from model.wear.explicit import UnstableStep, explicit_moments, extrapolation, stable_step
-from model.wear.front import (
+from rigapp_model.bushing.contact import ArcTooSmall, simpson_weights
+from rigapp_model.bushing.ring import Ring
+from rigapp_model.errors import ModelError
+from rigapp_model.wear.archard import largest_explicit_step, rigid_wear
+from rigapp_model.wear.explicit import UnstableStep, explicit_moments, extrapolation, stable_step
+from rigapp_model.wear.front import (
     Front,
     WornThrough,
     contact_pressure,
@@ -20,7 +20,7 @@ from model.wear.front import (
     wear_problem,
     worn_area,
 )
-from model.wear.loads import CycleLoads, constant_load, gathered, loads_of_cycle, swing
+from rigapp_model.wear.loads import CycleLoads, constant_load, gathered, loads_of_cycle, swing
 
 WIDTH, K = 0.0131, 5.05e-13
 SLIP = 2.0 * np.pi * 0.0095

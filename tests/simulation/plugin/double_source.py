@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from drivers.api import DriverInfo, DriverKind, SettingSpec
-from drivers.simulator_api import RigSignals
+from rigapp_drivers.api import DriverInfo, DriverKind, SettingSpec
+from rigapp_drivers.simulator_api import RigSignals
 
 
 class DoubleSimulator:

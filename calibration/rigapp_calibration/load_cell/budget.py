@@ -1,0 +1,232 @@
+"""The uncertainty of a calibrated force: a budget by GTC, and what class it would allow."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from rigapp_calibration.arrays import ACROSS, Array
+from rigapp_calibration.load_cell.scatter import Scatter
+from rigapp_calibration.load_cell.settings import LoadCellSettings
+from rigapp_calibration.load_cell.two_axis import design
+from rigapp_calibration.load_cell.weights import relative_force_uncertainty
+from rigapp_calibration.taking.uncertainty import Budget, Contribution, at_most, combine
+
+DIRECTIONS = 16
+"""Directions of the load of which the worst is stated: of eight or more angles all are alike."""
+
+
+@dataclass(frozen=True, slots=True)
+class LoadUncertainty:
+    """The uncertainty of one reading at a load (N): across the force, and along it, that of |F|.
+
+    ``Budget.of_mean`` tells that of a mean of readings.
+    """
+
+    load: float
+    magnitude: Budget
+    across: Budget
+
+    @property
+    def component(self) -> Budget:
+        """Return the budget of a component in its worst direction."""
+        return max(self.magnitude, self.across, key=lambda one: one.expanded)
+
+
+def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> LoadUncertainty:
+    """Return the budgets of one reading at a load (N); the worst direction of the load is taken.
+
+    Along the force are scale, reproducibility, reversibility, creep, and what changes the gain;
+    across it is the angle reference. Zero, fit and repeatability are in both.
+    """
+    steps, scatters = _steps(parts, settings)
+    use, full = settings.use, settings.cell.full_scale
+    relative = relative_force_uncertainty(settings.weights, settings.place)
+    points = parts.branches.points(load)
+    free = float(parts.series - 1)
+    along = (
+        Contribution("applied force (mass, gravity, buoyancy)", relative * load),
+        Contribution("reproducibility between series", parts.gain_between * load, free, "A"),
+        Contribution(
+            "reversibility and interpolation",
+            math.sqrt(float(np.mean(np.square(points)))) if points else 0.0,
+            evaluation="A",
+            distribution="two-point",
+            points=points,
+        ),
+        at_most("creep, measured", use.creep * load, "A")
+        if use.creep_measured
+        else at_most("creep", use.creep * load),
+        at_most("temperature, gain", use.gain_per_kelvin * use.temperature * load),
+        at_most("change until the next calibration", use.change * load),
+    )
+    both = (
+        Contribution("zero between series", parts.zero_between, 2.0 * free, "A"),
+        at_most("zero drift during the calibration", parts.drift, "A"),
+        at_most("temperature, zero", use.zero_per_kelvin * use.temperature * full),
+        _display(parts, steps),
+        Contribution("repeatability", scatters, parts.degrees, "A", averages=True),
+    )
+    turned = (Contribution("angle reference", settings.angle_uncertainty * load),)
+    return LoadUncertainty(
+        load,
+        combine(load, (*along, _fit(parts, load, across=False), *both)),
+        combine(load, (*turned, _fit(parts, load, across=True), *both)),
+    )
+
+
+def zero_uncertainty(parts: Scatter, settings: LoadCellSettings) -> tuple[Budget, Budget]:
+    """Return the budgets of both zeros, signal unit, at the middle of the calibration."""
+    (terms,) = _terms(parts, np.zeros((1, 2)))
+    steps = parts.unloaded * _steps(parts, settings)[0]
+    one, two = (
+        (_told(parts, np.outer(row, terms)), _display(parts, steps * float(np.hypot(*row))))
+        for row in parts.found.sensitivity
+    )
+    return combine(0.0, one), combine(0.0, two)
+
+
+def element_uncertainties(parts: Scatter, settings: LoadCellSettings) -> tuple[Budget, ...]:
+    """Return the budgets of the matrix elements 11, 12, 21, 22, N per signal unit.
+
+    Each holds what no residual shows as well: the scale (applied force), the turn (angle
+    reference), and half the difference of the gains of the rising and the falling branch.
+    """
+    matrix = parts.found.matrix
+    turned = ACROSS @ matrix
+    relative = relative_force_uncertainty(settings.weights, settings.place)
+    gain = parts.branches.gain()
+    budgets = []
+    for row, column in np.ndindex(2, 2):
+        size = abs(float(matrix[row, column]))
+        # d matrix = - (d force per force) matrix
+        force = np.zeros((2, parts.found.terms.count))
+        force[row, :2] = matrix[:, column]
+        budgets.append(
+            combine(
+                float(matrix[row, column]),
+                (
+                    Contribution("applied force (mass, gravity, buoyancy)", relative * size),
+                    Contribution(
+                        "angle reference",
+                        settings.angle_uncertainty * abs(float(turned[row, column])),
+                    ),
+                    Contribution(
+                        "reversibility", gain * size, evaluation="A", distribution="two-point"
+                    ),
+                    _told(parts, force),
+                ),
+            )
+        )
+    return tuple(budgets)
+
+
+def matrix_covariance(parts: Scatter, settings: LoadCellSettings) -> Array:
+    """Return the covariance (4, 4) of the matrix elements 11, 12, 21, 22 (first order)."""
+    matrix = parts.found.matrix
+    p = parts.found.terms.count
+    place = [0, 1, p, p + 1]
+    relative = relative_force_uncertainty(settings.weights, settings.place)
+    scale, turn = matrix.ravel(), (ACROSS @ matrix).ravel()
+    through = np.kron(np.eye(2), matrix.T)
+    return np.asarray(
+        through @ parts.scores.coefficients()[np.ix_(place, place)] @ through.T
+        + (relative**2 + parts.branches.gain() ** 2) * np.outer(scale, scale)
+        + settings.angle_uncertainty**2 * np.outer(turn, turn),
+        dtype=np.float64,
+    )
+
+
+def _steps(parts: Scatter, settings: LoadCellSettings) -> tuple[float, float]:
+    """Return what the steps of the display leave in a mean, and the rest of the repeatability, N.
+
+    Readings that scatter less than the steps do are means over blurred steps. Of single readings
+    the steps scatter like noise.
+    """
+    if parts.repeatability >= settings.cell.resolution / math.sqrt(12.0):
+        return 0.0, parts.repeatability
+    steps = min(parts.steps, parts.repeatability)
+    return steps, math.sqrt(parts.repeatability**2 - steps**2)
+
+
+def _display(parts: Scatter, steps: float) -> Contribution:
+    return Contribution("steps of the display in a mean", steps, parts.degrees, "A")
+
+
+def _fit(parts: Scatter, load: float, *, across: bool) -> Contribution:
+    """Return what the fit gives a force along it or across it, in the worst of the directions."""
+    turns = 2.0 * np.pi / DIRECTIONS * np.arange(DIRECTIONS)
+    units = np.stack((np.cos(turns), np.sin(turns)), axis=-1)
+    combinations = np.einsum(
+        "da,dp->dap", units @ ACROSS if across else units, _terms(parts, load * units)
+    ).reshape(DIRECTIONS, -1)
+    covariance = parts.scores.coefficients()
+    worst = np.einsum("du,uv,dv->d", combinations, covariance, combinations).argmax()
+    return _told(parts, combinations[worst])
+
+
+def _told(parts: Scatter, combination: Array) -> Contribution:
+    """Return the fit's part in a combination (2 p,) of its coefficients in N, axis-major."""
+    variance, degrees = parts.scores.variance(combination.ravel())
+    return Contribution("fit", math.sqrt(variance), degrees, "A")
+
+
+def _terms(parts: Scatter, force: Array) -> Array:
+    """Return the terms (n, p) of the fit at forces (n, 2), N, in the middle of the calibration."""
+    rows = design(force, parts.found.terms)
+    if parts.found.terms.drift:
+        rows[:, -1] = 0.0
+    return rows
+
+
+def expanded_line(budgets: Sequence[Budget]) -> tuple[float, float]:
+    """Return a (N) and b of U(F) = a + b F that bounds the expanded uncertainties from above."""
+    force = np.array([one.value for one in budgets])
+    expanded = np.array([one.expanded for one in budgets])
+    slope, intercept = np.polyfit(force, expanded, 1)
+    lift = float(np.max(expanded - intercept - slope * force))
+    return float(intercept) + lift, float(slope)
+
+
+def classification(settings: LoadCellSettings, single: float) -> str:
+    """Say in words what the force standards allow, and what averaging would have to reach.
+
+    single: standard deviation of one reading, N.
+    """
+    full, step = settings.cell.full_scale, settings.cell.resolution
+    e74, iso = 400.0 * step, 500.0 * step
+    if e74 <= full and iso <= full:
+        return (
+            f"With a resolution of {step:g} N the smallest force for ASTM E74 class A is {e74:g} N"
+            f" and for ISO 376 class 2 {iso:g} N; whether a class is reached is for a calibration"
+            " of one axis under these standards to show. This procedure follows them, it does not"
+            " comply."
+        )
+    smallest = 80.0
+    class_2, class_1 = smallest / 500.0, smallest / 1000.0
+    return (
+        f"Not classifiable: with a resolution of {step:g} N, ASTM E74 class A needs forces of at"
+        f" least {e74:g} N and ISO 376 class 2 of at least {iso:g} N, above the full scale of"
+        f" {full:g} N. The expanded uncertainty is stated instead of a class. For forces from"
+        f" {smallest:g} N upward, class 2 would need a resolution of {class_2:.2f} N and class 1 of"
+        f" {class_1:.2f} N{_averaging(single, class_2)}."
+    )
+
+
+def _averaging(single: float, wanted: float) -> str:
+    """Say how many readings a mean needs until it is known as well as a resolution ``wanted``."""
+    if not single > 0.0:
+        return ""
+    count = math.ceil((single / (wanted / math.sqrt(12.0))) ** 2)
+    if count < 2:
+        return (
+            f". The readings of this calibration scatter by {single:.3f} N: if they are means of"
+            " many, such means would reach class 2; a single reading does not"
+        )
+    return (
+        f". A reading scatters by {single:.2f} N: the mean of about {count} readings at each load"
+        " would reach class 2"
+    )

@@ -1,0 +1,295 @@
+"""What the series say about the cell: hysteresis, zero return, repeatability, reproducibility.
+
+Definitions follow ISO 376 where the readings allow it, taken along the direction of the load; in
+per cent of the force (of full scale for zero return), computed from the readings themselves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from rigapp_calibration.arrays import Array, Marks, Whole
+from rigapp_calibration.load_cell.readings import HungReadings, LoadCellReadings
+from rigapp_calibration.load_cell.two_axis import TwoAxisFit
+from rigapp_calibration.problems import Problem, note
+from rigapp_calibration.taking.readings import each_series
+
+CREEP_AT = (30.0, 300.0)
+"""Seconds after the load change at which ISO 376 reads the creep."""
+CREEP_TIMES = 0.2
+"""Part of these by which a time may be off: creep goes with the logarithm of time, so that it
+changes by less than a fifth."""
+LARGEST_CREEP = 0.01
+"""Part of the load: five times what class 2 of ISO 376 allows is no creep of a cell."""
+ANGLE_STEP = np.radians(1.0)
+"""Nearer pin angles are one: a technician sets them to half a degree by eye."""
+
+
+@dataclass(frozen=True, slots=True)
+class Characteristics:
+    """Hold what is defined by the readings; None where they cannot tell. Percentages; N for drift.
+
+    reproducibility b: between pin angles. repeatability b': between series at one angle.
+    interpolation fc, zero_return f0, reversibility v (hysteresis). drift: change of the zero over
+    the whole calibration, N. Loads below a tenth of full scale are left out.
+    """
+
+    reproducibility: float | None
+    repeatability: float | None
+    interpolation: float | None
+    zero_return: float | None
+    reversibility: float | None
+    drift: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Loads:
+    """Readings in terms of the load: applied and measured along it and across it, N.
+
+    group: number of the pin angle (angles within a degree are one). rising: the load was reached
+    from below. direction (n, 2): of the load, at rest that of its angle's loads.
+    """
+
+    applied: Array
+    along: Array
+    across: Array
+    group: Whole
+    rising: Marks
+    series: tuple[str, ...]
+    direction: Array
+
+    def runs(self) -> Whole:
+        """Return the number (n,) of the run (a series at one pin angle) of each, as taken."""
+        numbers: dict[tuple[str, int], int] = {}
+        runs = zip(self.series, self.group.tolist(), strict=True)
+        return np.array([numbers.setdefault(one, len(numbers)) for one in runs], dtype=np.int64)
+
+
+def angle_groups(angle: Array) -> Whole:
+    """Return the number of the pin angle of each reading; within one degree is the same angle."""
+    turned = np.mod(angle, 2.0 * np.pi)
+    turned = np.where(turned > 2.0 * np.pi - 0.5 * ANGLE_STEP, 0.0, turned)
+    order = np.argsort(turned, kind="stable")
+    group = np.zeros(len(angle), dtype=np.int64)
+    number = 0
+    for before, here in pairwise(order):
+        if turned[here] - turned[before] > ANGLE_STEP:
+            number += 1
+        group[here] = number
+    return group
+
+
+def loads(readings: LoadCellReadings, force: Array, measured: Array) -> Loads:
+    """Resolve applied and measured forces (n, 2) along the load of each reading."""
+    size = np.hypot(*force.T)
+    group = angle_groups(readings.angle)
+    direction = np.zeros_like(force)
+    for number in np.unique(group):
+        members = group == number
+        loaded = members & (size > 0.0)
+        if loaded.any():
+            mean = (force[loaded] / size[loaded, None]).mean(axis=0)
+            direction[members] = mean / np.hypot(*mean)
+    own = size > 0.0
+    direction[own] = force[own] / size[own, None]
+    along = np.einsum("ij,ij->i", measured, direction)
+    across = measured[:, 1] * direction[:, 0] - measured[:, 0] * direction[:, 1]
+    return Loads(size, along, across, group, _rising(readings), readings.series, direction)
+
+
+def characteristics(found: Loads, full_scale: float, residual: Array) -> Characteristics:
+    """Compute what the readings define; residual (n, 2) in N from the fit."""
+    enough = found.applied >= 0.1 * full_scale
+    size = np.hypot(*residual.T)
+    interpolation = (
+        float(100.0 * np.max(size[enough] / found.applied[enough])) if enough.any() else None
+    )
+    return Characteristics(
+        reproducibility=_spread(found, enough, between_angles=True),
+        repeatability=_spread(found, enough, between_angles=False),
+        interpolation=interpolation,
+        zero_return=_zero_return(found, full_scale),
+        reversibility=_reversibility(found, enough),
+        drift=_drift(found),
+    )
+
+
+def _reversibility(found: Loads, enough: Marks) -> float | None:
+    """Return the mean |falling - rising| over the loads taken both ways, per cent of the load.
+
+    The largest load, where a series turns, is left out.
+    """
+    rising = _means(found, enough & found.rising, by_series=True)
+    falling = _means(found, enough & ~found.rising, by_series=True)
+    largest = round(float(found.applied.max()), 3)
+    by_load: dict[float, list[float]] = {}
+    for key in sorted(set(rising) & set(falling)):
+        if key[2] < largest:
+            by_load.setdefault(key[2], []).append(falling[key] - rising[key])
+    if not by_load:
+        return None
+    shares = [abs(np.mean(changes)) / load for load, changes in by_load.items()]
+    return float(100.0 * np.mean(shares))
+
+
+def hysteresis_by_load(found: Loads) -> dict[float, float]:
+    """Return load -> falling less rising (N), the median over the pin angles; empty without both.
+
+    A single wrong reading moves a median of some angles little.
+    """
+    loaded = found.applied > 0.0
+    rising = _means(found, loaded & found.rising, by_series=False)
+    falling = _means(found, loaded & ~found.rising, by_series=False)
+    by_load: dict[float, list[float]] = {}
+    for key in set(rising) & set(falling):
+        by_load.setdefault(key[2], []).append(falling[key] - rising[key])
+    return {load: float(np.median(values)) for load, values in by_load.items()}
+
+
+Key = tuple[int, str, float]
+
+
+def _means(found: Loads, chosen: Marks, *, by_series: bool) -> dict[Key, float]:
+    collected: dict[Key, list[float]] = {}
+    for index in np.flatnonzero(chosen):
+        name = found.series[index] if by_series else ""
+        key = (int(found.group[index]), name, round(float(found.applied[index]), 3))
+        collected.setdefault(key, []).append(float(found.along[index]))
+    return {key: float(np.mean(values)) for key, values in collected.items()}
+
+
+def _spread(found: Loads, enough: Marks, *, between_angles: bool) -> float | None:
+    rising = _means(found, enough & found.rising, by_series=not between_angles)
+    by_load: dict[tuple[int, float], list[float]] = {}
+    for (group, _, load), value in rising.items():
+        by_load.setdefault((0 if between_angles else group, load), []).append(value)
+    spreads = [
+        100.0 * (max(values) - min(values)) / float(np.mean(values))
+        for values in by_load.values()
+        if len(values) > 1
+    ]
+    return float(max(spreads)) if spreads else None
+
+
+def _zero_return(found: Loads, full_scale: float) -> float | None:
+    """Return the mean change of the zero over a series, per cent of full scale."""
+    changes = []
+    for _, members in each_series(found.series):
+        zeros = np.flatnonzero(members & (found.applied == 0.0))
+        if len(zeros) > 1:
+            changes.append(
+                (
+                    found.along[zeros[-1]] - found.along[zeros[0]],
+                    found.across[zeros[-1]] - found.across[zeros[0]],
+                )
+            )
+    if not changes:
+        return None
+    return float(100.0 * np.hypot(*np.mean(changes, axis=0)) / full_scale)
+
+
+def _drift(found: Loads) -> float | None:
+    zeros = np.flatnonzero(found.applied == 0.0)
+    if len(zeros) < 3:
+        return None
+    order = zeros / max(len(found.applied) - 1, 1)
+    slopes = [np.polyfit(order, values[zeros], 1)[0] for values in (found.along, found.across)]
+    return float(np.hypot(*slopes))
+
+
+def _rising(readings: LoadCellReadings) -> Marks:
+    """Tell which readings were reached by adding weights within their series."""
+    rising = np.ones(len(readings), dtype=np.bool_)
+    last: dict[str, float] = {}
+    state: dict[str, bool] = {}
+    for index, (name, mass) in enumerate(zip(readings.series, readings.mass, strict=True)):
+        before = last.get(name)
+        if before is not None and mass != before:
+            state[name] = bool(mass > before)
+        rising[index] = state.get(name, True)
+        last[name] = float(mass)
+    return rising
+
+
+# --- creep ---------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Creep:
+    """The change (N) of what is indicated of a load (N) that stays on, between two times (s).
+
+    half_width: relative to the load; what the scatter of the two readings may hide is in it.
+    """
+
+    load: float
+    times: tuple[float, float]
+    change: float
+    half_width: float
+
+    @property
+    def percent(self) -> float:
+        """Return ISO 376's c, per cent of the load."""
+        return 100.0 * abs(self.change) / self.load
+
+
+def unusable_creep(hung: HungReadings) -> Iterator[Problem]:
+    """Yield a note where readings under a load that stays on tell no creep of ISO 376."""
+    wanted = " and ".join(f"{one:g} s" for one in CREEP_AT)
+    why = ""
+    if len(hung.time) != len(CREEP_AT):
+        why = f"there are {len(hung.time)} and not {len(CREEP_AT)}"
+    elif not np.isfinite(np.column_stack((hung.mass, hung.angle, hung.time, hung.signal))).all():
+        why = "one is not a number"
+    elif np.any(np.abs(hung.time / CREEP_AT - 1.0) > CREEP_TIMES):
+        taken = " and ".join(f"{one:.0f} s" for one in hung.time)
+        why = f"they were taken {taken} after loading, not {wanted}"
+    elif hung.mass[0] != hung.mass[1] or not hung.mass[0] > 0.0:
+        why = "they are not of one load"
+    if why:
+        yield note(
+            "creep_unusable",
+            f"The readings of the creep are passed over, {why}: the creep that the settings state"
+            " counts.",
+        )
+
+
+def creep(hung: HungReadings, found: TwoAxisFit, load: float, scatter: float) -> Creep:
+    """Return the creep that two readings of a load (N) tell; scatter: of one component, N.
+
+    The scatter of both is added to the square of their difference: so much may it hide.
+    """
+    early, late = found.force(hung.signal)
+    change = float((late - early) @ early / np.hypot(*early))
+    return Creep(
+        load=load,
+        times=(float(hung.time[0]), float(hung.time[1])),
+        change=change,
+        half_width=float(np.hypot(change, np.sqrt(2.0) * scatter) / load),
+    )
+
+
+def check_creep(found: Creep) -> Iterator[Problem]:
+    """Yield that the load was touched between the two readings of the creep."""
+    if abs(found.change) > LARGEST_CREEP * found.load:
+        yield Problem(
+            "creep",
+            f"Between {found.times[0]:.0f} s and {found.times[1]:.0f} s under {found.load:.1f} N"
+            f" the indication changes by {found.change:+.2f} N, {found.percent:.1f} % of the load."
+            " No cell creeps so far: was the load touched? Take the creep again, or leave it out.",
+        )
+
+
+def creep_words(found: Creep | None, stated: float) -> str:
+    """Return what U has of the creep: the measured one, else the stated part of the load."""
+    if found is None:
+        return f"Creep: not measured; U has the {100.0 * stated:g} % that the settings state."
+    early, late = found.times
+    return (
+        f"Creep at {found.load:.1f} N, from {early:.0f} s to {late:.0f} s after loading:"
+        f" {found.change:+.3f} N; U has {100.0 * found.half_width:.3f} %, the scatter of the two"
+        " readings included."
+    )

@@ -1,0 +1,330 @@
+"""Mistakes that leave a pattern over many readings: a gain that changes, a piece not as marked.
+
+Readings of one load in one run (a series at one pin angle) make one cell. What the cells differ by
+from the applied forces is explained by what honest calibrations show as well (the fit itself, a
+drift of the zero, a turn of each run, half a hysteresis loop) and by one mistake of ``patterns``.
+The one that explains most is named when Student's t of its size leaves no doubt and its size is
+more than a good cell shows; then it is taken off and the next is looked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy import special
+
+from rigapp_calibration.arrays import Array, Whole
+from rigapp_calibration.load_cell.evidence import Evidence, examine
+from rigapp_calibration.load_cell.two_axis import HUBER, Terms, design
+from rigapp_calibration.problems import Problem
+from rigapp_calibration.taking.readings import place_of
+
+FALSE_ALARMS = 1e-3
+"""Of good calibrations, by Bonferroni's bound over all patterns: one in a thousand is refused."""
+GAIN_CHANGE = 0.005
+"""Relative: a bridge and its amplifier keep their gain ten times better through an afternoon."""
+MASS_SHARE = 0.003
+"""Of full scale: what good cells show of hysteresis and bend, so that less is no piece for sure."""
+MOST_AT_ONCE = 3
+"""So many mistakes of this kind in one calibration are named, then it is enough."""
+ROUNDS = 4
+"""The weights of cells that do not fit, and the pattern that explains most, settle in three."""
+
+
+RAYLEIGH_MEDIAN = 1.1774
+"""Of the length of a vector whose two parts have standard deviation 1."""
+FEWEST_DEGREES = 8
+"""Fewer know the noise to no better than a quarter: nothing is told of patterns then."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pattern:
+    """A mistake of size 1. column: what it does to the cells (2 cells), N; least: size that counts.
+
+    bridges: whose gain changes, empty for a matter of weights. place: the run from which on, or the
+    place of the load among the loads; only: at that load alone; steady: all at once, not slowly.
+    """
+
+    column: Array
+    least: float
+    bridges: tuple[int, ...]
+    place: int
+    only: bool = False
+    steady: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Averages:
+    """The readings by run and load. of: run (n) of each reading, load (n) of each.
+
+    run, load (cells): numbers of both; force (cells, 2) applied, off: measured less applied, N;
+    time: 0 .. 1 over the calibration; loads: N, rising; bow: half the hysteresis loop may be, N;
+    repeats: share of the cells whose readings are equal in all digits.
+    """
+
+    of: tuple[Whole, Whole]
+    run: Whole
+    load: Whole
+    force: Array
+    off: Array
+    time: Array
+    loads: Array
+    bow: float
+    repeats: float
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """The pattern that explains most, its size, and whether that is neither chance nor little."""
+
+    pattern: Pattern
+    size: float
+    sure: bool
+
+
+def check_patterns(evidence: Evidence) -> tuple[list[Problem], Evidence]:
+    """Return the mistakes that leave a pattern, and the evidence without them."""
+    problems: list[Problem] = []
+    for _ in range(MOST_AT_ONCE):
+        cells = _cells(evidence)
+        found = _search(evidence, cells)
+        if found is None or not found.sure:
+            break
+        problems.append(_named(evidence, cells, found))
+        evidence = _without(evidence, cells, found)
+    return problems, evidence
+
+
+def _cells(evidence: Evidence) -> Averages:
+    force, found, run = evidence.force, evidence.found, evidence.loads.runs()
+    loads, load = np.unique(np.round(evidence.loads.applied, 3), return_inverse=True)
+    keys, cell = np.unique(run * len(loads) + load, return_inverse=True)
+    count = np.bincount(cell)
+
+    def mean(columns: Array) -> Array:
+        return np.column_stack([np.bincount(cell, one) / count for one in columns.T])
+
+    off = (evidence.readings.signal - found.zero) @ found.matrix.T - force
+    time = np.linspace(0.0, 1.0, len(run))[:, None]
+    return Averages(
+        of=(run, np.asarray(load, dtype=np.int64)),
+        run=keys // len(loads),
+        load=keys % len(loads),
+        force=mean(force),
+        off=mean(off),
+        time=mean(time)[:, 0],
+        loads=loads,
+        bow=_half_loop(evidence, cell),
+        repeats=_repeats(evidence.readings.signal, cell),
+    )
+
+
+def _repeats(signal: Array, cell: Whole) -> float:
+    order = np.argsort(cell, kind="stable")
+    alike = np.diff(cell[order]) == 0
+    equal = (np.diff(signal[order], axis=0) == 0.0).all(axis=1)
+    return float(equal[alike].mean()) if alike.any() else 0.0
+
+
+def _arch(load: Array) -> Array:
+    """Return the shape of a hysteresis branch: 0 at no load and the largest, 1 between."""
+    share = load / max(float(load.max()), 1e-9)
+    return np.asarray(4.0 * share * (1.0 - share))
+
+
+def _half_loop(evidence: Evidence, cell: Whole) -> float:
+    """Return half of what falling readings lie above rising ones in the middle of the range, N."""
+    loads, arch = evidence.loads, _arch(evidence.loads.applied)
+    up, down = (np.bincount(cell, one) for one in (loads.rising, ~loads.rising))
+    both = (up > 0) & (down > 0)
+    if not both.any():
+        return 0.0
+    rising = np.bincount(cell, loads.along * loads.rising)[both] / up[both]
+    falling = np.bincount(cell, loads.along * ~loads.rising)[both] / down[both]
+    shape = (np.bincount(cell, arch) / (up + down))[both]
+    return 0.5 * float(shape @ (falling - rising)) / max(float(shape @ shape), 1e-9)
+
+
+# --- what is looked for --------------------------------------------------------------------------
+
+
+def patterns(evidence: Evidence, cells: Averages) -> Iterator[Pattern]:
+    """Yield every mistake that is looked for."""
+    found = evidence.found
+    signal = cells.force @ found.sensitivity.T + found.zero
+    parts = [np.outer(signal[:, axis], found.matrix[:, axis]) for axis in range(2)]
+    slowly = cells.time[:, None]
+    for bridges in ((0,), (1,), (0, 1)):
+        change = np.sum([parts[axis] for axis in bridges], axis=0)
+        yield Pattern((change * slowly).ravel(), GAIN_CHANGE, bridges, 0, steady=False)
+        for place in range(1, int(cells.run.max()) + 1):
+            late = (cells.run >= place)[:, None]
+            yield Pattern((change * late).ravel(), GAIN_CHANGE, bridges, place)
+    towards = _towards(cells) * evidence.newton_per_kg
+    least = MASS_SHARE * evidence.settings.cell.full_scale / evidence.newton_per_kg
+    heaviest = len(cells.loads) - 1
+    for place in range(1, heaviest + 1):
+        more = (cells.load >= place)[:, None]
+        yield Pattern((towards * more).ravel(), least, (), place)
+        if place < heaviest:
+            here = (cells.load == place)[:, None]
+            yield Pattern((towards * here).ravel(), least, (), place, only=True)
+
+
+def _towards(cells: Averages) -> Array:
+    """Return the directions (cells, 2) of the loads, 0 where nothing hangs."""
+    size = np.hypot(*cells.force.T)
+    return cells.force / np.maximum(size, 1e-9)[:, None] * (size > 0.0)[:, None]
+
+
+def _honest(cells: Averages, terms: Terms) -> Array:
+    """Return the columns (2 cells, any) of what good calibrations show as well; the last: an arch.
+
+    The arch is half the hysteresis loop, which the mean of rising and falling readings may hold.
+    """
+    rows = np.column_stack((design(cells.force, terms), cells.time))
+    both = [np.column_stack((one, 0.0 * one)) for one in rows.T]
+    both += [one[:, ::-1] for one in both]
+    across = np.column_stack((-cells.force[:, 1], cells.force[:, 0]))
+    both += [across * (cells.run == run)[:, None] for run in range(int(cells.run.max()) + 1)]
+    both.append(_towards(cells) * _arch(np.hypot(*cells.force.T))[:, None])
+    return np.column_stack([one.ravel() for one in both])
+
+
+# --- the search ----------------------------------------------------------------------------------
+
+
+def _search(evidence: Evidence, cells: Averages) -> Found | None:
+    """Return the pattern that explains most, None where the readings tell none.
+
+    Cells that fit nothing weigh less (Huber), so that a single mistake makes no pattern.
+    """
+    tried = list(patterns(evidence, cells))
+    columns = np.column_stack([one.column for one in tried])
+    least = np.array([one.least for one in tried])
+    fewer = np.array([_fewer(one, cells.repeats) for one in tried])
+    weights, found = np.ones(len(cells.run)), None
+    for _ in range(ROUNDS):
+        left, degrees = _left(evidence, cells, Terms(), columns, weights)
+        off, shapes = left[:, 0], left[:, 1:]
+        power = np.maximum(np.einsum("ij,ij->j", shapes, shapes), 1e-12)
+        sizes = shapes.T @ off / power
+        rest = np.maximum(off @ off - sizes**2 * power, 1e-12)
+        sigmas = np.sqrt(fewer * rest / (max(degrees - 1, 1) * power))
+        told = sigmas < least
+        if degrees < FEWEST_DEGREES or not told.any():
+            return None
+        best = int(np.argmax(np.where(told, np.abs(sizes) / sigmas, 0.0)))
+        free = (degrees - 1) / float(fewer[best])
+        limit = -float(special.stdtrit(free, FALSE_ALARMS / 2.0 / np.count_nonzero(told)))
+        size, sigma = float(sizes[best]), float(sigmas[best])
+        sure = abs(size) > max(limit * sigma, tried[best].least)
+        found = Found(tried[best], size, sure)
+        weights = _weights(off - size * shapes[:, best], weights, evidence.noise / np.sqrt(2.0))
+    if found is not None and found.sure and evidence.found.terms.quadratic:
+        return replace(found, sure=not _bends(evidence, cells, weights, float(rest[best]), degrees))
+    return found
+
+
+def _fewer(pattern: Pattern, repeats: float) -> float:
+    """Return how many cells tell no more than one, by the share of readings that repeat.
+
+    A display that repeats itself rounds a load and its opposite alike, so that fewer tell of a
+    load, and both bridges alike where it repeats nearly always; what changes from run to run it
+    blurs only there.
+    """
+    often = 1.0 + repeats**2
+    return often if pattern.bridges else (1.0 + repeats) * often
+
+
+def _bends(evidence: Evidence, cells: Averages, weights: Array, rest: float, degrees: int) -> bool:
+    """Tell whether the quadratic terms of the cell explain the cells better than a pattern does.
+
+    rest: the squares that the pattern leaves. Schwarz's criterion weighs their six coefficients
+    against its one.
+    """
+    left, free = _left(
+        evidence, cells, evidence.found.terms, np.empty((cells.off.size, 0)), weights
+    )
+    count = 2.0 * float(weights.sum())
+    gain = count * np.log(rest / max(float(left[:, 0] @ left[:, 0]), 1e-12))
+    return bool(gain > (degrees - 1 - free) * np.log(count))
+
+
+def _left(
+    evidence: Evidence, cells: Averages, terms: Terms, columns: Array, weights: Array
+) -> tuple[Array, int]:
+    """Return what honest causes leave of the cells and of columns, and the degrees of freedom.
+
+    The first column is of the cells; rows (2 cells + 1) are weighted, the last is the arch's: it
+    reads 0, with half the loop as its standard deviation.
+    """
+    honest = _honest(cells, terms)
+    prior = np.zeros((1, honest.shape[1]))
+    prior[0, -1] = evidence.noise / max(abs(cells.bow), 0.1 * evidence.noise)
+    root = np.append(np.repeat(np.sqrt(weights), 2), 1.0)[:, None]
+    rows = np.vstack((honest, prior)) * root
+    basis, size, _ = np.linalg.svd(rows / np.linalg.norm(rows, axis=0), full_matrices=False)
+    basis = basis[:, size > 1e-7]
+    both = np.column_stack((cells.off.ravel(), columns))
+    both = np.vstack((both, np.zeros(both.shape[1]))) * root
+    return both - basis @ (basis.T @ both), int(2.0 * weights.sum()) - basis.shape[1]
+
+
+def _weights(rest: Array, weights: Array, noise: float) -> Array:
+    """Return Huber's weights of the cells from what is left of them, itself weighted.
+
+    noise: the least standard deviation that is believed, N: else cells that contradict a pattern
+    would be put aside for it.
+    """
+    length = np.hypot(*rest[:-1].reshape(-1, 2).T) / np.sqrt(weights)
+    scale = max(noise, float(np.median(length)) / RAYLEIGH_MEDIAN)
+    return np.clip(HUBER * scale / np.maximum(length, 1e-300), 1e-3, 1.0)
+
+
+# --- in words ------------------------------------------------------------------------------------
+
+
+def _named(evidence: Evidence, cells: Averages, found: Found) -> Problem:
+    pattern, size = found.pattern, found.size
+    if pattern.bridges:
+        who = f"signal_{pattern.bridges[0] + 1} reads"
+        if len(pattern.bridges) == 2:
+            who = "both signals read"
+        first = int(np.flatnonzero(cells.of[0] == pattern.place)[0])
+        since = f"From {place_of(evidence.readings, first)} on" if pattern.steady else "Slowly"
+        return Problem(
+            "gain_changed",
+            f"{since}: {who} {abs(100.0 * size):.1f} % {'more' if size > 0.0 else 'less'} of the"
+            " same load than before: the gain changed (range, excitation, filter or cable?). Find"
+            " out why, and take all series again.",
+        )
+    words = f"{abs(size):.2f} kg {'heavier' if size > 0.0 else 'lighter'} than written"
+    mass = float(cells.loads[pattern.place]) / evidence.newton_per_kg
+    if pattern.place == 1 and not pattern.only:
+        return Problem(
+            "hanger_mass",
+            f"Every load seems {words}, while the zeros are right: is hanger_mass_kg what hangs"
+            " beside the pieces at every load, and is the first piece what its mark says?",
+        )
+    which = f"At {mass:.3g} kg the load" if pattern.only else f"From {mass:.3g} kg on every load"
+    return Problem(
+        "wrong_piece",
+        f"{which} seems {words}, at every pin angle: weigh the piece that joins there.",
+    )
+
+
+def _without(evidence: Evidence, cells: Averages, found: Found) -> Evidence:
+    """Return the evidence as it would be without the mistake."""
+    readings, pattern = evidence.readings, found.pattern
+    run, load = cells.of
+    if not pattern.bridges:
+        there = load == pattern.place if pattern.only else load >= pattern.place
+        mass = readings.mass + np.where(there, found.size, 0.0)
+        return examine(replace(readings, mass=mass), evidence.settings)
+    share = run >= pattern.place if pattern.steady else np.linspace(0.0, 1.0, len(run))
+    gain = np.ones_like(readings.signal)
+    gain[:, list(pattern.bridges)] += found.size * share[:, None]
+    return examine(replace(readings, signal=readings.signal / gain), evidence.settings)

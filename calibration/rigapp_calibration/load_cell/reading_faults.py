@@ -1,0 +1,321 @@
+"""Single readings and series that do not fit the others, named as what most likely happened.
+
+Each check takes what it explains from the next: angle, order of the steps, swinging, cable, weight.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from rigapp_calibration.arrays import Array, Marks
+from rigapp_calibration.load_cell.evidence import SURE, Evidence
+from rigapp_calibration.problems import Problem
+from rigapp_calibration.taking.readings import each_series, place_of
+
+ANGLE_OFF = np.radians(0.5)
+"""An angle set by eye and read from a protractor is right to a few tenths: that is scatter, which
+the uncertainty holds; five times the 0.1 degrees of an encoder is a mistake."""
+
+
+def single_faults(evidence: Evidence) -> Iterator[Problem]:
+    """Yield what is wrong with single readings and series, one of each code."""
+    explained: Marks = np.zeros(len(evidence.readings), dtype=np.bool_)
+    for check in (_angle_off, _angle_of_one, _steps, _swinging, _loose_cable, _wrong_weight):
+        yield from _few(list(check(evidence, explained)))
+    yield from _not_monotonic(evidence, explained)
+    yield from _scatter(evidence, explained)
+
+
+def _sure(evidence: Evidence) -> float:
+    """Return the difference (N) from which on a reading does not fit."""
+    return max(SURE * evidence.noise, 0.005 * float(evidence.loads.applied.max()))
+
+
+def _off(evidence: Evidence) -> tuple[Array, Array]:
+    """Return what readings differ by along and across their load, N."""
+    return evidence.loads.along - evidence.loads.applied, evidence.loads.across
+
+
+def _along_only(evidence: Evidence) -> Marks:
+    """Tell which readings are off along their load, and little across it."""
+    (off, across), sure = _off(evidence), _sure(evidence)
+    return (np.abs(off) > sure) & (np.abs(across) < np.maximum(sure, 0.5 * np.abs(off)))
+
+
+# --- angles --------------------------------------------------------------------------------------
+
+
+def _angle_off(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
+    """A pin angle at which every load seems turned by the same amount."""
+    found, readings = evidence.loads, evidence.readings
+    turns: list[tuple[float, float, Marks]] = []
+    for _, members in each_series(readings.series):
+        for group in np.unique(found.group[members]):
+            block = members & (found.group == group)
+            turn = _turn(evidence, block & (found.applied > 0.0))
+            if turn is not None:
+                turns.append((*turn, block))
+    if len(turns) < 3:
+        return
+    middle = float(np.median([turn for turn, _, _ in turns]))
+    off = [
+        (turn - middle, block)
+        for turn, sigma, block in turns
+        if abs(turn - middle) > max(SURE * sigma, ANGLE_OFF)
+    ]
+    if not off or len(off) > 0.6 * len(turns):
+        return
+    for _, block in off:
+        explained |= block
+    worst, block = max(off, key=lambda one: abs(one[0]))
+    index = int(np.flatnonzero(block)[0])
+    yield Problem(
+        "angle_off",
+        f"At the pin angle of {np.degrees(readings.angle[index]):.1f} degrees (series"
+        f" {readings.series[index]}) every load seems turned by {np.degrees(worst):+.2f} degrees:"
+        " the angle written there, or at the opposite position, is off; take it from the encoder.",
+    )
+
+
+def _turn(evidence: Evidence, members: Marks) -> tuple[float, float] | None:
+    """Return (turn, its standard deviation) in rad of loads that are turned, else None."""
+    found = evidence.loads
+    power = float(np.sum(found.applied[members] ** 2))
+    if np.count_nonzero(members) < 3 or power == 0.0:
+        return None
+    along, across, applied = (
+        found.along[members], found.across[members], found.applied[members],
+    )  # fmt: skip
+    turns = np.arctan2(across, along)
+    start = float(np.angle(np.sum(np.exp(1j * turns))))
+    turn = start + float(np.median(np.angle(np.exp(1j * (turns - start)))))
+    rest = np.hypot(along - applied * np.cos(turn), across - applied * np.sin(turn))
+    if np.median(rest) > max(2.0 * evidence.noise, 0.02 * float(np.median(applied))):
+        return None
+    near = rest < max(SURE * evidence.noise, 3.0 * float(np.median(rest)))
+    turned = np.exp(1j * (turns[near] - turn))
+    turn += float(np.angle(np.sum(applied[near] ** 2 * turned)))
+    return turn, evidence.noise / np.sqrt(float(np.sum(applied[near] ** 2)))
+
+
+def _angle_of_one(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
+    """One reading whose written angle is not its neighbours', by as much as its load is turned."""
+    found, readings = evidence.loads, evidence.readings
+    sure = _sure(evidence)
+    for index in np.flatnonzero((found.applied > 0.0) & ~explained):
+        turn = float(np.arctan2(found.across[index], found.along[index]))
+        size = float(np.hypot(found.along[index], found.across[index]))
+        if (
+            found.applied[index] * abs(turn) < sure
+            or abs(size - found.applied[index]) > sure
+            or abs(turn) < np.radians(0.5)
+        ):
+            continue
+        near = [
+            i
+            for i in (index - 1, index + 1)
+            if 0 <= i < len(readings) and readings.series[i] == readings.series[index]
+        ]
+        if not near:
+            continue
+        written = readings.angle[index] - readings.angle[near]
+        differs = np.angle(np.exp(1j * written))
+        if np.all(np.abs(np.abs(differs) - abs(turn)) < 0.3 * abs(turn) + np.radians(0.3)):
+            explained[index] = True
+            yield Problem(
+                "angle_off",
+                f"The pin angle of {np.degrees(readings.angle[index]):.1f} degrees at"
+                f" {place_of(readings, int(index))} is off by about"
+                f" {abs(np.degrees(turn)):.1f} degrees; take it from the encoder.",
+            )
+
+
+# --- order ---------------------------------------------------------------------------------------
+
+
+def _steps(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
+    """Readings that fit another step's mass than their own: skipped, repeated, swapped."""
+    wrong = _along_only(evidence) & ~explained
+    for _, marks in each_series(evidence.readings.series):
+        members = np.flatnonzero(marks).tolist()
+        yield from _shifted(evidence, members, wrong, explained)
+        yield from _swapped(evidence, members, wrong, explained)
+
+
+def _shifted(
+    evidence: Evidence, members: list[int], wrong: Marks, explained: Marks
+) -> Iterator[Problem]:
+    """A run of readings that each fit the next (or previous) step's mass: a step was skipped."""
+    found, sure = evidence.loads, SURE * evidence.noise
+    for shift, code, words in (
+        (1, "skipped_step", "a step was skipped there: each reading belongs to the next load"),
+        (-1, "repeated_step", "a step was taken twice there: each reading belongs to the last one"),
+    ):  # fmt: skip
+        run = [
+            i
+            for k, i in enumerate(members)
+            if 0 <= k + shift < len(members)
+            and wrong[i]
+            and not explained[i]
+            and found.group[i] == found.group[members[k + shift]]
+            and abs(found.along[i] - found.applied[members[k + shift]]) < sure
+        ]
+        if len(run) >= 2:
+            group = found.group[run[0]]
+            explained[[i for i in members if i >= run[0] and found.group[i] == group]] = True
+            yield Problem(code, f"From {place_of(evidence.readings, run[0])} on, {words}.")
+
+
+def _swapped(
+    evidence: Evidence, members: list[int], wrong: Marks, explained: Marks
+) -> Iterator[Problem]:
+    found, readings, sure = evidence.loads, evidence.readings, SURE * evidence.noise
+    suspects = [i for i in members if wrong[i] and not explained[i]]
+    if len(suspects) > 6:
+        return
+    for place, first in enumerate(suspects):
+        for second in suspects[place + 1 :]:
+            if (
+                not explained[[first, second]].any()
+                and found.group[first] == found.group[second]
+                and abs(found.along[first] - found.applied[second]) < sure
+                and abs(found.along[second] - found.applied[first]) < sure
+            ):
+                explained[[first, second]] = True
+                yield Problem(
+                    "swapped_steps",
+                    f"In series {readings.series[first]} the readings of steps"
+                    f" {readings.step[first]} and {readings.step[second]} are swapped.",
+                )
+
+
+# --- single readings -----------------------------------------------------------------------------
+
+
+def _swinging(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
+    """A series in which the readings are off to and fro, along and across."""
+    off, across = _off(evidence)
+    size = np.hypot(off, across)
+    for name, members in each_series(evidence.readings.series):
+        members &= (evidence.loads.applied > 0.0) & ~explained
+        bad = members & (size > 4.0 * evidence.noise)
+        if np.count_nonzero(bad) < max(3.0, 0.4 * np.count_nonzero(members)):
+            continue
+        spread = float(np.sqrt(np.mean(size[members] ** 2) / 2.0))
+        sideways = float(np.sqrt(np.mean(across[bad] ** 2) / np.mean(size[bad] ** 2)))
+        if spread > 1.5 * _allowed(evidence) and sideways > 0.3:
+            explained |= members
+            yield Problem("scatter", _scatter_words(name, spread))
+
+
+def _loose_cable(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
+    """Readings far off in one signal alone, whatever the direction of the load."""
+    readings, (off, across) = evidence.readings, _off(evidence)
+    scale = np.linalg.norm(evidence.found.sensitivity, axis=1)
+    jump = np.abs(evidence.found.residual_signal) / scale
+    far = max(4.0 * SURE * evidence.noise, 0.05 * evidence.settings.cell.full_scale)
+    alone = (jump.max(axis=1) > far) & (jump.min(axis=1) < 0.25 * jump.max(axis=1)) & ~explained
+    telling = alone & (np.abs(across) > np.abs(off))
+    empty = alone & (evidence.loads.applied == 0.0)
+    axes = [axis for axis in range(2) if (telling | empty)[jump.argmax(axis=1) == axis].any()]
+    bad = alone & np.isin(jump.argmax(axis=1), axes)
+    count = int(np.count_nonzero(bad))
+    if count == 0 or count > 0.4 * len(readings):
+        return
+    explained |= bad
+    index = int(np.flatnonzero(bad)[0])
+    axis = int(np.argmax(jump[index]))
+    yield Problem(
+        "cable_loose",
+        f"signal_{axis + 1} jumps by {jump[index, axis]:.0f} N at {place_of(readings, index)}"
+        + (f" (and at {count - 1} more)" if count > 1 else "")
+        + ", whatever hangs there: is a cable or the slip ring loose?",
+    )
+
+
+def _wrong_weight(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
+    readings, found = evidence.readings, evidence.loads
+    wrong = _along_only(evidence) & ~explained
+    if np.count_nonzero(wrong) > 0.4 * len(readings):
+        return
+    for index in np.flatnonzero(wrong):
+        explained[index] = True
+        felt = found.along[index] / evidence.newton_per_kg
+        yield Problem(
+            "wrong_weight",
+            f"At {place_of(readings, int(index))} the cell felt {felt:.2f} kg, but"
+            f" {readings.mass[index]:g} kg is written; check the weights that hung there.",
+        )
+
+
+def _not_monotonic(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
+    found, readings = evidence.loads, evidence.readings
+    for index in range(1, len(readings)):
+        if (
+            readings.series[index] != readings.series[index - 1]
+            or explained[[index - 1, index]].any()
+            or found.group[index] != found.group[index - 1]
+        ):
+            continue
+        applied = found.applied[index] - found.applied[index - 1]
+        seen = found.along[index] - found.along[index - 1]
+        if applied != 0.0 and seen * np.sign(applied) < -SURE * evidence.noise:
+            yield Problem(
+                "not_monotonic",
+                f"From step {readings.step[index - 1]} to {readings.step[index]} of series"
+                f" {readings.series[index]} the load {'grew' if applied > 0 else 'fell'} but the"
+                " reading went the other way; check what hung there.",
+            )
+            return
+
+
+def _scatter(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
+    """A series, or one reading, that scatters more than the cell can."""
+    size = np.hypot(*_off(evidence))
+    readings, allowed = evidence.readings, _allowed(evidence)
+    worst: tuple[float, str] = (0.0, "")
+    for name, members in each_series(readings.series):
+        members &= ~explained
+        if np.count_nonzero(members) >= 4:
+            spread = float(np.sqrt(np.mean(size[members] ** 2) / 2.0))
+            worst = max(worst, (spread, name))
+    if worst[0] > 1.5 * allowed:
+        yield Problem("scatter", _scatter_words(worst[1], worst[0]))
+        return
+    rest = np.where(explained, 0.0, size)
+    index = int(np.argmax(rest))
+    if rest[index] > max(8.0 * evidence.noise, 3.0 * allowed):
+        yield Problem(
+            "scatter",
+            f"The reading at {place_of(readings, index)} is {rest[index]:.1f} N off, not only along"
+            " its load: was the weight still swinging? Take it again.",
+        )
+
+
+def _scatter_words(name: str, spread: float) -> str:
+    return (
+        f"The readings of series {name} scatter by {spread:.1f} N: was the weight still swinging?"
+        " Wait until it hangs still."
+    )
+
+
+def _allowed(evidence: Evidence) -> float:
+    cell = evidence.settings.cell
+    return max(cell.resolution, 0.005 * cell.full_scale)
+
+
+def _few(problems: list[Problem]) -> list[Problem]:
+    """Keep the first of each code and say how many more there are."""
+    kept: dict[str, Problem] = {}
+    count: dict[str, int] = {}
+    for problem in problems:
+        kept.setdefault(problem.code, problem)
+        count[problem.code] = count.get(problem.code, 0) + 1
+    return [
+        problem
+        if count[code] == 1
+        else Problem(code, f"{problem.sentence} ({count[code] - 1} more like it.)", problem.blocks)
+        for code, problem in kept.items()
+    ]

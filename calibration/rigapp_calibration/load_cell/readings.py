@@ -1,0 +1,76 @@
+"""Dead-weight readings of the two-axis load cell."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rigapp_calibration.arrays import Array, Whole
+from rigapp_calibration.taking.readings import (
+    ReadingsError,
+    Row,
+    numbers,
+    read_table,
+    series_and_steps,
+    unused_columns,
+)
+
+LOAD_CELL_COLUMNS = ("series", "step", "mass_kg", "pin_angle_deg", "signal_1", "signal_2")
+HUNG_COLUMN = "hung_s"
+"""Seconds that the load has hung, of the readings of the creep; empty, or left out, for others."""
+
+
+@dataclass(frozen=True, slots=True)
+class HungReadings:
+    """Readings (k,) of a load that stays on: mass in kg, time under it in s, angle in rad."""
+
+    mass: Array
+    angle: Array
+    signal: Array
+    time: Array
+
+
+@dataclass(frozen=True, slots=True)
+class LoadCellReadings:
+    """Dead-weight readings in the order taken; arrays of one length, angle in rad, mass in kg.
+
+    unused: the columns of their table that nothing reads. hung: of the creep, beside the others;
+    None where there are none.
+    """
+
+    series: tuple[str, ...]
+    step: Whole
+    mass: Array
+    angle: Array
+    signal: Array
+    unused: tuple[str, ...] = ()
+    hung: HungReadings | None = None
+
+    def __len__(self) -> int:
+        """Return the number of readings."""
+        return len(self.mass)
+
+
+def parse_load_cell(text: str) -> LoadCellReadings:
+    """Read the CSV columns ``LOAD_CELL_COLUMNS``, ``HUNG_COLUMN`` if there; raise ReadingsError."""
+    table = read_table(text, LOAD_CELL_COLUMNS)
+    creep = [one for one in table if (one[1].get(HUNG_COLUMN) or "").strip()]
+    rows = [one for one in table if one not in creep]
+    if not rows:
+        raise ReadingsError(f"every reading has a time in {HUNG_COLUMN}: all would be of the creep")
+    return LoadCellReadings(
+        *series_and_steps(rows),
+        *_loads(rows),
+        unused=unused_columns(table, (*LOAD_CELL_COLUMNS, HUNG_COLUMN)),
+        hung=HungReadings(*_loads(creep), numbers(creep, HUNG_COLUMN)) if creep else None,
+    )
+
+
+def _loads(rows: list[Row]) -> tuple[Array, Array, Array]:
+    """Return mass, angle and signals."""
+    return (
+        numbers(rows, "mass_kg"),
+        np.radians(numbers(rows, "pin_angle_deg")),
+        np.column_stack((numbers(rows, "signal_1"), numbers(rows, "signal_2"))),
+    )

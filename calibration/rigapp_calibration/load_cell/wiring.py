@@ -1,0 +1,164 @@
+"""Wiring: plugs exchanged or turned, bridges dead; of all readings, or of some series.
+
+A run (a series at one pin angle) has one slope: what the two signals change by per newton. Wiring
+changes slopes by half of them and more, so that a tenth tells it from everything else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from rigapp_calibration.arrays import Array, Marks
+from rigapp_calibration.load_cell.evidence import Evidence
+from rigapp_calibration.problems import Problem
+
+FITS = 0.1
+"""Of the cell's sensitivity: a slope fits within a turn of six degrees and a gain of ten per cent;
+a plug exchanged at 30 degrees from where both bridges feel alike changes it by five times as much.
+"""
+DEAD = 0.05
+"""Of the other bridge's largest slope: a cell's own cross-talk, which a dead bridge lacks too."""
+APART = 0.5
+"""Sine between two directions of load that tell the sensitivity: 30 degrees, noise doubled."""
+ROUND = 0.3
+"""Smallest over largest singular value of a sensitivity: the bridges of a cell are alike."""
+FEWEST_RUNS = 4
+"""Two that tell the sensitivity, and as many to contradict them."""
+STRAY_RUNS = 5
+"""One run in so many may have another fault besides."""
+DIRECTION_FITS = 0.95
+DIRECTION_WRONG = 0.7
+"""Cosines: within 18 degrees a signal is what one wiring gives, from 45 degrees on what another."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wiring:
+    """One way to wire wrongly: signals = change (signals as they should be)."""
+
+    code: str
+    change: tuple[tuple[float, float], tuple[float, float]]
+    words: str
+
+
+def _wirings() -> Iterator[Wiring]:
+    swapped = "the two signals are swapped: exchange the two bridges' plugs"
+    yield Wiring("axes_swapped", ((0.0, 1.0), (1.0, 0.0)), swapped)
+    turned = "has the wrong sign: turn its plug, or exchange its two signal wires"
+    yield Wiring("axis_reversed", ((-1.0, 0.0), (0.0, 1.0)), f"signal_1 {turned}")
+    yield Wiring("axis_reversed", ((1.0, 0.0), (0.0, -1.0)), f"signal_2 {turned}")
+    dead = "does not follow the load: is its bridge connected and switched on?"
+    yield Wiring("bridge_dead", ((0.0, 0.0), (0.0, 1.0)), f"signal_1 {dead}")
+    yield Wiring("bridge_dead", ((1.0, 0.0), (0.0, 0.0)), f"signal_2 {dead}")
+
+
+WIRINGS = tuple(_wirings())
+
+
+def told_by_one_load(change: Array, direction: Array) -> Problem | None:
+    """Judge the plugs by one load: change of the signals (2,), direction of the force (2,).
+
+    Bridges are alike, so that signals point as the force does. None where nothing is wrong, or
+    where the direction cannot tell (both bridges feel the load alike, or one of them nothing).
+    """
+    size = float(np.hypot(*change) * np.hypot(*direction))
+    if not size > 0.0 or float(change @ direction) / size > DIRECTION_WRONG:
+        return None
+    for wiring in WIRINGS:
+        if wiring.code != "bridge_dead":
+            expected = np.array(wiring.change) @ direction
+            if float(change @ expected) / size > DIRECTION_FITS:
+                return Problem(wiring.code, f"As the load shows, {_sentence(wiring.words)}")
+    return None
+
+
+def check_wiring(evidence: Evidence) -> Iterator[Problem]:
+    """Yield what is wired wrongly in some series; a bridge that is dead in all of them."""
+    run = evidence.loads.runs()
+    force, signal = evidence.force, evidence.readings.signal
+    slopes, directions, used = [], [], []
+    for number in range(int(run.max()) + 1):
+        members = run == number
+        loads = evidence.loads.applied[members]
+        if np.count_nonzero(loads > 0.0) >= 2 and np.ptp(loads) > 0.0:
+            slopes.append(_slope(loads, signal[members]))
+            heaviest = force[members][np.argmax(loads)]
+            directions.append(heaviest / np.hypot(*heaviest))
+            used.append(number)
+    seen, towards = np.array(slopes), np.array(directions)
+    if len(used) < FEWEST_RUNS:
+        return
+    largest = np.abs(seen).max(axis=0)
+    weak = int(np.argmin(largest))
+    if largest[weak] < DEAD * largest[1 - weak]:
+        yield Problem(
+            "bridge_dead",
+            f"signal_{weak + 1} hardly follows the load"
+            f" ({100.0 * largest[weak] / largest.max():.1f} % of the other signal): is the bridge"
+            " connected and switched on?",
+        )
+        return
+    fitting = _best(seen, towards)
+    as_is = fitting[0]
+    if np.count_nonzero(~fitting.any(axis=0)) > len(used) // STRAY_RUNS or as_is.all():
+        return
+    names = [evidence.readings.series[int(np.flatnonzero(run == number)[0])] for number in used]
+    left = ~as_is
+    for wiring, fits in zip(WIRINGS, fitting[1:], strict=True):
+        wrong = left & fits
+        if wrong.any():
+            left &= ~wrong
+            where = _where(names, wrong, ~as_is | fits)
+            yield Problem(wiring.code, f"{where}: {_sentence(wiring.words)} Then take them again.")
+
+
+def _sentence(words: str) -> str:
+    return words if words.endswith("?") else f"{words}."
+
+
+def _slope(loads: Array, signal: Array) -> Array:
+    """Return the change of both signals per newton: the median over all pairs (Theil and Sen)."""
+    first, second = np.triu_indices(len(loads), 1)
+    apart = loads[second] - loads[first]
+    told = np.abs(apart) > 0.1 * np.ptp(loads)
+    steps = signal[second[told]] - signal[first[told]]
+    return np.asarray(np.median(steps / apart[told, None], axis=0))
+
+
+def _best(seen: Array, towards: Array) -> Marks:
+    """Return which runs fit as they are (row 0) and with each wiring, by the best sensitivity.
+
+    Every two runs propose one. The best leaves no run unexplained, is that of a cell rightly wired,
+    and has most runs on its side as they are: in this order.
+    """
+    changes = np.array([np.eye(2), *(one.change for one in WIRINGS)])
+    best: tuple[tuple[int, bool, int], Marks] | None = None
+    for pair in combinations(range(len(seen)), 2):
+        span = towards[list(pair)].T
+        if abs(np.linalg.det(span)) < APART:
+            continue
+        sensitivity = seen[list(pair)].T @ np.linalg.inv(span)
+        small, large = sorted(np.linalg.svd(sensitivity, compute_uv=False))
+        if small < ROUND * large:
+            continue
+        expected = np.einsum("wij,jk,rk->wri", changes, sensitivity, towards)
+        fits = np.hypot(*np.moveaxis(expected - seen, -1, 0)) < FITS * np.sqrt(small * large)
+        straight = bool(np.all(np.diag(sensitivity) > 0.5 * large))
+        rank = (int(fits.any(axis=0).sum()), straight, int(fits[0].sum()))
+        if best is None or rank > best[0]:
+            best = rank, fits
+    return best[1] if best else np.ones((len(changes), len(seen)), dtype=np.bool_)
+
+
+def _where(names: Sequence[str], wrong: Marks, may_be: Marks) -> str:
+    """Return in which series it is so; may_be: runs that look the same either way count with it."""
+    first, last = (int(one) for one in np.flatnonzero(wrong)[[0, -1]])
+    if first and may_be[first:].all():
+        return f"From series {names[first]} on"
+    if last > first and may_be[first : last + 1].all():
+        return f"In series {names[first]} to {names[last]}"
+    found = dict.fromkeys(name for name, one in zip(names, wrong, strict=True) if one)
+    return f"In series {', '.join(found)}"

@@ -1,0 +1,121 @@
+"""The probe calibration as data: the micrometer set up before a probe, steps up and down.
+
+For one probe or one after the other for both. At every reading both probes are read: the one that
+must not move says whether the right one was moved, and how far the pair is turned against the
+micrometer.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+
+import numpy as np
+
+from rigapp_calibration.probes.readings import FEWEST_POSITIONS, ProbeReadings
+from rigapp_calibration.taking.procedure import (
+    Event,
+    Method,
+    Procedure,
+    ProcedureError,
+    Step,
+    StepKind,
+)
+
+MOST_POSITIONS = 101
+"""Steps of a hundredth of the range: a micrometer screw is no finer."""
+MOST_RUNS = 10
+"""More than these take a day; the temperature moves the probe more than they tell."""
+SETTLE_S = 5.0
+"""The target stands still a second after the hand has left the screw; the filter takes the rest."""
+HANDLING_S = 15.0
+MOUNTING_S = 300.0
+"""Seconds that a technician needs for a step, and to set the micrometer up; for the time left."""
+OVERSHOOT = 0.5
+"""Part of a step by which the micrometer is turned past a position that is come back to."""
+
+
+@dataclass(frozen=True, slots=True)
+class ProbePlan:
+    """What is taken: probes (1, 2), largest position (m), positions, runs up and down."""
+
+    probes: tuple[int, ...]
+    reach: float
+    positions: int = 11
+    runs: int = 3
+
+    @property
+    def step_size(self) -> float:
+        """Return the distance of two positions, m."""
+        return 2.0 * self.reach / (self.positions - 1)
+
+    def steps(self) -> tuple[Step, ...]:
+        """Return the steps; raise ProcedureError for an impossible plan."""
+        if self.probes not in ((1,), (2,), (1, 2)):
+            raise ProcedureError("the probes are 1, 2, or both")
+        if not (math.isfinite(self.reach) and self.reach > 0.0):
+            raise ProcedureError("the reach of the micrometer is a length above 0")
+        if not FEWEST_POSITIONS <= self.positions <= MOST_POSITIONS:
+            raise ProcedureError(f"take {FEWEST_POSITIONS} to {MOST_POSITIONS} positions")
+        if not 1 <= self.runs <= MOST_RUNS:
+            raise ProcedureError(f"take 1 to {MOST_RUNS} runs up and down")
+        return tuple(step for probe in self.probes for step in self._steps(probe))
+
+    def _steps(self, probe: int) -> Iterator[Step]:
+        words = (
+            f"Put the micrometer's target before probe {probe}, at right angles to it, and turn the"
+            f" micrometer until probe {probe} shows about 0 V: that is position 0. Nothing may move"
+            " before the other probe."
+        )
+        yield Step(StepKind.SET_UP, words, float(probe), handling=MOUNTING_S)
+        line = np.linspace(-self.reach, self.reach, self.positions)
+        rising = [round(x, 9) for x in line.tolist()]
+        course = [(x, False) for x in rising] + [(x, True) for x in rising[-2::-1]]
+        for run in range(1, self.runs + 1):
+            for number, (x, falling) in enumerate(course, 1):
+                words = self._words(probe, number, x, falling=falling)
+                yield Step(
+                    StepKind.READING, words, float(probe), x, (), f"{probe}.{run}", number,
+                    SETTLE_S, HANDLING_S, falling,
+                )  # fmt: skip
+
+    def _words(self, probe: int, number: int, position: float, *, falling: bool) -> str:
+        at = f"{1e6 * position:g} um"
+        past = f"{1e6 * (position - OVERSHOOT * self.step_size):g} um"
+        if number == 1:
+            return f"Turn the micrometer {probe} back to {past}, then forward to {at}."
+        if falling:
+            return (
+                f"Turn the micrometer {probe} back past the position, to {past},"
+                f" then forward to {at}."
+            )
+        return f"Turn the micrometer {probe} forward to {at}. Do not turn past it."
+
+
+# --- the journal ----------------------------------------------------------------------------------
+
+
+def _plan(event: Event) -> ProbePlan:
+    if event.get("what") != "probes":
+        raise ProcedureError("it is not the journal of a probe calibration")
+    return ProbePlan(tuple(event["probes"]), event["reach"], event["positions"], event["runs"])
+
+
+MEASURING = Method(
+    told=lambda plan: {"what": "probes", **asdict(plan), "probes": list(plan.probes)},
+    plan=_plan,
+    set_up="mounted",
+    place="probe",
+    value="position",
+    wrongly=lambda probe, step: (
+        "" if probe == step.set_up else f"probe {probe:g} is set up, not {step.set_up:g}"
+    ),
+    afresh=False,
+)
+
+
+def probe_readings(procedure: Procedure[ProbePlan], probe: int) -> ProbeReadings:
+    """Return the readings of a probe that stand, in the order taken."""
+    series, step, position, _, signal = procedure.columns(of=lambda step: step.set_up == probe)
+    return ProbeReadings(series, step, position, signal[:, probe - 1], signal[:, 2 - probe])

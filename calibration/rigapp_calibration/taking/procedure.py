@@ -1,0 +1,414 @@
+"""A calibration in progress, as a pure state machine: events in, state out.
+
+The wizard and the command line are thin faces of it. Every event is a small mapping that the caller
+appends to a journal at once; replaying the journal gives the state back, so that a calibration can
+be closed and taken up again. A reading can be rejected with a reason, never erased.
+
+::
+
+    reference --> set up --> preload ... --> record ... --> set up --> ... --> done
+                    ^                          |
+                    +----------reject----------+     (the reading's series is taken again)
+
+What is calibrated is data: the steps of a plan, and a ``Method`` that names them in the journal
+(``rigapp_calibration.load_cell.plans``, ``rigapp_calibration.probes.plans``).
+"""
+
+from __future__ import annotations
+
+import enum
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Generic, Protocol, Self, TypeVar
+
+import numpy as np
+
+from rigapp_calibration.arrays import Array, Whole
+
+Event = Mapping[str, Any]
+Signals = Sequence[float] | Array
+
+
+class ProcedureError(ValueError):
+    """Say why an event is not possible now."""
+
+
+class StepKind(enum.StrEnum):
+    """What the operator does in a step."""
+
+    ANGLE_REFERENCE = "angle reference"
+    SET_UP = "setting up"
+    PRELOAD = "preload"
+    READING = "reading"
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step of a plan: what is done, and that in words.
+
+    set_up: what it is done at (the pin's angle in rad, a probe), None for none. value: what is set
+    (kg, m); pieces: of which weights it is made. series, number: name the reading in the record,
+    empty where nothing is read. wait: s, after the last change; handling: s that a technician
+    needs. falling: the value is reached from above. due: s after the last preload at which it is
+    read, 0 where that does not matter. optional: its series can be left out.
+    """
+
+    kind: StepKind
+    words: str
+    set_up: float | None = None
+    value: float = 0.0
+    pieces: tuple[float, ...] = ()
+    series: str = ""
+    number: int = 0
+    wait: float = 0.0
+    handling: float = 0.0
+    falling: bool = False
+    due: float = 0.0
+    optional: bool = False
+
+
+class Plan(Protocol):
+    """What is taken."""
+
+    def steps(self) -> tuple[Step, ...]:
+        """Return the steps in the order taken; raise ValueError for an impossible plan."""
+
+
+PlanType = TypeVar("PlanType", bound=Plan)
+
+
+@dataclass(frozen=True, slots=True)
+class Method(Generic[PlanType]):
+    """How a journal tells a calibration, and what may stand against a step.
+
+    told: of a plan, in the first event; plan: back from there, raising ProcedureError for a foreign
+    one. set_up, place, value: names of the event of a set-up, of what was set up, and of what was
+    set. wrongly: why a step cannot be done with what is set up, empty when it can. afresh: a
+    complete series that is taken again begins with its set-up, even where that still stands.
+    """
+
+    told: Callable[[PlanType], Event]
+    plan: Callable[[Event], PlanType]
+    set_up: str
+    place: str
+    value: str
+    wrongly: Callable[[float, Step], str]
+    afresh: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TakenReading:
+    """One reading as taken: number of its step, signals, their spread, when (UTC s).
+
+    value, place: what was set (kg, m), and at what it was set up (rad, a probe). hung: s since the
+    preload, of a step that is due then. rejected: why it does not count, empty while it stands.
+    """
+
+    step: int
+    value: float
+    place: float
+    signal: tuple[float, float]
+    spread: float
+    time: float
+    hung: float = 0.0
+    rejected: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Procedure(Generic[PlanType]):
+    """The state of a calibration: steps in the order taken, the present one, all readings.
+
+    left_out: the series that the operator did without.
+    """
+
+    method: Method[PlanType] = field(repr=False)
+    plan: PlanType
+    steps: tuple[Step, ...]
+    position: int = 0
+    taken: tuple[TakenReading, ...] = ()
+    left_out: frozenset[str] = frozenset()
+    events: tuple[Event, ...] = field(default=(), repr=False)
+
+    # --- what to do now --------------------------------------------------------------------------
+
+    @property
+    def done(self) -> bool:
+        """Tell whether every step has been taken."""
+        return self.position >= len(self.steps)
+
+    @property
+    def step(self) -> Step:
+        """Return the step to do now; raise ProcedureError when all are done."""
+        if self.done:
+            raise ProcedureError("every step of the plan has been taken")
+        return self.steps[self.position]
+
+    @property
+    def instruction(self) -> str:
+        """Return what the operator does now, as a technician would say it."""
+        return "All readings are taken. Look at the result." if self.done else self.step.words
+
+    @property
+    def progress(self) -> str:
+        """Return where the calibration stands: step n of N, time left."""
+        count = len(self.steps)
+        left = duration_words(self.steps[self.position :])
+        return f"step {min(self.position + 1, count)} of {count}, {left} left"
+
+    @property
+    def under_way(self) -> str:
+        """Return the series that is begun but not complete, empty between two series."""
+        series = "" if self.done else self.step.series
+        begun = any(
+            not one.rejected and self.steps[one.step].series == series for one in self.taken
+        )
+        return series if series and begun else ""
+
+    def told(self, name: str) -> Event | None:
+        """Return the newest event of a name."""
+        return next((one for one in reversed(self.events) if one["event"] == name), None)
+
+    def standing(self, *, of: Callable[[Step], bool]) -> list[tuple[Step, TakenReading]]:
+        """Return the readings that stand, of some steps, in the order taken."""
+        pairs = ((self.steps[one.step], one) for one in self.taken if not one.rejected)
+        return [(step, one) for step, one in pairs if of(step)]
+
+    def columns(
+        self, *, of: Callable[[Step], bool]
+    ) -> tuple[tuple[str, ...], Whole, Array, Array, Array]:
+        """Return series, step (n,), value, place and signals (n, 2) of readings that stand."""
+        kept = self.standing(of=of)
+        return (
+            tuple(step.series for step, _ in kept),
+            np.array([step.number for step, _ in kept], dtype=np.int64),
+            np.array([one.value for _, one in kept], dtype=np.float64),
+            np.array([one.place for _, one in kept], dtype=np.float64),
+            np.array([one.signal for _, one in kept], dtype=np.float64).reshape(-1, 2),
+        )
+
+    # --- events ----------------------------------------------------------------------------------
+
+    def _expect(self, kind: StepKind) -> Step:
+        if self.step.kind is not kind:
+            raise ProcedureError(f"now comes {self.step.kind}, not {kind}: {self.step.words}")
+        return self.step
+
+    def reference(self, offset: float, uncertainty: float, shown: Sequence[float] = ()) -> Self:
+        """Take the result of the angle reference step, rad.
+
+        shown: what the encoder showed, twice when the level was turned end for end.
+        """
+        self._expect(StepKind.ANGLE_REFERENCE)
+        if not (np.isfinite(offset) and np.isfinite(uncertainty) and uncertainty >= 0.0):
+            raise ProcedureError("the angle reference must be two finite numbers")
+        listed = [float(one) for one in shown]
+        told = {"offset": offset, "uncertainty": uncertainty, "shown": listed}
+        return self._go_on({"event": "reference", **told})
+
+    def set_up(self, place: float | None = None) -> Self:
+        """Take note that all is set up for the step: at a place, or just at the step's."""
+        step = self._expect(StepKind.SET_UP)
+        at = step.set_up if place is None else place
+        wrong = "" if at is None else self.method.wrongly(at, step)
+        if wrong:
+            raise ProcedureError(wrong)
+        return self._go_on({"event": self.method.set_up, self.method.place: at})
+
+    def exercised(self, time: float | None = None) -> Self:
+        """Take note that a preload has hung for its time, until when (UTC s)."""
+        self._expect(StepKind.PRELOAD)
+        return self._go_on({"event": "exercised", **({} if time is None else {"time": time})})
+
+    def leave_out(self) -> Self:
+        """Do without the series under way; what was read of it does not count."""
+        if not self.step.optional:
+            raise ProcedureError("this step cannot be left out")
+        series = self.step.series
+        after = self._rejected(series, "left out")
+        event = {"event": "left out", "series": series}
+        return after._go_on(event, left_out=self.left_out | {series})
+
+    def again(self, reason: str) -> Self:
+        """Begin the series under way again; what was read of it does not count."""
+        series = self.step.series
+        start = next(i for i, step in enumerate(self.steps) if step.series == series)
+        event = {"event": "again", "reason": reason}
+        return replace(self._rejected(series, reason), position=start, events=(*self.events, event))
+
+    def record(
+        self,
+        signal: Signals,
+        spread: float,
+        time: float,
+        *,
+        value: float | None = None,
+        place: float | None = None,
+        hung: float = 0.0,
+    ) -> Self:
+        """Take the reading of the present step; raise ProcedureError when it cannot be one.
+
+        value, place: what was set and where, in place of the step's. hung: s since the preload.
+        """
+        step = self._expect(StepKind.READING)
+        reading = TakenReading(
+            step=self.position,
+            value=float(step.value if value is None else value),
+            place=float((step.set_up or 0.0) if place is None else place),
+            signal=(float(signal[0]), float(signal[1])),
+            spread=float(spread),
+            time=time,
+            hung=float(hung),
+        )
+        if not np.isfinite([*reading.signal, reading.value, reading.place]).all():
+            names = [f"signal {n}" for n, one in enumerate(reading.signal, 1) if one - one != 0.0]
+            culprit = f": {' and '.join(names)}" if names else ""
+            raise ProcedureError(f"the reading is not a number{culprit}; check cable and amplifier")
+        event = {
+            "event": "record",
+            "signal": list(reading.signal),
+            "spread": reading.spread,
+            "time": reading.time,
+            "series": step.series,
+            "step": step.number,
+            self.method.value: reading.value,
+            self.method.place: reading.place,
+            **({"hung": reading.hung} if step.due else {}),
+        }
+        return self._go_on(event, taken=(*self.taken, reading))
+
+    def reject(self, index: int, reason: str) -> Self:
+        """Reject the reading number ``index`` (from 0) with a reason; its series is taken again.
+
+        The other readings of the series are rejected with it, since their order counts. Between two
+        series, and at the end, any series can be rejected; the others stand.
+        """
+        words = " ".join(reason.split())
+        if not words:
+            raise ProcedureError("a reading is rejected with a reason; write one")
+        if not 0 <= index < len(self.taken):
+            raise ProcedureError(f"there is no reading number {index + 1}")
+        first = self.taken[index]
+        if first.rejected:
+            raise ProcedureError("this reading is rejected already")
+        series = self.steps[first.step].series
+        if self.under_way not in (series, ""):
+            raise ProcedureError(
+                f"series {self.under_way} is under way; finish it first, then reject and repeat"
+                f" series {series}"
+            )
+        start = next(i for i, step in enumerate(self.steps) if step.series == series)
+        wanted = self.steps[start].set_up
+        if not self._stands_for(self.steps[start]):
+            start = next(i for i, step in enumerate(self.steps) if step.set_up == wanted)
+        taken = self._rejected(series, f"series repeated: {words}").taken
+        taken = (*taken[:index], replace(first, rejected=words), *taken[index + 1 :])
+        event = {"event": "reject", "index": index, "reason": words}
+        return replace(self, position=start, taken=taken, events=(*self.events, event))
+
+    def _rejected(self, series: str, words: str) -> Self:
+        """Return the state in which no reading of a series stands."""
+        taken = tuple(
+            replace(one, rejected=words)
+            if self.steps[one.step].series == series and not one.rejected
+            else one
+            for one in self.taken
+        )
+        return replace(self, taken=taken)
+
+    def _stands_for(self, step: Step) -> bool:
+        """Tell whether the rig is still set up for a step of a series that is taken again."""
+        if self.method.afresh:
+            return self.under_way == step.series
+        told = self.told(self.method.set_up)
+        return told is not None and bool(told[self.method.place] == step.set_up)
+
+    def _go_on(self, event: Event, **changes: Any) -> Self:
+        """Return the state after an event: at the next step that is still to be done."""
+        after = replace(self, events=(*self.events, event), **changes)
+        standing = {one.step for one in after.taken if not one.rejected}
+        position = self.position + 1
+        while position < len(self.steps) and not after._wanted(position, standing):
+            position += 1
+        return replace(after, position=position)
+
+    def _wanted(self, position: int, standing: set[int]) -> bool:
+        """Tell whether a step is still to be done: no reading of it, or of what it is for, stands.
+
+        A preload with a series is for that one, other steps are for all at their set-up.
+        """
+        step = self.steps[position]
+        if step.series in self.left_out:
+            return False
+        if step.kind is StepKind.READING:
+            return position not in standing
+        return any(
+            later.kind is StepKind.READING
+            and later.series not in self.left_out
+            and (later.series == step.series if step.series else later.set_up == step.set_up)
+            and index not in standing
+            for index, later in enumerate(self.steps)
+        )
+
+
+def time_needed(steps: Iterable[Step]) -> float:
+    """Return the seconds that the steps take a technician."""
+    return sum(step.wait + step.handling for step in steps)
+
+
+def duration_words(steps: Iterable[Step]) -> str:
+    """Return the time that the steps take a technician, in words."""
+    hours, minutes = divmod(math.ceil(time_needed(steps) / 60.0), 60)
+    return f"{hours} h {minutes} min" if hours else f"{minutes} min"
+
+
+def begin(method: Method[PlanType], plan: PlanType) -> Procedure[PlanType]:
+    """Begin a calibration; raise ValueError for an impossible plan."""
+    event = {"event": "begin", **method.told(plan)}
+    return Procedure(method=method, plan=plan, steps=plan.steps(), events=(event,))
+
+
+def take_up(method: Method[PlanType], events: Iterable[Event]) -> Procedure[PlanType]:
+    """Return the procedure that a journal tells; raise ProcedureError where it makes no sense."""
+    procedure: Procedure[PlanType] | None = None
+    for number, event in enumerate(events, 1):
+        try:
+            if (procedure is None) is not (event["event"] == "begin"):
+                raise ProcedureError("a journal starts with begin")
+            if procedure is None:
+                procedure = begin(method, method.plan(event))
+            else:
+                procedure = _after(procedure, event)
+        except (KeyError, TypeError, ValueError) as error:
+            raise ProcedureError(f"line {number} of the journal is not usable: {error}") from error
+    if procedure is None:
+        raise ProcedureError("the journal is empty")
+    return procedure
+
+
+def _after(procedure: Procedure[PlanType], event: Event) -> Procedure[PlanType]:
+    """Return the procedure after an event of its journal."""
+    method, kind = procedure.method, event["event"]
+    if kind == "reject":
+        return procedure.reject(event["index"], event["reason"])
+    if kind == "reference":
+        return procedure.reference(event["offset"], event["uncertainty"], event.get("shown", ()))
+    if kind == method.set_up:
+        return procedure.set_up(event[method.place])
+    if kind == "exercised":
+        return procedure.exercised(event.get("time"))
+    if kind == "again":
+        return procedure.again(event["reason"])
+    if kind == "left out":
+        return procedure.leave_out()
+    if kind == "record":
+        value, place = event.get(method.value), event.get(method.place)
+        return procedure.record(
+            event["signal"],
+            event["spread"],
+            event["time"],
+            value=value,
+            place=place,
+            hung=event.get("hung", 0.0),
+        )
+    raise ProcedureError(f"unknown event {kind!r}")

@@ -1,0 +1,239 @@
+"""Readings as taken, whatever is calibrated: a CSV table of series and steps."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Hashable, Iterator, Sequence
+from itertools import pairwise
+from typing import Protocol
+
+import numpy as np
+
+from rigapp_calibration.arrays import Array, Marks, Whole
+from rigapp_calibration.problems import Problem, note
+
+LARGEST = 1e12
+"""No quantity of these tables comes near: a larger number is a slip of exponent or comma."""
+LARGEST_STEP = 1_000_000_000
+"""So that a step is surely a whole number in double precision and in int64."""
+
+
+class ReadingsError(ValueError):
+    """Say which column or line of the readings cannot be used, and what to do."""
+
+
+class Stepwise(Protocol):
+    """Readings of anything: each belongs to a series and has a step number in it."""
+
+    @property
+    def series(self) -> tuple[str, ...]:
+        """Return the series of each reading."""
+
+    @property
+    def step(self) -> Whole:
+        """Return the step number of each reading."""
+
+
+def place_of(readings: Stepwise, index: int) -> str:
+    """Return where a reading stands, in words."""
+    return f"series {readings.series[index]}, step {readings.step[index]}"
+
+
+def each_series(names: Sequence[str]) -> Iterator[tuple[str, Marks]]:
+    """Yield each series in the order taken: its name, and which readings (n,) are of it."""
+    for name in dict.fromkeys(names):
+        yield name, np.array([one == name for one in names], dtype=np.bool_)
+
+
+def not_numbers(readings: Stepwise, columns: Array) -> Iterator[Problem]:
+    """Yield which reading has a value that is no number; columns (n, any)."""
+    bad = np.flatnonzero(~np.isfinite(columns).all(axis=1))
+    if len(bad):
+        more = f" (and {len(bad) - 1} more)" if len(bad) > 1 else ""
+        words = f"The reading at {place_of(readings, int(bad[0]))} is not a number{more}"
+        yield Problem("not_a_number", f"{words}; take it again.")
+
+
+FEWEST_OF_A_RUN = 3
+"""So many steps from the first number on are another run, fewer are a number written twice."""
+
+
+def check_steps(readings: Stepwise, runs: Sequence[Hashable]) -> Iterator[Problem]:
+    """Yield what is wrong with the column ``step``: a number twice, out of order, one left out.
+
+    runs (n): what belongs together (a series, at one pin angle). A run that begins again at its
+    first number and goes on is another one.
+    """
+    steps = readings.step.tolist()
+    twice = numbered_twice(runs, steps)
+    if twice is not None:
+        yield Problem(
+            "duplicated_step",
+            f"The step number of {place_of(readings, twice)} stands twice in its series at this"
+            " place; give each reading of a series a number of its own, in the order taken.",
+        )
+        return
+    left_out: list[str] = []
+    for taken in _runs(runs, steps):
+        strides = [(steps[after] - steps[before], after) for before, after in pairwise(taken)]
+        backward = next((index for stride, index in strides if stride < 0), None)
+        if backward is not None:
+            yield Problem(
+                "unordered_steps",
+                f"The step numbers go back at {place_of(readings, backward)}; write the readings in"
+                " the order taken (sorted as text, 11 stands before 2).",
+            )
+            return
+        usual = min((stride for stride, _ in strides), default=1)
+        left_out += [place_of(readings, index) for stride, index in strides if stride != usual]
+    if left_out:
+        more = f" (and at {len(left_out) - 1} more)" if len(left_out) > 1 else ""
+        yield note(
+            "missing_step",
+            f"A step number is left out before {left_out[0]}{more}: a reading that does not count"
+            " is better kept as a comment with its reason.",
+        )
+
+
+def numbered_twice(runs: Sequence[Hashable], steps: Sequence[int]) -> int | None:
+    """Return the index of a reading whose step number its run has already, None when there is none.
+
+    runs: see ``check_steps``.
+    """
+    for taken in _runs(runs, steps):
+        seen: set[int] = set()
+        for index in taken:
+            if steps[index] in seen:
+                return index
+            seen.add(steps[index])
+    return None
+
+
+def _runs(runs: Sequence[Hashable], steps: Sequence[int]) -> Iterator[list[int]]:
+    """Yield the indices of each run in the order taken; one that begins again is another."""
+    members: dict[Hashable, list[int]] = {}
+    for index, run in enumerate(runs):
+        members.setdefault(run, []).append(index)
+    for taken in members.values():
+        numbers, start = [steps[index] for index in taken], 0
+        opening = numbers[:FEWEST_OF_A_RUN]
+        for place in range(1, len(taken)):
+            again = numbers[place : place + FEWEST_OF_A_RUN] == opening
+            if again and numbers[place - 1] != numbers[place]:
+                yield taken[start:place]
+                start = place
+        yield taken[start:]
+
+
+def check_columns(unused: tuple[str, ...]) -> Iterator[Problem]:
+    """Yield a note on columns of the table that nothing reads: one may be misspelt."""
+    if unused:
+        names = ", ".join(unused)
+        yield note(
+            "unused_columns",
+            f"The table has columns that are passed over: {names}; is one of them misspelt?",
+        )
+
+
+Row = tuple[int, dict[str, str]]
+"""Number of the line in the file, and its fields by column."""
+
+
+def read_table(text: str, columns: tuple[str, ...]) -> list[Row]:
+    """Return the readings of a CSV as (line, fields); comment lines and empty ones are left out.
+
+    Raises ReadingsError for another separator than the comma, a missing column, a name twice, an
+    empty field, a field too many, no reading at all.
+    """
+    lines = [
+        (number, line)
+        for number, line in enumerate(text.lstrip("\ufeff").splitlines(), 1)
+        if line.strip() and not line.lstrip().startswith("#")
+    ]
+    if not lines:
+        raise ReadingsError(f"the file is empty; columns {', '.join(columns)} are needed")
+    reader = csv.DictReader(io.StringIO("\n".join(line for _, line in lines)))
+    names = [name.strip() for name in reader.fieldnames or ()]
+    missing = [name for name in columns if name not in names]
+    if missing:
+        _refuse_other_separator(lines[0][1])
+        raise ReadingsError(
+            f"column {', '.join(missing)} is missing; the header must name {', '.join(columns)}"
+        )
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise ReadingsError(f"the header names column {', '.join(twice)} twice; take one out")
+    reader.fieldnames = names
+    rows = []
+    for (number, _), row in zip(lines[1:], reader, strict=True):
+        if None in row:
+            extra = ", ".join(map(repr, row[None]))
+            raise ReadingsError(
+                f"line {number} has more fields than the header's {len(names)}: {extra} at its end;"
+                " take out what is too much, and write decimal points, not commas"
+            )
+        empty = [name for name in columns if row.get(name) in (None, "")]
+        if empty:
+            raise ReadingsError(
+                f"line {number} has an empty field ({', '.join(empty)}); complete or remove it"
+            )
+        rows.append((number, row))
+    if not rows:
+        raise ReadingsError("there is a header but no reading")
+    return rows
+
+
+SEPARATORS = {";": "semicolons", "\t": "tabs", "|": "vertical bars"}
+"""What spreadsheets put between fields in place of a comma, and what it is called."""
+
+
+def _refuse_other_separator(header: str) -> None:
+    """Raise ReadingsError where the header's fields stand between something else than commas."""
+    separator = max(SEPARATORS, key=header.count)
+    if separator in header:
+        raise ReadingsError(
+            f"the fields are separated by {SEPARATORS[separator]}; separate them by commas, with"
+            " decimal points (a spreadsheet does so when it saves as CSV in English)"
+        )
+
+
+def unused_columns(rows: list[Row], columns: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the columns of a table beside those named; one without name and content is none."""
+    names = [name for name in rows[0][1] if name not in columns]
+    return tuple(
+        name or "one without a name" for name in names if name or any(row[name] for _, row in rows)
+    )
+
+
+def _step(line: int, row: dict[str, str]) -> int:
+    try:
+        step = float(row["step"])
+        if not (step.is_integer() and 0 <= step <= LARGEST_STEP):
+            raise ValueError
+        return int(step)
+    except ValueError as error:
+        raise ReadingsError(
+            f"line {line}: step {row['step']!r} is not a whole number from 0 on"
+        ) from error
+
+
+def numbers(rows: list[Row], name: str) -> Array:
+    """Return a column; NaN for what is written as infinite or as no number."""
+    values = np.empty(len(rows))
+    for index, (line, row) in enumerate(rows):
+        try:
+            value = float(row[name])
+        except ValueError as error:
+            raise ReadingsError(f"line {line}: {name} {row[name]!r} is not a number") from error
+        if LARGEST < abs(value) < math.inf:
+            raise ReadingsError(f"line {line}: {name} {row[name]!r} is larger than any reading")
+        values[index] = value if math.isfinite(value) else math.nan
+    return values
+
+
+def series_and_steps(rows: list[Row]) -> tuple[tuple[str, ...], Whole]:
+    """Return the columns ``series`` and ``step``; raise ReadingsError."""
+    series = tuple(row["series"].strip() for _, row in rows)
+    return series, np.array([_step(line, row) for line, row in rows], dtype=np.int64)

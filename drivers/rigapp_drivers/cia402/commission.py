@@ -1,0 +1,305 @@
+"""Set a CiA 402 drive up for a run and read everything back; the drive's power stays off.
+
+Order: power off, supervision in both directions, mode, units and limits, PDOs, operational.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Any, Final
+
+from rigapp_drivers.api import DriveRequest, ReplyTimeout, SettingRefused
+from rigapp_drivers.cia402.monitor import NodeMonitor
+from rigapp_drivers.cia402.network import CanNode
+from rigapp_drivers.cia402.protocol import (
+    COB_MASK,
+    MILLI_RPM,
+    PDO_INVALID,
+    PROFILE_VELOCITY,
+    PROFILE_VELOCITY_BIT,
+    RPDO1_BASE,
+    RPM,
+    STATUS_AND_POSITION,
+    STATUS_AND_VELOCITY,
+    SYNC_ID,
+    SYNCHRONOUS,
+    TPDO_BASES,
+    Control,
+    Nmt,
+    NodeState,
+    consumer_heartbeat,
+    mapping_entry,
+    velocity_unit_rev_per_s,
+)
+from rigapp_drivers.spindles import refuse_request
+
+ABORT_QUICK_STOP: Final = 3
+_UNITS: Final = {"rpm": RPM, "milli-rpm": MILLI_RPM}
+_MODE_S: Final = 1.0  # a change of mode is done in some ms; no drive needs this
+_START_S: Final = 2.0  # of heartbeats of at most 1 s, one must come
+_SHORTEST_WATCHDOG_S: Final = 0.05  # a computer that is busy feeds no faster
+_LONGEST_HEARTBEAT_MS: Final = 0xFFFF  # 16 bits of object 1016
+_COARSE_RPM: Final = 0.1  # wear tests turn at some tens of rpm, and such a step is 0.3 % of 30 rpm
+_ROUNDING: Final = 0.01  # of a speed: less is lost in the speed loop of any drive
+_CONTROL_ONLY: Final = (mapping_entry(0x6040, 0, 16),)
+
+Place = tuple[int, int]
+"""Index and subindex of an object."""
+SUPERVISION: Final[tuple[Place, ...]] = ((0x1016, 1), (0x6007, 0), (0x1017, 0))
+"""What lets the drive stop by itself when this computer is silent, and shows that it lives."""
+
+Readback = dict[str, str | float | int]
+
+
+@dataclass(frozen=True, slots=True)
+class Setup:
+    """Hold how the drive is set for this run.
+
+    velocity_unit: rev/s of the crank per step of 606C and 60FF. acceleration_unit: rev/s2 of the
+    crank per step.
+    synchronous: speed and position come as TPDOs after a SYNC. control_pdo: RPDO1 carries 6040.
+    kept: objects that were set, and their values, which must stay.
+    """
+
+    request: DriveRequest
+    watchdog_s: float
+    velocity_unit: float
+    acceleration_unit: float
+    synchronous: bool
+    control_pdo: bool
+    epos: bool
+    boot_ups: int
+    readback: Mapping[str, str | float | int]
+    kept: Mapping[Place, int]
+
+
+def check_watchdog(request: DriveRequest) -> None:
+    """Raise ValueError for a time-out that the heartbeat cannot carry."""
+    if not _SHORTEST_WATCHDOG_S <= request.watchdog_timeout_s <= _LONGEST_HEARTBEAT_MS * 1e-3:
+        raise ValueError(
+            f"a watchdog time-out of {request.watchdog_timeout_s:g} s is outside 0.05 to 65 s."
+        )
+
+
+class Commissioning:
+    """Do the steps of one set-up; each raises SettingRefused where the drive does not take it."""
+
+    def __init__(
+        self, node: CanNode, monitor: NodeMonitor, settings: Mapping[str, Any], epos: bool
+    ) -> None:
+        self._node = node
+        self._monitor = monitor
+        self._settings = settings
+        self._epos = epos
+        self._readback: Readback = {}
+        self._kept: dict[Place, int] = {}
+
+    def run(self, request: DriveRequest) -> Setup:
+        """Set the drive up; raise SettingRefused, ReplyTimeout, DeviceLost."""
+        node = self._node
+        refuse_request(node, request, self._settings, check_watchdog)
+        node.stop_beating()
+        node.write(0x6040, Control.DISABLE_VOLTAGE)
+        node.write(0x60FF, 0)
+        node.command(Nmt.PRE_OPERATIONAL)
+        watchdog_s = self._supervise(request.watchdog_timeout_s)
+        self._choose_mode()
+        unit = self._choose_unit(request)
+        self._compare_encoder(request)
+        synchronous, control_pdo = self._map_pdos()
+        self._note_options()
+        boot_ups = self._start()
+        acceleration = float(self._settings["acceleration_unit_rpm_per_s"]) / 60.0
+        self._readback |= {
+            "acceleration_unit_rpm_per_s": acceleration * 60.0,
+            "synchronous_pdo": int(synchronous),
+            "control_pdo": int(control_pdo),
+            "gear_ratio": request.gear_ratio,
+            "direction": request.direction,
+            "counts_per_revolution": request.counts_per_revolution,
+        }
+        return Setup(
+            request=request,
+            watchdog_s=watchdog_s,
+            velocity_unit=unit,
+            acceleration_unit=acceleration / request.gear_ratio,
+            synchronous=synchronous,
+            control_pdo=control_pdo,
+            epos=self._epos,
+            boot_ups=boot_ups,
+            readback=self._readback,
+            kept=self._kept,
+        )
+
+    # --- supervision -----------------------------------------------------------------------------
+
+    def _supervise(self, timeout_s: float) -> float:
+        """Let the drive watch this computer's heartbeat, and send its own."""
+        milliseconds = math.floor(timeout_s * 1e3 + 1e-6)
+        host_id = int(self._settings["host_node_id"])
+        self._set(0x1016, 0, 1)
+        self._set(0x1016, consumer_heartbeat(host_id, milliseconds), 1)
+        self._set(0x6007, ABORT_QUICK_STOP)
+        self._set(0x1017, int(self._settings["heartbeat_ms"]))
+        self._readback |= {
+            "watchdog_timeout_s": milliseconds * 1e-3,
+            "host_node_id": host_id,
+            "abort_connection_option": ABORT_QUICK_STOP,
+            "heartbeat_ms": int(self._settings["heartbeat_ms"]),
+        }
+        return milliseconds * 1e-3
+
+    def _start(self) -> int:
+        """Make the node operational, begin the host's heartbeat; return the boot-ups so far."""
+        node, monitor = self._node, self._monitor
+        node.start_beating(int(self._settings["host_node_id"]))
+        boot_ups = monitor.boot_ups
+        sent_ns = time.monotonic_ns()
+        node.command(Nmt.START)
+        deadline = time.monotonic() + _START_S
+        while not monitor.wait_for_state(NodeState.OPERATIONAL, sent_ns, 0.05):
+            node.beat()
+            if time.monotonic() > deadline:
+                raise ReplyTimeout.at(
+                    node,
+                    f"node {node.node_id} tells no heartbeat of state OPERATIONAL within "
+                    f"{_START_S:g} s; its heartbeat cannot be supervised.",
+                )
+        return boot_ups
+
+    # --- mode, units, limits ---------------------------------------------------------------------
+
+    def _choose_mode(self) -> None:
+        supported = self._node.read_if_there(0x6502)
+        if supported is not None and not supported & PROFILE_VELOCITY_BIT:
+            raise self._refused("the drive has no profile velocity mode (6502).")
+        self._node.write(0x6060, PROFILE_VELOCITY)
+        deadline = time.monotonic() + _MODE_S
+        while (mode := self._node.read(0x6061)) != PROFILE_VELOCITY:
+            if time.monotonic() > deadline:
+                raise self._refused(f"the drive stays in mode {mode} instead of profile velocity.")
+        self._readback["mode"] = self._kept[0x6061, 0] = PROFILE_VELOCITY
+
+    def _choose_unit(self, request: DriveRequest) -> float:
+        wanted = _UNITS.get(str(self._settings["velocity_unit"]))
+        if wanted is not None:
+            self._set(0x60A9, wanted)
+        raw = self._kept[0x60A9, 0] = self._node.read(0x60A9)
+        unit = velocity_unit_rev_per_s(raw)
+        if unit is None:
+            raise self._refused(
+                f"the velocity unit {raw:08X} (60A9) is unknown; set rpm (00B44700) in the drive."
+            )
+        unit /= request.gear_ratio
+        highest = math.ceil(request.maximum_speed_rev_per_s / unit - 1e-9)
+        self._set(0x607F, highest)
+        motor = self._node.read_if_there(0x6080)
+        self._readback |= {
+            "velocity_unit": f"{raw:08X}",
+            "velocity_step_rev_per_s": unit,
+            "maximum_speed_rev_per_s": highest * unit,
+            "maximum_motor_speed": -1 if motor is None else motor,
+        }
+        step_rpm = unit * 60.0
+        if step_rpm > _COARSE_RPM:
+            self._readback["advice"] = (
+                f"it takes speeds in whole steps of {step_rpm:g} rpm of the crank, so that one "
+                f"below {step_rpm / 2.0 / _ROUNDING:g} rpm may be more than {_ROUNDING:.0%} beside "
+                "what was asked for; choose a finer velocity_unit for those."
+            )
+        return unit
+
+    def _compare_encoder(self, request: DriveRequest) -> None:
+        if not self._epos:
+            return
+        counts = 4 * self._node.read(0x3010, 1)
+        if counts != request.counts_per_revolution:
+            raise self._refused(
+                f"the drive has {counts} counts per revolution (four times object 3010:1), the rig "
+                f"file {request.counts_per_revolution}: one of them is wrong, and so would be the "
+                "speed."
+            )
+
+    def _note_options(self) -> None:
+        for name, index in (
+            ("quick_stop_option", 0x605A),
+            ("fault_reaction_option", 0x605E),
+            ("quick_stop_deceleration", 0x6085),
+            ("motion_profile", 0x6086),
+        ):
+            value = self._node.read_if_there(index)
+            if value is not None:
+                self._readback[name] = value
+        behaviour = self._node.read_if_there(0x1029, 1)
+        if behaviour is not None:
+            self._readback["communication_error_behaviour"] = behaviour
+
+    # --- PDOs ------------------------------------------------------------------------------------
+
+    def _map_pdos(self) -> tuple[bool, bool]:
+        """Map speed and position to SYNC and the control word to RPDO1; tell which it can do."""
+        try:
+            control = self._map_control()
+        except SettingRefused:
+            control = False
+        try:
+            sync_id = self._node.read_if_there(0x1005)
+            position = self._map_on_sync(2, STATUS_AND_POSITION)
+            velocity = self._map_on_sync(3, STATUS_AND_VELOCITY)
+            events = self._node.read(0x1800, 1)
+        except SettingRefused:
+            return False, control
+        if sync_id is not None and sync_id & COB_MASK != SYNC_ID:
+            return False, control
+        if not events & PDO_INVALID:
+            self._node.listen(events & COB_MASK, self._monitor.take_status)
+        self._node.listen(position, partial(self._monitor.take_value, "position"))
+        self._node.listen(velocity, partial(self._monitor.take_value, "velocity"))
+        return True, control
+
+    def _map_control(self) -> bool:
+        node = self._node
+        for number in (1, 2, 3):
+            cob_id = node.read_if_there(0x1400 + number, 1)
+            if cob_id is not None and not cob_id & PDO_INVALID:
+                self._set(0x1400 + number, cob_id | PDO_INVALID, 1)
+        wanted = RPDO1_BASE + node.node_id
+        return node.read(0x1400, 1) == wanted and self._mapping(0x1600) == _CONTROL_ONLY
+
+    def _map_on_sync(self, number: int, entries: tuple[int, ...]) -> int:
+        """Map TPDO number (from 0) and return its identifier."""
+        node, parameters, mapping = self._node, 0x1800 + number, 0x1A00 + number
+        kept = node.read(parameters, 1) & ~PDO_INVALID & ~COB_MASK
+        cob_id = kept | TPDO_BASES[number] + node.node_id
+        node.write(parameters, cob_id | PDO_INVALID, 1)
+        node.write(parameters, SYNCHRONOUS, 2)
+        if self._mapping(mapping) != entries:
+            node.write(mapping, 0)
+            for subindex, entry in enumerate(entries, start=1):
+                node.write(mapping, entry, subindex)
+            node.write(mapping, len(entries))
+        self._set(parameters, cob_id, 1)
+        return cob_id & COB_MASK
+
+    def _mapping(self, index: int) -> tuple[int, ...]:
+        count = self._node.read(index)
+        return tuple(self._node.read(index, sub) for sub in range(1, min(count, 8) + 1))
+
+    # --- helpers ---------------------------------------------------------------------------------
+
+    def _set(self, index: int, value: int, subindex: int = 0) -> None:
+        """Write a number and read it back."""
+        self._node.write(index, value, subindex)
+        found = self._node.read(index, subindex)
+        if found != value:
+            raise self._refused(
+                f"object {index:04X}:{subindex} reads {found} after {value} was set."
+            )
+        self._kept[index, subindex] = value
+
+    def _refused(self, sentence: str) -> SettingRefused:
+        return SettingRefused.at(self._node, sentence)

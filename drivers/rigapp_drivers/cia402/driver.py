@@ -1,0 +1,403 @@
+"""A CiA 402 drive (maxon EPOS4 or another maker's) as a Spindle, over CANopen.
+
+The drive supervises this computer's heartbeat (object 1016) and stops quickly when it is missing.
+No thread sends that heartbeat: every call sends one, so a program that hangs stops the spindle.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import threading
+import time
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any, Final
+
+from rigapp_drivers.api import (
+    ConnectionFailed,
+    DeviceError,
+    DeviceFault,
+    DeviceLost,
+    DriveRequest,
+    DriverInfo,
+    DriverKind,
+    DriveStatus,
+    Identity,
+    SettingRefused,
+    SettingsLost,
+    filled,
+)
+from rigapp_drivers.cia402.commission import (
+    SUPERVISION,
+    Commissioning,
+    Place,
+    Setup,
+    check_watchdog,
+)
+from rigapp_drivers.cia402.control import DriveControl
+from rigapp_drivers.cia402.identify import identify
+from rigapp_drivers.cia402.monitor import AxisMotion, NodeMonitor
+from rigapp_drivers.cia402.network import TRIES, CanNode
+from rigapp_drivers.cia402.probe import PROBE
+from rigapp_drivers.cia402.protocol import (
+    EMERGENCY_BASE,
+    HEARTBEAT_BASE,
+    RPDO1_BASE,
+    Control,
+    Emergency,
+    Nmt,
+    State,
+    state_of,
+)
+from rigapp_drivers.cia402.readings import Condition, Readings
+from rigapp_drivers.cia402.settings import SETTINGS, bus_options
+from rigapp_drivers.spindles import (
+    NEEDED,
+    QUANTITIES,
+    note_survived_silence,
+    refuse_speed,
+    settings_lost,
+    silenced,
+    torque_Nm,
+    whole_ramp,
+)
+
+_log = logging.getLogger(__name__)
+
+_INT32: Final = 2**31 - 1
+
+
+class Cia402Drive:
+    """Turn the crank with a CiA 402 drive in profile velocity mode.
+
+    Every call is serialised by one lock, but ``drive_off`` sends its control word past it and then
+    confirms it.
+    """
+
+    def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
+        self.name = name
+        self.port = port
+        self._settings = filled(SETTINGS, settings)
+        self._lock = threading.RLock()
+        self._node: CanNode | None = None
+        self._monitor = NodeMonitor()
+        self._setup: Setup | None = None
+        self._readings: Readings | None = None
+        self._epos = False
+        self._target: int | None = None
+        self._trip = ""
+
+    # --- connection ------------------------------------------------------------------------------
+
+    def open(self) -> Identity:
+        """Open the bus and identify the drive; nothing is set.
+
+        Raises ConnectionFailed when the bus or the node is not there, WrongDevice when the node is
+        no CiA 402 drive.
+        """
+        with self._lock:
+            self._release()
+            node_id = int(self._settings["node_id"])
+            try:
+                options = bus_options(self.port, self._settings)
+            except ValueError as error:
+                raise ConnectionFailed.at(self, f"{error}.") from error
+            timeout_s = float(self._settings["sdo_timeout_ms"]) * 1e-3
+            node = CanNode(self.name, self.port, node_id, options, timeout_s)
+            self._monitor = monitor = NodeMonitor()
+            node.listen(HEARTBEAT_BASE + node_id, monitor.take_heartbeat)
+            node.listen(EMERGENCY_BASE + node_id, monitor.take_emergency)
+            node.open()
+            self._node = node
+            try:
+                interface, objects = self._settings["interface"], self._settings["objects"]
+                identity = identify(node, str(interface), str(objects))
+            except BaseException:
+                self._release()
+                raise
+            node.tries = TRIES
+            self._epos = identity.details["objects"] == "epos4"
+            return identity
+
+    def configure(self, request: DriveRequest) -> Mapping[str, str | float | int]:
+        """Switch the motor off, set the supervision in both directions, and read all back.
+
+        Raises SettingRefused when the drive does not take a value, ReplyTimeout, DeviceLost.
+        """
+        with self._lock:
+            node = self._open_node()
+            self._setup = None
+            self._target = None
+            commissioning = Commissioning(node, self._monitor, self._settings, self._epos)
+            setup = commissioning.run(request)
+            self._trip = ""
+            self._monitor.forget_active()
+            self._readings = Readings(node, self._monitor, setup, self._settings)
+            self._setup = setup
+            return setup.readback
+
+    def close(self) -> None:
+        """Switch the motor off, end the supervision, release the bus; never raises."""
+        with self._power_off_first():
+            node = self._node
+            if node is not None and self._setup is not None:
+                with contextlib.suppress(DeviceError):  # the drive's supervision stops it anyway
+                    DriveControl(node).power_off()
+                    node.command(Nmt.PRE_OPERATIONAL)
+                    node.write(0x1016, 0, 1)
+            self._release()
+
+    def _release(self) -> None:
+        node, self._node = self._node, None
+        self._setup = None
+        self._target = None
+        if node is not None:
+            node.close()
+
+    # --- motion ----------------------------------------------------------------------------------
+
+    def set_speed(self, speed_rev_per_s: float, acceleration_rev_per_s2: float) -> None:
+        """Ramp to a speed in rev/s, signed as the rig; 0 is the controlled stop.
+
+        Enables the drive when it is not. Raises SettingRefused for a speed that may not be,
+        DeviceFault when the drive is in fault or was stopped by a fault that nobody has reset.
+        """
+        stop_requests = self._open_node().stop_requests
+        with self._lock:
+            node, setup = self._open_node(), self._configured()
+            target = self._steps(speed_rev_per_s, setup)
+            ramp = whole_ramp(self, acceleration_rev_per_s2, setup.acceleration_unit, _INT32)
+            self._judge_restart(setup)
+            self._judge_silence(node, setup)
+            control = DriveControl(node, stop_requests)
+            state = control.state()
+            if target == 0 and state is not State.ENABLED:
+                return
+            if target != 0 and self._trip:
+                raise DeviceFault.at(self, f"{self._trip}; reset the fault before the next start.")
+            enable = target != 0 and state is not State.ENABLED
+            if enable:
+                self._check_setup(node, setup.kept, setup)
+            node.write(0x6083, ramp)
+            node.write(0x6084, ramp)
+            if enable:
+                control.enable()
+            control.give_way()
+            self._target = target
+            node.write(0x60FF, target)
+            node.write(0x6040, Control.ENABLE)
+
+    def _steps(self, speed_rev_per_s: float, setup: Setup) -> int:
+        refuse_speed(self, speed_rev_per_s, setup.request)
+        steps = round(setup.request.direction * speed_rev_per_s / setup.velocity_unit)
+        if abs(steps) > _INT32:
+            raise self._refused(f"{speed_rev_per_s * 60:.1f} rpm does not fit into object 60FF.")
+        return steps
+
+    def drive_off(self) -> None:
+        """Take the power off the motor at once (disable voltage); it coasts.
+
+        Raises ReplyTimeout, DeviceLost when the drive did not confirm it.
+        """
+        with self._power_off_first():
+            node = self._open_node()
+            self._target = None
+            DriveControl(node).power_off()
+
+    @contextlib.contextmanager
+    def _power_off_first(self) -> Iterator[None]:
+        """Hold the lock; before that, send the control word past it where it can be.
+
+        As a PDO where the drive takes one, and also as an SDO in the middle of a call under way: a
+        node that is not operational takes no PDO.
+        """
+        node, setup = self._node, self._setup
+        held = self._lock.acquire(blocking=False)
+        if node is not None:
+            node.stop_requests += 1
+            node.hurry.set()
+            with contextlib.suppress(DeviceError):  # the confirmed command meets the error again
+                if setup is not None and setup.control_pdo:
+                    word = int(Control.DISABLE_VOLTAGE).to_bytes(2, "little")
+                    node.send(RPDO1_BASE + node.node_id, word)
+                if not held:
+                    node.overtake(0x6040, Control.DISABLE_VOLTAGE)
+        if not held:
+            self._lock.acquire()
+        try:
+            if self._node is not None:
+                self._node.hurry.clear()
+            yield
+        finally:
+            self._lock.release()
+
+    def reset_fault(self) -> None:
+        """Switch the motor off and acknowledge faults; raise DeviceFault when one stays.
+
+        Raises SettingsLost when the drive is not set up as it was.
+        """
+        stop_requests = self._open_node().stop_requests
+        with self._lock:
+            node = self._open_node()
+            self._target = None
+            DriveControl(node, stop_requests).acknowledge(self._monitor)
+            if self._setup is not None:
+                self._check_setup(node, self._setup.kept, self._setup)
+            self._monitor.forget_active()
+            self._trip = ""
+
+    # --- reading ---------------------------------------------------------------------------------
+
+    def status(self) -> DriveStatus:
+        """Read the state; feeds the drive's supervision of this computer.
+
+        Speed, count and set-point are signed as the rig. Current, supply and temperature are NaN
+        where the drive has no object for them. Raises SettingsLost when the drive has restarted,
+        ReplyTimeout.
+        """
+        with self._lock:
+            node, setup = self._open_node(), self._configured()
+            self._judge_restart(setup)
+            self._judge_silence(node, setup)
+            node.beat()
+            readings = self._readings
+            assert readings is not None
+            motion = readings.motion()
+            self._judge_restart(setup)
+            if readings.supervision_is_due or self._left_enabled(motion):
+                self._check_setup(node, SUPERVISION, setup)
+            condition = readings.condition()
+            faults = readings.faults(motion, condition, running=self._target is not None)
+            if self._trip:
+                faults.insert(0, self._trip)
+            elif faults and self._target is not None:
+                self._trip = faults[0]
+            warnings = readings.warnings(motion)
+            return self._drive_status(setup, motion, condition, faults, warnings)
+
+    @property
+    def emergencies(self) -> tuple[Emergency, ...]:
+        """Return the last 64 emergency messages of the drive, oldest first."""
+        return self._monitor.history
+
+    def counters(self) -> Mapping[str, int]:
+        """Return what was counted on the bus since it was opened; no lock, no question."""
+        node = self._node
+        if node is None:
+            return {}
+        return {
+            "frames_received": node.frames_received,
+            "frames_sent": node.frames_sent,
+            "bad_frames": node.bad_frames,
+            "retries": node.retries,
+            "late_pdos": 0 if self._readings is None else self._readings.late_pdos,
+            "emergencies": self._monitor.emergencies,
+        }
+
+    def _drive_status(
+        self,
+        setup: Setup,
+        motion: AxisMotion,
+        condition: Condition,
+        faults: list[str],
+        warnings: list[str],
+    ) -> DriveStatus:
+        scale = setup.request.direction * setup.velocity_unit
+        enabled = state_of(motion.status_word) is State.ENABLED
+        return DriveStatus(
+            host_time_ns=time.monotonic_ns(),
+            speed_rev_per_s=motion.velocity * scale,
+            setpoint_rev_per_s=(self._target or 0) * scale,
+            position_count=motion.position * setup.request.direction,
+            current_A=condition.current_A,
+            supply_V=condition.supply_V,
+            temperature_C=condition.temperature_C,
+            torque_Nm=torque_Nm(condition.current_A, self._settings),
+            enabled=enabled and not faults,
+            emergency_stop=condition.torque_off,
+            faults=tuple(dict.fromkeys(faults)),
+            warnings=tuple(dict.fromkeys(warnings)),
+            crc_errors=self._open_node().bad_frames,
+        )
+
+    def _judge_silence(self, node: CanNode, setup: Setup) -> None:
+        """Take note that the drive's supervision has fired, and make the stop certain.
+
+        Whether it has is told by the drive's state: this computer's clock says only when to ask.
+        """
+        silence_s = (time.monotonic_ns() - node.last_beat_ns) * 1e-9
+        if self._target is None or silence_s <= setup.watchdog_s:
+            return
+        if DriveControl(node).state() is State.ENABLED:
+            note_survived_silence(self, silence_s, setup.watchdog_s)
+            return
+        self._target = None
+        self._trip = silenced(silence_s)
+        node.write(0x6040, Control.QUICK_STOP)
+
+    def _left_enabled(self, motion: AxisMotion) -> bool:
+        """Tell whether the drive stopped by itself, as one does whose restart nobody has seen."""
+        return self._target is not None and state_of(motion.status_word) is not State.ENABLED
+
+    def _check_setup(self, node: CanNode, objects: Iterable[Place], setup: Setup) -> None:
+        """Read back what was set; with another value take the power off and raise SettingsLost.
+
+        A restart may lose some of it and keep the rest, and its only message may be lost.
+        """
+        for index, subindex in objects:
+            found, wanted = node.read(index, subindex), setup.kept[index, subindex]
+            if found == wanted:
+                continue
+            _log.warning(
+                "%s on %s: object %04X:%d reads %d after %d was set",
+                self.name,
+                self.port,
+                index,
+                subindex,
+                found,
+                wanted,
+            )
+            self._setup = None
+            self._target = None
+            with contextlib.suppress(DeviceError):  # the caller's stop meets the error again
+                DriveControl(node).power_off()
+            watchdog_s = (node.read(0x1016, 1) & 0xFFFF) * 1e-3
+            raise settings_lost(self, watchdog_s, setup.watchdog_s)
+
+    def _judge_restart(self, setup: Setup) -> None:
+        if self._monitor.boot_ups != setup.boot_ups:
+            self._setup = None
+            self._target = None
+            raise SettingsLost.at(
+                self,
+                "the drive has restarted (boot-up message) and its motor is off; check its supply.",
+            )
+
+    # --- helpers ---------------------------------------------------------------------------------
+
+    def _open_node(self) -> CanNode:
+        if self._node is None:
+            raise DeviceLost.at(self, "the drive is not open.")
+        return self._node
+
+    def _configured(self) -> Setup:
+        if self._setup is None:
+            raise self._refused("the drive is not supervised yet; configure the drive first.")
+        return self._setup
+
+    def _refused(self, sentence: str) -> SettingRefused:
+        return SettingRefused.at(self, sentence)
+
+
+DRIVER: Final = DriverInfo(
+    name="cia402",
+    title="maxon EPOS4 or another CiA 402 drive (CANopen)",
+    kind=DriverKind.SPINDLE,
+    factory=Cia402Drive,
+    settings=SETTINGS,
+    simulator="rigapp_drivers.cia402.simulator:Cia402Simulator",
+    probe=PROBE,
+    check=check_watchdog,
+    quantities=QUANTITIES,
+    needed=NEEDED,
+)

@@ -1,0 +1,327 @@
+"""One CANopen node on a CAN bus through python-can and canopen: frames, SDO, host heartbeat.
+
+An own thread receives, because python-can's notifier dies silently of the first exception. One
+lock serialises the SDOs.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import struct
+import threading
+import time
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, Final
+
+import can
+import canopen
+from canopen.sdo import SdoClient
+
+from rigapp_drivers.api import (
+    ConnectionFailed,
+    DeviceError,
+    DeviceLost,
+    ReplyTimeout,
+    SettingRefused,
+)
+from rigapp_drivers.cia402.protocol import (
+    HEARTBEAT_BASE,
+    NMT_ID,
+    SDO_REPLY_BASE,
+    SDO_REQUEST_BASE,
+    Nmt,
+    NodeState,
+)
+from rigapp_drivers.transport import SerialPort
+
+TRIES: Final = 3  # one lost frame must not stop a test; a node that is silent thrice is gone
+FIRST_TRIES: Final = 10  # until it is identified nothing turns, and a busy computer may be late
+_SLCAN_BAUD_RATE: Final = 115200  # as python-can opens it
+_OBJECTS: Final = Path(__file__).with_name("objects.eds")
+_WAIT_S: Final = 0.05  # so soon does the receiver see that it is to end
+_SEND_S: Final = 1.0
+"""An adapter that takes no frame for so long is lost. Not shorter: pyserial calls a frame that went
+out whole late when the computer let the program wait; the drive's heartbeat stops it meanwhile."""
+_JOIN_S: Final = 2.0  # many times the wait of the receiver
+_MISSING: Final = (0x0602_0000, 0x0609_0011)  # no such object, no such sub-index (CiA 301)
+
+Taker = Callable[[bytes, int], None]
+
+
+class _Bus(canopen.Network):  # type: ignore[misc]
+    """Let canopen's SDO client send through the node, with a time-out."""
+
+    def __init__(self, send: Callable[[int, bytes], None]) -> None:
+        super().__init__()
+        self._send = send
+
+    def send_message(self, can_id: int, data: bytes, remote: bool = False) -> None:
+        """Send one frame."""
+        self._send(can_id, bytes(data))
+
+
+class CanNode:
+    """Speak to one node. ``send`` may be called by any thread; SDOs are serialised.
+
+    ``tries`` is how often a question without an answer is asked, where no call says it.
+    ``hurry`` ends the retries of an SDO under way, so that a stop need not wait for them.
+    ``stop_requests`` counts: a call that began before the last one enables nothing.
+    """
+
+    def __init__(
+        self, device: str, port: str, node_id: int, bus_options: Mapping[str, Any], timeout_s: float
+    ) -> None:
+        self.device = device
+        self.port = port
+        self.node_id = node_id
+        self.hurry = threading.Event()
+        self.stop_requests = 0
+        self.bad_frames = 0
+        self.frames_received = 0
+        self.frames_sent = 0
+        self.retries = 0
+        self.tries = FIRST_TRIES
+        self.last_beat_ns = 0
+        self._bus_options = dict(bus_options)
+        self._timeout_s = timeout_s
+        self._host_id: int | None = None
+        self._bus: Any = None
+        self._thread: threading.Thread | None = None
+        self._closing = threading.Event()
+        self._failure: Exception | None = None
+        self._takers: dict[int, Taker] = {}
+        self._sending = threading.Lock()
+        self._transfer = threading.RLock()
+        self._network = _Bus(self.send)
+        self._sdo = self._client()
+
+    def _client(self) -> Any:
+        objects = canopen.import_od(str(_OBJECTS), self.node_id)
+        client = SdoClient(SDO_REQUEST_BASE + self.node_id, SDO_REPLY_BASE + self.node_id, objects)
+        client.RESPONSE_TIMEOUT = self._timeout_s
+        client.network = self._network
+        self._takers[SDO_REPLY_BASE + self.node_id] = lambda data, _: client.on_response(0, data, 0)
+        return client
+
+    # --- bus -------------------------------------------------------------------------------------
+
+    def open(self) -> None:
+        """Open the bus and start to receive; raise ConnectionFailed."""
+        try:
+            self._refuse_shared_port()
+            self._bus = can.Bus(**self._bus_options)
+            _hold_port(self._bus)
+        except ConnectionFailed:
+            raise
+        except Exception as error:  # each interface has errors of its own
+            interface = self._bus_options["interface"]
+            raise ConnectionFailed.at(
+                self,
+                f"the CAN interface {interface} cannot be opened ({error}); check the channel's "
+                "name, the adapter and that no other program uses it.",
+            ) from error
+        name = f"{self.device} CAN receiver"
+        self._thread = threading.Thread(target=self._receive, name=name, daemon=True)
+        self._thread.start()
+
+    def _refuse_shared_port(self) -> None:
+        """Leave an slcan adapter alone that another program uses; python-can would share it."""
+        channel = str(self._bus_options["channel"])
+        if self._bus_options["interface"] != "slcan" or "://" in channel:
+            return
+        line = SerialPort(self.device, channel.partition("@")[0], _SLCAN_BAUD_RATE)
+        try:
+            line.open()
+        except ConnectionFailed as error:
+            if "in use" in error.sentence:
+                raise
+        finally:
+            line.close()
+
+    def listen(self, identifier: int, taker: Taker) -> None:
+        """Call taker(data, host_time_ns) in the receiving thread for frames of an identifier."""
+        self._takers[identifier] = taker
+
+    def send(self, identifier: int, data: bytes) -> None:
+        """Send one frame; raise DeviceLost."""
+        self._check()
+        message = can.Message(arbitration_id=identifier, data=data, is_extended_id=False)
+        try:
+            with self._sending:
+                self._bus.send(message, timeout=_SEND_S)
+                self.frames_sent += 1
+        except Exception as error:
+            raise self._lost(error) from error
+
+    def close(self) -> None:
+        """Stop receiving and release the bus; never raises."""
+        self._closing.set()
+        thread, self._thread = self._thread, None
+        if thread is not None and thread is not threading.current_thread():
+            thread.join(_JOIN_S)
+        bus, self._bus = self._bus, None
+        if bus is not None:
+            try:
+                bus.shutdown()
+            except Exception:
+                _close_port(bus)
+
+    def _receive(self) -> None:
+        bus = self._bus
+        while not self._closing.is_set():
+            try:
+                message = bus.recv(_WAIT_S)
+            except (ValueError, IndexError):  # slcan: a line that is no frame
+                self.bad_frames += 1
+                continue
+            except Exception as error:
+                self._failure = error
+                return
+            if message is not None:
+                self._deliver(message)
+
+    def _deliver(self, message: Any) -> None:
+        # python-can takes an slcan line that lost some of its digits for a shorter frame.
+        cut = not message.is_remote_frame and len(message.data) != message.dlc
+        if message.is_error_frame or cut:
+            self.bad_frames += 1
+            return
+        self.frames_received += 1
+        taker = self._takers.get(message.arbitration_id)
+        if taker is not None and not message.is_remote_frame and not message.is_extended_id:
+            taker(bytes(message.data), time.monotonic_ns())
+
+    def _check(self) -> None:
+        failure = self._failure
+        if failure is not None:
+            raise self._lost(failure) from failure
+        if self._bus is None:
+            raise DeviceLost.at(self, "the CAN bus is not open.")
+
+    def _lost(self, error: Exception) -> DeviceError:
+        return DeviceLost.at(
+            self, f"the CAN adapter broke off ({error}); check its cable and the bus."
+        )
+
+    # --- node ------------------------------------------------------------------------------------
+
+    def command(self, command: Nmt) -> None:
+        """Send a network management command to the node."""
+        self.send(NMT_ID, bytes((command, self.node_id)))
+
+    def start_beating(self, host_id: int) -> None:
+        """Send the host's heartbeat from now on with every ``beat`` and every SDO."""
+        self._host_id = host_id
+        self.beat()
+
+    def stop_beating(self) -> None:
+        """Send no more heartbeats."""
+        self._host_id = None
+
+    def beat(self) -> None:
+        """Send one heartbeat of the host: no thread sends it when nobody calls."""
+        if self._host_id is not None:
+            self.send(HEARTBEAT_BASE + self._host_id, bytes((NodeState.OPERATIONAL,)))
+            self.last_beat_ns = time.monotonic_ns()
+
+    # --- SDO -------------------------------------------------------------------------------------
+
+    def read(self, index: int, subindex: int = 0, tries: int | None = None) -> int:
+        """Return a number; raise SettingRefused on an abort, ReplyTimeout, DeviceLost."""
+        variable = self._variable(index, subindex)
+        data = self._try(index, subindex, tries, lambda: self._sdo.upload(index, subindex))
+        try:
+            return int(variable.decode_raw(data))
+        except Exception as error:
+            raise self._refused(
+                index, subindex, f"was answered by {len(data)} bytes ({error})"
+            ) from error
+
+    def read_if_there(self, index: int, subindex: int = 0) -> int | None:
+        """Return a number, None when the drive has no such object."""
+        try:
+            return self.read(index, subindex)
+        except SettingRefused as refusal:
+            cause = refusal.__cause__
+            if isinstance(cause, canopen.SdoAbortedError) and cause.code in _MISSING:
+                return None
+            raise
+
+    def read_text(self, index: int) -> str:
+        """Return a text, "" when the drive has none."""
+        try:
+            data = self._try(index, 0, None, lambda: self._sdo.upload(index, 0))
+        except SettingRefused:
+            return ""
+        return bytes(data).decode("ascii", "replace").rstrip("\0 ")
+
+    def write(self, index: int, value: int, subindex: int = 0, tries: int | None = None) -> None:
+        """Set a number; errors as ``read``."""
+        data = self._variable(index, subindex).encode_raw(value)
+        self._try(index, subindex, tries, lambda: self._sdo.download(index, subindex, data))
+
+    def overtake(self, index: int, value: int) -> None:
+        """Send a download in the middle of a transfer under way; nobody waits for the answer."""
+        data = self._variable(index, 0).encode_raw(value)
+        head = struct.pack("<BHB", 0x23 | (4 - len(data)) << 2, index, 0)
+        self.send(SDO_REQUEST_BASE + self.node_id, head + data.ljust(4, b"\0"))
+
+    def _variable(self, index: int, subindex: int) -> Any:
+        return self._sdo.od.get_variable(index, subindex)
+
+    def _try(
+        self, index: int, subindex: int, tries: int | None, transfer: Callable[[], Any]
+    ) -> Any:
+        most = self.tries if tries is None else tries
+        with self._transfer:
+            for attempt in range(1, most + 1):
+                self._check()
+                self.beat()
+                self.retries += attempt > 1
+                try:
+                    return transfer()
+                except canopen.SdoAbortedError as error:
+                    raise self._refused(index, subindex, f"was refused: {error}") from error
+                except canopen.SdoCommunicationError as error:
+                    self._check()
+                    if attempt == most or self.hurry.is_set():
+                        raise ReplyTimeout.at(
+                            self,
+                            f"node {self.node_id} did not answer object {_shown(index, subindex)} "
+                            f"in {attempt} tries of {self._timeout_s * 1e3:.0f} ms: check power, "
+                            "wiring, terminators, node id and bit rate.",
+                        ) from error
+        raise AssertionError("at least one try")
+
+    def _refused(self, index: int, subindex: int, what: str) -> SettingRefused:
+        return SettingRefused.at(
+            self, f"object {_shown(index, subindex)} of node {self.node_id} {what}."
+        )
+
+
+def _shown(index: int, subindex: int) -> str:
+    return f"{index:04X}:{subindex}"
+
+
+def _hold_port(bus: Any) -> None:
+    """Keep other programs off the serial port of an slcan bus."""
+    port: Any = getattr(bus, "serialPortOrig", None)
+    if not hasattr(port, "fd"):
+        return
+    try:
+        port.exclusive = True
+    except Exception:  # another program was faster
+        with contextlib.suppress(Exception):
+            bus.shutdown()
+        raise
+
+
+def _close_port(bus: Any) -> None:
+    """Close the serial port of an slcan bus whose shutdown failed half-way (cable pulled)."""
+    port = getattr(bus, "serialPortOrig", None)
+    if port is not None:
+        try:
+            port.close()
+        except Exception:
+            return

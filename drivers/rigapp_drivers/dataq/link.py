@@ -1,0 +1,100 @@
+"""Exchange command lines with an idle DATAQ instrument, and bring a scanning one to rest."""
+
+from __future__ import annotations
+
+import time
+from typing import Final
+
+from rigapp_drivers.api import BytePort, ProtocolError, ReplyTimeout
+from rigapp_drivers.dataq.protocol import BadReply, Info, line, query_value, split_replies
+
+READ_BYTES: Final = 1 << 18
+TRIES: Final = 2  # a command that is lost once is sent again; the echo proves it
+_SLICE_S: Final = 0.05  # so late may a stop be seen
+_STOP: Final = line("stop")
+_SHOWN: Final = 40
+
+
+class Link:
+    """Speak with one instrument; one thread at a time.
+
+    heard: bytes that came in answer to the latest ``stop``, its echo among them.
+    """
+
+    def __init__(self, port: BytePort, reply_timeout_s: float, pause_s: float) -> None:
+        self.port = port
+        self.reply_timeout_s = reply_timeout_s
+        self.pause_s = pause_s
+        self.heard = 0
+        self.retries = 0
+
+    def set(self, command: bytes) -> None:
+        """Send a command and wait for its echo; raise ReplyTimeout or ProtocolError."""
+        wanted = _words(command)
+        reply = self._exchange(command)
+        if reply.strip() != wanted:
+            raise ProtocolError.at(
+                self.port,
+                f"{wanted!r} was answered with {reply[:_SHOWN]!r} instead of its echo; check that "
+                "no other program uses the device, and switch it off and on.",
+            )
+        time.sleep(self.pause_s)
+
+    def query(self, info: Info, tries: int = TRIES) -> str:
+        """Return an item of ``info``; raise ReplyTimeout or ProtocolError."""
+        command = line("info", info.value)
+        reply = self._exchange(command, tries)
+        try:
+            return query_value(command, reply)
+        except BadReply as error:
+            raise ProtocolError.at(
+                self.port,
+                f"{error}; check the port in the rig file, and that the device is in CDC mode.",
+            ) from error
+
+    def stop(self) -> bytes | None:
+        """Stop scanning and return the samples that came before its echo; None: no echo came.
+
+        An echo ends what the device sends: the line is quiet afterwards.
+        """
+        self.port.write(_STOP)
+        data = b""
+        deadline = time.monotonic() + self.reply_timeout_s
+        while (left := deadline - time.monotonic()) > 0.0:
+            data += self.port.read_some(READ_BYTES, min(left, _SLICE_S))
+            self.heard = len(data)
+            place = data.rfind(_STOP)
+            if place >= 0:
+                self.port.drain()
+                return data[:place]
+        return None
+
+    def _exchange(self, command: bytes, tries: int = TRIES) -> str:
+        """Return the answering line; a line that is not for this command is passed over."""
+        wanted = _words(command)
+        stray = ""
+        for attempt in range(tries):
+            if attempt:
+                self.retries += 1
+                self.port.drain()
+            self.port.write(command)
+            rest = b""
+            deadline = time.monotonic() + self.reply_timeout_s
+            while (left := deadline - time.monotonic()) > 0.0:
+                rest += self.port.read_some(READ_BYTES, min(left, _SLICE_S))
+                lines, rest = split_replies(rest)
+                for reply in lines:
+                    if reply == wanted or reply.startswith(f"{wanted} "):
+                        return reply
+                    stray = reply or stray
+        if stray:
+            return stray
+        raise ReplyTimeout.at(
+            self.port,
+            f"no answer to {wanted!r} within {self.reply_timeout_s:g} s, {tries} tries; check "
+            "cable and power, and that the LED blinks yellow (CDC mode).",
+        )
+
+
+def _words(command: bytes) -> str:
+    return command.rstrip(b"\r").decode("ascii").strip()

@@ -1,0 +1,300 @@
+"""Cut the byte stream into scans, check the alignment of every one, and decode in bulk; pure.
+
+The stream carries no mark, so the counter entry is the mark: from scan to scan it may only step as
+the shaft can turn (internal clock), or by exactly one (encoder clock). A lost or added byte puts
+other bytes in the counter's place. By chance such a word passes once with odds of ``Steps.odds``
+(1/65536 for the encoder clock). The last ``GUARD`` scans are therefore held back until scans behind
+them have passed, and are discarded with the first one that does not.
+
+With the encoder clock a step of n + 1 that is followed by ``GUARD`` steps of 1 is a loss of n whole
+scans: the alignment holds, the gap is known exactly and the stream goes on. The scan with that step
+is discarded, too, as it may be joined from the ends of two. Every other mismatch ends the parser's
+work until ``restart``.
+
+Not seen here: bytes that change without being lost (USB checks them), and with the internal clock
+whole scans that are lost while the shaft stands, or turns so slowly that ``Steps.change`` hides
+them. The host's clock shows those.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp_drivers.api import Quality
+from rigapp_drivers.dataq.protocol import (
+    COUNTER_SPAN,
+    counts_of,
+    lines_of,
+    saturated_limits,
+    without_echo,
+)
+
+GUARD: Final = 4  # odds of a wrong scan to pass as often: 65536^-4 with the encoder clock
+MOST_LOST: Final = COUNTER_SPAN // 2  # more and the 16-bit counter could have gone the other way
+GAP: Final = Quality.LOST_BEFORE | Quality.COUNT_SUSPECT
+
+Words = NDArray[np.uint16]
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """Describe a scan: analog words first, then a digital one, a rate, the counter last."""
+
+    analog: int
+    digital: bool = False
+    rate: bool = False
+    mask: int = 0xFFFF
+
+    @property
+    def words(self) -> int:
+        """Return the 16-bit words of a scan; the counter is the last, and the last row."""
+        return self.analog + self.digital + self.rate + 1
+
+
+@dataclass(frozen=True, slots=True)
+class Steps:
+    """Say how the counter may step from one scan to the next.
+
+    change: by how much a step may differ from the one before it.
+    """
+
+    lowest: int
+    highest: int
+    change: int
+
+    @property
+    def exact(self) -> bool:
+        """Tell whether the counter clocks the scans: one count, one scan."""
+        return self.lowest == self.highest == 1
+
+    @property
+    def odds(self) -> float:
+        """Return the odds that a random word passes one check."""
+        width = min(self.highest - self.lowest, 2 * self.change) + 1
+        return width / COUNTER_SPAN
+
+
+ENCODER_STEPS: Final = Steps(1, 1, 0)
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """Samples without a gap among them.
+
+    values: (rows, samples) int32 in the order of the scan; the counter unwrapped (modulo 2**32).
+    lost_before: scans lost before it; None: some, of a number that the stream does not tell.
+    """
+
+    values: NDArray[np.int32]
+    quality: NDArray[np.uint8]
+    lost_before: int | None = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A scan to go on from: count, unwrapped count, and the step to it where that is known."""
+
+    count: int
+    total: int
+    step: int | None = None
+
+
+class ScanParser:
+    """Take bytes in any pieces and return runs of good scans; never raises on what they hold.
+
+    echoes: what may stand before the first scan. ``broken``: why the stream must be restarted.
+    ``received``: whole scans since the last (re)start, held and discarded ones among them.
+    """
+
+    def __init__(self, layout: Layout, steps: Steps, echoes: tuple[bytes, ...] = ()) -> None:
+        self.layout = layout
+        self.steps = steps
+        self.broken: str | None = None
+        self.received = 0
+        self.discarded_bytes = 0
+        self._echoes = echoes
+        self._begun = False
+        self._resumed = False
+        self._bytes = b""
+        self._held = 0
+        self._last: Mark | None = None  # the last scan that was handed on
+        self._mark: Mark | None = None  # what the next scan is compared with
+        self._gap: int | None = 0  # scans missing before the next run
+        self._limits = saturated_limits(layout.mask)
+        self._signed_mask = np.int16(np.array(layout.mask, np.uint16).astype(np.int16))
+
+    @property
+    def held(self) -> int:
+        """Return how many whole scans are held back."""
+        return self._held
+
+    def restart(self, *, clean: bool = False) -> None:
+        """Expect a stream from its beginning; the counter goes on from the last good scan.
+
+        clean: the stream before was stopped and read to its end, so that nothing need be lost.
+        """
+        self.discarded_bytes += len(self._bytes)
+        self._bytes = b""
+        self._held = 0
+        self._begun = False
+        self._resumed = self._last is not None or not clean
+        self._mark = None
+        self.broken = None
+        self.received = 0
+
+    def feed(self, data: bytes) -> list[Run]:
+        """Return the runs that are certain by now, oldest first."""
+        if self.broken is not None:
+            self.discarded_bytes += len(data)
+            return []
+        return self._take(self._bytes + data, GUARD)
+
+    def finish(self) -> list[Run]:
+        """Return what was held back, after the stream's end; nothing when it ended broken."""
+        return [] if self.broken is not None else self._take(self._bytes, 0)
+
+    def _take(self, data: bytes, guard: int) -> list[Run]:
+        if not self._begun:
+            stripped = without_echo(data, self._echoes)
+            if stripped is None:
+                self._bytes = data
+                return []
+            self._begun = True
+            data = stripped
+        size = 2 * self.layout.words
+        scans = len(data) // size
+        words = np.frombuffer(data, "<u2", scans * self.layout.words).reshape(
+            scans, self.layout.words
+        )
+        self.received += scans - self._held
+        runs: list[Run] = []
+        begin = self._scan(words, guard, runs)
+        self._held = scans - begin
+        self._bytes = b"" if self.broken is not None else data[begin * size :]
+        if self.broken is not None:
+            self.discarded_bytes += len(data) - begin * size
+            self._held = 0
+        return runs
+
+    def _scan(self, words: Words, guard: int, runs: list[Run]) -> int:
+        """Hand on what is certain; return where the scans that are held begin."""
+        begin = 0
+        if self._mark is None and len(words):
+            begin = self._enter(int(counts_of(words[:1, -1])[0]))
+        while begin < len(words):
+            steps, bad = self._check(words[begin:])
+            if bad is None:
+                end = max(begin, len(words) - guard)
+                self._hand_on(words[begin:end], steps, runs)
+                return end
+            safe = begin + max(0, bad - GUARD)
+            behind = steps[bad + 1 : bad + 1 + GUARD]
+            missing = int(steps[bad])
+            aligned = self.steps.exact and 1 < missing < MOST_LOST and bool((behind == 1).all())
+            if not aligned or (len(behind) < GUARD and not guard):
+                self._hand_on(words[begin:safe], steps, runs)
+                self.broken = self._reason(missing)
+                return safe
+            if len(behind) < GUARD:
+                self._hand_on(words[begin:safe], steps, runs)
+                return safe
+            self._hand_on(words[begin : begin + bad], steps, runs)
+            begin += bad + 1
+            self._skip(missing)
+        return begin
+
+    def _enter(self, count: int) -> int:
+        """Take the first scan of a stream as reference; return how many scans that used up.
+
+        Nothing proves it whole, so it is discarded, unless it is the very next pulse.
+        """
+        last = self._last
+        step = (count - last.count) % COUNTER_SPAN if last is not None else 0
+        if last is not None and self.steps.exact and step == 1:
+            self._mark, self._gap, self._resumed = last, 0, False
+            return 0
+        self._mark = Mark(count, last.total + step if last is not None else count)
+        if last is not None and self.steps.exact:
+            self._gap = step
+        else:
+            self._gap = None if self._resumed else 0
+        return 1
+
+    def _skip(self, missing: int) -> None:
+        """Leave out a scan whose count is ``missing`` behind the mark, and what was lost before."""
+        assert self._mark is not None
+        count = (self._mark.count + missing) % COUNTER_SPAN
+        self._mark = Mark(count, self._mark.total + missing)
+        self._gap = missing
+
+    def _check(self, words: Words) -> tuple[Words, int | None]:
+        """Return the steps up to each scan, and the first scan whose step cannot be."""
+        mark, rule = self._mark, self.steps
+        assert mark is not None
+        counts = counts_of(words[:, -1])
+        steps = np.empty_like(counts)
+        np.subtract(counts[1:], counts[:-1], out=steps[1:])
+        steps[0] = (int(counts[0]) - mark.count) % COUNTER_SPAN
+        if rule.exact:
+            wrong = steps != 1
+        else:
+            wrong = (steps < rule.lowest) | (steps > rule.highest)
+            signed = steps.astype(np.int32)
+            change = np.diff(signed, prepend=signed[:1] if mark.step is None else mark.step)
+            wrong |= np.abs(change) > rule.change
+        place = int(wrong.argmax())
+        return steps, place if wrong[place] else None
+
+    def _hand_on(self, words: Words, steps: Words, runs: list[Run]) -> None:
+        if len(words) == 0:
+            return
+        run = self._decoded(words, steps[: len(words)])
+        if self._gap != 0:
+            run.quality[0] |= GAP
+            if self._resumed:
+                run.quality[0] |= Quality.RESYNCHRONISED
+            run = Run(run.values, run.quality, self._gap)
+        self._gap, self._resumed = 0, False
+        runs.append(run)
+
+    def _decoded(self, words: Words, steps: Words) -> Run:
+        """Return scans as rows, and take the last one as mark."""
+        layout, mark = self.layout, self._mark
+        assert mark is not None
+        rows = np.empty((layout.words, len(words)), np.int32)
+        signed = words.view(np.int16)
+        inputs = rows[: layout.analog]
+        inputs[...] = signed[:, : layout.analog].T
+        if layout.mask != 0xFFFF:
+            inputs &= np.int32(self._signed_mask)
+        row = layout.analog
+        if layout.digital:
+            rows[row] = lines_of(words[:, row])
+            row += 1
+        if layout.rate:
+            rows[row] = signed[:, row]
+        travel = np.cumsum(steps, dtype=np.int64) + mark.total
+        rows[-1] = travel.astype(np.int32)
+        count = int(counts_of(words[-1:, -1])[0])
+        self._last = self._mark = Mark(count, int(travel[-1]), int(steps[-1]))
+        return Run(rows, self._saturation(inputs))
+
+    def _saturation(self, inputs: NDArray[np.int32]) -> NDArray[np.uint8]:
+        quality = np.zeros(inputs.shape[1], np.uint8)
+        low, high = self._limits
+        if inputs.size and (inputs.max() >= high or inputs.min() <= low):
+            over = ((inputs >= high) | (inputs <= low)).any(axis=0)
+            quality[over] = Quality.SATURATED
+        return quality
+
+    def _reason(self, step: int) -> str:
+        signed = step - COUNTER_SPAN if step > MOST_LOST else step
+        wanted = "1" if self.steps.exact else f"{self.steps.lowest} to {self.steps.highest}"
+        return (
+            f"the counter stepped by {signed} from one scan to the next, where {wanted} "
+            f"(and a change of {self.steps.change} at most) is possible"
+        )

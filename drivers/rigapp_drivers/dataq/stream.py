@@ -1,0 +1,320 @@
+"""Run one stream: drain the port, make Blocks, restart after a mismatch, judge silence."""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import threading
+import time
+from collections import deque
+from dataclasses import dataclass, field
+from typing import Final
+
+import numpy as np
+
+from rigapp_drivers.api import (
+    Block,
+    DeviceError,
+    DeviceLost,
+    InputFault,
+    InputFaultKind,
+    ProtocolError,
+    ReplyTimeout,
+)
+from rigapp_drivers.dataq.link import READ_BYTES, Link
+from rigapp_drivers.dataq.plan import Plan
+from rigapp_drivers.dataq.protocol import Clock, echoes_of, line, start_line
+from rigapp_drivers.dataq.scans import Run, ScanParser
+from rigapp_drivers.dataq.sense import Sense
+
+_log = logging.getLogger(__name__)
+
+_SLICE_S: Final = 0.05  # so late may a stop be seen
+_LATENESS_S: Final = 0.01  # a wait may end so much late on a free computer
+_MOST_SENTENCES: Final = 100  # of one test; the counters go on
+_MOST_RESTARTS: Final = 3  # a line that loses bytes again and again is broken
+_HEALTHY_SCANS: Final = 1000  # without a loss: the restarts before are forgotten
+_STUCK_REVOLUTIONS: Final = 2.0  # a signal of the crank repeats in one; two cannot show one value
+
+
+@dataclass(frozen=True, slots=True)
+class Pace:
+    """Say how long to wait and for what, in s."""
+
+    block_s: float
+    silence_s: float
+    idle_check_s: float
+
+
+@dataclass(slots=True)
+class Tally:
+    """Count what went wrong since the start; ``sentences`` keeps the last hundred.
+
+    lost_scans: by the counter (encoder clock) or by the host's clock (internal clock).
+    """
+
+    gaps: int = 0
+    lost_scans: int = 0
+    restarts: int = 0
+    faults: tuple[InputFault, ...] = ()
+    sentences: deque[str] = field(default_factory=lambda: deque(maxlen=_MOST_SENTENCES))
+
+
+class Stream:
+    """Scan as planned; one thread reads, any thread may stop.
+
+    The port is read when no Block waits, so what is kept here is bounded by one reading of it.
+    """
+
+    def __init__(self, link: Link, plan: Plan, pace: Pace) -> None:
+        self.tally = Tally()
+        self._link = link
+        self._plan = plan
+        self._pace = pace
+        self._start = start_line(plan.clock)
+        self._parser = ScanParser(plan.layout, plan.steps, echoes_of(self._start))
+        self._rows = len(plan.channels)
+        knows_sense = plan.direction_line is not None or plan.index_line is not None
+        self._sense = Sense(plan.direction_line, plan.index_line) if knows_sense else None
+        self._wanted = max(1, round(2.0 * plan.layout.words * plan.sample_rate_Hz * pace.block_s))
+        self._lock = threading.Lock()
+        self._running = False
+        self._chunks: list[bytes] = []
+        self._waiting = 0
+        self._oldest_s = 0.0
+        self._silent_s = 0.0
+        self._blocks: deque[Block] = deque()
+        self._sequence = 0
+        self._next_sample = 0
+        self._anchor = (0, 0)
+        self._bad_restarts = 0
+        self._still = np.zeros(plan.layout.analog, np.int64)
+
+    @property
+    def running(self) -> bool:
+        """Tell whether the stream was started and has neither been stopped nor died."""
+        return self._running
+
+    def start(self) -> None:
+        """Set the counter to 0 and start scanning."""
+        with self._lock:
+            self._link.set(line("reset", 1))
+            self._link.port.drain()
+            self._begin()
+            self._anchor = (time.monotonic_ns(), 0)
+            self._running = True
+
+    def read(self, timeout_s: float) -> Block | None:
+        """Return the next Block; raise DeviceLost, ProtocolError."""
+        deadline = time.monotonic() + timeout_s
+        while not self._blocks:
+            left = deadline - time.monotonic()
+            with self._lock:
+                if not self._running:
+                    break
+                self._pump(max(0.0, min(left, _SLICE_S, self._pace.block_s)))
+            if left <= 0.0:
+                break
+        return self._blocks.popleft() if self._blocks else None
+
+    def stop(self) -> None:
+        """Stop scanning and keep what came before; raise ReplyTimeout, DeviceLost."""
+        if not self._running:
+            return
+        self._running = False
+        patience_s = 5.0 * self._link.reply_timeout_s + 1.0
+        if not self._lock.acquire(timeout=patience_s):
+            raise self._error(ReplyTimeout, f"the reading thread is busy for {patience_s:g} s.")
+        try:
+            self._end()
+        finally:
+            self._lock.release()
+
+    # --- bytes ----------------------------------------------------------------------------------
+
+    def _begin(self) -> None:
+        self._link.port.write(self._start)
+        self._silent_s = 0.0
+
+    def _end(self) -> None:
+        """Stop the device and take in all that it still sent."""
+        data = self._halt()
+        self._keep(data)
+        if self._waiting:
+            self._parse()
+        for run in self._parser.finish():
+            self._add(run, time.monotonic_ns())
+
+    def _halt(self) -> bytes:
+        """Return what came before the echo of stop; raise DeviceLost without one in two tries."""
+        for _ in range(2):
+            data = self._link.stop()
+            if data is not None:
+                return data
+        self._running = False
+        raise self._error(
+            DeviceLost,
+            "it answers stop no more; switch it off and on and check the cable.",
+        )
+
+    def _keep(self, data: bytes) -> None:
+        if not data:
+            return
+        if not self._waiting:
+            self._oldest_s = time.monotonic()
+        self._chunks.append(data)
+        self._waiting += len(data)
+
+    def _pump(self, wait_s: float) -> None:
+        began = time.monotonic()
+        data = self._link.port.read_some(READ_BYTES, wait_s)
+        now = time.monotonic()
+        if data:
+            self._silent_s = 0.0
+            self._keep(data)
+        else:
+            # Time for which this thread was held up is not the device's silence.
+            self._silent_s += min(now - began, wait_s + _LATENESS_S)
+            if self._silent_s >= self._patience_s():
+                self._silence(self._silent_s)
+        full = self._waiting >= self._wanted
+        if self._waiting and (full or now - self._oldest_s >= self._pace.block_s):
+            self._parse()
+            if self._parser.broken is not None:
+                self._restart(self._parser.broken)
+
+    def _patience_s(self) -> float:
+        if self._plan.clock is Clock.ENCODER:
+            return self._pace.idle_check_s
+        return self._pace.silence_s + 10.0 / self._plan.sample_rate_Hz
+
+    def _silence(self, silent_s: float) -> None:
+        """Find out what silence means: with the encoder clock it may be a standing shaft."""
+        if self._plan.clock is Clock.ENCODER:
+            self._end()
+            self._parser.restart(clean=True)
+            self._begin()
+            self._sign_of_life()
+            return
+        self._halt()
+        self._running = False
+        raise self._error(
+            DeviceLost,
+            f"nothing came for {silent_s:.1f} s though it answers: it was probably reset (power, "
+            "USB) and has lost its settings and its count; connect it again and find the index "
+            "again.",
+        )
+
+    def _parse(self) -> None:
+        data = b"".join(self._chunks)
+        self._chunks.clear()
+        self._waiting = 0
+        host_time_ns = time.monotonic_ns()
+        for run in self._parser.feed(data):
+            self._add(run, host_time_ns)
+        if self._parser.broken is None:
+            self._anchor = (host_time_ns, self._next_sample + self._parser.held)
+            if self._parser.received >= _HEALTHY_SCANS:
+                self._bad_restarts = 0
+
+    def _restart(self, why: str) -> None:
+        """Stop, flush and start again; raise ProtocolError when that has not helped."""
+        self.tally.restarts += 1
+        self._bad_restarts += 1
+        self._say(f"{why}: bytes were lost or added; the stream was restarted.")
+        if self._bad_restarts > _MOST_RESTARTS:
+            with contextlib.suppress(DeviceError):
+                self._halt()
+            self._running = False
+            raise self._error(
+                ProtocolError,
+                f"{why}, still so after {_MOST_RESTARTS} restarts; check that the encoder drives "
+                "the counter input, maximum_speed_rpm and maximum_acceleration_rev_per_s2, and "
+                "that the device was not reset (its settings and its count are lost then).",
+            )
+        self._halt()
+        self._parser.restart()
+        self._begin()
+
+    # --- Blocks ---------------------------------------------------------------------------------
+
+    def _add(self, run: Run, host_time_ns: int) -> None:
+        samples = run.values.shape[1]
+        lost = run.lost_before
+        if lost is None:
+            lost = self._lost_by_time(host_time_ns)
+        if lost:
+            self.tally.gaps += 1
+            self.tally.lost_scans += lost
+            self._say(f"{lost} scans are missing before sample {self._next_sample + lost}.")
+        self._watch_stuck(run)
+        if self._sense is not None:
+            lines = run.values[self._plan.layout.analog].astype(np.int64)
+            run.values[-1] = self._sense.counts(lines, run.values[-1].astype(np.int64))
+        block = Block(
+            device=self._link.port.device,
+            sequence=self._sequence,
+            first_sample=self._next_sample + lost,
+            sample_rate_Hz=self._plan.sample_rate_Hz,
+            host_time_ns=host_time_ns,
+            values=run.values[: self._rows],
+            quality=run.quality,
+            lost_before=lost,
+        )
+        self._next_sample = block.first_sample + samples
+        self._sequence += 1
+        self._blocks.append(block)
+
+    def _lost_by_time(self, host_time_ns: int) -> int:
+        """Return how many scans of the internal clock passed unseen while it was restarted.
+
+        With the encoder clock it is 0, before any scan was good: the index begins afterwards.
+        """
+        if self._plan.clock is Clock.ENCODER:
+            return 0
+        then_ns, then_sample = self._anchor
+        passed = round((host_time_ns - then_ns) * 1e-9 * self._plan.sample_rate_Hz)
+        discarded = 1  # the first scan of a stream
+        begin = then_sample + passed - self._parser.received + discarded
+        return max(1, begin - self._next_sample)
+
+    def _sign_of_life(self) -> None:
+        """Hand over a Block without samples: the device answers, the shaft stands."""
+        block = Block(
+            device=self._link.port.device,
+            sequence=self._sequence,
+            first_sample=self._next_sample,
+            sample_rate_Hz=self._plan.sample_rate_Hz,
+            host_time_ns=time.monotonic_ns(),
+            values=np.empty((self._rows, 0), np.int32),
+            quality=np.empty(0, np.uint8),
+        )
+        self._sequence += 1
+        self._blocks.append(block)
+
+    def _watch_stuck(self, run: Run) -> None:
+        """Name inputs whose converter value is the very same for two turns of the shaft."""
+        travel = int(run.values[-1, -1]) - int(run.values[-1, 0])
+        for row in range(self._plan.layout.analog):
+            values = run.values[row]
+            if values[0] != values[-1] or (values != values[0]).any():
+                self._still[row] = 0
+                continue
+            self._still[row] += max(0, travel)
+            name = self._plan.channels[row].name
+            turns = self._still[row] / self._plan.pulses_per_revolution
+            if turns >= _STUCK_REVOLUTIONS and not any(name in f.inputs for f in self.tally.faults):
+                words = (
+                    f"{name} has shown the very same value for {turns:.1f} turns; check its "
+                    "sensor, amplifier and cable"
+                )
+                fault = InputFault(InputFaultKind.STUCK, (name,), words, time.monotonic_ns())
+                self.tally.faults += (fault,)
+                self._say(f"{words}.")
+
+    def _say(self, sentence: str) -> None:
+        self.tally.sentences.append(sentence)
+        _log.warning("%s on %s: %s", self._link.port.device, self._link.port.port, sentence)
+
+    def _error(self, kind: type[DeviceLost | ProtocolError | ReplyTimeout], why: str) -> Exception:
+        return kind.at(self._link.port, why)

@@ -1,0 +1,318 @@
+"""Exchange requests, responses and measured values with a GSV-8 over a byte port.
+
+Responses come between measured values. Whoever waits, a command or the reading thread, reads the
+port in turn: samples that a command meets are kept for the reader, an answer that the reader meets
+goes to its command.
+"""
+
+from __future__ import annotations
+
+import logging
+import threading
+import time
+from collections import deque
+from dataclasses import dataclass, field
+
+from rigapp_drivers.api import BytePort, ProtocolError, ReplyTimeout, SettingRefused
+from rigapp_drivers.gsv8.frames import FrameLayout, Parsed, Response, Run, StreamParser, Tally
+from rigapp_drivers.gsv8.protocol import Command, request
+from rigapp_drivers.gsv8.words import status_words
+
+_log = logging.getLogger(__name__)
+
+_READ_BYTES = 1 << 18
+_SLICE_S = 0.02  # so late may a stop be seen
+_BUSY_STATUSES = frozenset((0x43, 0x5A, 0x92, 0x99))  # wrong on the way, or busy: ask again
+_DONE = (0x00, 0x01)
+_FOREIGN_LIMIT = 3  # one may be a damaged frame; three in a row are another setting
+_MOST_KEPT_SAMPLES = 1 << 20  # 22 s at the highest rate: nobody reads
+
+
+@dataclass(frozen=True, slots=True)
+class TimedRun:
+    """Samples and when their last byte was read (``time.monotonic_ns``)."""
+
+    run: Run
+    host_time_ns: int
+
+
+@dataclass(slots=True)
+class Pending:
+    """A request on its way, and its answer when that is there.
+
+    reply: how many data bytes the answer has; None: any. stray: an answer of another length came,
+    which belongs to an earlier request.
+    """
+
+    command: Command
+    reply: int | None
+    sent_s: float
+    response: Response | None = None
+    stray: bool = False
+    answered: threading.Event = field(default_factory=threading.Event)
+
+    def fits(self, response: Response) -> bool:
+        """Tell whether a response can be the answer."""
+        return bool(response.status) or self.reply in (None, len(response.data))
+
+
+class Link:
+    """Speak with one device; commands are serialised, one thread at a time reads the port.
+
+    Samples that nobody fetches are kept up to 2**20, then the oldest are dropped and counted as
+    lost. ``checksum``: protect commands by a CRC-8.
+    """
+
+    def __init__(self, port: BytePort, reply_timeout_s: float = 1.0) -> None:
+        self.port = port
+        self.reply_timeout_s = reply_timeout_s
+        self.checksum = False
+        self.late_replies = 0
+        self.retries = 0
+        self._parser = StreamParser()
+        self._reading = threading.Lock()
+        self._commanding = threading.Lock()
+        self._keeping = threading.Lock()
+        self._pending: Pending | None = None
+        self._runs: deque[TimedRun] = deque()
+        self._kept = 0
+
+    @property
+    def tally(self) -> Tally:
+        """Return what went wrong on the line since the layout was set."""
+        return self._parser.tally
+
+    def expect(self, layout: FrameLayout | None, *, hold: bool = False) -> None:
+        """Forget all samples and expect frames of this layout; None: skip measured values.
+
+        hold: give no sample before something whole follows it, see ``StreamParser``.
+        """
+        with self._reading:
+            self._parser = StreamParser(layout, hold=hold)
+            self.take()
+
+    def command(
+        self,
+        command: Command,
+        parameters: bytes = b"",
+        *,
+        reply: int = 0,
+        tries: int = 3,
+        patience: float = 1.0,
+    ) -> bytes:
+        """Return the data of the answer, ``reply`` bytes.
+
+        patience: how many times longer than usual to wait. Raises SettingRefused with the status
+        in words, ReplyTimeout, ProtocolError, DeviceLost.
+        """
+        response = self.exchange(command, parameters, reply=reply, tries=tries, patience=patience)
+        # "Done, and more was changed" comes without data, so it is no answer to a question.
+        if response.status not in _DONE or (reply and response.status):
+            raise SettingRefused.at(
+                self.port, f"{command.words} was refused: {status_words(response.status)}."
+            )
+        return response.data
+
+    def exchange(
+        self,
+        command: Command,
+        parameters: bytes = b"",
+        *,
+        reply: int | None = None,
+        tries: int = 3,
+        patience: float = 1.0,
+    ) -> Response:
+        """Send a request and return its response, whatever its status.
+
+        reply: data bytes of a good answer; None: any. Raises ReplyTimeout, and ProtocolError when
+        only answers of another length came.
+        """
+        if not self._commanding.acquire(timeout=4.0 * tries * self.reply_timeout_s):
+            raise self._timeout(command, "the command before it is not done")
+        stray = False
+        try:
+            self._outwait_posted()
+            for attempt in range(tries):
+                self.retries += bool(attempt)
+                pending = self._send(command, parameters, reply)
+                if not self._await(pending, patience * self.reply_timeout_s):
+                    stray |= pending.stray
+                    continue
+                assert pending.response is not None
+                if attempt:
+                    _log.warning(
+                        "%s: %s was answered at try %d only",
+                        self.port.device,
+                        command.words,
+                        attempt + 1,
+                    )
+                    self._outwait_late_replies()
+                if pending.response.status in _BUSY_STATUSES and attempt < tries - 1:
+                    continue
+                return pending.response
+        finally:
+            self._forget()
+            self._commanding.release()
+        if stray:
+            raise ProtocolError.at(
+                self.port,
+                f"{command.words} was answered with the wrong number of bytes; check the firmware "
+                "and that no other program uses the device.",
+            )
+        raise self._timeout(command, f"{tries} tries")
+
+    def post(
+        self, command: Command, parameters: bytes = b"", *, reply: int | None = None
+    ) -> Pending | None:
+        """Send a request without waiting; None when another one is under way.
+
+        Its answer comes while samples are read; ``abandon`` it when it does not.
+        """
+        if not self._commanding.acquire(blocking=False):
+            return None
+        try:
+            if self._pending is not None and not self._pending.answered.is_set():
+                return None
+            return self._send(command, parameters, reply)
+        finally:
+            self._commanding.release()
+
+    def abandon(self, pending: Pending) -> None:
+        """Wait no longer for the answer to a posted request."""
+        if self._pending is pending:
+            self._forget()
+
+    def one_frame(self, layout: FrameLayout) -> Run:
+        """Ask for one measured value (while the device does not stream) and return it."""
+        self.expect(layout)
+        with self._commanding:
+            self._outwait_posted()
+            self._write(Command.GET_VALUE, b"")
+            deadline = time.monotonic() + self.reply_timeout_s
+            while time.monotonic() < deadline:
+                self.read(_SLICE_S)
+                runs = self.take()
+                if runs:
+                    return runs[0].run
+        raise self._timeout(Command.GET_VALUE, "no measured value came")
+
+    def read(self, timeout_s: float) -> None:
+        """Read the port once, unless another thread does it; wait timeout_s at most."""
+        if self._reading.acquire(timeout=max(timeout_s, 0.0)):
+            try:
+                self._pump(timeout_s)
+            finally:
+                self._reading.release()
+
+    def take(self) -> list[TimedRun]:
+        """Return the samples that came, oldest first."""
+        with self._keeping:
+            runs = list(self._runs)
+            self._runs.clear()
+            self._kept = 0
+        return runs
+
+    def _write(self, command: Command, parameters: bytes) -> None:
+        self.port.write(request(command, parameters, checksum=self.checksum))
+
+    def _send(self, command: Command, parameters: bytes, reply: int | None) -> Pending:
+        pending = Pending(command, reply, time.monotonic())
+        self._pending = pending
+        self._parser.response_expected = True
+        self._write(command, parameters)
+        return pending
+
+    def _forget(self) -> None:
+        self._pending = None
+        self._parser.response_expected = False
+
+    def _await(self, pending: Pending, timeout_s: float) -> bool:
+        """Wait for an answer, reading the port when no other thread does."""
+        deadline = time.monotonic() + timeout_s
+        while not pending.answered.is_set():
+            left = deadline - time.monotonic()
+            if left <= 0.0:
+                return False
+            if not self._reading.acquire(timeout=min(left, _SLICE_S)):
+                continue
+            try:
+                if not pending.answered.is_set():
+                    self._pump_for_answer(left)
+            finally:
+                self._reading.release()
+        return True
+
+    def _pump_for_answer(self, left_s: float) -> None:
+        silent = not self._pump(min(left_s, 2.0 * _SLICE_S))
+        # A frame begun and never ended must not hide the answer behind it.
+        if silent and left_s < self.reply_timeout_s / 2.0 and self._parser.waiting_bytes:
+            self._sort(self._parser.give_up_tail(), time.monotonic_ns())
+
+    def _pump(self, timeout_s: float) -> bool:
+        """Read what is there and sort it; tell whether anything came. Needs the reading lock."""
+        data = self.port.read_some(_READ_BYTES, timeout_s)
+        if not data:
+            return False
+        host_time_ns = time.monotonic_ns()
+        self._sort(self._parser.feed(data), host_time_ns)
+        if self._parser.consecutive_foreign >= _FOREIGN_LIMIT:
+            self._parser.consecutive_foreign = 0
+            raise ProtocolError.at(
+                self.port,
+                "the measured values have another number of objects or another format than the "
+                "device was set to; stop the test, configure again and check the object map.",
+            )
+        return True
+
+    def _sort(self, parsed: Parsed, host_time_ns: int) -> None:
+        for response in parsed.responses:
+            pending = self._pending
+            if pending is None or pending.answered.is_set():
+                self.late_replies += 1
+                continue
+            if not pending.fits(response):
+                self.late_replies += 1
+                pending.stray = True
+                continue
+            pending.response = response
+            self._parser.response_expected = False
+            pending.answered.set()
+        with self._keeping:
+            for run in parsed.runs:
+                self._keep(run, host_time_ns)
+
+    def _keep(self, run: Run, host_time_ns: int) -> None:
+        self._runs.append(TimedRun(run, host_time_ns))
+        self._kept += run.values.shape[1]
+        while self._kept > _MOST_KEPT_SAMPLES and len(self._runs) > 1:
+            old = self._runs.popleft().run
+            self._kept -= old.values.shape[1]
+            lost = old.values.shape[1] + old.lost_before
+            self._hand_on(lost)
+
+    def _hand_on(self, lost: int) -> None:
+        """Add lost samples to the oldest run that is kept."""
+        oldest = self._runs.popleft()
+        run = Run(oldest.run.values, oldest.run.quality, oldest.run.lost_before + lost)
+        self._runs.appendleft(TimedRun(run, oldest.host_time_ns))
+
+    def _outwait_posted(self) -> None:
+        """Let the answer to a posted request come first: answers do not say what they answer."""
+        posted = self._pending
+        if posted is not None:
+            self._await(posted, self.reply_timeout_s / 2.0)
+        self._forget()
+
+    def _outwait_late_replies(self) -> None:
+        """After a retry, the answer to the first try may still come: let it pass unheard."""
+        self._forget()
+        deadline = time.monotonic() + self.reply_timeout_s
+        while time.monotonic() < deadline:
+            self.read(_SLICE_S)
+
+    def _timeout(self, command: Command, why: str) -> ReplyTimeout:
+        return ReplyTimeout.at(
+            self.port,
+            f"no answer to {command.words} within {self.reply_timeout_s:g} s ({why}); check cable "
+            "and power, and that no other program uses the device.",
+        )

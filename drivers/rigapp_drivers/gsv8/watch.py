@@ -1,0 +1,152 @@
+"""Ask a streaming GSV-8 at a low rate whether it lost data or has a fault of its inputs."""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections.abc import Callable
+from dataclasses import replace
+
+from rigapp_drivers.api import DataOverrun, InputFault, InputFaultKind, ReplyTimeout
+from rigapp_drivers.gsv8.frames import Response
+from rigapp_drivers.gsv8.link import Link, Pending
+from rigapp_drivers.gsv8.protocol import Command, u8
+from rigapp_drivers.gsv8.words import ValueFault, decode_value_fault, status_words
+
+_log = logging.getLogger(__name__)
+
+_OVERRUN = 0x91
+
+Question = tuple[Command, bytes, int]
+"""Command, parameters, data bytes of the answer."""
+
+_LOST_DATA: Question = (Command.GET_LAST_PROTOCOL_ERROR, u8(1), 4)  # 1: asynchronous errors
+_FAULT: Question = (Command.GET_LAST_VALUE_ERROR, u8(1), 6)  # 1: the latest fault
+_RESET: Question = (Command.RESET_STATUS, b"", 0)
+_FAULT_EVERY = 4  # lost data matter four times as much as a broken wire, which stays
+_MISSES_ALLOWED = 3  # so many polls unanswered and a loss could be missed for long
+_PATIENCE_S = 5.0  # an answer may stand behind so many measured values
+_MOST_FAULTS = 64  # more than anybody reads of one test
+
+
+class StreamWatch:
+    """Poll between measured values, never waiting for an answer.
+
+    on_loss: called when the device reports lost data, unless ``stop_on_loss``, which raises
+    DataOverrun. must_answer: raise ReplyTimeout when several questions stay unanswered, since lost
+    data would not be noticed. on_broken: called when the device reports a broken sensor or cable.
+    known: the device's latest fault of before, not to be told again; but a broken sensor is told,
+    without on_broken, since nothing says that somebody repaired it. ``last_fault`` is the latest
+    fault of the inputs that it named: a saturated input is asked for at once, a broken wire is
+    found by every fourth question. ``faults`` keeps the last 64, for any thread.
+    """
+
+    def __init__(
+        self,
+        link: Link,
+        interval_s: float,
+        stop_on_loss: bool,
+        must_answer: bool,
+        on_loss: Callable[[], None],
+        on_broken: Callable[[], None],
+        known: ValueFault | None = None,
+    ) -> None:
+        self.losses = 0
+        self.last_fault: ValueFault | None = None
+        self._link = link
+        self._interval_s = interval_s
+        self._stop_on_loss = stop_on_loss
+        self._must_answer = must_answer
+        self._on_loss = on_loss
+        self._on_broken = on_broken
+        self._pending: Pending | None = None
+        self._next_s = time.monotonic() + interval_s
+        self._queue: list[Question] = []
+        self._known = known
+        self._polls = 0
+        self._misses = 0
+        self.faults: tuple[InputFault, ...] = ()
+        if known is not None and known.told(0).kind is InputFaultKind.SENSOR_BROKEN:
+            before = replace(known.told(0), words=f"{known.words} (reported before the start)")
+            self.faults = (before,)
+            _log.warning("%s: %s", link.port.device, before.words)
+
+    def saturated(self) -> None:
+        """Take note that an input was saturated: ask which one with the next poll."""
+        if _FAULT not in self._queue:
+            self._queue.append(_FAULT)
+
+    def step(self) -> None:
+        """Send the next question when it is time, and take the answer to the last."""
+        now = time.monotonic()
+        if self._pending is not None:
+            self._look(self._pending, now)
+        if self._pending is None and now >= self._next_s:
+            question = self._queue[0] if self._queue else self._regular()
+            command, parameters, reply = question
+            self._pending = self._link.post(command, parameters, reply=reply)
+            if self._pending is not None:
+                self._polls += 1
+                del self._queue[:1]
+            self._next_s = now + self._interval_s
+
+    def _regular(self) -> Question:
+        return _FAULT if self._polls % _FAULT_EVERY == _FAULT_EVERY - 1 else _LOST_DATA
+
+    def _look(self, pending: Pending, now_s: float) -> None:
+        if pending.answered.is_set():
+            self._pending = None
+            self._misses = 0
+            assert pending.response is not None
+            self._take(pending.command, pending.response)
+        elif now_s - pending.sent_s > max(_PATIENCE_S, self._link.reply_timeout_s):
+            self._link.abandon(pending)
+            self._pending = None
+            self._misses += 1
+            if self._misses >= _MISSES_ALLOWED and self._must_answer:
+                raise ReplyTimeout.at(
+                    self._link.port,
+                    f"it streams but did not answer {pending.command.words} {self._misses} times, "
+                    "so lost data would not be noticed; check the cable and other programs.",
+                )
+
+    def _take(self, command: Command, response: Response) -> None:
+        if response.status:
+            _log.warning(
+                "%s: %s was refused: %s",
+                self._link.port.device,
+                command.words,
+                status_words(response.status),
+            )
+        elif command is Command.GET_LAST_VALUE_ERROR:
+            self._take_fault(decode_value_fault(response.data))
+        elif command is Command.GET_LAST_PROTOCOL_ERROR:
+            self._take_error(int.from_bytes(response.data, "big"))
+
+    def _take_fault(self, fault: ValueFault | None) -> None:
+        if fault is not None and fault not in (self.last_fault, self._known):
+            self.last_fault = fault
+            told = fault.told(time.monotonic_ns())
+            self.faults = (*self.faults, told)[-_MOST_FAULTS:]
+            _log.warning("%s: %s", self._link.port.device, fault.words)
+            if told.kind is InputFaultKind.SENSOR_BROKEN:
+                self._on_broken()
+
+    def _take_error(self, code: int) -> None:
+        if code == 0:
+            return
+        # Clearing the report lets the next loss be seen as a new one.
+        self._queue.append(_RESET)
+        self._next_s = time.monotonic()
+        if code != _OVERRUN:
+            _log.warning("%s: %s", self._link.port.device, status_words(code))
+            return
+        self.losses += 1
+        if self._stop_on_loss:
+            raise DataOverrun.at(
+                self._link.port,
+                "the device dropped measured values because they were not read in time; lower "
+                "sample_rate_Hz or free the computer.",
+            )
+        _log.warning("%s: the device dropped measured values", self._link.port.device)
+        self._on_loss()

@@ -1,0 +1,147 @@
+"""Say status codes and value errors of the GSV-8 in plain words (SPEC p17-21)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rigapp_drivers.api import InputFault, InputFaultKind
+
+STATUS_WORDS: dict[int, str] = {
+    0x00: "done",
+    0x01: "done, and other parameters changed with it",
+    0x40: "the device does not know this command",
+    0x41: "this device does not have this command",
+    0x42: "the request ended wrongly",
+    0x43: "the checksum of the request was wrong",
+    0x50: "a parameter is wrong",
+    0x51: "the index, channel or address does not exist",
+    0x52: "the value is not one of those allowed",
+    0x53: "some bits of the value are not allowed",
+    0x54: "the value is too big",
+    0x55: "the value is too small",
+    0x56: "this combination of parameters is not allowed",
+    0x57: "the value is too big for the other settings",
+    0x58: "the value is too small for the other settings",
+    0x59: "this function of the parameter is not available",
+    0x5A: "the parameters came too late (more than 200 ms)",
+    0x5B: "the number of parameters is wrong",
+    0x5C: "the value does not fit the other settings",
+    0x5D: "another function uses this hardware",
+    0x60: "there are no data",
+    0x61: "the stored data are inconsistent",
+    0x62: "the device is in the wrong state for it",
+    0x63: "the device does not support it",
+    0x64: "the data rate is too high for the other settings",
+    0x6E: "a condition for the memory is not met",
+    0x6F: "the memory denies access",
+    0x70: "access denied",
+    0x71: "writing is locked in the device; unlock it with the maker's program",
+    0x72: "a password is missing; unlock the device with the maker's program",
+    0x74: "the allowed number of executions is used up",
+    0x75: "another port (a field bus or a second program) has write access; release it there",
+    0x76: "the setting can only be read",
+    0x80: "internal fault of the device",
+    0x81: "arithmetic fault in the device",
+    0x82: "the analog-to-digital converter is faulty",
+    0x83: "the measured value is not suitable for it",
+    0x84: "the settings memory (EEPROM) is faulty",
+    0x85: "external hardware is missing",
+    0x86: "the memory card is missing or faulty",
+    0x87: "the memory card refused the access",
+    0x91: "the transmit buffer overran: measured values were lost",
+    0x92: "the device is busy",
+    0x99: "the receive buffer of the device is full",
+    0xC0: "the radio link failed",
+}
+
+
+def status_words(code: int) -> str:
+    """Return what a status code means."""
+    if 0xB0 <= code <= 0xB8:
+        return f"the sensor's memory (TEDS) cannot be used (status {code:02X})"
+    words = STATUS_WORDS.get(code, "a status that this program does not know")
+    return f"{words} (status {code:02X})"
+
+
+_KINDS = {
+    1: InputFaultKind.SATURATED,
+    2: InputFaultKind.OUT_OF_RANGE,
+    3: InputFaultKind.SENSOR_BROKEN,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class ValueFault:
+    """A fault of measured values as the device remembers it (command 43)."""
+
+    kind: int
+    operating_minutes: int
+    flags: int
+
+    @property
+    def words(self) -> str:
+        """Return the fault in words."""
+        return value_fault_words(self.kind, self.flags)
+
+    @property
+    def channels(self) -> tuple[int, ...]:
+        """Return the analog inputs (1 to 8) that it names, none where it is about other things."""
+        if self.kind == 1:
+            return tuple(n + 1 for n in range(8) if (self.flags | self.flags >> 8) >> n & 1)
+        if self.kind == 2:
+            return tuple(n + 1 for n in range(8) if self.flags >> n & 1)
+        if self.kind == 3:
+            return tuple(n + 1 for n in range(8) if self.flags >> 2 * n & 3)
+        return ()
+
+    def told(self, host_time_ns: int) -> InputFault:
+        """Return the fault as every driver tells it."""
+        kind = _KINDS.get(self.kind, InputFaultKind.OTHER)
+        inputs = tuple(f"analog_{channel}" for channel in self.channels)
+        return InputFault(kind, inputs, self.words, host_time_ns)
+
+
+def decode_value_fault(data: bytes) -> ValueFault | None:
+    """Return the fault in the six bytes of command 43, or None when there is none."""
+    bits = int.from_bytes(data[:6], "big")
+    kind = bits >> 45
+    if kind == 0:
+        return None
+    return ValueFault(kind, (bits >> 16) & 0x1FFFFFFF, bits & 0xFFFF)
+
+
+def encode_value_fault(fault: ValueFault) -> bytes:
+    """Return the six bytes of command 43."""
+    bits = fault.kind << 45 | (fault.operating_minutes & 0x1FFFFFFF) << 16 | fault.flags
+    return bits.to_bytes(6, "big")
+
+
+_EIGHT = range(1, 9)
+_FLAGS: dict[int, tuple[str, tuple[str, ...]]] = {
+    1: (
+        "input saturated",
+        (
+            *(f"channel {n:d} above its range" for n in _EIGHT),
+            *(f"channel {n:d} below its range" for n in _EIGHT),
+        ),
+    ),
+    2: ("measured value beyond its maximum", tuple(f"channel {n}" for n in _EIGHT)),
+    3: ("sensor or its cable is broken", tuple(f"channel {n} Ud{s}" for n in _EIGHT for s in "+-")),
+    4: (
+        "analog output",
+        (*(f"current loop {n} open" for n in _EIGHT), *(f"driver {n} too hot" for n in _EIGHT)),
+    ),
+    5: ("short circuit of a digital line", tuple(f"DIO {n}" for n in range(1, 17))),
+}
+"""What each kind of value error is, and what its flags mean from bit 0 up."""
+
+
+def value_fault_words(kind: int, flags: int) -> str:
+    """Return a value error in words, with the channels that it names."""
+    if kind not in _FLAGS:
+        return f"value error of unknown kind {kind} with flags {flags:04X}"
+    what, names = _FLAGS[kind]
+    if kind == 4 and flags == 0xFFFF:
+        return f"{what}: unknown output"
+    named = [name for bit, name in enumerate(names) if flags >> bit & 1]
+    return f"{what}: {', '.join(named) or 'no channel named'}"

@@ -1,0 +1,180 @@
+"""Find drivers by entry point and check their settings.
+
+A third-party package adds a driver by naming a ``DriverInfo`` under the entry-point group
+``rigapp.drivers``; nothing here changes. A driver's module is imported when it is asked for.
+"""
+
+from __future__ import annotations
+
+import copy
+import difflib
+import importlib
+import math
+from collections.abc import Iterable, Mapping
+from importlib.metadata import EntryPoint, entry_points
+from typing import Any
+
+from rigapp_drivers.api import DriverInfo, SettingSpec
+
+GROUP = "rigapp.drivers"
+FORMER_NAMES = ("drivers", "model", "calibration")
+"""Names under which version 0.2 installed its packages; a driver may still import them."""
+
+_KIND_WORDS: dict[type, str] = {
+    bool: "true or false",
+    int: "a whole number",
+    float: "a number",
+    str: "a text in quotation marks",
+    list: "a list",
+    dict: "a table",
+}
+
+
+class SettingsError(ValueError):
+    """Say in one plain sentence which setting cannot be used, and what to do."""
+
+
+class DriverNotFound(LookupError):
+    """Say which driver or simulator cannot be loaded, and what to do."""
+
+
+def available_drivers() -> tuple[str, ...]:
+    """Return the names of all installed drivers, sorted, without importing any of them."""
+    return tuple(sorted(_entries()))
+
+
+def load_driver(name: str) -> DriverInfo:
+    """Import the driver of that name and return its description; raise DriverNotFound."""
+    entries = _entries()
+    entry = entries.get(name)
+    if entry is None:
+        hint = _nearest(name, entries)
+        raise DriverNotFound(
+            f'There is no driver "{name}"{hint}; installed are: {", ".join(sorted(entries))}.'
+        )
+    try:
+        info = entry.load()
+    except (ImportError, AttributeError) as error:
+        former = (getattr(error, "name", None) or "").partition(".")[0]
+        way_out = (
+            f'it was written for an older rigapp: "from {former} import ..." is "from '
+            f'rigapp.{former} import ..." now; install its newer version, or change that line.'
+            if former in FORMER_NAMES
+            else "reinstall the package that brings it."
+        )
+        raise DriverNotFound(
+            f'The driver "{name}" ({entry.value}) cannot be loaded: {error}; {way_out}'
+        ) from error
+    if not isinstance(info, DriverInfo):
+        raise DriverNotFound(
+            f'The driver "{name}" ({entry.value}) is a {type(info).__name__}, not a DriverInfo; '
+            "report it to the author of that package."
+        )
+    return info
+
+
+def load_simulator(info: DriverInfo) -> type[Any]:
+    """Import and return the simulator class of a driver; raise DriverNotFound.
+
+    Only the simulated rig and tests call this: a driver at run time never loads a simulator.
+    """
+    if info.simulator is None:
+        raise DriverNotFound(
+            f'The driver "{info.name}" has no simulator; give the device a real port.'
+        )
+    module_name, _, class_name = info.simulator.partition(":")
+    try:
+        simulator = getattr(importlib.import_module(module_name), class_name)
+    except (ImportError, AttributeError, ValueError) as error:
+        raise DriverNotFound(
+            f'The simulator of driver "{info.name}" ({info.simulator}) cannot be loaded: {error}; '
+            "reinstall the package that brings it."
+        ) from error
+    if not isinstance(simulator, type):
+        raise DriverNotFound(
+            f'The simulator of driver "{info.name}" ({info.simulator}) is not a class; '
+            "report it to the author of that package."
+        )
+    return simulator
+
+
+def check_settings(info: DriverInfo, settings: Mapping[str, Any], where: str) -> dict[str, Any]:
+    """Return the settings with every default filled in; raise SettingsError.
+
+    where: the place as the user knows it, for example ``rig.toml [devices.daq.settings]``.
+    """
+    for key in settings:
+        if key not in info.settings:
+            known = ", ".join(sorted(info.settings)) or "none"
+            raise SettingsError(
+                f'{where}: driver "{info.name}" has no setting "{key}"'
+                f"{_nearest(key, info.settings)}; its settings are: {known}."
+            )
+    return {
+        key: _checked(settings[key], spec, f"{where} {key}")
+        if key in settings
+        else copy.deepcopy(spec.default)
+        for key, spec in info.settings.items()
+    }
+
+
+def _entries() -> dict[str, EntryPoint]:
+    return {entry.name: entry for entry in entry_points(group=GROUP)}
+
+
+def _nearest(word: str, words: Iterable[str]) -> str:
+    texts = [one for one in words if isinstance(one, str)]
+    near = difflib.get_close_matches(word, texts, n=1, cutoff=0.5)
+    return f' (did you mean "{near[0]}"?)' if near else ""
+
+
+def _checked(value: Any, spec: SettingSpec, where: str) -> Any:
+    value = _converted(value, spec, where)
+    if spec.choices and not any(_same(value, choice) for choice in spec.choices):
+        hint = _nearest(value, spec.choices) if isinstance(value, str) else ""
+        allowed = ", ".join(_shown(choice) for choice in spec.choices)
+        raise SettingsError(
+            f"{where}: {_shown(value)} is not allowed{hint}; choose one of: {allowed}."
+        )
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        _check_range(value, spec, where)
+    return value
+
+
+def _same(value: Any, choice: Any) -> bool:
+    return type(value) is type(choice) and bool(value == choice)
+
+
+def _converted(value: Any, spec: SettingSpec, where: str) -> Any:
+    if spec.kind is object:
+        return value
+    if spec.kind is float and isinstance(value, int) and not isinstance(value, bool):
+        return float(value)
+    if spec.kind is int and isinstance(value, float) and value.is_integer():
+        return int(value)
+    fits = isinstance(value, spec.kind)
+    if isinstance(value, bool) and spec.kind is not bool:
+        fits = False
+    if not fits:
+        wanted = _KIND_WORDS.get(spec.kind, spec.kind.__name__)
+        raise SettingsError(f"{where}: {_shown(value)} is not {wanted}. {spec.sentence}")
+    return value
+
+
+def _check_range(value: float, spec: SettingSpec, where: str) -> None:
+    if not math.isfinite(value):
+        raise SettingsError(f"{where}: {value} is not a finite number. {spec.sentence}")
+    if spec.minimum is not None and value < spec.minimum:
+        raise SettingsError(
+            f"{where}: {value:g} is below the smallest value {spec.minimum:g}. {spec.sentence}"
+        )
+    if spec.maximum is not None and value > spec.maximum:
+        raise SettingsError(
+            f"{where}: {value:g} is above the largest value {spec.maximum:g}. {spec.sentence}"
+        )
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return f'"{value}"' if isinstance(value, str) else f"{value}"

@@ -1,0 +1,235 @@
+"""Identify a RoboClaw, set it up for a run, and read everything back."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Final
+
+from rigapp_drivers.api import (
+    ConnectionFailed,
+    DriveRequest,
+    Identity,
+    ProtocolError,
+    ReplyTimeout,
+    SettingRefused,
+    WrongDevice,
+)
+from rigapp_drivers.roboclaw.link import Link
+from rigapp_drivers.roboclaw.probe import identity_of
+from rigapp_drivers.roboclaw.protocol import (
+    CURRENT_UNIT_A,
+    MAXIMUM_DUTY,
+    MAXIMUM_DUTY_ACCELERATION,
+    TIMEOUT_UNIT_S,
+    VOLTAGE_UNIT_V,
+    Command,
+    Generation,
+    velocity_pid_of,
+)
+from rigapp_drivers.roboclaw.readings import can_combine
+from rigapp_drivers.roboclaw.status import generation_of
+
+_MAXIMUM_TIMEOUT: Final = 255  # one byte
+_BOTH_WIDTHS: Final = 16 + 32
+_TWICE: Final = 2  # a command that a firmware may lack; a lost reply must not hide one that it has
+_LONGEST_POWER_OFF_S: Final = 0.1
+"""Longest ramp of a duty that counts as taking the power off: 36 deg of a crank at 60 rpm."""
+_S3_WORDS: Final[Mapping[int, str]] = {
+    0x00: "emergency stop, latching (default)",
+    0x01: "emergency stop",
+    0x81: "emergency stop, latching",
+}
+_S3_WORDS_OLDER: Final[Mapping[int, str]] = {
+    0: "emergency stop, latching (default)",
+    1: "emergency stop, latching",
+    2: "emergency stop",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Setup:
+    """Hold how the drive is set for this run; watchdog in units of the wire, qpps in counts/s."""
+
+    request: DriveRequest
+    watchdog_units: int
+    combined: bool
+    qpps: int
+    readback: Mapping[str, str | float | int]
+
+    @property
+    def watchdog_s(self) -> float:
+        """Return the serial time-out in s."""
+        return self.watchdog_units * TIMEOUT_UNIT_S
+
+
+def identify(link: Link, status_width: str) -> Identity:
+    """Return who answers, and set the link's packet layouts; nothing is set in the drive.
+
+    Raises ConnectionFailed when nothing answers, WrongDevice when something else does.
+    """
+    try:
+        text = link.version()
+    except ReplyTimeout as error:
+        sentence = f"no RoboClaw answers at address {link.address}: {error.sentence}"
+        raise ConnectionFailed.at(link, sentence) from error
+    except ProtocolError as error:
+        sentence = f"what answers is no RoboClaw at address {link.address}: {error.sentence}"
+        raise WrongDevice.at(link, sentence) from error
+    if not text.strip():
+        raise WrongDevice.at(link, "the firmware text is empty.")
+    link.generation = _generation(link, text, status_width)
+    details = {"status_bits": str(link.generation.status_bits)}
+    return identity_of(text, link.port, link.address, details)
+
+
+def _generation(link: Link, firmware: str, status_width: str) -> Generation:
+    """Return the packet layouts: from the setting, or from the text and checked by a reply."""
+    announced = generation_of(firmware)
+    if status_width != "auto":
+        return replace(announced, status_bits=int(status_width))
+    for status_bits in (announced.status_bits, _BOTH_WIDTHS - announced.status_bits):
+        link.generation = replace(announced, status_bits=status_bits)
+        try:
+            link.read(Command.STATUS)
+        except (ProtocolError, ReplyTimeout):
+            continue
+        link.crc_errors = link.retries = link.late_bytes = 0
+        return link.generation
+    raise WrongDevice.at(
+        link,
+        f'the status of firmware "{firmware}" has neither 16 nor 32 bits; '
+        "set status_width from the drive's manual.",
+    )
+
+
+def commission(link: Link, request: DriveRequest, motor: int, combined: bool) -> Setup:
+    """Set the serial time-out and the duty ramp, and read back what the run depends on.
+
+    combined: use command 73 where the drive knows it. Raises SettingRefused when one of the two is
+    not read back as set, ReplyTimeout, ProtocolError, DeviceLost.
+    """
+    units = _watchdog_units(request)
+    _set_watchdog(link, units)
+    power_off, input_S3 = _power_off(link, motor), _emergency_stop_input(link)
+    advice = " ".join(filter(None, (power_off.pop("advice", ""), input_S3.pop("advice", ""))))
+    combined = combined and can_combine(link)
+    pid = velocity_pid_of(link.read(Command.VELOCITY_PID_M1 + motor - 1))
+    (main,) = link.read(Command.MAIN_VOLTAGE)
+    (logic,) = link.read(Command.LOGIC_VOLTAGE)
+    modes = link.read(Command.ENCODER_MODES)
+    current, _ = link.read(Command.CURRENT_LIMIT_M1 + motor - 1)
+    readback: dict[str, str | float | int] = {
+        "watchdog_timeout_s": round(units * TIMEOUT_UNIT_S, 1),
+        "status_bits": link.generation.status_bits,
+        "combined_status": int(combined),
+        "encoder_mode": modes[motor - 1],
+        "current_limit_A": current * CURRENT_UNIT_A,
+        "supply_V": main * VOLTAGE_UNIT_V,
+        "logic_V": logic * VOLTAGE_UNIT_V,
+        "counts_per_revolution": request.counts_per_revolution,
+        "gear_ratio": request.gear_ratio,
+        "direction": request.direction,
+        "velocity_p": pid.p,
+        "velocity_i": pid.i,
+        "velocity_d": pid.d,
+        "speed_limit_count_per_s": pid.qpps,
+        "speed_limit_rev_per_s": pid.qpps / request.counts_per_crank_revolution,
+        **power_off,
+        **input_S3,
+        "wiring": f"power off in {power_off['power_off_ramp']}, input S3: {input_S3['input_S3']}",
+    }
+    if advice:
+        readback["advice"] = advice
+    return Setup(request, units, combined, pid.qpps, readback)
+
+
+def _power_off(link: Link, motor: int) -> dict[str, str]:
+    """Make duty 0 take the power off at once; return how long it takes.
+
+    Duty commands follow a ramp, which the drive keeps for them (commands 68, 69 and 81). Nothing
+    else of this program uses it, and it is not saved. Raises SettingRefused when the drive keeps a
+    ramp that is too long.
+    """
+    try:
+        found = link.read(Command.DUTY_ACCELERATIONS, _TWICE)[motor - 1]
+        if found < MAXIMUM_DUTY_ACCELERATION:
+            link.write(Command.SET_DUTY_ACCELERATION_M1 + motor - 1, MAXIMUM_DUTY_ACCELERATION)
+            found = link.read(Command.DUTY_ACCELERATIONS)[motor - 1]
+    except ReplyTimeout:
+        link.read(Command.STATUS)  # a drive that answers this is not silent: it lacks the command
+        return {
+            "power_off_ramp": "an unknown time",
+            "advice": "This firmware does not tell how fast it takes the power off: watch it at "
+            "the first stop.",
+        }
+    ramp_s = MAXIMUM_DUTY / found if found else math.inf
+    if ramp_s > _LONGEST_POWER_OFF_S:
+        raise _refused(
+            link,
+            f"taking the power off is a ramp of {ramp_s:.2g} s; set the default duty acceleration "
+            f"of motor {motor} to {MAXIMUM_DUTY_ACCELERATION} with the maker's tool.",
+        )
+    return {"power_off_ramp": f"{ramp_s:.2f} s"}
+
+
+def _emergency_stop_input(link: Link) -> dict[str, str]:
+    """Return what input S3 does, with an advice where it is no emergency stop."""
+    try:
+        mode = link.read(Command.PIN_FUNCTIONS, _TWICE)[0]
+    except (ReplyTimeout, ProtocolError):
+        link.read(Command.STATUS)
+        return {
+            "input_S3": "unknown",
+            "advice": "The drive does not tell what its input S3 does: press the emergency stop "
+            "before the first test.",
+        }
+    words = (_S3_WORDS if link.generation.pin_modes == 5 else _S3_WORDS_OLDER).get(mode)
+    if words is not None:
+        return {"input_S3": words}
+    return {
+        "input_S3": f"mode {mode:02X}",
+        "advice": "Input S3 is not set to emergency stop: a button on it stops nothing. Set it "
+        "with the maker's tool.",
+    }
+
+
+def check_watchdog(request: DriveRequest) -> None:
+    """Raise ValueError for a time-out that no RoboClaw can keep."""
+    if not 1 <= _watchdog_units(request) <= _MAXIMUM_TIMEOUT:
+        raise ValueError(
+            f"a watchdog time-out of {request.watchdog_timeout_s:g} s is outside 0.1 to 25.5 s."
+        )
+
+
+def _watchdog_units(request: DriveRequest) -> int:
+    """Return the time-out in units of the wire, rounded to the safe side."""
+    return math.floor(request.watchdog_timeout_s / TIMEOUT_UNIT_S + 1e-9)
+
+
+def _set_watchdog(link: Link, units: int) -> None:
+    def in_effect() -> bool:
+        return link.read(Command.GET_TIMEOUT) == (units,)
+
+    try:
+        link.write(Command.SET_TIMEOUT, units, in_effect=in_effect)
+        (found,) = link.read(Command.GET_TIMEOUT)
+    except ReplyTimeout as error:
+        link.read(Command.STATUS)  # a drive that answers this is not silent: it lacks the command
+        raise _refused(
+            link,
+            "this firmware has no watchdog: it does not answer SET_TIMEOUT and GET_TIMEOUT "
+            f"({Command.SET_TIMEOUT:d}, {Command.GET_TIMEOUT:d}), and the spindle must not turn "
+            "without one; update the drive's firmware.",
+        ) from error
+    if found != units:
+        raise _refused(
+            link,
+            f"the serial time-out reads {found * TIMEOUT_UNIT_S:.1f} s after "
+            f"{units * TIMEOUT_UNIT_S:.1f} s was set; the spindle must not turn without it.",
+        )
+
+
+def _refused(link: Link, sentence: str) -> SettingRefused:
+    return SettingRefused.at(link, sentence)

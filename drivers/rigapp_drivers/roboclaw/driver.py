@@ -1,0 +1,400 @@
+"""Basicmicro RoboClaw as a Spindle: packet serial over USB or a UART.
+
+The drive's serial time-out (command 14) is its watchdog: it is set and read back on every
+connection, and any packet feeds it, so ``status()`` must be called faster than it. There is no
+command that means "emergency stop": that is an input of the drive and a contactor.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+import time
+from collections.abc import Iterator, Mapping
+from typing import Any, Final
+
+from rigapp_drivers.api import (
+    DeviceError,
+    DeviceFault,
+    DeviceLost,
+    DriveRequest,
+    DriverInfo,
+    DriverKind,
+    DriveStatus,
+    Identity,
+    ProtocolError,
+    ReplyTimeout,
+    SettingRefused,
+    SettingsLost,
+    filled,
+)
+from rigapp_drivers.roboclaw.commission import Setup, check_watchdog, commission, identify
+from rigapp_drivers.roboclaw.link import Link
+from rigapp_drivers.roboclaw.probe import PROBE
+from rigapp_drivers.roboclaw.protocol import (
+    CURRENT_UNIT_A,
+    TEMPERATURE_UNIT_C,
+    TIMEOUT_UNIT_S,
+    VOLTAGE_UNIT_V,
+    Command,
+    EmergencyStopLock,
+    combined_status_of,
+)
+from rigapp_drivers.roboclaw.readings import Readings, StatusReader
+from rigapp_drivers.roboclaw.settings import SETTINGS
+from rigapp_drivers.roboclaw.status import StatusWords, describe_status
+from rigapp_drivers.spindles import (
+    NEEDED,
+    QUANTITIES,
+    note_survived_silence,
+    refuse_request,
+    refuse_speed,
+    settings_lost,
+    silenced,
+    torque_Nm,
+    whole_ramp,
+)
+from rigapp_drivers.transport import SerialPort, byte_counters
+
+_MAXIMUM_SPEED: Final = 2**31 - 1
+_MAXIMUM_ACCELERATION: Final = 2**32 - 1
+_LOOKS: Final = 3  # some milliseconds, in which the duty of a ramp has grown above 0
+
+
+class RoboClaw:
+    """Turn the crank with one motor output of a RoboClaw.
+
+    Every call is serialised by one lock, but ``drive_off`` sends its packet past it and then
+    confirms it.
+    """
+
+    def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
+        self.name = name
+        self.port = port
+        self._settings = filled(SETTINGS, settings)
+        self._motor = int(self._settings["motor"])
+        self._lock = threading.RLock()
+        self._serial: SerialPort | None = None
+        self._connection: Link | None = None
+        self._setup: Setup | None = None
+        self._target: int | None = None
+        self._silence_s = 0.0
+        self._reader: StatusReader | None = None
+
+    # --- connection ------------------------------------------------------------------------------
+
+    def open(self) -> Identity:
+        """Open the port and identify the drive by its firmware text; nothing is set.
+
+        Raises ConnectionFailed when nothing answers, WrongDevice when something else does.
+        """
+        with self._lock:
+            self._release()
+            serial = SerialPort(self.name, self.port, int(self._settings["baud_rate"]))
+            serial.open()
+            self._serial = serial
+            self._connection = Link(
+                serial,
+                self.name,
+                self.port,
+                int(self._settings["address"]),
+                int(self._settings["baud_rate"]),
+                float(self._settings["reply_timeout_ms"]) * 1e-3,
+            )
+            try:
+                return identify(self._connection, str(self._settings["status_width"]))
+            except BaseException:
+                self._release()
+                raise
+
+    def configure(self, request: DriveRequest) -> Mapping[str, str | float | int]:
+        """Switch the motor off, set the serial time-out, and return what was read back.
+
+        Raises SettingRefused when a value cannot be set or is not read back as set.
+        """
+        with self._lock:
+            link = self._link()
+            self._setup = None
+            refuse_request(self, request, self._settings, check_watchdog)
+            self._off(link)
+            combined = self._settings["combined_status"] == "auto"
+            setup = commission(link, request, self._motor, combined)
+            self._silence_s = 0.0
+            self._reader = StatusReader(link, self._motor, setup.combined)
+            self._setup = setup
+            return setup.readback
+
+    def close(self) -> None:
+        """Switch the motor off and release the port; never raises; safe to call twice."""
+        with self._power_off_first():
+            link = self._connection
+            if link is not None and self._setup is not None:
+                with contextlib.suppress(DeviceError):  # the drive's watchdog stops it anyway
+                    self._off(link)
+            self._release()
+
+    def _release(self) -> None:
+        serial, self._serial = self._serial, None
+        self._connection = None
+        self._setup = None
+        self._reader = None
+        self._target = None
+        if serial is not None:
+            serial.close()
+
+    # --- motion ----------------------------------------------------------------------------------
+
+    def set_speed(self, speed_rev_per_s: float, acceleration_rev_per_s2: float) -> None:
+        """Ramp to a speed in rev/s, signed as the rig; 0 is the controlled stop.
+
+        Raises SettingRefused for a speed that may not or cannot be reached, DeviceFault after the
+        watchdog has fired, until ``reset_fault`` or ``configure``.
+        """
+        stop_requests = self._link().stop_requests
+        with self._lock:
+            link, setup = self._link(), self._configured()
+            speed = self._counts_per_s(speed_rev_per_s, setup)
+            step = 1.0 / setup.request.counts_per_crank_revolution
+            acceleration = whole_ramp(self, acceleration_rev_per_s2, step, _MAXIMUM_ACCELERATION)
+            command = Command.RAMP_SPEED_M1 + self._motor - 1
+            self._judge_silence(link, setup)
+            if speed and self._silence_s:
+                raise DeviceFault.at(
+                    self,
+                    f"{silenced(self._silence_s)}; reset the fault before the next start.",
+                )
+            if speed and not self._target:
+                self._check_watchdog(link, setup)
+            self._target = speed
+            link.standing = False
+            link.write(
+                command,
+                acceleration,
+                speed,
+                in_effect=lambda: self._turns_towards(link, setup, speed),
+                stop_requests=stop_requests,
+            )
+
+    def _counts_per_s(self, speed_rev_per_s: float, setup: Setup) -> int:
+        request = setup.request
+        refuse_speed(self, speed_rev_per_s, request)
+        speed = round(request.direction * speed_rev_per_s * request.counts_per_crank_revolution)
+        if abs(speed) > min(setup.qpps, _MAXIMUM_SPEED):
+            raise self._refused(
+                f"{abs(speed)} counts/s ({speed_rev_per_s * 60:.1f} rpm of the crank) is above "
+                f"the drive's own limit (QPPS) of {setup.qpps} counts/s; tune the drive's velocity "
+                "loop."
+            )
+        return speed
+
+    def _turns_towards(self, link: Link, setup: Setup, speed: int) -> bool:
+        """Read the state back after a failed write; the command itself may be repeated safely."""
+        if not setup.combined:
+            link.read(Command.STATUS)
+            return False
+        status = combined_status_of(link.read(Command.COMBINED_STATUS))
+        return status.setpoints[self._motor - 1] == speed != 0
+
+    def drive_off(self) -> None:
+        """Set duty 0: the power is off at once, whatever the drive was doing.
+
+        Raises ReplyTimeout, ProtocolError or DeviceLost where no duty 0 is read back, whatever was
+        acknowledged.
+        """
+        with self._power_off_first():
+            self._off(self._link())
+
+    @contextlib.contextmanager
+    def _power_off_first(self) -> Iterator[None]:
+        """Hold the lock; when another call has it, send duty 0 in the middle of that one first."""
+        link = self._connection
+        if link is not None:
+            link.request_stop()
+        overtaken = not self._lock.acquire(blocking=False)
+        if overtaken:
+            if link is not None:
+                with contextlib.suppress(DeviceError):  # the confirmed command meets it again
+                    link.overtake(Command.DUTY_M1 + self._motor - 1, 0)
+            self._lock.acquire()
+        try:
+            link = self._connection
+            if link is not None:
+                link.hurry.clear()
+                if overtaken:  # its acknowledgement would count as one of the next packet
+                    with contextlib.suppress(DeviceError):
+                        link.wait_for_quiet()
+            yield
+        finally:
+            self._lock.release()
+
+    def _off(self, link: Link) -> None:
+        self._target = None
+        command = Command.DUTY_M1 + self._motor - 1
+        link.write(command, 0, in_effect=lambda: self._is_off(link), read_back=True)
+        link.standing = True
+
+    def _is_off(self, link: Link) -> bool:
+        try:
+            return not self._still_drives(link, tries=1)
+        except (ReplyTimeout, ProtocolError):
+            return False
+
+    def reset_fault(self) -> None:
+        """Switch the motor off, forget the watchdog's stop and release a latched emergency stop.
+
+        The drive is asked for a release only when it reports the stop: not every drive has that
+        command. Raises DeviceFault with what to do when a fault of the drive stays.
+        """
+        with self._lock:
+            link = self._link()
+            self._off(link)
+            if self._setup is not None:
+                self._check_watchdog(link, self._setup)
+            self._silence_s = 0.0
+            words = self._words(link)
+            if words.emergency_stop:
+                remedy = self._release_stop(link)
+                words = self._words(link)
+        if words.emergency_stop:
+            sentence = f"the emergency stop stays: {remedy}."
+            raise DeviceFault.at(self, sentence)
+        if words.faults:
+            sentence = f"{', '.join(words.faults)}: remove the cause, then reset again."
+            raise DeviceFault.at(self, sentence)
+
+    def _words(self, link: Link) -> StatusWords:
+        (state,) = link.read(Command.STATUS)
+        return describe_status(state, link.generation.status_bits)
+
+    def _release_stop(self, link: Link) -> str:
+        """Ask the drive to release its emergency stop; return what to do when it stays."""
+        try:
+            link.write(Command.RESET_EMERGENCY_STOP)
+            (lock,) = link.read(Command.EMERGENCY_STOP_LOCK)
+        except (ReplyTimeout, ProtocolError):
+            return (
+                "release the emergency stop button; if it is released, a reset by command is not "
+                "available in this drive: switch the drive off and on, then connect again"
+            )
+        if lock == EmergencyStopLock.HARDWARE:
+            return "switch the drive off and on"
+        return "release the emergency stop button first"
+
+    # --- reading ---------------------------------------------------------------------------------
+
+    def status(self) -> DriveStatus:
+        """Read the state; feeds the watchdog. Speed, count and set-point are signed as the rig.
+
+        One packet with command 73, else four, and one more in every eighth call. Raises
+        SettingsLost when the drive has restarted, ReplyTimeout, ProtocolError.
+        """
+        with self._lock:
+            link, setup = self._link(), self._configured()
+            self._judge_silence(link, setup)
+            reader = self._reader
+            assert reader is not None
+            readings = reader.read()
+            if reader.has_restarted(readings):
+                self._setup = None
+                self._target = None
+                sentence = "the drive has restarted and its motor is off; check its supply."
+                raise SettingsLost.at(self, sentence)
+            # A drive that has restarted has no set-point either; nor has a ramp as it begins.
+            if reader.watchdog_is_due or (self._target and readings.setpoint == 0):
+                self._check_watchdog(link, setup)
+            return self._drive_status(link, setup.request, readings)
+
+    def counters(self) -> Mapping[str, int]:
+        """Return what was counted on the line since it was opened; no lock, no question."""
+        serial, link = self._serial, self._connection
+        if serial is None or link is None:
+            return {}
+        return {
+            **byte_counters(serial),
+            "crc_errors": link.crc_errors,
+            "retries": link.retries,
+            "late_bytes": link.late_bytes,
+        }
+
+    def _drive_status(self, link: Link, request: DriveRequest, read: Readings) -> DriveStatus:
+        words = describe_status(read.state, link.generation.status_bits)
+        faults = words.faults
+        if self._silence_s:
+            faults += (silenced(self._silence_s),)
+        target = self._target or 0
+        setpoint = target if read.setpoint is None or self._target is None else read.setpoint
+        scale = request.direction / request.counts_per_crank_revolution
+        return DriveStatus(
+            host_time_ns=time.monotonic_ns(),
+            speed_rev_per_s=read.speed * scale,
+            setpoint_rev_per_s=setpoint * scale,
+            position_count=read.count * request.direction,
+            current_A=read.current * CURRENT_UNIT_A,
+            supply_V=read.main_voltage * VOLTAGE_UNIT_V,
+            temperature_C=read.temperature * TEMPERATURE_UNIT_C,
+            torque_Nm=torque_Nm(read.current * CURRENT_UNIT_A, self._settings),
+            enabled=(self._target is not None or bool(read.pwm)) and not faults,
+            emergency_stop=words.emergency_stop,
+            faults=faults,
+            warnings=words.warnings,
+            crc_errors=link.crc_errors,
+        )
+
+    def _judge_silence(self, link: Link, setup: Setup) -> None:
+        """Take note that the watchdog has fired, and make the stop certain.
+
+        Whether it has is told by the drive, which was there: this computer's clock says only when
+        to ask.
+        """
+        silence_s = (time.monotonic_ns() - link.last_sent_ns) * 1e-9
+        if self._target is None or silence_s <= setup.watchdog_s:
+            return
+        if self._target == 0 or self._still_drives(link):
+            note_survived_silence(self, silence_s, setup.watchdog_s)
+            return
+        self._off(link)
+        self._silence_s = silence_s
+
+    def _still_drives(self, link: Link, tries: int | None = None) -> bool:
+        """Tell whether the motor has power; a ramp that has just begun may show none yet."""
+        return any(link.read(Command.PWM, tries)[self._motor - 1] for _ in range(_LOOKS))
+
+    def _check_watchdog(self, link: Link, setup: Setup) -> None:
+        """Read the serial time-out; with another one take the power off, raise SettingsLost."""
+        (found,) = link.read(Command.GET_TIMEOUT)
+        if found == setup.watchdog_units:
+            return
+        with contextlib.suppress(DeviceError):  # the caller's stop meets the error again
+            self._off(link)
+        self._setup = None
+        raise settings_lost(self, found * TIMEOUT_UNIT_S, setup.watchdog_s)
+
+    # --- helpers ---------------------------------------------------------------------------------
+
+    def _link(self) -> Link:
+        if self._connection is None:
+            raise DeviceLost.at(self, "the drive is not open.")
+        return self._connection
+
+    def _configured(self) -> Setup:
+        if self._setup is None:
+            raise self._refused("the drive's watchdog is not set; configure the drive first.")
+        return self._setup
+
+    def _refused(self, sentence: str) -> SettingRefused:
+        return SettingRefused.at(self, sentence)
+
+
+DRIVER: Final = DriverInfo(
+    name="roboclaw",
+    title="Basicmicro RoboClaw",
+    kind=DriverKind.SPINDLE,
+    factory=RoboClaw,
+    settings=SETTINGS,
+    simulator="rigapp_drivers.roboclaw.simulator:RoboClawSimulator",
+    usb_ids=((0x03EB, 0x2404),),
+    probe=PROBE,
+    check=check_watchdog,
+    quantities=QUANTITIES,
+    needed=NEEDED,
+)

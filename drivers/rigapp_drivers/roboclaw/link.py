@@ -1,0 +1,232 @@
+"""Exchange packets with a RoboClaw: flush, send, wait, check, try again, count what went wrong."""
+
+from __future__ import annotations
+
+import logging
+import threading
+import time
+from collections.abc import Callable, Sequence
+from typing import Final, TypeVar
+
+from rigapp_drivers.api import BytePort, DeviceFault, ProtocolError, ReplyTimeout
+from rigapp_drivers.roboclaw.protocol import (
+    ACKNOWLEDGE,
+    NEWER,
+    Command,
+    Generation,
+    Rejected,
+    missing_bytes,
+    parse_values,
+    parse_version,
+    read_packet,
+    write_packet,
+)
+
+TRIES: Final = 3  # one disturbed packet must not stop a test; three in a row are a fault
+STANDING_TRIES: Final = (1, 2, 4, 6, 8, 10)
+"""How many time-outs each try waits while nothing is to turn: a busy computer, or a busy USB, may
+be late by the same time again and again, so that more of the same wait would not help."""
+QUIET_S: Final = 0.012  # longer than the 10 ms after which the drive forgets a packet
+LONGEST_REPLY: Final = 58  # bytes, of command 73
+BITS_PER_BYTE: Final = 10
+FLUSH_LIMIT: Final = 65536
+
+_UNACKNOWLEDGED: Final = "not acknowledged by FF"
+_REPEATED_BECAUSE: Final = {"crc": "wrong CRC"}
+_NO_REPLY: Final = "missing or short reply"
+
+_Reply = TypeVar("_Reply")
+
+_log = logging.getLogger(__name__)
+
+
+class Link:
+    """Send packets to one address and return checked replies.
+
+    Not thread-safe but for ``request_stop`` and ``overtake``: the driver holds its lock around
+    every other call. ``hurry`` ends the tries of a call under way, so that a stop need not wait for
+    them. ``stop_requests`` counts; a write is not sent when it has changed since its caller began.
+
+    ``standing``: nothing is commanded to turn, so that a question may wait for its answer longer.
+
+    What the line spoils is counted (``crc_errors``, ``retries``, ``late_bytes``), and a packet that
+    came through only when repeated goes to the log: neither says anything of the drive.
+    """
+
+    def __init__(
+        self, serial: BytePort, device: str, port: str, address: int, baud: int, timeout_s: float
+    ) -> None:
+        self._serial = serial
+        self.device = device
+        self.port = port
+        self.address = address
+        self._byte_s = BITS_PER_BYTE / baud
+        self._timeout_s = timeout_s
+        self.generation: Generation = NEWER
+        self.hurry = threading.Event()
+        self.stop_requests = 0
+        self.standing = True
+        self.crc_errors = 0
+        self.retries = 0
+        self.late_bytes = 0
+        self.last_sent_ns = time.monotonic_ns()
+        self._sending = threading.Lock()
+
+    def request_stop(self) -> None:
+        """End the tries of a call under way, and forbid the writes that were begun before."""
+        with self._sending:
+            self.stop_requests += 1
+            self.hurry.set()
+
+    def overtake(self, command: int, *values: int) -> None:
+        """Send a write in the middle of a call under way; nobody waits for the answer."""
+        packet = write_packet(self.address, command, *values, generation=self.generation)
+        with self._sending:
+            self._serial.write(packet)
+
+    def read(self, command: int, tries: int | None = None) -> tuple[int, ...]:
+        """Return the numbers of a reply; tries: None for as many as the motion allows.
+
+        Raises ReplyTimeout when nothing came, ProtocolError when what came was wrong every time,
+        DeviceLost when the port broke.
+        """
+
+        def exchange(time_outs: int) -> tuple[int, ...] | Rejected:
+            raw = self._ask(command, time_outs)
+            return parse_values(self.address, command, raw, self.generation)
+
+        if tries is None and self.standing:
+            return self._repeat(command, exchange, STANDING_TRIES)
+        return self._repeat(command, exchange, (1,) * (TRIES if tries is None else tries))
+
+    def version(self) -> str:
+        """Return the firmware text, the first that a drive is asked for; errors as ``read``."""
+
+        def exchange(time_outs: int) -> str | Rejected:
+            return parse_version(self.address, self._ask(Command.VERSION, time_outs))
+
+        return self._repeat(Command.VERSION, exchange, STANDING_TRIES)
+
+    def write(
+        self,
+        command: int,
+        *values: int,
+        in_effect: Callable[[], bool] | None = None,
+        stop_requests: int | None = None,
+        read_back: bool = False,
+    ) -> None:
+        """Send a write until it is acknowledged by FF.
+
+        in_effect: reads the drive's state back after a failed try; when it tells that the write has
+        taken effect, nothing is sent again. stop_requests: when the caller began; None for a write
+        that a stop does not forbid. read_back: only ``in_effect`` counts, whatever was
+        acknowledged: an FF has no number, and may be a late one of an earlier write. Errors as
+        ``read``, and DeviceFault when a stop came.
+        """
+        packet = write_packet(self.address, command, *values, generation=self.generation)
+        self.write_packet(command, packet, in_effect, stop_requests, read_back)
+
+    def write_packet(
+        self,
+        command: int,
+        packet: bytes,
+        in_effect: Callable[[], bool] | None = None,
+        stop_requests: int | None = None,
+        read_back: bool = False,
+    ) -> None:
+        """Send a packet that is already built; see ``write``."""
+        failures: list[str] = []
+        for attempt in range(TRIES):
+            if attempt:
+                self.retries += 1
+                self.wait_for_quiet()
+                if in_effect is not None and in_effect():
+                    self._tell_repeated(_UNACKNOWLEDGED)
+                    return
+            self._send(packet, stop_requests)
+            answer = self._serial.read_some(1, self._reply_timeout(len(packet) + 1))
+            if answer == ACKNOWLEDGE and (not read_back or in_effect is None or in_effect()):
+                if failures:
+                    self._tell_repeated(_UNACKNOWLEDGED)
+                return
+            if answer == ACKNOWLEDGE:
+                failures.append("acknowledged, and not in effect")
+            else:
+                failures.append(f"answered {answer.hex().upper()} instead of FF" if answer else "")
+            if self.hurry.is_set():
+                break
+        raise self._failure(command, failures)
+
+    def _repeat(
+        self, command: int, exchange: Callable[[int], _Reply | Rejected], tries: Sequence[int]
+    ) -> _Reply:
+        failures: list[str] = []
+        because: set[str] = set()
+        for attempt, time_outs in enumerate(tries):
+            if attempt:
+                self.retries += 1
+            if failures and failures[-1]:
+                # Where nothing came the line was quiet, and a reply that is late may come yet.
+                self.wait_for_quiet()
+            result = exchange(time_outs)
+            if not isinstance(result, Rejected):
+                for reason in sorted(because):
+                    self._tell_repeated(reason)
+                return result
+            failures.append("" if result.sentence.startswith("0 ") else result.sentence)
+            because.add(_REPEATED_BECAUSE.get(result.kind, _NO_REPLY))
+            self.crc_errors += result.kind == "crc"
+            if self.hurry.is_set():
+                break
+        raise self._failure(command, failures)
+
+    def _tell_repeated(self, reason: str) -> None:
+        _log.warning("%s on %s: a packet was repeated: %s", self.device, self.port, reason)
+
+    def _failure(self, command: int, failures: list[str]) -> ProtocolError | ReplyTimeout:
+        name = Command(command).name
+        told = list(dict.fromkeys(sentence for sentence in failures if sentence))
+        if not told:
+            return ReplyTimeout.at(
+                self,
+                f"no reply to {name} ({command}) in {len(failures)} tries of "
+                f"{self._timeout_s * 1e3:.0f} ms or longer: "
+                "check power, cable, address and baud rate.",
+            )
+        return ProtocolError.at(
+            self,
+            f"{name} ({command}) failed in {len(failures)} tries: {'; '.join(told)}: "
+            "check the cable's screen and the baud rate.",
+        )
+
+    def _reply_timeout(self, wire_bytes: int) -> float:
+        return self._timeout_s + wire_bytes * self._byte_s
+
+    def _send(self, packet: bytes, stop_requests: int | None = None) -> None:
+        self.late_bytes += len(self._serial.read_some(FLUSH_LIMIT, 0.0))
+        with self._sending:
+            if stop_requests not in (None, self.stop_requests):
+                raise DeviceFault.at(self, "a stop came before the speed was set.")
+            self._serial.write(packet)
+        self.last_sent_ns = time.monotonic_ns()
+
+    def _ask(self, command: int, time_outs: int) -> bytes:
+        self._send(read_packet(self.address, command))
+        raw = b""
+        time_out_s = self._reply_timeout(2 + LONGEST_REPLY)
+        deadline = time.monotonic() + time_outs * time_out_s
+        while missing := missing_bytes(command, raw, self.generation):
+            left = deadline - time.monotonic()
+            part = self._serial.read_some(missing, min(max(left, 0.0), time_out_s))
+            if not part and (left <= 0 or self.hurry.is_set()):
+                break
+            raw += part
+        return raw
+
+    def wait_for_quiet(self) -> None:
+        """Wait until the line is silent for longer than the drive's own packet time-out."""
+        deadline = time.monotonic() + self._reply_timeout(LONGEST_REPLY)
+        while late := self._serial.read_some(LONGEST_REPLY, QUIET_S):
+            self.late_bytes += len(late)
+            if time.monotonic() > deadline:
+                return

@@ -1,0 +1,118 @@
+"""RoboClaw status bits (command 90) in words, for both firmware generations.
+
+The newer firmware sends 32 bits, errors below and warnings above bit 16; the older one sends 16
+bits with another map. An error bit without a name is still a fault. Source: RoboClaw user manual
+(read status) and the maker's library, which differ from bit 14 and from bit 24 upward.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from rigapp_drivers.roboclaw.protocol import NEWER, OLDER, Generation
+
+EMERGENCY_STOP: Final = "emergency stop"
+
+_ERRORS_32: Final[Mapping[int, str]] = {
+    0: EMERGENCY_STOP,
+    1: "over-temperature 1",
+    2: "over-temperature 2",
+    3: "main voltage high",
+    4: "logic voltage high",
+    5: "logic voltage low",
+    6: "driver fault M1",
+    7: "driver fault M2",
+    8: "speed error M1",
+    9: "speed error M2",
+    10: "position error M1",
+    11: "position error M2",
+    12: "current error M1",
+    13: "current error M2",
+    14: "main voltage low",
+    15: "main voltage high (until it has fallen again)",
+}
+
+_WARNINGS_32: Final[Mapping[int, str]] = {
+    16: "over-current M1",
+    17: "over-current M2",
+    18: "main voltage high",
+    19: "main voltage low",
+    20: "temperature 1 high",
+    21: "temperature 2 high",
+    22: "input S4 active",
+    23: "input S5 active",
+    24: "warning bit 24 (speed)",
+    25: "warning bit 25 (position, or speed M2)",
+    26: "warning bit 26 (position M1)",
+    27: "warning bit 27 (position M2)",
+    28: "warning bit 28 (CAN)",
+    29: "warning bit 29 (boot)",
+    30: "warning bit 30 (over-regeneration M1)",
+    31: "warning bit 31 (over-regeneration M2)",
+}
+
+_ERRORS_16: Final[Mapping[int, str]] = {
+    2: EMERGENCY_STOP,
+    3: "over-temperature 1",
+    4: "over-temperature 2",
+    5: "main voltage high",
+    6: "logic voltage high",
+    7: "logic voltage low",
+    8: "driver fault M1",
+    9: "driver fault M2",
+}
+
+_WARNINGS_16: Final[Mapping[int, str]] = {
+    0: "over-current M1",
+    1: "over-current M2",
+    10: "main voltage high",
+    11: "main voltage low",
+    12: "temperature 1 high",
+    13: "temperature 2 high",
+    14: "home input M1 active",
+    15: "home input M2 active",
+}
+
+_VERSION: Final = re.compile(r"v(\d+)\.(\d+)(?:\.(\d+))?")
+_FIRST_32_BIT: Final = (4, 2)
+
+
+@dataclass(frozen=True, slots=True)
+class StatusWords:
+    """Hold a status word in words."""
+
+    emergency_stop: bool
+    faults: tuple[str, ...]
+    warnings: tuple[str, ...]
+
+
+def describe_status(state: int, status_bits: int) -> StatusWords:
+    """Return faults and warnings of a status word of 16 or 32 bits."""
+    errors, warnings = (
+        (_ERRORS_32, _WARNINGS_32) if status_bits == 32 else (_ERRORS_16, _WARNINGS_16)
+    )
+    faults: list[str] = []
+    notes: list[str] = []
+    for bit in range(status_bits):
+        if not state >> bit & 1:
+            continue
+        if bit in warnings:
+            notes.append(warnings[bit])
+        else:
+            faults.append(errors.get(bit, f"unknown error bit {bit}"))
+    return StatusWords(EMERGENCY_STOP in faults, tuple(faults), tuple(notes))
+
+
+def generation_of(firmware: str) -> Generation:
+    """Return the packet layouts that a firmware text announces.
+
+    Firmware from 4.2 on is taken as the newer generation, an unreadable text too: the driver checks
+    the width against the CRC of a first reply, and a setting overrides both.
+    """
+    found = _VERSION.search(firmware)
+    if found is None:
+        return NEWER
+    return NEWER if (int(found[1]), int(found[2])) >= _FIRST_32_BIT else OLDER

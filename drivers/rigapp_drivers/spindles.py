@@ -1,0 +1,116 @@
+"""What the drivers of spindles share: what no drive can follow, and what a silent host is told."""
+
+from __future__ import annotations
+
+import logging
+import math
+from collections.abc import Callable, Mapping
+from typing import Any, Final
+
+from rigapp_drivers.api import DriveRequest, Line, Named, SettingRefused, SettingsLost, SettingSpec
+
+_log = logging.getLogger(__name__)
+
+QUANTITIES: Final = ("current_A", "supply_V", "temperature_C", "torque_Nm")
+"""What a drive tells of itself beside its motion: fields of ``DriveStatus``."""
+NEEDED: Final = {"torque_Nm": "torque_constant_Nm_per_A"}
+TORQUE_CONSTANT: Final = SettingSpec(
+    float,
+    0.0,
+    "Torque of the motor for 1 A, from its data sheet, for the channel torque_Nm; 0: not known.",
+    0.0,
+    1e3,
+)
+WATCHDOG_PERIOD: Final = 8
+"""Calls of ``status`` from one reading of the watchdog's setting to the next: 0.8 s at 0.1 s."""
+_ROUNDING: Final = 1e-9  # of a speed that is the maximum but for the digits of a conversion
+
+
+def silenced(silence_s: float) -> str:
+    """Say that the drive's supervision has fired; silence_s: how long the host was silent."""
+    return (
+        f"watchdog: the host was silent for {silence_s:.2f} s and the drive has stopped the motor"
+    )
+
+
+def settings_lost(who: Named, watchdog_s: float, set_s: float) -> SettingsLost:
+    """Return the error of a drive that is not set up as it was; watchdog_s: 0 when it has none."""
+    what = "speed unit, limits or heartbeat"
+    if watchdog_s != set_s:
+        what = f"watchdog {watchdog_s:g} s instead of {set_s:g} s"
+    return SettingsLost.at(
+        who,
+        f"the drive has lost its settings ({what}), as after a restart; check its supply, then "
+        "connect again.",
+    )
+
+
+def torque_Nm(current_A: float, settings: Mapping[str, Any]) -> float:
+    """Return the motor's torque by its current, NaN where the torque constant is not known."""
+    constant = float(settings["torque_constant_Nm_per_A"])
+    return constant * current_A if constant else math.nan
+
+
+def refuse_request(
+    who: Named | Line,
+    request: DriveRequest,
+    settings: Mapping[str, Any],
+    check: Callable[[DriveRequest], None],
+) -> None:
+    """Raise SettingRefused for a request that no drive, or by ``check`` not this one, can follow.
+
+    settings: those with which the port was opened; the request's may not differ.
+    """
+    refusal = ""
+    if request.counts_per_revolution < 1:
+        refusal = f"{request.counts_per_revolution} counts per revolution are too few."
+    if request.direction not in (1, -1):
+        refusal = f"direction {request.direction} is neither 1 nor -1."
+    for key, value in request.settings.items():
+        if key in settings and settings[key] != value:
+            refusal = (
+                f"{key} = {value} differs from {settings[key]}, with which the port was opened; "
+                "open it again."
+            )
+    if not refusal:
+        try:
+            check(request)
+            return
+        except ValueError as error:
+            refusal = str(error)
+    raise SettingRefused.at(who, refusal)
+
+
+def refuse_speed(who: Named | Line, speed_rev_per_s: float, request: DriveRequest) -> None:
+    """Raise SettingRefused for a speed that is none, or above the rig's maximum."""
+    limit = request.maximum_speed_rev_per_s
+    if not math.isfinite(speed_rev_per_s):
+        raise SettingRefused.at(who, f"a speed of {speed_rev_per_s} is not a number.")
+    if abs(speed_rev_per_s) > limit * (1 + _ROUNDING):
+        words = (
+            f"{speed_rev_per_s * 60:.1f} rpm is above the rig's maximum of {limit * 60:.1f} rpm."
+        )
+        raise SettingRefused.at(who, words)
+
+
+def whole_ramp(
+    who: Named | Line, acceleration_rev_per_s2: float, step_rev_per_s2: float, most: int
+) -> int:
+    """Return an acceleration in the drive's steps, 1 to ``most``; raise SettingRefused for none."""
+    ramp = acceleration_rev_per_s2 / step_rev_per_s2
+    if not (math.isfinite(ramp) and ramp > 0):
+        words = f"an acceleration of {acceleration_rev_per_s2:g} rev/s2 is not possible."
+        raise SettingRefused.at(who, words)
+    return min(max(1, round(ramp)), most)
+
+
+def note_survived_silence(who: Named, silence_s: float, watchdog_s: float) -> None:
+    """Log that this computer was late, but by its own word the drive has not stopped."""
+    _log.warning(
+        "%s on %s: nothing was sent to it for %.2f s, and its watchdog of %.2f s has not fired; "
+        "test the watchdog if this computer was not busy",
+        who.name,
+        who.port,
+        silence_s,
+        watchdog_s,
+    )

@@ -1,0 +1,271 @@
+"""Serial transport by URL: a device path, a pty, COM port or ``socket://host:port``.
+
+Always opened with ``serial_for_url``. One thread reads; writes may come from another thread.
+Every failure after opening is a ``DeviceLost`` with its cause.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import select
+import sys
+import threading
+import time
+from collections.abc import Callable
+from typing import Any
+
+import serial
+
+from rigapp_drivers.api import BytePort, ConnectionFailed, DeviceLost, Identity
+
+_PORT_ERRORS: tuple[type[Exception], ...] = (OSError, ValueError)
+"""What a port raises; pyserial's own error is an OSError."""
+if sys.platform != "win32":
+    with contextlib.suppress(ImportError):
+        import termios
+
+        _PORT_ERRORS += (termios.error,)
+_NOT_ABLE: tuple[type[Exception], ...] = (AttributeError, NotImplementedError, *_PORT_ERRORS)
+_PARITIES = {"none": "N", "even": "E", "odd": "O"}
+_SLICE_S = 0.1  # a waiting reader looks this often whether the port was closed
+_DRAIN_QUIET_S = 0.02  # longer than a USB adapter holds bytes back (16 ms)
+_DRAIN_LIMIT_S = 2.0  # a device that streams on is not waited for
+
+
+class SerialPort:
+    """Speak to one device over one serial port, opened exclusively; 8 data bits.
+
+    One thread reads, any thread writes or closes. ``low_latency`` tells whether the adapter took
+    the low-latency mode (FTDI on Linux); a pty, a socket and CDC devices have none.
+    ``bytes_received`` and ``bytes_sent`` count from the last ``open`` on.
+    """
+
+    def __init__(
+        self,
+        device: str,
+        port: str,
+        baud_rate: int,
+        *,
+        write_timeout_s: float = 2.0,
+        parity: str = "none",
+        stop_bits: int = 1,
+    ) -> None:
+        self.device = device
+        self.port = port
+        self.baud_rate = baud_rate
+        self.write_timeout_s = write_timeout_s
+        self._frame = {"parity": _PARITIES[parity], "stopbits": stop_bits}
+        self.low_latency = False
+        self.bytes_received = 0
+        self.bytes_sent = 0
+        self._serial: Any = None
+        self._selectable = False
+        self._closing = False
+        self._reading = threading.Lock()
+        self._writing = threading.Lock()
+
+    @property
+    def is_open(self) -> bool:
+        """Tell whether the port is open."""
+        return self._serial is not None
+
+    def open(self) -> None:
+        """Open the port exclusively, with empty input; raise ConnectionFailed."""
+        if self._serial is not None:
+            return
+        try:
+            opened = serial.serial_for_url(
+                self.port,
+                baudrate=self.baud_rate,
+                timeout=0,
+                write_timeout=self.write_timeout_s,
+                exclusive=True,
+                **self._frame,
+            )
+        except _PORT_ERRORS as error:
+            sentence = _why_not_opened(error, self.port)
+            raise ConnectionFailed.at(self, sentence) from error
+        self.low_latency = _set_low_latency(opened)
+        self._selectable = _can_select(opened)
+        self._closing = False
+        self.bytes_received = self.bytes_sent = 0
+        self._serial = opened
+
+    def read_some(self, maximum: int, timeout_s: float) -> bytes:
+        """Return what is there, at most maximum bytes; wait timeout_s for the first one.
+
+        b"" when nothing came in time. Raises DeviceLost.
+        """
+        deadline = time.monotonic() + timeout_s
+        with self._reading:
+            while True:
+                # The last look is after the time is over: a busy computer may have held this thread
+                # up for longer than the device.
+                left = deadline - time.monotonic()
+                wait = min(_SLICE_S, max(0.0, left))
+                opened = self._usable("reading")
+                try:
+                    if self._selectable:
+                        data = _read_selectable(opened, maximum, wait)
+                    else:
+                        data = _read_counting(opened, maximum, wait)
+                except _PORT_ERRORS as error:
+                    raise self._lost(error, "reading") from error
+                self.bytes_received += len(data)
+                if data or left <= 0.0:
+                    return data
+
+    def write(self, data: bytes) -> None:
+        """Send all bytes within the write time-out; raise DeviceLost."""
+        with self._writing:
+            opened = self._usable("writing")
+            try:
+                sent = opened.write(data)
+            except _PORT_ERRORS as error:
+                raise self._lost(error, "writing") from error
+            self.bytes_sent += len(data) if sent is None else sent
+        if sent is not None and sent != len(data):
+            raise DeviceLost.at(self, f"only {sent} of {len(data)} bytes could be sent.")
+
+    def drain(self) -> bytes:
+        """Read until the line is quiet for 20 ms, at most 2 s, and return what came."""
+        deadline = time.monotonic() + _DRAIN_LIMIT_S
+        parts = []
+        while time.monotonic() < deadline:
+            part = self.read_some(65536, _DRAIN_QUIET_S)
+            if not part:
+                break
+            parts.append(part)
+        return b"".join(parts)
+
+    def close(self) -> None:
+        """Release the port; never raises; safe to call twice and from another thread."""
+        self._closing = True
+        opened, self._serial = self._serial, None
+        if opened is None:
+            return
+        # A descriptor must not close under a thread that uses it: the system may give its number
+        # to another file at once. Both holders let go soon, or the port is stuck anyway.
+        held = [
+            lock
+            for lock, patience_s in (
+                (self._reading, 5 * _SLICE_S),
+                (self._writing, self.write_timeout_s + _SLICE_S),
+            )
+            if lock.acquire(timeout=patience_s)
+        ]
+        try:
+            _close_quietly(opened)
+        finally:
+            for lock in held:
+                lock.release()
+
+    def _usable(self, doing: str) -> Any:
+        opened = self._serial
+        if opened is None:
+            why = "was closed" if self._closing else "is not open"
+            raise DeviceLost.at(self, f"the port {why} ({doing}).")
+        return opened
+
+    def _lost(self, error: Exception, doing: str) -> DeviceLost:
+        return DeviceLost.at(self, _why_lost(error, doing))
+
+
+def byte_counters(line: BytePort) -> dict[str, int]:
+    """Return the counted bytes of a port that counts them, as ``LineCounters`` names them."""
+    names = ("bytes_received", "bytes_sent")
+    return {name: getattr(line, name) for name in names if hasattr(line, name)}
+
+
+def opened(line: BytePort, identify: Callable[[], Identity]) -> Identity:
+    """Open a line and return who answers; it is closed again when that fails."""
+    line.open()
+    try:
+        return identify()
+    except BaseException:
+        line.close()
+        raise
+
+
+def _read_selectable(opened: Any, maximum: int, wait_s: float) -> bytes:
+    """Read a tty, pty or socket: with time-out 0 pyserial's read takes what is there at once."""
+    if not select.select([opened.fileno()], [], [], wait_s)[0]:
+        return b""
+    data = bytes(opened.read(maximum))
+    # A pty or tty gives one kernel buffer (4095 bytes) at a time; more may stand behind it.
+    while data and len(data) < maximum:
+        try:
+            more = opened.read(maximum - len(data))
+        except _PORT_ERRORS:
+            break  # what came before the break counts; the next call meets the error again
+        if not more:
+            break
+        data += more
+    return data
+
+
+def _read_counting(opened: Any, maximum: int, wait_s: float) -> bytes:
+    """Read a port without a descriptor to wait on (COM ports, ``loop://``, ``rfc2217://``)."""
+    waiting = opened.in_waiting
+    timeout_s = 0 if waiting else wait_s
+    if opened.timeout != timeout_s:
+        opened.timeout = timeout_s
+    data = bytes(opened.read(min(max(waiting, 1), maximum)))
+    waiting = opened.in_waiting if data else 0
+    if waiting and len(data) < maximum:
+        data += bytes(opened.read(min(waiting, maximum - len(data))))
+    return data
+
+
+def _can_select(opened: Any) -> bool:
+    try:
+        select.select([opened.fileno()], [], [], 0)
+    except _NOT_ABLE:  # io.UnsupportedOperation is an OSError
+        return False
+    return True
+
+
+def _set_low_latency(opened: Any) -> bool:
+    try:
+        opened.set_low_latency_mode(True)
+    except _NOT_ABLE:
+        # So pyserial tells that this system, or this kind of port, has no such mode.
+        return False
+    return True
+
+
+def _close_quietly(opened: Any) -> None:
+    peer = getattr(opened, "_socket", None)
+    with contextlib.suppress(Exception):
+        opened.close()
+    # pyserial leaves the socket open when the peer went away first.
+    if peer is not None:
+        with contextlib.suppress(OSError):
+            peer.close()
+
+
+def _why_not_opened(error: Exception, port: str) -> str:
+    number = getattr(error, "errno", None)
+    text = str(error)
+    if number in (errno.EAGAIN, errno.EBUSY) or "exclusively lock" in text:
+        return "the port is in use by another program; close that program."
+    if number in (errno.EACCES, errno.EPERM):
+        return (
+            "this user may not open the port; add the user to the group that owns it "
+            "(often dialout or uucp) and log in again."
+        )
+    if port.startswith("socket://"):
+        return f"no connection ({text}); check host, port number and that the server runs."
+    if number in (errno.ENOENT, errno.ENXIO, errno.ENODEV):
+        return "there is no such port; check the cable, the power and the port's name."
+    return f"the port cannot be opened ({text}); check the port's name in the rig file."
+
+
+def _why_lost(error: Exception, doing: str) -> str:
+    if isinstance(error, serial.SerialTimeoutException):
+        return (
+            "the device takes no more bytes (write time-out); check the cable and switch the "
+            "device off and on."
+        )
+    return f"the connection broke while {doing} ({error}); check cable and power."

@@ -1,0 +1,264 @@
+"""The compiled part of the contact: active set, Cholesky, Schur system for the pin.
+
+``frame`` (N, 4) holds for each surface node the unit normal from the pin centre, in global
+components and in radial and tangential components of the node's own place on the ring.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rigapp_model.bushing.linear import factorise, substitute
+from rigapp_model.compiled import njit
+
+CARRIED = 0
+NOT_SETTLED = 1
+ONE_SIDED = 2
+
+_LIMIT = 200  # bounds the single changes that come after _PATIENCE
+_SAFE = 0.3  # of the determinant without turning: less and the step leaves what it was taken from
+_SINGULAR = 1e-15  # of the squared trace: a stiffness in one direction only
+_CLOSED = 1e-6  # of the largest gap: less is neither open nor pressed in
+_BALANCED = 1e-6  # of the force, which the pressures carry but for this part
+_LONGEST_STEP = 0.1  # of the pin's radius: farther the nodes meet another part of its surface
+_STILL = 1e-12  # of the pin's radius: rounding of a place
+# After so many iterations the set changes one node at a time, which cannot cycle.
+_PATIENCE = 30
+
+
+@njit(
+    "void(float64[:,::1], float64[:,::1], float64, float64[::1], float64[:,::1], float64[::1])",
+    cache=True,
+)
+def place_pin(surface, axis, pin_radius, pin, frame, gap):  # type: ignore[no-untyped-def]
+    """Fill the frame and the rigid gap of every node for a pin centre."""
+    for i in range(surface.shape[0]):
+        x = surface[i, 0] - pin[0]
+        y = surface[i, 1] - pin[1]
+        distance = np.sqrt(x * x + y * y)
+        x /= distance
+        y /= distance
+        frame[i, 0] = x
+        frame[i, 1] = y
+        frame[i, 2] = x * axis[i, 0] + y * axis[i, 1]
+        frame[i, 3] = y * axis[i, 0] - x * axis[i, 1]
+        gap[i] = distance - pin_radius
+
+
+@njit("float64(float64[:,:,::1], float64[:,::1], int64, int64)", cache=True, inline="always")
+def normal_compliance(polar, frame, i, j):  # type: ignore[no-untyped-def]
+    """Return the normal displacement at node i by a unit normal force at node j."""
+    return frame[i, 2] * (polar[0, i, j] * frame[j, 2] + polar[1, i, j] * frame[j, 3]) + (
+        frame[i, 3] * (polar[2, i, j] * frame[j, 2] + polar[3, i, j] * frame[j, 3])
+    )
+
+
+@njit(
+    "void(float64[:,:,::1], float64[:,::1], float64[::1], int64[::1], int64, float64,"
+    " float64[::1])",
+    cache=True,
+)
+def displace(polar, frame, pressed, nodes, count, reach, gap):  # type: ignore[no-untyped-def]
+    """Add to the gap of nodes its normal displacement by the pressed nodes.
+
+    From the first to the last node whose gap is within reach; the others cannot come to touch.
+    Reciprocity turns columns into rows, so that the inner loop runs along the memory.
+    """
+    low, high = 0, gap.size
+    while low < high and gap[low] > reach:
+        low += 1
+    while high > low and gap[high - 1] > reach:
+        high -= 1
+    n = gap.size
+    radial = np.zeros(n)
+    tangential = np.zeros(n)
+    for p in range(count):
+        j = nodes[p]
+        r = pressed[j] * frame[j, 2]
+        t = pressed[j] * frame[j, 3]
+        for i in range(low, high):
+            radial[i] += polar[0, j, i] * r + polar[2, j, i] * t
+            tangential[i] += polar[1, j, i] * r + polar[3, j, i] * t
+    for i in range(low, high):
+        gap[i] += frame[i, 2] * radial[i] + frame[i, 3] * tangential[i]
+
+
+@njit("int64(boolean[::1], float64[::1], int64[::1])", cache=True)
+def list_touching(touching, gap, nodes):  # type: ignore[no-untyped-def]
+    """List the touching nodes, the nearest ones made touching if there are fewer than two."""
+    count = 0
+    for i in range(touching.size):
+        if touching[i]:
+            nodes[count] = i
+            count += 1
+    if count >= 2:
+        return count
+    for _ in range(2 - count):
+        best = -1
+        for i in range(touching.size):
+            if not touching[i] and (best < 0 or gap[i] < gap[best]):
+                best = i
+        touching[best] = True
+    return list_touching(touching, gap, nodes)
+
+
+@njit(
+    "int64(float64[::1], boolean[::1], float64[::1], float64, float64, boolean)",
+    cache=True,
+)
+def revise(left, touching, pressed, reach, slack, single):  # type: ignore[no-untyped-def]
+    """Drop what pulls, add what overlaps; return how many conditions were broken.
+
+    left: the gap after displacement; reach: the largest displacement; slack: what is not yet
+    counted, as a part of the largest force or of the reach; single: change only the node that
+    breaks its condition worst.
+    """
+    largest = pressed.max()
+    broken = 0
+    worst = -1
+    worst_size = 0.0
+    for i in range(touching.size):
+        if touching[i]:
+            share = -pressed[i] / largest if largest > 0.0 else 1.0
+        else:
+            share = -left[i] / reach - 1e-9
+        if share > 0.0:
+            if share > slack:
+                broken += 1
+            if not single:
+                touching[i] = not touching[i]
+            elif share > worst_size:
+                worst, worst_size = i, share
+    if worst >= 0:
+        touching[worst] = not touching[worst]
+    return broken
+
+
+@njit(
+    "float64[:,::1](float64[:,::1], float64[::1], float64[::1], int64[::1], int64, float64)",
+    cache=True,
+)
+def turning_stiffness(frame, gap, pressed, nodes, count, pin_radius):  # type: ignore[no-untyped-def]
+    """Return how the forces given turn when the pin moves, (2, 2), N/m per metre of width.
+
+    A normal turns by the pin's tangential move over its distance; without this term the pin finds
+    its place sideways only slowly.
+    """
+    turning = np.zeros((2, 2))
+    for p in range(count):
+        i = nodes[p]
+        rate = max(pressed[i], 0.0) / (pin_radius + gap[i])
+        for u in range(2):
+            for v in range(2):
+                turning[u, v] += rate * ((1.0 if u == v else 0.0) - frame[i, u] * frame[i, v])
+    return turning
+
+
+@njit("float64[::1](float64[:,::1], float64[:,::1], float64[::1])", cache=True)
+def pin_move(stiffness, turning, pull):  # type: ignore[no-untyped-def]
+    """Solve for the pin's move, (2,); without the turning where that would be unstable.
+
+    Not a number when the stiffness is singular: all normals are then the same.
+    """
+    move = np.empty(2)
+    trace = stiffness[0, 0] + stiffness[1, 1]
+    for share in (1.0, 0.5, 0.0):
+        s00 = stiffness[0, 0] - share * turning[0, 0]
+        s01 = stiffness[0, 1] - share * turning[0, 1]
+        s11 = stiffness[1, 1] - share * turning[1, 1]
+        determinant = s00 * s11 - s01 * s01
+        plain = stiffness[0, 0] * stiffness[1, 1] - stiffness[0, 1] ** 2
+        if determinant > _SAFE * plain and plain > _SINGULAR * trace * trace:
+            move[0] = (s11 * pull[0] - s01 * pull[1]) / determinant
+            move[1] = (s00 * pull[1] - s01 * pull[0]) / determinant
+            return move
+    move[:] = np.nan
+    return move
+
+
+@njit(
+    "int64(float64[::1], boolean[::1], float64[::1], float64[::1], float64[:,::1], float64)",
+    cache=True,
+)
+def verdict(force, touching, pressed, gap, frame, reach):  # type: ignore[no-untyped-def]
+    """Return CARRIED if all conditions of contact hold, else NOT_SETTLED."""
+    x, y = -force[0], -force[1]
+    for i in range(touching.size):
+        x += pressed[i] * frame[i, 0]
+        y += pressed[i] * frame[i, 1]
+        if pressed[i] < 0.0 or gap[i] < -_CLOSED * reach:
+            return NOT_SETTLED
+        if touching[i] and gap[i] > _CLOSED * reach:
+            return NOT_SETTLED
+    if x * x + y * y > _BALANCED**2 * (force[0] ** 2 + force[1] ** 2):
+        return NOT_SETTLED
+    return CARRIED
+
+
+@njit(
+    "Tuple((int64, int64))(float64[:,::1], float64[:,::1], float64[:,:,::1], float64[::1],"
+    " float64, float64[::1], float64[::1], boolean[::1], float64[::1], float64[::1],"
+    " float64[:,::1])",
+    cache=True,
+)
+def solve(  # type: ignore[no-untyped-def]
+    surface, axis, polar, extra, pin_radius, force, pin, touching, pressed, gap, frame
+):
+    """Solve one contact; pin, touching, pressed, gap and frame are changed in place.
+
+    Returns the status and the number of iterations. Each iteration solves gap = 0 on the touching
+    nodes together with the balance of forces, linear in the pin's move, then revises the set. It
+    ends when set and pin stay. ``gap`` is then what is left after elastic displacement.
+    """
+    n = surface.shape[0]
+    nodes = np.empty(n, dtype=np.int64)
+    capacity = 0
+    place_pin(surface, axis, pin_radius, pin, frame, gap)
+    for iteration in range(1, _LIMIT + 1):
+        count = list_touching(touching, gap, nodes)
+        if count > capacity:
+            capacity = count + 16
+            a = np.empty((capacity, capacity))
+            rows = np.empty((3, capacity))
+        turning = turning_stiffness(frame, gap, pressed, nodes, count, pin_radius)
+        for p in range(count):
+            i = nodes[p]
+            for q in range(p, count):
+                a[p, q] = normal_compliance(polar, frame, i, nodes[q])
+            a[p, p] += extra[i]
+            rows[0, p] = frame[i, 0]
+            rows[1, p] = frame[i, 1]
+            rows[2, p] = gap[i]
+        if factorise(a, count) <= 0.0:
+            return NOT_SETTLED, iteration
+        substitute(a, count, rows, 3)
+        stiffness = np.zeros((2, 2))
+        pull = force.copy()
+        for p in range(count):
+            for u in range(2):
+                for v in range(2):
+                    stiffness[u, v] += frame[nodes[p], u] * rows[v, p]
+                pull[u] += frame[nodes[p], u] * rows[2, p]
+        move = pin_move(stiffness, turning, pull)
+        length = np.sqrt(move[0] ** 2 + move[1] ** 2)
+        if not np.isfinite(length):
+            return ONE_SIDED, iteration
+        pressed[:] = 0.0
+        for p in range(count):
+            value = rows[0, p] * move[0] + rows[1, p] * move[1] - rows[2, p]
+            pressed[nodes[p]] = value
+        step = min(1.0, _LONGEST_STEP * pin_radius / length) if length > 0.0 else 1.0
+        pin += step * move
+        place_pin(surface, axis, pin_radius, pin, frame, gap)
+        reach = 0.0
+        for p in range(count):
+            reach = max(reach, abs(gap[nodes[p]]))
+        settled = length <= _CLOSED * reach + _STILL * pin_radius
+        displace(polar, frame, pressed, nodes, count, np.inf if settled else reach, gap)
+        broken = revise(gap, touching, pressed, reach, 0.0, iteration > _PATIENCE)
+        if broken == 0 and settled:
+            for i in range(n):
+                gap[i] += extra[i] * pressed[i]
+            return verdict(force, touching, pressed, gap, frame, reach), iteration
+        place_pin(surface, axis, pin_radius, pin, frame, gap)
+    return NOT_SETTLED, _LIMIT

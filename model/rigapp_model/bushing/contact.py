@@ -1,0 +1,166 @@
+"""The rigid pin in the elastic bushing, without friction: which nodes touch, and how hard."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rigapp_model.bushing import active_set
+from rigapp_model.bushing.compliance import SurfaceCompliance
+from rigapp_model.errors import ModelError
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+# A contact deeper than this part of the wall is beyond linear elasticity by any measure.
+LARGEST_INDENTATION = 0.2
+# The pin's flanks, beyond this part of its radius, are nearly parallel to the force.
+FLANK = 0.98
+# So is a pressure above this part of the modulus.
+LARGEST_STRAIN = 0.25
+
+
+class ContactError(ModelError):
+    """Say why a load cannot be carried by the contact."""
+
+
+class ArcTooSmall(ContactError):
+    """Say that the contact reaches beyond the arc of nodes chosen for it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Contact:
+    """Hold one contact: where the pin is and what presses where.
+
+    ``pin``: the pin centre from the bushing's centre, (2,), m; ``force``: normal force of each
+    node per metre of width, (N,), N/m; ``frame``: unit normals (N, 4), outward, in x and y and
+    in radial and tangential components; ``gap``: what is left between pin and surface after
+    elastic displacement and wear, m; ``touching``: flags; ``iterations``: how many it took.
+    """
+
+    pin: Array
+    force: Array
+    frame: Array
+    gap: Array
+    touching: Flags
+    iterations: int
+
+
+def solve_contact(
+    compliance: SurfaceCompliance,
+    surface: Array,
+    pin_radius: float,
+    force: ArrayLike,
+    start: Contact | None = None,
+) -> Contact:
+    """Solve the contact of the pin with the surface under one force.
+
+    surface: positions of the compliance's nodes, (N, 2), m; force: on the bushing by the pin per
+    metre of width, (2,), N/m; start: a contact to start from. Holds at the end, and is
+    verified: gap >= 0, force >= 0, force x gap = 0, sum of force x normal = the given force.
+    Raises ContactError when the surface given cannot carry the force, ArcTooSmall when more nodes
+    would touch than may.
+    """
+    load = np.ascontiguousarray(force, dtype=np.float64)
+    size = float(np.hypot(load[0], load[1]))
+    if not np.isfinite(size):
+        raise ContactError("force", "not finite", "give finite components")
+    if size == 0.0:
+        raise ContactError("force", 0.0, "without a force there is no contact to solve", "N/m")
+    if start is None:
+        pin, touching = first_guess(surface, compliance, pin_radius, load)
+        pressed = np.zeros(len(surface))
+    else:
+        pin, touching, pressed = start.pin.copy(), start.touching.copy(), start.force.copy()
+    gap = np.empty(len(surface))
+    frame = np.empty((len(surface), 4))
+    status, iterations = active_set.solve(
+        surface,
+        compliance.axis,
+        compliance.polar,
+        np.zeros(len(surface)),
+        pin_radius,
+        load,
+        pin,
+        touching,
+        pressed,
+        gap,
+        frame,
+    )
+    if status != active_set.CARRIED:
+        raise ContactError("force", size, _REASONS[status], "N per metre of width")
+    contact = Contact(pin, pressed, frame, gap, touching, iterations)
+    if touching[compliance.ends].any():
+        raise ArcTooSmall("force", size, _BEYOND_ARC, "N per metre of width")
+    return contact
+
+
+_REASONS = {
+    active_set.NOT_SETTLED: "the contact found no balance; the load is too high for this bushing "
+    "or the profile is not smooth",
+    active_set.ONE_SIDED: "no part of the bushing lies where the force points, so nothing can "
+    "carry it",
+}
+_BEYOND_ARC = "the contact reaches beyond the arc of nodes that may touch; lower the force"
+
+
+def first_guess(
+    surface: Array, compliance: SurfaceCompliance, pin_radius: float, force: Array
+) -> tuple[Array, Flags]:
+    """Return a pin centre and touching flags to start from: a bed of springs under the force."""
+    size = np.hypot(force[0], force[1])
+    direction = force / size
+    along = surface @ direction
+    across2 = (surface * surface).sum(axis=1) - along**2
+    facing = np.flatnonzero((along > 0.0) & (across2 < (FLANK * pin_radius) ** 2))
+    touching = np.zeros(len(surface), dtype=np.bool_)
+    if facing.size == 0:
+        return np.zeros(2), touching
+    room = along[facing] - np.sqrt(pin_radius**2 - across2[facing])
+    order = np.sort(room)
+    stiffness = 0.3 / compliance.polar[0, facing, facing].mean()
+    carried = np.arange(1, order.size + 1) * order - np.cumsum(order)
+    count = max(int(np.searchsorted(carried, size / stiffness)), 1)
+    touching[facing[room <= order[count - 1]]] = True
+    return (size / stiffness + order[:count].sum()) / count * direction, touching
+
+
+def simpson_weights(surface: Array) -> Array:
+    """Return the length of the closed surface that each node stands for, m.
+
+    surface: positions of all nodes of the ring, (N, 2), corners first and then every second one.
+    Simpson's rule in each element on the polygon through its three nodes, so it is the current
+    arc length that counts. Pressure = force / weight.
+    """
+    step = np.roll(surface, -1, axis=0) - surface
+    ahead = np.hypot(step[:, 0], step[:, 1])
+    element = ahead[0::2] + ahead[1::2]
+    weights = np.empty(len(surface))
+    weights[1::2] = element * (4.0 / 6.0)
+    weights[0::2] = (element + np.roll(element, 1)) / 6.0
+    return weights
+
+
+def refuse_beyond_elasticity(
+    force: float, indentation: float, wall: float, pressure: float, modulus: float
+) -> None:
+    """Raise ContactError when the pin presses harder than linear elasticity can tell.
+
+    force: N/m; indentation: how deep the pin sinks in, m; wall: thickness of the bushing, m;
+    pressure: the largest, Pa; modulus: E / (1 - nu^2), Pa.
+    """
+    unit = "N per metre of width"
+    sinks = f"the pin would sink {indentation * 1e3:.3g} mm"
+    if indentation >= wall:
+        end = f"{sinks} and go through the wall of {wall * 1e3:.3g} mm; lower the force"
+        raise ContactError("force", force, end, unit)
+    if indentation > LARGEST_INDENTATION * wall or pressure > LARGEST_STRAIN * modulus:
+        raise ContactError(
+            "force",
+            force,
+            f"{sinks} into a wall of {wall * 1e3:.3g} mm with {pressure * 1e-6:.3g} MPa, which is "
+            "beyond linear elasticity; lower the force or give a stiffer bushing",
+            unit,
+        )

@@ -1,0 +1,218 @@
+"""The bushing as a clamped elastic ring with a pin in it: geometry, material, mesh, pressure."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rigapp_model.bushing import persson
+from rigapp_model.bushing.compliance import SurfaceCompliance, circular_compliance, surface_angles
+from rigapp_model.bushing.contact import (
+    Contact,
+    ContactError,
+    refuse_beyond_elasticity,
+    simpson_weights,
+    solve_contact,
+)
+from rigapp_model.bushing.element import Plane, elasticity
+from rigapp_model.bushing.sector import SectorMesh, suitable_mesh
+from rigapp_model.bushing.winkler import winkler_compliance, winkler_half_angle
+from rigapp_model.contact_law import foundation_modulus
+from rigapp_model.errors import ModelError, require_positive
+from rigapp_model.parameters import Joint, Material
+
+Array = NDArray[np.float64]
+
+ContactModel = Literal["finite-element", "winkler"]
+
+# Most nodes of one contact problem: its matrices grow with the square.
+ARC_TURNS, ARC_RAD = 2.0, 0.05  # an arc so much wider than the contact that is expected
+MOST_NODES = 900
+# Numbers of sectors to choose from; few of them, so that meshes are met again.
+SECTORS = tuple(
+    part * 2**power for power in range(9) for part in (60, 72, 90, 108) if part * 2**power <= 23040
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Ring:
+    """Hold the bushing's radii and the pin's (m), and the bushing's material; the rim is fixed.
+
+    ``contact``: whether the bushing gives way like an elastic body or like a bed of springs.
+    """
+
+    inner: float
+    outer: float
+    pin_radius: float
+    youngs_modulus: float
+    poissons_ratio: float
+    plane: Plane = "strain"
+    contact: ContactModel = "finite-element"
+
+    def __post_init__(self) -> None:
+        for name in ("inner", "outer", "pin_radius"):
+            require_positive(name, getattr(self, name), "m")
+        if not self.pin_radius <= self.inner < self.outer:
+            radii = (self.pin_radius, self.inner, self.outer)
+            raise ModelError("radii", radii, "give pin radius <= inner radius < outer radius", "m")
+        elasticity(self.youngs_modulus, self.poissons_ratio, self.plane)
+
+    @property
+    def clearance(self) -> float:
+        """Return the radial clearance of the unworn joint, m."""
+        return self.inner - self.pin_radius
+
+    @property
+    def wall(self) -> float:
+        """Return the wall's thickness, m."""
+        return self.outer - self.inner
+
+    @property
+    def modulus(self) -> float:
+        """Return the modulus of a flat surface of the material, E / (1 - nu^2) or E, Pa."""
+        if self.plane == "stress":
+            return self.youngs_modulus
+        return self.youngs_modulus / (1.0 - self.poissons_ratio**2)
+
+    @property
+    def foundation_modulus(self) -> float:
+        """Return pressure per displacement of the wall as a bed of springs, Pa/m."""
+        return foundation_modulus(self.youngs_modulus, self.poissons_ratio, self.wall, self.plane)
+
+    def circle(self, sectors: int) -> Array:
+        """Return the unworn positions of the 2 x sectors surface nodes, (2 x sectors, 2), m."""
+        angle = surface_angles(sectors)
+        return self.inner * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+
+    def half_angle(self, force: float) -> float:
+        """Return an estimate of the unworn contact's half-angle for a force in N/m, rad.
+
+        Persson's, or that of the bed of springs.
+        """
+        if self.contact == "winkler":
+            return winkler_half_angle(
+                self.foundation_modulus, self.clearance, self.pin_radius, force
+            )
+        return persson.half_angle(force, self.clearance, self.modulus)
+
+    def indentation(self, surface: Array, pin: Array) -> float:
+        """Return how deep the pin sinks into a surface (N, 2), m."""
+        distance = np.hypot(surface[:, 0] - pin[0], surface[:, 1] - pin[1])
+        return self.pin_radius - float(distance.min())
+
+    def compliance(self, mesh: SectorMesh, nodes: NDArray[np.int64]) -> SurfaceCompliance:
+        """Return the compliance between surface nodes; the newest few are kept."""
+        return _compliance(self, mesh, nodes.tobytes())
+
+    def mesh(self, sectors: int) -> SectorMesh:
+        """Return a mesh of so many sectors, its layers fitting the wall."""
+        return suitable_mesh(sectors, self.inner, self.outer)
+
+
+def ring_of(joint: Joint, material: Material, contact: ContactModel = "finite-element") -> Ring:
+    """Return the ring of a joint with a bushing of this material."""
+    return Ring(
+        inner=joint.bushing_radius,
+        outer=joint.bushing_outer_radius,
+        pin_radius=joint.pin_radius,
+        youngs_modulus=material.youngs_modulus,
+        poissons_ratio=material.poissons_ratio,
+        contact=contact,
+    )
+
+
+@lru_cache(maxsize=8)
+def _compliance(ring: Ring, mesh: SectorMesh, nodes: bytes) -> SurfaceCompliance:
+    """Gather a compliance; the nodes as bytes, which can be a key."""
+    chosen = np.frombuffer(nodes, dtype=np.int64)
+    if ring.contact == "winkler":
+        weights = simpson_weights(ring.circle(mesh.sectors))
+        return winkler_compliance(ring.foundation_modulus, mesh, weights, chosen)
+    return circular_compliance(
+        ring.inner,
+        ring.outer,
+        ring.youngs_modulus,
+        ring.poissons_ratio,
+        ring.plane,
+        mesh,
+        chosen,
+    )
+
+
+def sectors_at_least(wanted: float) -> int:
+    """Return the next number of sectors to choose from; the largest when more are wanted."""
+    return next((n for n in SECTORS if n >= wanted), SECTORS[-1])
+
+
+def arc_nodes(sectors: int, directions: ArrayLike, half_angle: float) -> NDArray[np.int64]:
+    """Return the surface nodes within a half-angle (rad) of any of the directions (rad)."""
+    angle = surface_angles(sectors)
+    apart = angle[:, None] - np.atleast_1d(np.asarray(directions, dtype=np.float64))[None, :]
+    near = np.abs((apart + np.pi) % (2.0 * np.pi) - np.pi).min(axis=1) <= half_angle
+    return np.flatnonzero(near)
+
+
+@dataclass(frozen=True, slots=True)
+class PressureDistribution:
+    """Hold the pressure (Pa) over the angle (rad) from -pi, on all surface nodes.
+
+    ``pin``: the pin centre from the bushing's, (2,), m; ``half_angle``: of the contact, rad;
+    ``contact``: the solution on the nodes ``nodes``.
+    """
+
+    angle: Array
+    pressure: Array
+    pin: Array
+    half_angle: float
+    contact: Contact
+    nodes: NDArray[np.int64]
+
+
+def pressure_distribution(
+    ring: Ring,
+    force: ArrayLike,
+    sectors: int | None = None,
+) -> PressureDistribution:
+    """Compute the pressure of the pin on the bushing.
+
+    force: on the bushing by the pin, per metre of width, (2,), N/m; x is angle 0. sectors: of the
+    mesh; by default so many that 40 nodes lie in half the contact. Raises ContactError when the
+    bushing cannot carry the force.
+    """
+    load = np.asarray(force, dtype=np.float64)
+    size = float(np.hypot(load[0], load[1]))
+    if not (np.isfinite(size) and size > 0.0):
+        raise ContactError("force", size, "give a finite force above 0", "N/m")
+    if size > ring.modulus * ring.wall:
+        # More than the modulus over the whole wall: nothing elastic is left of it.
+        refuse_beyond_elasticity(size, size / ring.modulus, ring.wall, ring.modulus, ring.modulus)
+    expected = ring.half_angle(size)
+    if sectors is None:
+        sectors = sectors_at_least(126.0 / expected)
+    surface = ring.circle(sectors)
+    half = min(ARC_TURNS * expected + ARC_RAD, np.pi)
+    room = 0.5 * np.pi * MOST_NODES / sectors
+    nodes = arc_nodes(sectors, np.arctan2(load[1], load[0]), min(half, room))
+    compliance = ring.compliance(ring.mesh(sectors), nodes)
+    contact = solve_contact(compliance, surface[nodes], ring.pin_radius, load)
+    pressure = np.zeros(2 * sectors)
+    pressure[nodes] = contact.force / simpson_weights(surface)[nodes]
+    refuse_beyond_elasticity(
+        size,
+        ring.indentation(surface[nodes], contact.pin),
+        ring.wall,
+        float(pressure.max()),
+        ring.modulus,
+    )
+    return PressureDistribution(
+        angle=surface_angles(sectors),
+        pressure=pressure,
+        pin=contact.pin,
+        half_angle=0.5 * float(np.count_nonzero(contact.touching)) * np.pi / sectors,
+        contact=contact,
+        nodes=nodes,
+    )

@@ -1,0 +1,44 @@
+"""Know the wear coefficient while it wears: posterior, remaining life, and whether it still holds.
+
+Bins of the measured depth and one computed life in, probabilities and sentences out; no input or
+output. ``docs/model-wear.md`` says what is assumed.
+"""
+
+from rigapp_model.identification.bins import Bin, Bins, bins_of
+from rigapp_model.identification.consistency import Consistency, Departure, consistency_of
+from rigapp_model.identification.errors import CannotBeTold, Prior, ProbeErrors, probe_errors
+from rigapp_model.identification.forecast import Band, Remaining, predictive_band, remaining
+from rigapp_model.identification.inference import Credible, Identification, Verdict, identify
+from rigapp_model.identification.life import DepthLife, depth_life, weight, worn_ahead
+from rigapp_model.identification.specimens import Estimate, Pairing, estimate_of, pairing_of
+from rigapp_model.identification.words import sentence
+
+__all__ = [
+    "Band",
+    "Bin",
+    "Bins",
+    "CannotBeTold",
+    "Consistency",
+    "Credible",
+    "Departure",
+    "DepthLife",
+    "Estimate",
+    "Identification",
+    "Pairing",
+    "Prior",
+    "ProbeErrors",
+    "Remaining",
+    "Verdict",
+    "bins_of",
+    "consistency_of",
+    "depth_life",
+    "estimate_of",
+    "identify",
+    "pairing_of",
+    "predictive_band",
+    "probe_errors",
+    "remaining",
+    "sentence",
+    "weight",
+    "worn_ahead",
+]

@@ -1,0 +1,170 @@
+"""Readings of the depth gathered in bins of revolutions, about 12 to a decade.
+
+A bin's mean is robust: readings are averaged in groups of up to eight whose two largest and two
+smallest are left out, and a bin has one group at least. The scatter is that of the groups about a
+straight line over progress, so that wear within a bin is not taken for it. Each reading costs the
+same, whatever came before.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import astuple, dataclass, field, fields
+from typing import Any
+
+import numpy as np
+
+from rigapp_model.errors import require_positive
+
+PER_DECADE = 12
+"""Bins a decade: in one of them the depth grows by a fifth, its curve by 4e-4 of the depth."""
+GROUP = 8
+"""Readings of a group: two in eight may be wrong without harm; its mean is 0.9 as efficient."""
+
+
+@dataclass(frozen=True, slots=True)
+class Bin:
+    """Hold a closed bin.
+
+    revolution: last one in it; first, progress, last: measured progress at its beginning, its mean
+    and at its end, nominal cycles; depth: robust mean, m; count: readings; squares: of the groups
+    about their straight line, times readings, m^2, with so many degrees of freedom.
+    """
+
+    revolution: float
+    first: float
+    progress: float
+    last: float
+    depth: float
+    count: int
+    squares: float
+    freedom: int
+
+
+@dataclass(slots=True)
+class Gathering:
+    """Gather readings until the bin is closed, in a fixed number of numbers.
+
+    Sums over groups: n, p, d, p^2, p d, d^2 with progress and depth less those of the first one.
+    """
+
+    origin: tuple[float, float] = (0.0, 0.0)
+    sums: list[float] = field(default_factory=lambda: [0.0] * 6)
+    groups: int = 0
+    first: float = 0.0
+    last: float = 0.0
+    revolution: float = 0.0
+    waiting: list[tuple[float, float]] = field(default_factory=list)
+
+    def add(self, revolution: float, progress: float, depth: float) -> None:
+        """Take one reading."""
+        if not (self.groups or self.waiting):
+            self.origin, self.first = (progress, depth), progress
+        self.revolution, self.last = revolution, progress
+        self.waiting.append((progress, depth))
+        if len(self.waiting) == GROUP:
+            self._group()
+
+    def _group(self) -> None:
+        if not self.waiting:
+            return
+        p = sum(one[0] for one in self.waiting) / len(self.waiting) - self.origin[0]
+        d = trimmed([one[1] for one in self.waiting]) - self.origin[1]
+        n = float(len(self.waiting))
+        for at, value in enumerate((1.0, p, d, p * p, p * d, d * d)):
+            self.sums[at] += n * value
+        self.groups += 1
+        self.waiting = []
+
+    def numbers(self) -> dict[str, Any]:
+        """Return all that is kept as plain numbers, for a checkpoint."""
+        kept = {one.name: getattr(self, one.name) for one in fields(self)}
+        return {**kept, "sums": list(self.sums), "waiting": list(self.waiting)}
+
+    def closed(self) -> Bin | None:
+        """Return the bin, None when there is no reading in it."""
+        if len(self.waiting) >= GROUP // 2 or not self.groups:
+            self._group()
+        if not self.groups:
+            return None
+        n, p, d, pp, pd, dd = self.sums
+        along = pp - p * p / n
+        left = dd - d * d / n - ((pd - p * d / n) ** 2 / along if along > 0.0 else 0.0)
+        freedom = max(self.groups - 2, 0)
+        return Bin(
+            self.revolution,
+            self.first,
+            self.origin[0] + p / n,
+            self.last,
+            self.origin[1] + d / n,
+            int(n),
+            max(left, 0.0) if freedom else 0.0,
+            freedom,
+        )
+
+
+def trimmed(values: list[float]) -> float:
+    """Return the mean without the largest and the smallest quarter."""
+    cut = len(values) // 4
+    kept = sorted(values)[cut : len(values) - cut]
+    return sum(kept) / len(kept)
+
+
+@dataclass(slots=True)
+class Bins:
+    """Take readings one by one, and keep closed bins and the one that is being filled."""
+
+    per_decade: float = PER_DECADE
+    closed: list[Bin] = field(default_factory=list)
+    _open: Gathering = field(default_factory=Gathering)
+    _ends: float = 0.0
+
+    def __post_init__(self) -> None:
+        require_positive("per_decade", self.per_decade)
+
+    def add(self, revolution: float, progress: float, depth: float) -> Bin | None:
+        """Take one reading; return the bin that it closed, None when none.
+
+        revolution: its number, rising; progress: by then, nominal cycles; depth: measured, m. One
+        that is not finite is left out.
+        """
+        if not np.isfinite(depth):
+            return None
+        done = None
+        if revolution > self._ends:
+            done = self._close()
+            self._ends = self._end_of(revolution)
+        self._open.add(revolution, progress, depth)
+        return done
+
+    def _close(self) -> Bin | None:
+        done = self._open.closed()
+        self._open = Gathering()
+        if done is not None:
+            self.closed.append(done)
+        return done
+
+    def _end_of(self, revolution: float) -> float:
+        """Return the last revolution of the bin in which one lies."""
+        number = np.floor(self.per_decade * np.log10(max(revolution, 1.0)) + 1e-9)
+        end = float(np.floor(10.0 ** ((number + 1.0) / self.per_decade) - 1e-9))
+        return max(end, revolution + GROUP - 1.0)
+
+    def numbers(self) -> dict[str, Any]:
+        """Return all that is kept as plain numbers, for a checkpoint."""
+        return {
+            "per_decade": self.per_decade,
+            "closed": [list(astuple(one)) for one in self.closed],
+            "open": self._open.numbers(),
+            "ends": self._ends,
+        }
+
+
+def bins_of(numbers: Mapping[str, Any]) -> Bins:
+    """Return the bins of which ``numbers`` were kept; they go on as those would have."""
+    is_open = dict(numbers["open"])
+    is_open["origin"] = tuple(is_open["origin"])
+    is_open["waiting"] = [tuple(one) for one in is_open["waiting"]]
+    is_open["sums"] = list(is_open["sums"])
+    closed = [Bin(*one) for one in numbers["closed"]]
+    return Bins(numbers["per_decade"], closed, Gathering(**is_open), numbers["ends"])

@@ -1,0 +1,75 @@
+"""What is known beforehand: errors of the probes, the coefficient; and what makes a refusal."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rigapp_model.errors import require_not_negative, require_positive
+
+
+class CannotBeTold(Exception):
+    """Say in one plain sentence why nothing is stated: never a number without its uncertainty."""
+
+
+@dataclass(frozen=True, slots=True)
+class ProbeErrors:
+    """Hold what the probes' record states, as standard uncertainties.
+
+    sensitivity: relative, common to all readings; reference: of the depth's zero, m; drift: lower
+    bound of its strength, m per root of the natural logarithm of revolutions; scatter: of one
+    reading as expected before any is there, m.
+    """
+
+    sensitivity: float
+    reference: float
+    drift: float
+    scatter: float = 0.5e-6
+
+    def __post_init__(self) -> None:
+        require_not_negative("sensitivity", self.sensitivity)
+        require_positive("reference", self.reference, "m")
+        require_not_negative("drift", self.drift, "m")
+        require_positive("scatter", self.scatter, "m")
+
+
+def probe_errors(
+    sensitivity: float | None, reference: float | None, drift: float | None, scatter: float = 0.5e-6
+) -> ProbeErrors:
+    """Return the errors of the probes; raise CannotBeTold for what no record states (None)."""
+    missing = [
+        name
+        for name, value in (
+            ("uncertainty of the sensitivity", sensitivity),
+            ("uncertainty of the reference", reference),
+            ("drift", drift),
+        )
+        if value is None
+    ]
+    if sensitivity is None or reference is None or drift is None:
+        raise CannotBeTold(
+            f"the probes have no calibration record that states {', '.join(missing)}: calibrate"
+            " them, or give the test their record"
+        )
+    return ProbeErrors(sensitivity, reference, drift, scatter)
+
+
+WIDE = float(np.log(10.0) / 1.959964)
+"""Spread of ln K when nothing is known but its order: 95 % within a decade to either side."""
+
+
+@dataclass(frozen=True, slots=True)
+class Prior:
+    """Hold what is known of the wear coefficient before the test: ln K is normal.
+
+    coefficient: median, m^2/N; spread: standard deviation of ln K; source: where from, in words.
+    """
+
+    coefficient: float
+    spread: float = WIDE
+    source: str = "the parameter file's order of magnitude, a decade to either side"
+
+    def __post_init__(self) -> None:
+        require_positive("coefficient", self.coefficient, "m^2/N")
+        require_positive("spread", self.spread)

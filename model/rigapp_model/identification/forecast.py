@@ -1,0 +1,189 @@
+"""What is to come: revolutions that remain to a depth, and the band in which depth will lie."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import ndtr
+
+from rigapp_model.errors import require_positive
+from rigapp_model.identification.inference import Credible, Identification
+from rigapp_model.identification.life import DepthLife
+from rigapp_model.identification.posterior import Nodes
+
+Array = NDArray[np.float64]
+
+SHARE = 1.0 - 1e-4
+"""Nodes that hold this share of the posterior decide its 95 % limits to a hundredth of a sigma."""
+MARGIN = 4.0
+"""The life must reach so many standard uncertainties beyond a depth for its limits to be known."""
+TIMES = 64
+"""Revolutions at which the probability of a depth is computed, first widely, then near it."""
+LEVELS = (0.025, 0.5, 0.975)
+
+
+@dataclass(frozen=True, slots=True)
+class Remaining:
+    """Hold how many revolutions remain until the depth (m) is reached; None with a reason in words.
+
+    high is infinite where the computed life does not hold it.
+    """
+
+    depth: float
+    revolutions: Credible | None
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Band:
+    """Hold median and 95 % limits of the depth (n,), m, at revolutions (n,).
+
+    NaN where it is beyond what the model computes.
+    """
+
+    revolution: Array
+    median: Array
+    low: Array
+    high: Array
+
+
+def remaining(
+    identification: Identification,
+    life: DepthLife,
+    depth: float,
+    rate: float | None = None,
+    measured: bool = True,
+    averaged: bool = False,
+) -> Remaining:
+    """Return the revolutions that remain to a depth, m, with 95 % limits.
+
+    rate: what a revolution will add to progress, nominal cycles, as of late unless told; measured:
+    whether the depth is one that the probes will read, as a stop criterion does, with their errors
+    so far, or the depth itself, whose uncertainty holds that of the sensitivity and the reference;
+    averaged: by all statements with their weights, else by the most probable one.
+    """
+    require_positive("depth", depth, "m")
+    known, errors = identification, identification.errors
+    needed = (depth + MARGIN * errors.reference) / (1.0 - min(MARGIN * known.sensitivity, 0.5))
+    if needed > life.reach:
+        return Remaining(
+            depth,
+            None,
+            f"beyond what the model computes: its life reaches {1e6 * life.reach:.4g} um, and"
+            f" {1e6 * needed:.4g} um are needed for the limits of {1e6 * depth:.4g} um",
+        )
+    rate = known.rate if rate is None else rate
+    require_positive("rate", rate)
+    believed = _believed(known, averaged)
+    slowest = min(float(nodes.hypotheses.log_coefficient.min()) for _, nodes in believed)
+    last = life.stretches[-1]
+    farthest = (last.progress[-1] * np.exp(-slowest) + last.start) / rate
+    ahead = np.concatenate([[0.0], np.geomspace(1.0, max(farthest, 10.0), TIMES - 1)])
+    for _ in range(2):
+        reached = _reached(known, life, believed, ahead, rate, depth, measured)
+        low = max(int(np.searchsorted(reached, 1e-3)) - 1, 0)
+        high = min(int(np.searchsorted(reached, 1.0 - 1e-3)), TIMES - 1)
+        ahead = np.linspace(ahead[low], max(ahead[high], ahead[low] + 1.0), TIMES)
+    reached = _reached(known, life, believed, ahead, rate, depth, measured)
+    limits = [
+        float(np.interp(level, reached, ahead)) if reached[-1] >= level else float("inf")
+        for level in LEVELS
+    ]
+    if not np.isfinite(limits[1]):
+        return Remaining(depth, None, "beyond what the model computes, more likely than not")
+    return Remaining(depth, Credible(limits[1], limits[0], limits[2]))
+
+
+def _believed(known: Identification, averaged: bool) -> list[tuple[float, Nodes]]:
+    """Return the statements that a forecast is by: weights, which sum up to 1, and nodes."""
+    verdicts = known.verdicts if averaged else known.verdicts[:1]
+    total = sum(one.weight for one in verdicts)
+    return [(one.weight / total, one.nodes.heaviest(SHARE)) for one in verdicts]
+
+
+def _reached(
+    known: Identification,
+    life: DepthLife,
+    believed: list[tuple[float, Nodes]],
+    ahead: Array,
+    rate: float,
+    depth: float,
+    measured: bool,
+) -> Array:
+    """Return the probability that the depth is reached some revolutions ahead (n,)."""
+    found = np.zeros(ahead.size)
+    for weight, nodes in believed:
+        at = known.revolution + ahead
+        mean, deviation = _depths(known, life, nodes, at, rate, measured)
+        found += weight * (nodes.weight @ ndtr((mean - depth) / deviation))
+    return np.maximum.accumulate(found)
+
+
+def _depths(
+    known: Identification, life: DepthLife, nodes: Nodes, at: Array, rate: float, measured: bool
+) -> tuple[Array, Array]:
+    """Return mean and standard deviation of the depth (H, n), m, by each node at revolutions (n,).
+
+    What the bins leave of the drift goes on from the last bin as a random walk.
+    """
+    progress = known.progress + rate * (at - known.revolution)
+    found, slopes = life.depth(progress, nodes.hypotheses.scaled(np.zeros(0)))
+    by_ratio = slopes[1]
+    if not measured:
+        mean = found + nodes.mean[:, :1] * by_ratio
+        variance = by_ratio**2 * nodes.covariance[:, :1, 0]
+        return mean, np.sqrt(variance + 1e-24)
+    columns = np.stack(
+        [by_ratio, known.sensitivity * found, np.full_like(found, known.errors.reference)], axis=2
+    )
+    mean = found + (columns @ nodes.mean[:, :, None])[:, :, 0] + nodes.left[:, None]
+    apart = columns - nodes.pulled[:, None, :]
+    walked = np.log(np.maximum(at, 1.0)) - known.readings.walked[-1]
+    variance = (
+        ((apart @ nodes.covariance) * apart).sum(axis=2)
+        + nodes.spare[:, None]
+        + nodes.strength[:, None] ** 2 * np.maximum(walked, 0.0)
+    )
+    return mean, np.sqrt(variance)
+
+
+def predictive_band(
+    identification: Identification,
+    life: DepthLife,
+    revolutions: ArrayLike,
+    rate: float | None = None,
+    measured: bool = True,
+    averaged: bool = False,
+) -> Band:
+    """Return median and 95 % limits of the depth at coming revolutions (n,).
+
+    rate, measured, averaged: as for ``remaining``; without the scatter of a single reading.
+    """
+    known = identification
+    at = np.asarray(revolutions, dtype=np.float64)
+    rate = known.rate if rate is None else rate
+    parts = [
+        (weight * nodes.weight, *_depths(known, life, nodes, at, rate, measured))
+        for weight, nodes in _believed(known, averaged)
+    ]
+    weight, mean, deviation = (np.concatenate([part[k] for part in parts]) for k in range(3))
+    low, high = (mean - 5.0 * deviation).min(axis=0), (mean + 5.0 * deviation).max(axis=0)
+    found = [_level(level, weight, mean, deviation, low, high) for level in LEVELS]
+    beyond = (
+        found[2] > life.reach * (1.0 - MARGIN * known.sensitivity) - MARGIN * known.errors.reference
+    )
+    lower, middle, upper = (np.where(beyond, np.nan, one) for one in found)
+    return Band(at, middle, lower, upper)
+
+
+def _level(
+    level: float, weight: Array, mean: Array, deviation: Array, low: Array, high: Array
+) -> Array:
+    """Return the depth (n,), m, that a mixture of normals is below with a probability."""
+    for _ in range(20):  # a millionth of what lies between low and high
+        middle = 0.5 * (low + high)
+        below = weight @ ndtr((middle - mean) / deviation) < level * weight.sum()
+        low, high = np.where(below, middle, low), np.where(below, high, middle)
+    return 0.5 * (low + high)

@@ -1,0 +1,209 @@
+"""The wear coefficient from a running test: posterior of each statement, compared by evidence."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp_model.identification.alternatives import alternative_posterior
+from rigapp_model.identification.bins import Bin, Bins
+from rigapp_model.identification.errors import Prior, ProbeErrors
+from rigapp_model.identification.evidence import DepthBins, noise_of, readings_of
+from rigapp_model.identification.life import DepthLife
+from rigapp_model.identification.posterior import Given, Nodes, constant_posterior
+from rigapp_model.identification.statements import STATEMENTS, Statement
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Credible:
+    """Hold the median of a quantity with its 95 % credible limits."""
+
+    median: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Verdict:
+    """Hold what one statement comes to.
+
+    weight: its probability among all; log_evidence; coefficient: now, m^2/N; before: the first
+    one, and place: progress at which it changed or within which it ran in, nominal cycles, None
+    for a constant one.
+    """
+
+    name: str
+    weight: float
+    log_evidence: float
+    coefficient: Credible
+    before: Credible | None
+    place: Credible | None
+    nodes: Nodes
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Identification:
+    """Hold what is known of the wear coefficient after some bins.
+
+    coefficient: now, by the most probable statement, m^2/N; averaged: by all statements with their
+    weights; mean: of ln K by the most probable one; spread: its standard deviation; verdicts: by
+    statement, the most probable first; drift: mean of its strength, m per root of ln n; readings:
+    the bins; prior, errors: what they were judged with; life_coefficient: K0, m^2/N; sensitivity:
+    relative standard uncertainty, with that of the life's computation.
+    """
+
+    coefficient: Credible
+    averaged: Credible
+    mean: float
+    spread: float
+    verdicts: tuple[Verdict, ...]
+    drift: float
+    readings: DepthBins
+    prior: Prior
+    errors: ProbeErrors
+    life_coefficient: float
+    sensitivity: float
+
+    @property
+    def best(self) -> Verdict:
+        """Return the most probable statement."""
+        return self.verdicts[0]
+
+    @property
+    def rate(self) -> float:
+        """Return what a revolution adds to progress, nominal cycles, by the last two bins."""
+        by = self.readings
+        turned = float(by.revolution[-1] - by.revolution[-3])
+        return float(self.progress - by.progress[-3] - by.half[-3]) / turned
+
+    @property
+    def progress(self) -> float:
+        """Return the measured progress at the last revolution, nominal cycles."""
+        return float(self.readings.progress[-1] + self.readings.half[-1])
+
+    @property
+    def revolution(self) -> float:
+        """Return the last revolution that was taken into account."""
+        return float(self.readings.revolution[-1])
+
+    def density(self, points: int = 121) -> tuple[Array, Array]:
+        """Return coefficients (points,), m^2/N, and the density of ln K there (points,).
+
+        It is that of the most probable statement, over its whole breadth.
+        """
+        at = self.mean + np.linspace(-4.5, 4.5, points) * self.spread
+        edges, reached = distribution(*_coefficients(self.verdicts[:1]))
+        by = np.interp(at - np.log(self.life_coefficient), edges, reached)
+        return np.exp(at), np.gradient(by, at)
+
+
+def distribution(values: Array, weights: Array, breadth: Array | float) -> tuple[Array, Array]:
+    """Return where the distribution of values bends, and itself there; it is straight between.
+
+    Each value is spread evenly over its breadth; weights sum up to 1.
+    """
+    wide = np.broadcast_to(np.maximum(breadth, 1e-9), values.shape)
+    edges = np.concatenate([values - 0.5 * wide, values + 0.5 * wide])
+    order = np.argsort(edges)
+    density = np.cumsum(np.concatenate([weights / wide, -weights / wide])[order])
+    edges = edges[order]
+    reached = np.cumsum(np.append(0.0, density[:-1] * np.diff(edges)))
+    return edges, np.maximum.accumulate(reached / reached[-1])
+
+
+def quantiles(values: Array, weights: Array, breadth: Array | float = 0.0) -> Credible:
+    """Return median and 95 % limits of what ``distribution`` says."""
+    edges, reached = distribution(values, weights, breadth)
+    low, median, high = np.interp([0.025, 0.5, 0.975], reached, edges)
+    return Credible(float(median), float(low), float(high))
+
+
+def _coefficients(verdicts: Sequence[Verdict]) -> tuple[Array, Array, Array]:
+    """Return ln(K/K0), weight and breadth of all nodes of some statements."""
+    nodes = [v.nodes for v in verdicts]
+    return (
+        np.concatenate([one.hypotheses.log_coefficient for one in nodes]),
+        np.concatenate([v.weight * v.nodes.weight for v in verdicts])
+        / sum(v.weight for v in verdicts),
+        np.concatenate([one.breadth for one in nodes]),
+    )
+
+
+def identify(
+    bins: Bins | Sequence[Bin], life: DepthLife, errors: ProbeErrors, prior: Prior
+) -> Identification:
+    """Return what bins of the measured depth tell of the wear coefficient.
+
+    life: must be computed beyond the depth measured so far. Pure: the same bins give the same
+    numbers. Raises CannotBeTold in words where nothing can be stated.
+    """
+    closed = bins.closed if isinstance(bins, Bins) else bins
+    readings = readings_of(closed, errors)
+    noise = noise_of(readings, errors.drift, life.elastic_doubt(readings.depth))
+    given = Given(readings, life, errors, prior, noise)
+    first = (STATEMENTS[0], *constant_posterior(given, STATEMENTS[0]))
+    start = float(first[2].weight @ first[2].hypotheses.log_coefficient)
+    found = [
+        first,
+        *((one, *alternative_posterior(given, one, start)) for one in STATEMENTS[1:]),
+    ]
+    total = float(np.logaddexp.reduce([log_evidence for _, log_evidence, _ in found]))
+    verdicts = tuple(
+        sorted(
+            (_verdict(one, log, total, nodes, life.coefficient) for one, log, nodes in found),
+            key=lambda each: -each.weight,
+        )
+    )
+    mean, spread = verdicts[0].nodes.log_moments
+    averaged = quantiles(*_coefficients(verdicts))
+    weights = np.concatenate([v.weight * v.nodes.weight for v in verdicts])
+    strengths = np.concatenate([v.nodes.strength for v in verdicts])
+    return Identification(
+        verdicts[0].coefficient,
+        _scaled(averaged, life.coefficient),
+        mean + float(np.log(life.coefficient)),
+        spread,
+        verdicts,
+        float(weights @ strengths),
+        readings,
+        prior,
+        errors,
+        life.coefficient,
+        given.sensitivity,
+    )
+
+
+def _verdict(
+    statement: Statement, log_evidence: float, total: float, nodes: Nodes, coefficient: float
+) -> Verdict:
+    """Return what a statement comes to, with the evidence of all of them together."""
+    at = nodes.hypotheses
+    now = quantiles(at.log_coefficient, nodes.weight, nodes.breadth)
+    before, place = None, None
+    if statement.spread:
+        # The ratio is normal given ln K: as broad as an even spread of the same variance.
+        breadth = np.sqrt(nodes.breadth**2 + 12.0 * nodes.covariance[:, 0, 0])
+        first = quantiles(at.log_coefficient + nodes.log_ratio, nodes.weight, breadth)
+        before = _scaled(first, coefficient)
+        place = _scaled(quantiles(np.log(at.place), nodes.weight), 1.0)
+    return Verdict(
+        statement.name,
+        float(np.exp(log_evidence - total)),
+        log_evidence,
+        _scaled(now, coefficient),
+        before,
+        place,
+        nodes,
+    )
+
+
+def _scaled(logarithm: Credible, unit: float) -> Credible:
+    """Return limits of a quantity from those of its logarithm, in a unit."""
+    return Credible(
+        *(unit * float(np.exp(one)) for one in (logarithm.median, logarithm.low, logarithm.high))
+    )

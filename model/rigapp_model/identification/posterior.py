@@ -1,0 +1,184 @@
+"""The posterior of a statement: an exact grid over ln K, with what is linear integrated out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp_model.identification.errors import CannotBeTold, Prior, ProbeErrors
+from rigapp_model.identification.evidence import (
+    LN_TWO_PI,
+    DepthBins,
+    Fitted,
+    Linearised,
+    Noise,
+    fitted,
+)
+from rigapp_model.identification.life import DepthLife
+from rigapp_model.identification.statements import Hypotheses, Statement
+
+Array = NDArray[np.float64]
+
+GRID = 121
+"""Points over ln K in a range that holds all that counts: four to a standard deviation."""
+RANGE = 5.0
+"""The first grid reaches so many of the prior's standard deviations to either side."""
+NEGLIGIBLE = 18.0
+"""What is less probable than the best by exp of this (1e-8) is left out."""
+FINE_ENOUGH = 48
+"""So many points of a grid within NEGLIGIBLE of the best make sums over it exact to 1e-6."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Nodes:
+    """Hold hypotheses with their weights, and what is normal given each of them.
+
+    breadth (H,): of ln K that each stands for;
+    weight (H,); mean (H, 3) and covariance (H, 3, 3) of ln r less that of the hypothesis, e / u_e
+    and b / u_b; left (H,), m,
+    pulled (H, 3), m, and spare (H,), m^2: the drift of the last bin given them, its dependence on
+    them, and what variance is left of it; strength (H,) of the drift.
+    """
+
+    hypotheses: Hypotheses
+    breadth: Array
+    weight: Array
+    mean: Array
+    covariance: Array
+    left: Array
+    pulled: Array
+    spare: Array
+    strength: Array
+
+    @property
+    def log_ratio(self) -> Array:
+        """Return the mean of ln r, (H,)."""
+        return self.hypotheses.log_ratio + self.mean[:, 0]
+
+    @property
+    def log_moments(self) -> tuple[float, float]:
+        """Return mean and standard deviation of ln(K/K0)."""
+        values = self.hypotheses.log_coefficient
+        mean = float(self.weight @ values)
+        variance = self.weight @ ((values - mean) ** 2 + self.breadth**2 / 12.0)
+        return mean, float(np.sqrt(variance))
+
+    def heaviest(self, share: float) -> Nodes:
+        """Return the heaviest nodes that hold a share of the weight; theirs sums up to 1 again."""
+        order = np.argsort(-self.weight)
+        count = int(np.searchsorted(np.cumsum(self.weight[order]), share)) + 1
+        return self.at(order[:count])
+
+    def at(self, index: NDArray[np.int64]) -> Nodes:
+        """Return some of the nodes; their weights sum up to 1 again."""
+        weight = self.weight[index]
+        return Nodes(
+            self.hypotheses.at(index),
+            self.breadth[index],
+            weight / weight.sum(),
+            self.mean[index],
+            self.covariance[index],
+            self.left[index],
+            self.pulled[index],
+            self.spare[index],
+            self.strength[index],
+        )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Given:
+    """Hold what a posterior is made of."""
+
+    readings: DepthBins
+    life: DepthLife
+    errors: ProbeErrors
+    prior: Prior
+    noise: Noise
+
+    @property
+    def log_median(self) -> float:
+        """Return the prior's mean of ln(K/K0)."""
+        return float(np.log(self.prior.coefficient / self.life.coefficient))
+
+    @property
+    def sensitivity(self) -> float:
+        """Return u_e with the life's own error, which acts alike, as a standard uncertainty."""
+        return float(np.hypot(self.errors.sensitivity, self.life.relative_error / np.sqrt(3.0)))
+
+    def depth(self, hypotheses: Hypotheses) -> tuple[Array, Array]:
+        """Return what hypotheses say of the bins, (H, n), m, and the slopes by ln K and ln r."""
+        return self.life.depth(self.readings.progress, hypotheses.scaled(self.readings.half))
+
+    def linear(self, depth: Array) -> Array:
+        """Return the slopes (H, 2, n), m, of the readings by e / u_e and b / u_b."""
+        level = np.full_like(depth, self.errors.reference)
+        return np.stack([self.sensitivity * depth, level], axis=1)
+
+
+def constant_posterior(given: Given, statement: Statement) -> tuple[float, Nodes]:
+    """Return the logarithm of the evidence of a constant K, and its nodes."""
+    centre, spread = given.log_median, given.prior.spread
+    low, high = centre - RANGE * spread, centre + RANGE * spread
+    while True:
+        grid = np.linspace(low, high, GRID)
+        hypotheses = Hypotheses(statement, grid, np.zeros(GRID), np.ones(GRID))
+        depth, _ = given.depth(hypotheses)
+        misfit = given.readings.depth - depth
+        fit = fitted(
+            given.noise,
+            Linearised(misfit, given.linear(depth), np.zeros((GRID, 2)), np.eye(2)),
+        )
+        log_density = -0.5 * (((grid - centre) / spread) ** 2 + LN_TWO_PI) - np.log(spread)
+        log_post = fit.log_evidence + log_density + given.noise.log_prior[:, None]
+        counts = log_post > log_post.max() - NEGLIGIBLE
+        inside = np.flatnonzero(counts.any(axis=0))
+        if inside.size >= FINE_ENOUGH:
+            break
+        # The grid at first is wide enough to tell which strengths of the drift cannot count.
+        strong = log_post.max(axis=1) > log_post.max() - 2.0 * NEGLIGIBLE
+        given = replace(given, noise=given.noise.at(np.flatnonzero(strong)))
+        low, high = grid[max(inside[0] - 1, 0)], grid[min(inside[-1] + 1, GRID - 1)]
+    _refuse_beyond(given, depth[:, -1], log_post)
+    step = float(grid[1] - grid[0])
+    return kept(given.noise, hypotheses, fit, log_post + np.log(step), np.full(GRID, step))
+
+
+def kept(
+    noise: Noise, at: Hypotheses, fit: Fitted, log_weight: Array, breadth: Array
+) -> tuple[float, Nodes]:
+    """Return the logarithm of the sum of weights (J, H), and nodes of those that count."""
+    total = float(np.logaddexp.reduce(log_weight, axis=None))
+    which, place = np.nonzero(log_weight > log_weight.max() - NEGLIGIBLE)
+    weight = np.exp(log_weight[which, place] - log_weight.max())
+    missing = 3 - fit.step.shape[2]  # a constant coefficient has no ratio
+
+    def padded(values: Array) -> Array:
+        return np.pad(values[which, place], [(0, 0)] + [(missing, 0)] * (values.ndim - 2))
+
+    return total, Nodes(
+        at.at(place),
+        breadth[place],
+        weight / weight.sum(),
+        padded(fit.step),
+        padded(fit.covariance),
+        fit.left[which, place],
+        padded(fit.pulled),
+        noise.spare[which],
+        noise.strength[which],
+    )
+
+
+def _refuse_beyond(given: Given, depth: Array, log_post: Array) -> None:
+    """Raise CannotBeTold where what counts of the posterior is not computed any more.
+
+    depth (H,): of the last bin by the hypotheses, m; log_post (J, H).
+    """
+    reach = given.life.reach
+    share = np.exp(log_post - log_post.max()).sum(axis=0)
+    if share[depth >= reach].sum() > 1e-3 * share.sum():
+        raise CannotBeTold(
+            f"the model computes the life to a depth of {1e6 * reach:.4g} um only, and"
+            f" {1e6 * given.readings.depth[-1]:.4g} um are measured: compute it further"
+        )

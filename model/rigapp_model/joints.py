@@ -1,0 +1,147 @@
+"""The joint of interest as perfect, or as imperfect in continuous contact (paper, section 3).
+
+The third technique, pin and bushing as separate bodies, is ``rigapp_model.impact``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rigapp_model.dynamics import MechanismMotion, inverse_dynamics
+from rigapp_model.errors import require_not_negative
+from rigapp_model.parameters import Joint, Mechanism
+
+Array = NDArray[np.float64]
+Range = tuple[float, float]
+
+HALF_STEP = 0.51  # of the angles' spacing: a cycle that ends within it before its begin is closed
+
+
+@dataclass(frozen=True, slots=True)
+class ContinuousContact:
+    """Hold technique 2's answer for a cycle and whether its assumption holds.
+
+    ``wall`` is +1 where the pin bears on the wall towards the crank (follower in tension), -1 where
+    on the other. ``compression`` lists the crank angle ranges (rad, start to end, the end may
+    exceed 2 pi) in which the follower is not in tension, so that the pin leaves the wall and the
+    paper's second assumption fails. ``contact_angle`` is where the force presses on the bushing,
+    in the follower frame from the assumed contact point, rad: the third assumption has it 0.
+    """
+
+    motion: MechanismMotion
+    wall: Array
+    clearance: float
+    compression: tuple[Range, ...]
+    contact_angle: Array
+
+    @property
+    def assumption_holds(self) -> bool:
+        """Return whether the follower is in tension all the time."""
+        return not self.compression
+
+    def sentence(self) -> str:
+        """Return what to tell the user when the assumption fails; empty when it holds."""
+        if self.assumption_holds:
+            return ""
+        if np.all(self.wall < 0.0):
+            return (
+                "The assumption of tension does not hold: the follower is in compression at all"
+                " crank angles. The pin bears on the wall away from the crank all the time; the"
+                " same equations with minus the clearance were solved."
+            )
+        spans = " and ".join(
+            f"{np.degrees(start):.1f} to {np.degrees(end):.1f} deg"
+            for start, end in self.compression
+        )
+        return (
+            f"Continuous contact does not hold: at crank angles {spans} the follower is in"
+            " compression, the pin crosses to the other wall of the bushing and contact is lost on"
+            " the way; use the contact joint, or a spring that keeps the follower in tension."
+        )
+
+
+def perfect_joint(
+    mechanism: Mechanism,
+    angle: ArrayLike,
+    speed: ArrayLike,
+    acceleration: ArrayLike = 0.0,
+    joint: Joint | None = None,
+) -> MechanismMotion:
+    """Compute technique 1: pin and bushing centres coincide (Eq. 4), with the joint's friction."""
+    return inverse_dynamics(mechanism, angle, speed, acceleration, 0.0, joint)
+
+
+def continuous_contact(
+    mechanism: Mechanism,
+    joint: Joint,
+    angle: ArrayLike,
+    speed: ArrayLike,
+    acceleration: ArrayLike = 0.0,
+    clearance: float | None = None,
+) -> ContinuousContact:
+    """Compute technique 2: the pin always touches the bushing on the follower's axis (Eq. 12).
+
+    angle: rad, shape (n,), in order; one revolution without its end point is taken as a cycle.
+    clearance: R2 - R1 in m, the joint's own when None. Where the force along e2 is a pressure the
+    other wall bears: the same equations with -clearance. Raises ModelError.
+    """
+    gap = joint.clearance if clearance is None else clearance
+    require_not_negative("clearance", gap, "m")
+    motion = inverse_dynamics(mechanism, angle, speed, acceleration, gap, joint)
+    wall = np.where(motion.force_follower[0] > 0.0, -1.0, 1.0)
+    along = motion.force_follower[0]
+    if np.any(wall < 0.0):
+        motion = inverse_dynamics(mechanism, angle, speed, acceleration, gap * wall, joint)
+    return ContinuousContact(
+        motion=motion,
+        wall=wall,
+        clearance=gap,
+        compression=_ranges_above_zero(np.atleast_1d(motion.angle), np.atleast_1d(along)),
+        contact_angle=contact_direction(motion, joint.friction_coefficient),
+    )
+
+
+def contact_direction(motion: MechanismMotion, friction_coefficient: float = 0.0) -> Array:
+    """Return where the pin presses on the bushing, rad from the point towards the crank.
+
+    Counter-clockwise in the follower frame, -pi .. pi. Friction turns the force away from the
+    normal by atan(mu) in the sense of sliding.
+    """
+    along, across = motion.force_follower
+    sliding = np.sign(motion.speed - motion.follower_speed)
+    turned = np.arctan2(across, along) - sliding * np.arctan(friction_coefficient) - np.pi
+    return np.asarray((turned + np.pi) % (2.0 * np.pi) - np.pi)
+
+
+def _ranges_above_zero(angle: Array, value: Array) -> tuple[Range, ...]:
+    """Return the angle ranges in which a cycle's value is above zero, ends interpolated."""
+    above = value > 0.0
+    if not above.any():
+        return ()
+    step = angle[1] - angle[0] if len(angle) > 1 else 0.0
+    turn = np.copysign(2.0 * np.pi, step)
+    cyclic = len(angle) > 2 and abs(angle[-1] + step - angle[0] - turn) < HALF_STEP * abs(step)
+    if above.all():
+        return ((float(angle[0]), float(angle[0] + turn if cyclic else angle[-1])),)
+    if cyclic:
+        first = int(np.flatnonzero(~above)[0])
+        order = np.r_[first : len(angle), 0 : first + 1]
+        angle = np.r_[angle[first:], angle[: first + 1] + turn]
+        value, above = value[order], above[order]
+    edges = np.flatnonzero(np.diff(above.astype(np.int8)))
+    at = angle[edges] + (angle[edges + 1] - angle[edges]) * (
+        value[edges] / (value[edges] - value[edges + 1])
+    )
+    crossings = [float(a) for a in at]
+    if above[0]:
+        crossings.insert(0, float(angle[0]))
+    if above[-1]:
+        crossings.append(float(angle[-1]))
+    ranges = zip(crossings[::2], crossings[1::2], strict=True)
+    whole = 2.0 * np.pi if cyclic else 0.0
+    return tuple(
+        (s - whole, e - whole) if whole and min(s, e) >= whole else (s, e) for s, e in ranges
+    )

@@ -1,0 +1,176 @@
+"""Where a life's forces come from: a joint by constraints, or one constant force.
+
+Pin and bushing as separate bodies are in ``impact_forces``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Protocol
+
+import numpy as np
+
+from rigapp_model.joints import continuous_contact
+from rigapp_model.parameters import ARCHARD, Joint, Parameters, WearLaw
+from rigapp_model.wear.coefficient import switched
+from rigapp_model.wear.front import Front
+from rigapp_model.wear.loads import (
+    WIDE_SWING,
+    CycleLoads,
+    constant_load,
+    gathered,
+    loads_of_cycle,
+    swing,
+)
+
+DENSE = 1440
+"""Crank angles from which positions are gathered where the force swings wide."""
+
+
+class ForceSource(Protocol):
+    """Give the loads of a revolution for a worn surface."""
+
+    @property
+    def single(self) -> bool:
+        """Whether one force acts, the same at every crank position."""
+
+    def unworn(self, positions: int) -> CycleLoads:
+        """Return the loads of the unworn joint at so many positions."""
+
+    def samples(self, positions: int) -> Sequence[CycleLoads]:
+        """Return the loads of the unworn joint by parts of a sample; none where none is taken."""
+
+    def at(self, front: Front, cycles: float, positions: int) -> CycleLoads:
+        """Return the loads on a worn surface after so many cycles."""
+
+    def clearance(self, front: Front) -> float:
+        """Return R2 - R1 as the mechanism sees it, m."""
+
+    def coupling_error(self, cycles: float) -> float:
+        """Return a bound of the depth's error by forces kept while the surface wore, m."""
+
+    def notes(self, front: Front) -> Iterable[str]:
+        """Return sentences on what the technique assumes and whether it holds."""
+
+
+def constant_source(
+    force: float, joint: Joint, speed: float = 0.0, law: WearLaw = ARCHARD
+) -> ForceSource:
+    """Return the source of one constant force along the follower, N; speed: of the crank, rad/s."""
+    return ConstantForce(force, joint, speed, law)
+
+
+class ConstantForce:
+    """Give one constant force along the follower."""
+
+    def __init__(self, force: float, joint: Joint, speed: float, law: WearLaw) -> None:
+        load = constant_load(force, joint.pin_radius)
+        self._loads = switched(load, joint.pin_radius * speed, joint, law)
+        self._joint = joint
+
+    single = True
+
+    def unworn(self, positions: int) -> CycleLoads:
+        """Return the constant load."""
+        return self._loads
+
+    def at(self, front: Front, cycles: float, positions: int) -> CycleLoads:
+        """Return the constant load."""
+        return self._loads
+
+    def samples(self, positions: int) -> Sequence[CycleLoads]:
+        """Return nothing."""
+        return ()
+
+    def clearance(self, front: Front) -> float:
+        """Return the initial clearance: no mechanism takes part."""
+        return self._joint.clearance
+
+    def coupling_error(self, cycles: float) -> float:
+        """Return 0: the force does not depend on the wear."""
+        return 0.0
+
+    def notes(self, front: Front) -> Iterable[str]:
+        """Return nothing."""
+        return ()
+
+
+class Constrained:
+    """Give the forces of a joint by constraints: techniques 1 and 2.
+
+    ``clearance``: that of the new joint in the kinematics, m; 0 is the perfect joint. With
+    ``follows_wear`` it grows by the wear depth at the contact point (paper, section 4.2).
+    """
+
+    single = False
+
+    def __init__(
+        self, parameters: Parameters, speed: float, clearance: float, follows_wear: bool
+    ) -> None:
+        self._parameters = parameters
+        self._speed = speed
+        self._new = clearance
+        self._follows = follows_wear
+        self._known: dict[int, CycleLoads] = {}
+        self._wide: bool | None = None
+
+    def unworn(self, positions: int) -> CycleLoads:
+        """Return the loads at equal crank angles of the unworn joint."""
+        if positions not in self._known:
+            self._known[positions] = self._sampled(positions, self._new)
+        return self._known[positions]
+
+    def at(self, front: Front, cycles: float, positions: int) -> CycleLoads:
+        """Return the loads at equal crank angles with the clearance of the worn surface."""
+        if not self._follows:
+            return self.unworn(positions)
+        return self._sampled(positions, self.clearance(front))
+
+    def samples(self, positions: int) -> Sequence[CycleLoads]:
+        """Return nothing."""
+        return ()
+
+    def clearance(self, front: Front) -> float:
+        """Return the clearance, grown by the depth at the contact point where it follows that."""
+        joint = self._parameters.joint
+        if not self._follows:
+            return self._new
+        return self._new + front.depth_at_contact_point(joint.bushing_radius)
+
+    def coupling_error(self, cycles: float) -> float:
+        """Return 0: forces follow the wear in every step, so that the steps' error has it."""
+        return 0.0
+
+    def notes(self, front: Front) -> Iterable[str]:
+        """Say where continuous contact does not hold."""
+        if self._new == 0.0 and not self._follows:
+            return ()
+        angle = 2.0 * np.pi * np.arange(360) / 360
+        joint = self._parameters.joint
+        found = continuous_contact(
+            self._parameters.mechanism, joint, angle, self._speed, 0.0, self.clearance(front)
+        )
+        return () if found.assumption_holds else (found.sentence(),)
+
+    def _loads(self, positions: int, gap: float) -> CycleLoads:
+        mechanism, joint = self._parameters.mechanism, self._parameters.joint
+        angle = 2.0 * np.pi * np.arange(positions) / positions
+        motion = continuous_contact(mechanism, joint, angle, self._speed, 0.0, gap).motion
+        rate = motion.slip_rate(joint.pin_radius)
+        weight = np.abs(rate)
+        slip = 2.0 * np.pi * joint.pin_radius * weight / weight.sum()
+        loads = loads_of_cycle(motion.force_follower, slip, joint.friction_coefficient, rate)
+        return switched(loads, rate, joint, self._parameters.bushing.law)
+
+    def _sampled(self, positions: int, gap: float) -> CycleLoads:
+        """Return the loads at equal crank angles, or gathered where their direction swings wide.
+
+        A force that keeps its direction needs few crank angles, and equal ones are best by far,
+        unless the wear coefficient jumps between them.
+        """
+        if self._wide is None:
+            dense = self._loads(DENSE, gap)
+            self._wide = swing(dense) > WIDE_SWING or dense.rate is not None
+        if self._wide:
+            return gathered(self._loads(DENSE, gap), positions)
+        return self._loads(positions, gap)

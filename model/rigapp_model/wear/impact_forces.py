@@ -1,0 +1,201 @@
+"""Forces for a life from pin and bushing as separate bodies (technique 3)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp_model.contact_law import WornSurface
+from rigapp_model.ensemble import BatchMeans, Mean, revolutions_of
+from rigapp_model.impact import ContactCycle, contact_cycle
+from rigapp_model.impact_system import clearance_system
+from rigapp_model.parameters import Parameters
+from rigapp_model.wear.coefficient import switched
+from rigapp_model.wear.front import Front
+from rigapp_model.wear.loads import CycleLoads, gathered
+from rigapp_model.wear.plan import SAMPLING_COVERAGE
+
+Array = NDArray[np.float64]
+
+SAMPLES = 720  # without impacts forces are as smooth as the angle: half a degree
+# With impacts no revolution is like the next: many are taken, sampled densely, since impacts are
+# short.
+SAMPLES_WITH_IMPACTS = 3600
+FEWEST_REVOLUTIONS, MOST_REVOLUTIONS = 32, 128
+# What is kept of revolutions with impacts: so many directions.
+DIRECTIONS = 1440
+# The forces' sampling error may take this part of the tolerance.
+SAMPLING_SHARE = 0.3
+# So many parts of the revolutions are compared to tell the sampling error.
+PARTS = 8
+# The forces are computed anew whenever the wear has grown by this part of the clearance.
+REFRESH = 0.1
+
+
+class SeparateBodies:
+    """Give the forces of a pin that is held by contact alone, on the worn profile.
+
+    The integration of a revolution takes longer than the wear, so its forces are kept until the
+    wear at the contact point has grown by a tenth of the clearance; ``coupling_error`` says what
+    that can cost. Where contact is lost, many revolutions are taken, and ``samples`` are parts of
+    them that tell how well their means are known.
+    """
+
+    single = False
+
+    def __init__(
+        self,
+        parameters: Parameters,
+        speed: float,
+        tolerance: float,
+        alive: Callable[[], None] = lambda: None,
+    ) -> None:
+        self._parameters = parameters
+        self._speed = speed
+        self._tolerance = tolerance
+        self._alive = alive
+        self._step = REFRESH * parameters.joint.clearance
+        self._stages: dict[int, _Stage] = {}
+
+    def unworn(self, positions: int) -> CycleLoads:
+        """Return the loads of the unworn joint, gathered from densely sampled revolutions."""
+        return gathered(self._unworn().loads, positions).pressing()
+
+    def samples(self, positions: int) -> Sequence[CycleLoads]:
+        """Return the unworn joint's loads by parts of its revolutions; none if all are alike."""
+        return [gathered(part, positions).pressing() for part in self._unworn().parts]
+
+    def at(self, front: Front, cycles: float, positions: int) -> CycleLoads:
+        """Return the loads on the worn surface as it was at the last refresh."""
+        number = int(self._depth(front) / self._step)
+        if number not in self._stages:
+            self._stages[number] = self._computed(front, cycles)
+        stage = self._stages[number]
+        if cycles < stage.since:
+            stage = self._stages[number] = replace(stage, since=cycles)
+        return gathered(stage.loads, positions).pressing()
+
+    def clearance(self, front: Front) -> float:
+        """Return the clearance grown by the wear at the contact point, m."""
+        return self._parameters.joint.clearance + self._depth(front)
+
+    def coupling_error(self, cycles: float) -> float:
+        """Return what keeping the forces between refreshes can change in the depth, m."""
+        stages = [self._stages[n] for n in sorted(self._stages)]
+        means = [stage.loads.mean_force for stage in stages if stage.since <= cycles]
+        if len(means) < 2:
+            return 0.0
+        changes = [abs(b / a - 1.0) for a, b in pairwise(means)]
+        changes.append(changes[-1])
+        return float(sum(changes)) * self._step
+
+    def notes(self, front: Front) -> Iterable[str]:
+        """Say how much of the time pin and bushing touch, and what friction's ripple is worth."""
+        stage = min(self._stages.values(), key=lambda stage: stage.contact_fraction)
+        if stage.contact_fraction < 1.0 - 1e-12:
+            yield (
+                f"Pin and bushing touch only {stage.contact_fraction:.1%} of the time at the least;"
+                f" forces are means of {stage.revolutions} revolutions, which differ from one"
+                " another."
+            )
+        if self._parameters.joint.friction_coefficient > 0.0:
+            yield (
+                "With friction the force ripples with a frequency that depends on how Coulomb's "
+                "law is smoothed; it is no measurement of the real joint."
+            )
+
+    def _depth(self, front: Front) -> float:
+        return front.depth_at_contact_point(self._parameters.joint.bushing_radius)
+
+    def _unworn(self) -> _Stage:
+        if 0 not in self._stages:
+            self._stages[0] = self._computed(None, 0.0)
+        return self._stages[0]
+
+    def _computed(self, front: Front | None, cycles: float) -> _Stage:
+        """Integrate revolutions on a worn surface: one, or as many as the tolerance needs."""
+        p = self._parameters
+        system = clearance_system(
+            p.mechanism,
+            p.joint,
+            p.bushing.material,
+            p.pin,
+            self._speed,
+            profile=None if front is None else _profile(front, p.joint.bushing_radius),
+        )
+        found = contact_cycle(system, SAMPLES, progress=lambda part: self._alive())
+        if found.contact_is_continuous:
+            return _Stage(_loads(found, p), (), 1.0, 1, cycles)
+        revolutions, work, touch = [], BatchMeans(), BatchMeans()
+        for cycle in revolutions_of(system, SAMPLES_WITH_IMPACTS, alive=self._alive):
+            revolutions.append(_loads(cycle, p))
+            work.add(_work(revolutions[-1]))
+            touch.add(cycle.contact_fraction)
+            if self._enough(len(revolutions), work.result()):
+                break
+        parts = [_together(revolutions[part::PARTS]) for part in range(PARTS)]
+        return _Stage(
+            _together(revolutions),
+            tuple(parts),
+            float(touch.result().value),
+            len(revolutions),
+            cycles,
+        )
+
+    def _enough(self, revolutions: int, work: Mean) -> bool:
+        """Return whether the work where most is done is known well, or that would take too long."""
+        if revolutions < FEWEST_REVOLUTIONS or revolutions % PARTS:
+            return False
+        most = int(np.argmax(work.value))
+        wanted = SAMPLING_SHARE * self._tolerance / SAMPLING_COVERAGE * work.value[most]
+        return bool(work.standard_error[most] <= wanted) or revolutions >= MOST_REVOLUTIONS
+
+
+@dataclass(frozen=True, slots=True)
+class _Stage:
+    """Hold the loads on one worn surface, by parts of the revolutions, and when they were new."""
+
+    loads: CycleLoads
+    parts: tuple[CycleLoads, ...]
+    contact_fraction: float
+    revolutions: int
+    since: float
+
+
+def _profile(front: Front, inner: float) -> WornSurface:
+    """Return a front's depth over the angle from the initial contact point."""
+    x, y = front.surface[:, 0], front.surface[:, 1]
+    angle = np.arctan2(y, x)
+    order = np.argsort(angle)
+    return WornSurface(angle[order], np.maximum(np.hypot(x, y) - inner, 0.0)[order])
+
+
+def _loads(cycle: ContactCycle, parameters: Parameters) -> CycleLoads:
+    """Return the normal forces of a revolution, pressing on the bushing."""
+    size = np.where(cycle.touching, cycle.normal_force, 0.0)
+    force = np.stack([np.cos(cycle.contact_angle), np.sin(cycle.contact_angle)]) * size
+    joint = parameters.joint
+    rate = np.abs(cycle.motion.slip_rate(joint.pin_radius))
+    period = 2.0 * np.pi / np.mean(np.abs(cycle.motion.speed))
+    return switched(
+        CycleLoads(force.T, rate * period / len(rate)), rate, joint, parameters.bushing.law
+    )
+
+
+def _work(revolution: CycleLoads) -> Array:
+    """Return force times slip by tens of degrees of the force's direction, J."""
+    work = revolution.magnitude * revolution.wearing
+    return np.histogram(revolution.direction, 36, (-np.pi, np.pi), weights=work)[0]
+
+
+def _together(revolutions: Sequence[CycleLoads]) -> CycleLoads:
+    """Return revolutions as one, in the order of direction: by crank angle they are not alike."""
+    force = np.concatenate([r.force for r in revolutions])
+    slip = np.concatenate([r.slip for r in revolutions]) / len(revolutions)
+    rates = [r.rate for r in revolutions if r.rate is not None]
+    together = CycleLoads(force, slip, rate=np.concatenate(rates) if rates else None)
+    return gathered(together.pressing().by_direction(), DIRECTIONS)

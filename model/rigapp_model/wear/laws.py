@@ -1,0 +1,62 @@
+"""The wear laws in one table: each is Archard's with a wear coefficient that is not a constant.
+
+A new law is one row here, its numbers in ``rigapp_model.parameters.WearLaw``, and what it does in
+``rigapp_model.wear.coefficient``. Nothing is imported here: a command line's help reads the names.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """One wear law. sentence: for help, form and docs; needs: the keys of ``[wear]`` that it reads.
+
+    bound: what is known of the error of a life by it.
+    """
+
+    name: str
+    sentence: str
+    needs: tuple[str, ...]
+    bound: str
+
+
+_AS_ARCHARD = "the stated error is a bound, as for Archard's law"
+
+LAWS = {
+    one.name: one
+    for one in (
+        Law(
+            "archard",
+            "the depth grows with pressure and slip, dh/ds = K p",
+            (),
+            "the stated error is a bound",
+        ),
+        Law(
+            "running-in",
+            "K falls from its first to its steady value as exp(-revolutions / running-in)",
+            ("initial_wear_coefficient_mm3_per_Nm", "running_in_revolutions"),
+            _AS_ARCHARD,
+        ),
+        Law(
+            "pressure-exponent",
+            "dh/ds = K p (p / reference pressure)^(exponent - 1), p the pressure at the spot",
+            ("pressure_exponent", "reference_pressure_MPa"),
+            _AS_ARCHARD,
+        ),
+        Law(
+            "two-regimes",
+            "K is another one where nominal pressure times sliding speed is above the transition",
+            ("severe_wear_coefficient_mm3_per_Nm", "transition_MPa_m_per_s"),
+            _AS_ARCHARD,
+        ),
+    )
+}
+"""Name -> wear law, as test and parameter files name it."""
+
+
+def sentence_of(name: str) -> str:
+    """Return what a law says and what is known of its error, as one sentence."""
+    one = LAWS[name]
+    return f"Wear law {name}: {one.sentence}; {one.bound}."

@@ -1,0 +1,364 @@
+"""The life of the bushing: mechanism and wear coupled, with the error of the result."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp_model.bushing.compliance import surface_angles
+from rigapp_model.bushing.contact import ArcTooSmall, refuse_beyond_elasticity
+from rigapp_model.bushing.ring import ContactModel, Ring, pressure_distribution, ring_of
+from rigapp_model.errors import ModelError, OutOfTime, require_finite, require_positive
+from rigapp_model.parameters import ARCHARD, Parameters
+from rigapp_model.wear.coefficient import cycles_at, steady_cycles
+from rigapp_model.wear.explicit import Extrapolation, explicit_moments, extrapolation
+from rigapp_model.wear.forces import ForceSource, constant_source
+from rigapp_model.wear.front import Front, WearProblem, wear_problem
+from rigapp_model.wear.laws import sentence_of
+from rigapp_model.wear.loads import CycleLoads
+from rigapp_model.wear.plan import (
+    TIME_SHARE,
+    LifePlan,
+    RelativeError,
+    mesh_error,
+    plan_life,
+    sampling_errors,
+)
+from rigapp_model.wear.profile import profile
+from rigapp_model.wear.richardson import Moment, integrate
+from rigapp_model.wear.techniques import LifeOptions, technique_of
+
+Array = NDArray[np.float64]
+Method = Literal["implicit", "explicit"]
+
+# What the tolerance of the coupled contact solution can add, as a part of the depth.
+_SOLUTION_ERROR = 3e-5
+_SAFETY = 1.25  # each part is an estimate from two runs: a quarter more makes it a bound
+
+
+@dataclass(frozen=True, slots=True)
+class Life:
+    """Hold the life of a bushing in SI; one entry of each column a row, the last is the end.
+
+    Columns: ``cycles``; ``max_depth`` (m); ``worn_area`` (m^2); ``worn_mass`` (kg);
+    ``peak_pressure`` (Pa); ``mean_force`` (N, over the slip); ``peak_force`` (N);
+    ``clearance`` (m): R2 - R1 as the mechanism sees it; ``estimated_error`` (m) of the depth and
+    ``area_error`` (m^2), ``mass_error`` (kg): steps, crank positions, mesh, coupling and sampled
+    forces together, not less than the true ones.
+    Profile: ``angle`` (rad) from -pi in the follower frame, 0 at the initial contact point;
+    ``depth`` (m). ``positions``, ``sectors``, ``steps``: what it took. ``notes``: sentences that
+    the user must read. ``tolerance_met``: whether the error at the end is within the tolerance.
+    ``complete``: whether the last row is the end asked for, not where time ran out.
+    ``extrapolation``: of explicit steps; None of implicit ones.
+    """
+
+    technique: str
+    cycles: Array
+    max_depth: Array
+    worn_area: Array
+    worn_mass: Array
+    peak_pressure: Array
+    mean_force: Array
+    peak_force: Array
+    clearance: Array
+    estimated_error: Array
+    area_error: Array
+    mass_error: Array
+    angle: Array
+    depth: Array
+    positions: int
+    sectors: int
+    steps: int
+    notes: tuple[str, ...]
+    tolerance_met: bool
+    complete: bool
+    extrapolation: Extrapolation | None
+
+
+def life(
+    parameters: Parameters,
+    speed: float,
+    cycles: float,
+    technique: str = "continuous",
+    tolerance: float = 1e-3,
+    force: float | None = None,
+    progress: Callable[[float], None] | None = None,
+    evolving: bool = True,
+    method: Method = "implicit",
+    step: float | None = None,
+    contact: ContactModel = "finite-element",
+) -> Life:
+    """Compute the wear of the bushing over so many crank cycles.
+
+    speed: of the crank, rad/s; technique: one of ``TECHNIQUES``; tolerance: of the depth at the
+    end, as a part of it; force: a constant force along the follower, N, instead of the mechanism's;
+    evolving: False keeps the clearance of "continuous" as it was when new; method: "implicit" steps
+    as the tolerance needs them, or "explicit" ones, the paper's, of at most ``step`` cycles, None
+    for half the stability limit; contact: of an elastic bushing or of a bed of springs, "winkler";
+    progress: called with the part done. It may raise OutOfTime: the life then ends with the last
+    row reached, or goes on raising when there is none. Raises ModelError, ContactError or
+    WornThrough naming what is wrong, UnstableStep for a step beyond the stability limit.
+    """
+    require_positive("cycles", cycles)
+    require_finite("speed", speed, "rad/s")
+    require_positive("tolerance", tolerance)
+    law = parameters.bushing.law
+    if method == "explicit" and law.exponent != 1.0:
+        raise ModelError(
+            "exponent",
+            law.exponent,
+            "how long an explicit step may be is known for wear in proportion to the pressure"
+            " only; take implicit steps",
+        )
+    ring = ring_of(parameters.joint, parameters.bushing.material, contact=contact)
+    if force is None and speed == 0.0:
+        raise ModelError("speed", speed, "a crank that stands still wears nothing", "rad/s")
+    tell = progress or (lambda part: None)
+    source = (
+        technique_of(technique).source(
+            parameters, LifeOptions(speed, tolerance, lambda: tell(0.0), evolving)
+        )
+        if force is None
+        else constant_source(force, parameters.joint, speed, law)
+    )
+    width, coefficient = parameters.joint.bushing_width, parameters.bushing.wear_coefficient
+    one = (ring, width, coefficient, law)
+    whole = float(steady_cycles(law, cycles))
+    plan = plan_life(*one, source.unworn, whole, tolerance, source.single, lambda: tell(0.0))
+    unworn = source.unworn(plan.positions)
+    explicit = None
+    if method == "explicit":
+        explicit = extrapolation(ring, plan.sectors, coefficient, unworn, step)
+    simplified = simplification(ring, float(unworn.magnitude.max()) / width)
+    sampling = sampling_errors(*one, plan, unworn.pressing(), source.samples(plan.positions), whole)
+    task = _Task(parameters, ring, source, plan, technique, tolerance, cycles, explicit)
+    found = _life(task, sampling, _moments(task, tell))
+    by_law = () if law == ARCHARD else (sentence_of(law.name),)
+    return replace(found, notes=simplified + by_law + found.notes)
+
+
+@dataclass(frozen=True, slots=True)
+class _Task:
+    """Hold what is to be computed, and with what."""
+
+    parameters: Parameters
+    ring: Ring
+    source: ForceSource
+    plan: LifePlan
+    technique: str
+    tolerance: float
+    cycles: float
+    explicit: Extrapolation | None
+
+
+def _moments(task: _Task, tell: Callable[[float], None]) -> list[Moment]:
+    """Run the life on its plan, again on a larger arc when the contact outgrows it.
+
+    Where ``tell`` raises OutOfTime after the first step, what was reached is returned. Rows, steps
+    and moments count by the law's progress, in cycles at the steady coefficient.
+    """
+    plan, source, explicit = task.plan, task.source, task.explicit
+    window, law = plan.half_angle, task.parameters.bushing.law
+    rows = steady_cycles(law, row_cycles(task.cycles))
+    whole = float(rows[-1])
+
+    def loads_at(front: Front, at: float) -> CycleLoads:
+        return source.at(front, float(cycles_at(law, at)), plan.positions)
+
+    while True:
+        problem = wear_problem(
+            task.ring,
+            plan.sectors,
+            task.parameters.joint.bushing_width,
+            task.parameters.bushing.wear_coefficient,
+            source.unworn(plan.positions),
+            window,
+            law,
+        )
+        moments: list[Moment] = []
+        try:
+            course = (
+                integrate(problem, loads_at, rows, TIME_SHARE * task.tolerance)
+                if explicit is None
+                else explicit_moments(
+                    problem, loads_at, rows, explicit.step, lambda done: tell(done / whole)
+                )
+            )
+            for moment in course:
+                if not moments:
+                    _refuse_overload(problem, moment)
+                moments.append(moment)
+                tell(moment.cycles / whole)
+        except OutOfTime:
+            if len(moments) < 2:
+                raise
+            return moments
+        except ArcTooSmall:
+            if window >= np.pi:
+                raise
+            window = min(1.7 * window, np.pi)
+        else:
+            return moments
+
+
+def simplification(ring: Ring, force: float) -> tuple[str, ...]:
+    """Return what a bed of springs makes of the unworn pressure under a force (N/m), in words.
+
+    Nothing of an elastic bushing. Raises ContactError when that cannot carry the force.
+    """
+    if ring.contact == "finite-element":
+        return ()
+    bed, elastic = (
+        1e-6 * float(pressure_distribution(each, (force, 0.0)).pressure.max())
+        for each in (ring, replace(ring, contact="finite-element"))
+    )
+    side = "below" if bed < elastic else "above"
+    return (
+        f"Contact winkler: the bushing is a bed of springs. Unworn, its peak pressure of"
+        f" {bed:.4g} MPa is {abs(bed / elastic - 1.0):.0%} {side} the {elastic:.4g} MPa of an"
+        " elastic bushing; the stated errors are those of the computation, not of this"
+        " simplification.",
+    )
+
+
+def _refuse_overload(problem: WearProblem, unworn: Moment) -> None:
+    """Raise ContactError when the unworn bushing is loaded beyond linear elasticity."""
+    assert unworn.front.pins is not None
+    ring, surface = problem.ring, unworn.front.surface
+    refuse_beyond_elasticity(
+        unworn.peak_force / problem.width,
+        max(ring.indentation(surface, pin) for pin in unworn.front.pins),
+        ring.wall,
+        unworn.peak_pressure,
+        ring.modulus,
+    )
+
+
+def row_cycles(cycles: float) -> Array:
+    """Return the cycles to report: 1, 3, 10, ... in the last three and a half decades; the end."""
+    series = [lead * 10.0**power for power in range(13) for lead in (1.0, 3.0)]
+    rows = [n for n in series if cycles / 3000.0 <= n < 0.95 * cycles]
+    return np.array([*rows, cycles])
+
+
+def _life(
+    task: _Task, sampling: tuple[RelativeError, RelativeError], moments: list[Moment]
+) -> Life:
+    """Return the record of a run's moments."""
+    parameters, source, cycles = task.parameters, task.source, task.cycles
+    fronts = [Front(m.surface) for m in moments]
+    depth = np.array([f.depth(task.ring.inner).max() for f in fronts])
+    done = np.array([m.cycles for m in moments])
+    area = np.array([m.area for m in moments])
+    mean_force = np.array([m.mean_force for m in moments])
+    by_depth, by_area = _errors(task, sampling, moments, depth, area)
+    error, area_error = (
+        _SAFETY * sum(parts.values(), np.zeros(len(moments))) for parts in (by_depth, by_area)
+    )
+    mass_per_area = parameters.joint.bushing_width * parameters.bushing.density
+    met = bool(error[-1] <= task.tolerance * depth[-1] or depth[-1] == 0.0)
+    notes = list(source.notes(moments[-1].front))
+    if not met:
+        worst = max(by_depth, key=lambda name: float(by_depth[name][-1]))
+        shorter = task.explicit is not None and worst == "time steps"
+        notes.append(
+            f"The estimated error of the depth, {error[-1] / depth[-1]:.2g} of it, exceeds the"
+            f" tolerance of {task.tolerance:g}; most of it is by the {worst}"
+            f"{': take shorter explicit steps' if shorter else ''}."
+        )
+    law = parameters.bushing.law
+    if law.exponent == 1.0 and law.beyond == 1.0:
+        least = _least_area(parameters, done, mean_force)
+        notes += below_archard(area[-1], area_error[-1], least)
+    complete = bool(done[-1] >= steady_cycles(law, cycles))
+    done = cycles_at(law, done)
+    if not complete:
+        notes.append(
+            f"Time ran out after {done[-1]:.6g} of {cycles:.0f} cycles; the last row is not the end"
+            " of the life."
+        )
+    ends = profile(moments[-1].surface, task.ring)
+    return Life(
+        technique=task.technique,
+        cycles=done,
+        max_depth=depth,
+        worn_area=area,
+        worn_mass=area * mass_per_area,
+        peak_pressure=np.array([m.peak_pressure for m in moments]),
+        mean_force=mean_force,
+        peak_force=np.array([m.peak_force for m in moments]),
+        clearance=np.array([source.clearance(f) for f in fronts]),
+        estimated_error=error,
+        area_error=area_error,
+        mass_error=area_error * mass_per_area,
+        angle=np.append(surface_angles(task.plan.sectors), np.pi),
+        depth=np.append(ends, ends[0]),
+        positions=task.plan.positions,
+        sectors=task.plan.sectors,
+        steps=sum(m.steps for m in moments),
+        notes=tuple(notes),
+        tolerance_met=met,
+        complete=complete,
+        extrapolation=task.explicit,
+    )
+
+
+def _errors(
+    task: _Task,
+    sampling: tuple[RelativeError, RelativeError],
+    moments: list[Moment],
+    depth: Array,
+    area: Array,
+) -> tuple[dict[str, Array], dict[str, Array]]:
+    """Return the parts of the error of the depth (m) and of the worn area (m^2), by their causes.
+
+    The mesh's bound is that of the depth for both: the area converges faster. What a force is off
+    by, the area is off by, and the depth by no more.
+    """
+    done = np.array([m.cycles for m in moments])
+    mesh = mesh_error(np.array([0.5 * m.nodes_in_contact for m in moments])) + _SOLUTION_ERROR
+    law = task.parameters.bushing.law
+    kept = np.array([task.source.coupling_error(float(cycles_at(law, one))) for one in done])
+    of_depth = {
+        "time steps": np.array([m.time_error for m in moments]),
+        "crank positions": task.plan.depth_error.after(done) * depth,
+        "mesh": mesh * depth,
+        "forces kept while the surface wears": kept,
+        "sampling of revolutions with lost contact": sampling[0].after(done) * depth,
+    }
+    of_area = {
+        "time steps": np.array([m.area_error for m in moments]),
+        "crank positions": task.plan.area_error.after(done) * area,
+        "mesh": mesh * area,
+        "forces kept while the surface wears": area * kept / np.maximum(depth, 1e-300),
+        "sampling of revolutions with lost contact": sampling[1].after(done) * area,
+    }
+    return of_depth, of_area
+
+
+def _least_area(parameters: Parameters, cycles: Array, mean_force: Array) -> float:
+    """Return the worn area (m^2) of Archard's law with the force itself for the pressure's sum."""
+    weaker = np.minimum(mean_force[1:], mean_force[:-1])
+    joint = parameters.joint
+    slip = 2.0 * np.pi * joint.pin_radius
+    rate = parameters.bushing.wear_coefficient * slip / joint.bushing_width
+    return float(rate * (weaker @ np.diff(cycles)))
+
+
+def below_archard(area: float, error: float, least: float) -> list[str]:
+    """Return a sentence when a worn area (m^2) with its error is less than physics allows.
+
+    Pressures on both sides of a contact push against each other, so that their sum is never less
+    than the force.
+    """
+    if area + error >= least:
+        return []
+    return [
+        f"The worn area, {area / least:.4f} of what Archard's law makes of the force itself, is"
+        " less than possible even with its stated error: do not use this result; give a smaller"
+        " tolerance."
+    ]

@@ -1,0 +1,164 @@
+"""What presses and slides in one revolution: forces on the bushing at some crank positions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rigapp_model.errors import ModelError
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class CycleLoads:
+    """Hold the forces of one revolution in the wear frame, and the slip that each acts over.
+
+    ``force`` (M, 2), N: pressing force on the bushing by the pin; x points from the bushing's
+    centre to the initial contact point, which is towards the crank, y is 90 degrees further
+    counter-clockwise: minus the components in the follower frame. ``slip`` (M,), m: its sum and
+    ``idle``, the slip without force, are the slip of a revolution. ``rate`` (M,): by what the wear
+    coefficient is multiplied at each position, None where it is the same at all.
+    """
+
+    force: Array
+    slip: Array
+    idle: float = 0.0
+    rate: Array | None = None
+
+    def __post_init__(self) -> None:
+        if self.force.ndim != 2 or self.force.shape[1] != 2 or len(self.slip) != len(self.force):
+            shapes = f"{self.force.shape} forces and {self.slip.shape} slips"
+            raise ModelError("loads", shapes, "give (M, 2) forces and (M,) slips")
+        if not (np.isfinite(self.force).all() and np.isfinite(self.slip).all()):
+            raise ModelError("loads", "not finite", "give finite numbers only")
+        if self.slip.min(initial=0.0) < 0.0:
+            raise ModelError("slip", float(self.slip.min()), "it must not be negative", "m")
+
+    @property
+    def wearing(self) -> Array:
+        """Return the slip of each position times its rate, m: what wears with one coefficient."""
+        return self.slip if self.rate is None else self.slip * self.rate
+
+    @property
+    def magnitude(self) -> Array:
+        """Return the size of each force, N."""
+        return np.hypot(self.force[:, 0], self.force[:, 1])
+
+    @property
+    def direction(self) -> Array:
+        """Return the direction of each force in the wear frame, rad."""
+        return np.arctan2(self.force[:, 1], self.force[:, 0])
+
+    @property
+    def mean_force(self) -> float:
+        """Return the mean size of the force over the slip, N: what decides the worn volume."""
+        total = float(self.slip.sum()) + self.idle
+        return float(self.slip @ self.magnitude) / total if total > 0.0 else 0.0
+
+    def pressing(self) -> CycleLoads:
+        """Return only the positions that press and slide at all."""
+        size = self.magnitude
+        kept = (size > 1e-9 * size.max(initial=0.0)) & (self.slip > 0.0)
+        if kept.all():
+            return self
+        return replace(self._only(kept), idle=self.idle + float(self.slip[~kept].sum()))
+
+    def by_direction(self) -> CycleLoads:
+        """Return the positions in the order of their forces' directions."""
+        order = np.argsort(self.direction, kind="stable")
+        return self._only(order)
+
+    def _only(self, places: NDArray[np.bool_] | NDArray[np.int64]) -> CycleLoads:
+        """Return some of the positions."""
+        rate = None if self.rate is None else self.rate[places]
+        return CycleLoads(self.force[places], self.slip[places], self.idle, rate)
+
+
+def constant_load(force: float, pin_radius: float) -> CycleLoads:
+    """Return a constant force (N) along the follower, pulling it towards the crank when positive.
+
+    The slip of a revolution is the pin's circumference.
+    """
+    if not np.isfinite(force) or force == 0.0:
+        raise ModelError("force", force, "give a finite force other than 0", "N")
+    return CycleLoads(np.array([[force, 0.0]]), np.array([2.0 * np.pi * pin_radius]))
+
+
+def loads_of_cycle(
+    force_follower: ArrayLike,
+    slip: ArrayLike,
+    friction_coefficient: float = 0.0,
+    sliding: ArrayLike = 1.0,
+) -> CycleLoads:
+    """Return loads from a force on the follower in its own frame.
+
+    force_follower: (2, M), N; slip: (M,), m. With friction the force is not normal to the surface:
+    the pressing part is the force turned back by atan(mu) against the sense of sliding (sign of
+    ``sliding``), times its cosine.
+    """
+    fx, fy = -np.asarray(force_follower, dtype=np.float64)
+    turn = -np.sign(np.asarray(sliding)) * np.arctan(friction_coefficient)
+    share = 1.0 / np.sqrt(1.0 + friction_coefficient**2)
+    c, s = share * np.cos(turn), share * np.sin(turn)
+    force = np.stack([c * fx - s * fy, s * fx + c * fy], axis=1)
+    return CycleLoads(force, np.broadcast_to(np.asarray(slip, dtype=np.float64), fx.shape).copy())
+
+
+WIDE_SWING = 1.0
+"""Swing of the force's direction, rad, from which on equal crank angles do not serve."""
+
+
+def swing(loads: CycleLoads) -> float:
+    """Return the angle through which the force's direction swings in a revolution, rad."""
+    return float(np.ptp(np.unwrap(loads.direction))) if loads.slip.size else 0.0
+
+
+SWING_WEIGHT = 2.0
+"""A swing through an angle counts like so many times the same part of the revolution."""
+
+
+def _edges(loads: CycleLoads, positions: int) -> NDArray[np.int64]:
+    """Return the first sample of each part.
+
+    The parts are equal in a measure of time and of swing; the swing of a weak force, which wears
+    little wherever it points, counts less, with the root of its size.
+    """
+    count = len(loads.slip)
+    direction = loads.direction
+    swing = np.abs(np.angle(np.exp(1j * (np.roll(direction, -1) - direction))))
+    size = loads.magnitude / max(loads.mean_force, 1e-300)
+    weight = 2.0 * np.pi / count + SWING_WEIGHT * swing * np.sqrt(np.minimum(size, 1.0))
+    reached = np.cumsum(weight)
+    wanted = reached[-1] * np.arange(1, positions) / positions
+    edges = np.r_[0, np.searchsorted(reached, wanted * (1.0 - 1e-12), side="left") + 1]
+    # Each part has a sample of its own, from the front and from the back.
+    first = np.arange(positions)
+    edges = np.maximum.accumulate(np.maximum(edges - first, 0)) + first
+    return np.minimum(edges, count - positions + first)
+
+
+def gathered(loads: CycleLoads, positions: int) -> CycleLoads:
+    """Return a densely sampled revolution as fewer positions, each the mean of its part.
+
+    The parts are shorter where the direction swings fast, so that no part presses in places far
+    apart. Size and direction are averaged apart, weighted with the slip, so that the product of
+    force and slip, which decides the worn volume, is kept.
+    """
+    count = len(loads.slip)
+    if positions >= count:
+        return loads
+    edges = _edges(loads, positions)
+    slip = np.add.reduceat(loads.slip, edges)
+    sums = np.add.reduceat(loads.force * loads.slip[:, None], edges, axis=0)
+    work = np.add.reduceat(loads.magnitude * loads.slip, edges)
+    length = np.hypot(sums[:, 0], sums[:, 1])
+    kept = (slip > 0.0) & (length > 0.0)
+    size = work[kept] / slip[kept]
+    idle = loads.idle + float(slip[~kept].sum())
+    rate = None
+    if loads.rate is not None:
+        rate = np.add.reduceat(loads.magnitude * loads.wearing, edges)[kept] / work[kept]
+    return CycleLoads(sums[kept] / length[kept, None] * size[:, None], slip[kept], idle, rate)

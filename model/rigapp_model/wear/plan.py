@@ -1,0 +1,288 @@
+"""How fine is fine enough: crank positions, mesh and arc for a tolerance."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp_model.bushing.contact import ArcTooSmall
+from rigapp_model.bushing.ring import MOST_NODES, SECTORS, Ring, arc_nodes, sectors_at_least
+from rigapp_model.errors import ModelError
+from rigapp_model.parameters import WearLaw
+from rigapp_model.wear.archard import rigid_half_angle, rigid_wear
+from rigapp_model.wear.front import (
+    Front,
+    WearProblem,
+    implicit_step,
+    wear_problem,
+    worn_area,
+)
+from rigapp_model.wear.loads import WIDE_SWING, CycleLoads, swing
+from rigapp_model.wear.richardson import EARLY_TOLERANCE
+
+Array = NDArray[np.float64]
+LoadsOf = Callable[[int], CycleLoads]
+
+# More are not taken: without a spring 96 leave 0.3 % of the depth, and the program says so.
+POSITIONS = (4, 6, 8, 12, 16, 24, 32, 48, 64, 96)
+_MESH_ERROR = 0.3  # twice the largest error that comparing meshes showed
+# Shares of the tolerance: positions, mesh and steps, with life's _SAFETY, stay below 0.9 of it.
+_POSITION_SHARE, _MESH_SHARE, TIME_SHARE = 0.15, 0.33, 0.22
+_WIDE_SHARE = 0.165  # where the force swings positions converge slowly, and get more of it
+_EARLY_PART = 0.01  # of a life: there the contact is narrow, and the relative error large
+SAMPLING_COVERAGE = 3.0
+"""Standard errors of sampled forces that count as the bound of their error."""
+
+
+@dataclass(frozen=True, slots=True)
+class RelativeError:
+    """Hold an error as a part of a depth or of an area over a life of ``cycles``.
+
+    ``early``, ``late``: after a hundredth and at the end of the life.
+    """
+
+    early: float
+    late: float
+    cycles: float
+
+    def after(self, cycles: Array) -> Array:
+        """Return a bound of the relative error after some cycles.
+
+        Between the two known ones it follows a power law; before the early one it grows with the
+        inverse root of the cycles, as the contact was narrower.
+        """
+        part = np.maximum(cycles / self.cycles, 1e-12)
+        early, late = max(self.early, 1e-12), max(self.late, 1e-12)
+        power = np.log(late / early) / np.log(1.0 / _EARLY_PART)
+        before = early * np.sqrt(_EARLY_PART / part)
+        return np.where(part < _EARLY_PART, before, early * (part / _EARLY_PART) ** power)
+
+
+@dataclass(frozen=True, slots=True)
+class LifePlan:
+    """Hold what a life is computed with.
+
+    ``positions``: of the crank, and what their number costs in depth and in worn area, from
+    comparing with twice as many; ``sectors`` of the mesh, and of the ``coarse`` one that positions
+    were compared on; ``half_angle`` (rad) of the arc of nodes.
+    """
+
+    positions: int
+    depth_error: RelativeError
+    area_error: RelativeError
+    sectors: int
+    coarse: int
+    half_angle: float
+
+
+def plan_life(
+    ring: Ring,
+    width: float,
+    wear_coefficient: float,
+    law: WearLaw,
+    loads_of: LoadsOf,
+    cycles: float,
+    tolerance: float,
+    single: bool = False,
+    alive: Callable[[], None] = lambda: None,
+) -> LifePlan:
+    """Choose crank positions and mesh by single steps over the whole life on a coarse mesh.
+
+    loads_of: the loads of a revolution for a number of positions; single: they are the same for
+    any number, one force; alive: called between steps, and may raise. Raises ContactError when the
+    bushing cannot carry the force.
+    """
+    loads = loads_of(1 if single else 72).pressing()
+    if not loads.slip.size:
+        raise ModelError("force", 0.0, "without force or slip nothing wears", "N")
+    half = expected_half_angle(ring, width, wear_coefficient, loads, cycles)
+    window = min(1.4 * half + 0.15, np.pi)
+    given = (ring, width, wear_coefficient, law, loads_of, cycles, tolerance, single)
+    while True:
+        try:
+            return _planned(*given, window, alive)
+        except ArcTooSmall:
+            if window >= np.pi:
+                raise
+            window = min(1.7 * window, np.pi)
+
+
+def mesh_error(nodes_in_half: Array) -> Array:
+    """Return a bound of the depth's relative error with so many nodes in half the contact.
+
+    0.3 / q^2 (1 + 12 / q^2): found by comparing meshes, about twice the largest error met.
+    """
+    inverse = 1.0 / np.square(nodes_in_half)
+    return np.minimum(_MESH_ERROR * inverse * (1.0 + 12.0 * inverse), 1.0)
+
+
+def nodes_for(error: float) -> float:
+    """Return how many nodes half the contact needs for a bound of the relative error."""
+    inverse = (np.sqrt(1.0 + 48.0 * error / _MESH_ERROR) - 1.0) / 24.0
+    return float(1.0 / np.sqrt(inverse))
+
+
+def expected_half_angle(
+    ring: Ring, width: float, wear_coefficient: float, loads: CycleLoads, cycles: float
+) -> float:
+    """Return an upper estimate of the contact's half-angle at the end, rad.
+
+    The larger of Persson's for the unworn bushing and that of a rigid pin wearing into one place.
+    """
+    elastic = ring.half_angle(float(loads.magnitude.max()) / width)
+    if ring.clearance <= 0.0:
+        return float(0.5 * np.pi)
+    try:
+        depth = rigid_wear(
+            ring.inner,
+            ring.pin_radius,
+            loads.mean_force / width,
+            wear_coefficient,
+            float(loads.wearing.sum()),
+            cycles,
+        ).depth
+    except ModelError:
+        return float(0.5 * np.pi)
+    return max(elastic, rigid_half_angle(ring.inner, ring.pin_radius, float(depth)))
+
+
+def _planned(
+    ring: Ring,
+    width: float,
+    wear_coefficient: float,
+    law: WearLaw,
+    loads_of: LoadsOf,
+    cycles: float,
+    tolerance: float,
+    single: bool,
+    window: float,
+    alive: Callable[[], None],
+) -> LifePlan:
+    """Return the plan for an arc of nodes; raise ArcTooSmall when the contact leaves it."""
+
+    def problem(sectors: int, loads: CycleLoads) -> WearProblem:
+        return wear_problem(ring, sectors, width, wear_coefficient, loads, window, law)
+
+    dense = loads_of(1 if single else 72).pressing()
+    wide = swing(dense) > WIDE_SWING
+    unworn_half = ring.half_angle(float(dense.magnitude.max()) / width)
+    most = _most_sectors(dense, window)
+    coarse = min(sectors_at_least(np.pi / 2.0 * 4.0 / unworn_half), most)
+    ends: dict[int, tuple[tuple[Front, float], ...]] = {}
+
+    def end(positions: int) -> tuple[tuple[Front, float], ...]:
+        if positions not in ends:
+            alive()
+            loads = loads_of(positions).pressing()
+            ends[positions] = _coarse_life(problem(coarse, loads), loads, cycles)
+        return ends[positions]
+
+    positions, early, late = 1, 0.0, 0.0
+    areas = (0.0, 0.0)
+    compared = _difference if wide else _largest_difference
+    if not single:
+        for positions in POSITIONS:
+            (first, first_area), (last, last_area) = end(positions)
+            (other_first, other_first_area), (other_last, other_last_area) = end(2 * positions)
+            early = _largest_difference(first, other_first, ring.inner)
+            late = compared(last, other_last, ring.inner)
+            areas = (_part(first_area, other_first_area), _part(last_area, other_last_area))
+            share = _WIDE_SHARE if wide else _POSITION_SHARE
+            if late <= share * tolerance and early <= EARLY_TOLERANCE * tolerance:
+                break
+    reached = end(positions)[-1][0]
+    assert reached.touching is not None
+    worn_half = 0.5 * (float(reached.touching.sum(axis=1).max()) - 1.0) * np.pi / coarse
+    wanted = max(
+        nodes_for(_MESH_SHARE * tolerance) / max(worn_half, unworn_half),
+        nodes_for(8.0 * tolerance) / unworn_half,
+        3.0 / unworn_half,
+    )
+    sectors = min(sectors_at_least(wanted * np.pi), most)
+    return LifePlan(
+        positions,
+        RelativeError(1.5 * early, 1.5 * late, cycles),
+        RelativeError(1.5 * areas[0], 1.5 * areas[1], cycles),
+        sectors,
+        coarse,
+        window,
+    )
+
+
+def _coarse_life(
+    problem: WearProblem, loads: CycleLoads, cycles: float
+) -> tuple[tuple[Front, float], ...]:
+    """Return fronts and areas after a hundredth and after the whole life, in three steps."""
+    early = implicit_step(problem, problem.unworn(), loads, _EARLY_PART * cycles)
+    middle = implicit_step(problem, early, loads, 0.2 * cycles)
+    late = implicit_step(problem, middle, loads, (0.8 - _EARLY_PART) * cycles)
+    return tuple((front, worn_area(problem, front.surface)) for front in (early, late))
+
+
+def sampling_errors(
+    ring: Ring,
+    width: float,
+    wear_coefficient: float,
+    law: WearLaw,
+    plan: LifePlan,
+    whole: CycleLoads,
+    samples: Sequence[CycleLoads],
+    cycles: float,
+) -> tuple[RelativeError, RelativeError]:
+    """Return bounds of the errors of depth and of area by forces that were sampled.
+
+    whole: the loads; samples: the same by parts of the sample. Each part gives a life of its own,
+    coarsely; of the spread of these the mean has 1/sqrt(parts). Three times that, and what the mean
+    of the parts is off the whole by, since a part with its larger scatter wears deeper in places.
+    """
+    nothing = RelativeError(0.0, 0.0, cycles)
+    if len(samples) < 2:
+        return nothing, nothing
+    found = []
+    for loads in (whole, *samples):
+        problem = wear_problem(
+            ring, plan.coarse, width, wear_coefficient, loads, plan.half_angle, law
+        )
+        ends = _coarse_life(problem, loads, cycles)
+        found.append([(float(front.depth(ring.inner).max()), area) for front, area in ends])
+    together, parts = np.array(found[0]), np.array(found[1:])
+    spread = parts.std(axis=0, ddof=1) / np.sqrt(len(samples))
+    bias = np.abs(parts.mean(axis=0) - together) / (len(samples) - 1)
+    part = (SAMPLING_COVERAGE * spread + bias) / np.maximum(np.abs(together), 1e-300)
+    of_depth, of_area = (RelativeError(float(e), float(end), cycles) for e, end in part.T)
+    return of_depth, of_area
+
+
+def _part(one: float, other: float) -> float:
+    """Return the difference of two areas as a part of the second."""
+    return abs(one - other) / max(abs(other), 1e-300)
+
+
+def _largest_difference(one: Front, other: Front, inner: float) -> float:
+    """Return the largest difference of two fronts where they are deep, as a part of the depth."""
+    a, b = one.depth(inner), other.depth(inner)
+    deepest = float(b.max())
+    return float(np.abs(a - b)[b >= 0.5 * deepest].max()) / max(deepest, 1e-300)
+
+
+def _difference(one: Front, other: Front, inner: float) -> float:
+    """Return the difference of two fronts as a part of the depth.
+
+    The larger of that of their largest depths and of the root mean square where they are deep:
+    few positions press small pits, which make no depth.
+    """
+    a, b = one.depth(inner), other.depth(inner)
+    deepest = float(b.max())
+    deep = b >= 0.5 * deepest
+    spread = float(np.sqrt(np.mean(np.square(a - b)[deep])))
+    return max(abs(float(a.max()) - deepest), spread) / max(deepest, 1e-300)
+
+
+def _most_sectors(loads: CycleLoads, window: float) -> int:
+    """Return how many sectors keep the arc of nodes within MOST_NODES."""
+    share = len(arc_nodes(1440, loads.direction, window)) / 2880.0
+    most = 0.5 * MOST_NODES / share
+    return max([n for n in SECTORS if n <= most], default=SECTORS[0])

@@ -1,0 +1,158 @@
+"""The joint techniques in one table: how pin and bushing are seen, and what that gives.
+
+A new technique is one row here, and the module that computes it. Nothing is imported before it is
+needed: a command line's help reads the names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Protocol
+
+from rigapp_model.errors import ModelError
+
+if TYPE_CHECKING:
+    from rigapp_model.dynamics import MechanismMotion
+    from rigapp_model.parameters import Parameters
+    from rigapp_model.wear.forces import ForceSource
+
+
+class Solve(Protocol):
+    """Compute motion and forces of a crank whose motion is known."""
+
+    def __call__(
+        self, parameters: Parameters, angle: Any, speed: Any, acceleration: Any, depth: float
+    ) -> tuple[MechanismMotion, str]:
+        """Return the motion, and what must be said of it; nothing when all assumptions hold.
+
+        angle (n,): rad; speed: rad/s; acceleration: rad/s^2; depth: of wear at the contact point,
+        m.
+        """
+
+
+@dataclass(frozen=True, slots=True)
+class LifeOptions:
+    """Say for what life loads are wanted.
+
+    speed: of the crank, rad/s. tolerance: of the depth, as a part of it, for forces that must be
+    sampled. alive: called in between where that takes long, and may raise. evolving: whether a
+    clearance grows with the wear.
+    """
+
+    speed: float
+    tolerance: float = 1e-2
+    alive: Callable[[], None] = lambda: None
+    evolving: bool = True
+
+
+Source = Callable[["Parameters", LifeOptions], "ForceSource"]
+
+
+@dataclass(frozen=True, slots=True)
+class Technique:
+    """One way to see pin and bushing.
+
+    sentence: what it assumes, for help, form and report. needs: what it reads beside the mechanism.
+    solve: None where the motion has to be integrated from impact to impact, so that nothing can be
+    said of a single measured revolution. source: of the loads of a life.
+    """
+
+    name: str
+    sentence: str
+    needs: tuple[str, ...]
+    solve: Solve | None
+    source: Source
+
+
+def _perfect(
+    parameters: Parameters, angle: Any, speed: Any, acceleration: Any, depth: float
+) -> tuple[MechanismMotion, str]:
+    from rigapp_model.joints import perfect_joint
+
+    mechanism, joint = parameters.mechanism, parameters.joint
+    return perfect_joint(mechanism, angle, speed, acceleration, joint), ""
+
+
+def _continuous(
+    parameters: Parameters, angle: Any, speed: Any, acceleration: Any, depth: float
+) -> tuple[MechanismMotion, str]:
+    from rigapp_model.joints import continuous_contact
+
+    mechanism, joint = parameters.mechanism, parameters.joint
+    gap = joint.clearance + depth
+    found = continuous_contact(mechanism, joint, angle, speed, acceleration, gap)
+    return found.motion, found.sentence()
+
+
+def _perfect_source(parameters: Parameters, wanted: LifeOptions) -> ForceSource:
+    from rigapp_model.wear.forces import Constrained
+
+    return Constrained(parameters, wanted.speed, 0.0, follows_wear=False)
+
+
+def _continuous_source(parameters: Parameters, wanted: LifeOptions) -> ForceSource:
+    from rigapp_model.wear.forces import Constrained
+
+    clearance = parameters.joint.clearance
+    return Constrained(parameters, wanted.speed, clearance, follows_wear=wanted.evolving)
+
+
+def _contact_source(parameters: Parameters, wanted: LifeOptions) -> ForceSource:
+    from rigapp_model.wear.impact_forces import SeparateBodies
+
+    return SeparateBodies(parameters, wanted.speed, wanted.tolerance, wanted.alive)
+
+
+TECHNIQUES = {
+    one.name: one
+    for one in (
+        Technique(
+            "perfect",
+            "pin and bushing centres coincide",
+            (),
+            _perfect,
+            _perfect_source,
+        ),
+        Technique(
+            "continuous",
+            "the pin always touches the bushing, and the clearance grows with the wear",
+            ("clearance",),
+            _continuous,
+            _continuous_source,
+        ),
+        Technique(
+            "contact",
+            "pin and bushing are separate bodies that may lose contact",
+            ("clearance", "elasticity"),
+            None,
+            _contact_source,
+        ),
+    )
+}
+"""Name -> technique: the paper's sections 3.1 and 3.2, and separate bodies."""
+
+SOLVABLE = tuple(name for name, one in TECHNIQUES.items() if one.solve is not None)
+"""Names of those that tell the forces of a measured revolution."""
+
+
+def technique_of(name: str) -> Technique:
+    """Return a technique by name; raise ModelError for an unknown one."""
+    found = TECHNIQUES.get(name)
+    if found is None:
+        raise ModelError("technique", name, f"choose {listed()}")
+    return found
+
+
+def solve_of(name: str) -> Solve:
+    """Return what computes the forces of a measured revolution; raise ModelError."""
+    solve = TECHNIQUES[name].solve if name in TECHNIQUES else None
+    if solve is None:
+        raise ModelError("technique", name, f"choose {listed(SOLVABLE)}")
+    return solve
+
+
+def listed(names: tuple[str, ...] = tuple(TECHNIQUES)) -> str:
+    """Return names as a sentence lists them."""
+    *first, last = names
+    return f"{', '.join(first)} or {last}" if first else last
