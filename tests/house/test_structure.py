@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import ast
 import re
+import tomllib
 from collections import Counter, defaultdict
 from pathlib import Path
 
-from house.imports import MODULES, TOP
+from house.imports import MODULES, ROOTS, TOP
+from setuptools import find_packages
 
 NAMES = {path: name for name, path in MODULES.items()}
 PACKAGES = sorted(path.parent for path in NAMES if path.name == "__init__.py")
@@ -91,3 +93,16 @@ def test_what_the_glossary_names_is_there() -> None:
     assert len(named) > 20
     known = classes().keys() | {dotted(path) for root in PACKAGES for path in root.glob("*.py")}
     assert [name for name in named if name not in known] == []
+
+
+def test_what_is_installed_has_one_unique_name() -> None:
+    """A user's ``model.py`` must not hide ours, nor ours a package of somebody else."""
+    settings = tomllib.loads((TOP / "pyproject.toml").read_text("utf-8"))
+    found = settings["tool"]["setuptools"]["packages"]["find"]
+    packages = [
+        one
+        for place in found["where"]
+        for one in find_packages(TOP / place, include=found["include"])
+    ]
+    assert {name.partition(".")[0] for name in packages} == set(ROOTS)
+    assert len(packages) == len(PACKAGES)
