@@ -60,9 +60,7 @@ def test_the_page_says_state_and_next_step_as_the_window_does(
     page = show([rig])
     page.shows("Resting, 12 s left, step 3 of 5. The test resumes by itself.")
     assert '<span class="state paused">Resting</span>' in page.get("/")[2]
-    served.say(
-        state=RunState.STOPPED, resting=False, reason="as asked", outcome=HowEnded.OPERATOR
-    )
+    served.say(state=RunState.STOPPED, resting=False, reason="as asked", outcome=HowEnded.OPERATOR)
     page.shows("Stopped: as asked")
     served.say(outcome=HowEnded.COMPLETE)
     page.shows("Complete: as asked")

@@ -9252,6 +9252,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>neu verbinden</translation>
     </message>
     <message>
+        <source>reinstall the package that brings it</source>
+        <translation>das Paket, das ihn mitbringt, neu installieren</translation>
+    </message>
+    <message>
         <source>rejected: {}</source>
         <translation>verworfen: {}</translation>
     </message>
@@ -10235,6 +10239,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Antrieb meldet {speed_rpm:.1f} rpm, aber der Drehgeber der Kurbel bewegt sich nicht.</translation>
     </message>
     <message>
+        <source>The driver &quot;{}&quot; ({}) cannot be loaded: {}; {}</source>
+        <translation>Der Treiber &quot;{}&quot; ({}) lässt sich nicht laden: {}; {}</translation>
+    </message>
+    <message>
         <source>The encoder counted {revolutions:.1f} revolutions without its index pulse.</source>
         <translation>Der Drehgeber zählte {revolutions:.1f} Umdrehungen ohne Indexpuls.</translation>
     </message>
@@ -10837,10 +10845,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The crank turns at {speed_rpm:.1f} rpm without a command, and {drive} has power.</source>
         <translation>Die Kurbel dreht ohne Befehl mit {speed_rpm:.1f} rpm, und {drive} ist eingeschaltet.</translation>
-    </message>
-    <message>
-        <source>The driver &quot;{}&quot; ({}) cannot be loaded: {}; reinstall the package that brings it</source>
-        <translation>Der Treiber &quot;{}&quot; ({}) lässt sich nicht laden: {}; das Paket, das ihn mitbringt, neu installieren</translation>
     </message>
     <message>
         <source>The driver &quot;{}&quot; ({}) is a {}, not a DriverInfo; report it to the author of that package</source>
@@ -11577,6 +11581,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>it takes speeds in whole steps of {:g} rpm of the crank, so that one below {:g} rpm may be more than {:.0%} beside what was asked for; choose a finer velocity_unit for those</source>
         <translation>er nimmt Drehzahlen in ganzen Schritten von {} rpm der Kurbel, sodass eine unter {} rpm um mehr als {} neben der verlangten liegen kann; dafür eine feinere velocity_unit wählen</translation>
+    </message>
+    <message>
+        <source>it was written for an older rigapp: &quot;from {} import ...&quot; is &quot;from rigapp.{} import ...&quot; now; install its newer version, or change that line</source>
+        <translation>er wurde für ein älteres rigapp geschrieben: &quot;from {} import ...&quot; heißt jetzt &quot;from rigapp.{} import ...&quot;; seine neuere Version installieren oder diese Zeile ändern</translation>
     </message>
     <message>
         <source>its driver failed ({}: {})</source>
