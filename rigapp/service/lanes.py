@@ -21,6 +21,12 @@ class Lanes:
         self._lock = threading.Lock()
         self._under_way: dict[str, int] = {}
 
+    @property
+    def busy(self) -> bool:
+        """Tell whether a request is under way."""
+        with self._lock:
+            return any(self._under_way.values())
+
     def submit(self, verb: str, job: Callable[[], None]) -> str:
         """Begin a job of a verb; return why it cannot be begun, "" when it was."""
         lane = verb_of(verb).lane

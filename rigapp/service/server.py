@@ -26,6 +26,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.schema.messages import PROTOCOL_VERSION, Reply, Request, Snapshot
 from rigapp.schema.states import Refused
 from rigapp.service.bounds import MESSAGE_BYTES, bounded, refusal
+from rigapp.service.connections import Connections
 from rigapp.service.lanes import Lanes
 from rigapp.service.registry import other_version
 from rigapp.service.security import KeyCheck
@@ -38,6 +39,7 @@ SUBSCRIPTION_BYTES = 1024  # a CurveZMQ handshake takes about 300
 VIEWERS = 64
 """Viewers that get snapshots at once; a rig has a few windows and a page."""
 PUBLISH_PERIOD_S = 0.05  # as smoothly do live values move, to an eye
+MEMORY_PERIOD_S = 0.05  # a sender on this computer fills 30 MB meanwhile
 HASTE_S = 0.1
 """In so long, two snapshots are sent out of their turn: of a revolution that has just ended, and of
 its prediction. A real rig turns more slowly; one that is simulated faster waits for its turn."""
@@ -99,6 +101,7 @@ class Server:
             socket.setsockopt(zmq.RCVHWM, waiting)
             if self._key_check is not None:
                 self._key_check.protect(socket)
+        self._connections = Connections((self._router, self._publisher))
         self._bind(self._router, commands)
         self._bind(self._publisher, stream)
         self.commands = self._router.getsockopt_string(zmq.LAST_ENDPOINT)
@@ -151,6 +154,7 @@ class Server:
             poller.register(self._router, zmq.POLLIN)
             poller.register(self._publisher, zmq.POLLIN)
             clock, haste = _Period(PUBLISH_PERIOD_S), _Haste(HASTE_S)
+            watch = _Period(MEMORY_PERIOD_S)
             while not self._stop.is_set():
                 ready = dict(poller.poll(POLL_MS))
                 if self._router in ready:
@@ -158,6 +162,8 @@ class Server:
                 if self._publisher in ready:
                     self._subscribe()
                 self._send_replies()
+                if watch.due():
+                    self._connections.bound_memory(time.monotonic(), busy=self._lanes.busy)
                 if clock.due() or (self._waits() and haste.allowed(time.monotonic())):
                     self._publish()
             self._publish()
@@ -174,8 +180,11 @@ class Server:
 
     def _subscribe(self) -> None:
         """Add the sender of an empty message to the viewers, and ignore every other message."""
-        sender, *body = self._publisher.recv_multipart(zmq.NOBLOCK)
-        if body == [SUBSCRIPTION] and len(self._viewers) < VIEWERS:
+        message = self._connections.receive(self._publisher)
+        if not message:
+            return
+        sender, body = message
+        if body == SUBSCRIPTION and len(self._viewers) < VIEWERS:
             self._viewers.add(sender)
             if len(self._viewers) == 1:
                 self._note_viewers()
@@ -188,10 +197,12 @@ class Server:
 
     def _accept(self) -> None:
         try:
-            frames = self._router.recv_multipart(zmq.NOBLOCK)
+            message = self._connections.receive(self._router)
         except zmq.Again:
             return
-        sender, body = frames[0], frames[-1]
+        if not message:
+            return
+        sender, body = message
         identifier = 0
         # Any error at all: what a stranger sends must never end the thread that hears "stop".
         try:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import contextlib
+import math
 import os
 import random
 import socket
 import threading
 import time
 from collections.abc import Callable, Iterator
+from contextlib import closing, suppress
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +26,7 @@ from rigapp.schema.states import ACTIVE, ENDED
 from rigapp.schema.verbs import SAFETY_VERBS, VERBS
 from rigapp.service.bounds import MESSAGE_BYTES
 from rigapp.service.client import Client, EngineUnreachable
+from rigapp.service.connections import GROWTH_BYTES
 from rigapp.service.host import EngineHost
 from rigapp.service.registry import running_engines
 
@@ -142,7 +144,7 @@ def test_starts_that_hang_on_a_pipe_keep_nothing_that_makes_safe_waiting(
 
 def end_pipe(pipe: Path) -> bool:
     """Write nothing into a pipe, so that whoever reads it has read all of it."""
-    with contextlib.suppress(OSError):  # nobody reads it any more
+    with suppress(OSError):  # nobody reads it any more
         os.close(os.open(pipe, os.O_WRONLY | os.O_NONBLOCK))
     return True
 
@@ -223,6 +225,15 @@ def test_stop_with_too_long_a_reason_is_obeyed(client: Client) -> None:
     assert "not possible while idle" in reply.sentence
 
 
+def wire(*parts: bytes, more: bool = False) -> bytes:
+    """Return the bytes of a message; more: without its end."""
+    last = len(parts) - 1
+    return b"".join(
+        bytes([3 if more or number < last else 2]) + len(part).to_bytes(8, "big") + part
+        for number, part in enumerate(parts)
+    )
+
+
 class RawPeer:
     """Speak ZMTP 3.0 over a Unix socket, so that nothing of what is sent is kept here."""
 
@@ -236,14 +247,18 @@ class RawPeer:
         # What comes before the engine's own READY is taken for a part of the handshake. A peer of
         # another kind than a viewer gets none.
         answer = b""
-        with contextlib.suppress(ConnectionError):
+        with suppress(ConnectionError):
             while b"READY" not in answer and (part := self._socket.recv(4096)):
                 answer += part
 
     def send(self, body: bytes) -> bool:
         """Send a message; False once the engine has ended the connection."""
+        return self.send_wire(wire(body))
+
+    def send_wire(self, data: bytes) -> bool:
+        """Send bytes as they are; False once the engine has ended the connection."""
         try:
-            self._socket.sendall(b"\x02" + len(body).to_bytes(8, "big") + body)
+            self._socket.sendall(data)
         except OSError:
             return False
         return True
@@ -261,7 +276,7 @@ def test_subscriptions_to_topics_take_no_memory(
 ) -> None:
     memory = psutil.Process().memory_info
     before = memory().rss
-    with contextlib.closing(RawPeer(client.entry.snapshots, kind)) as peer:
+    with closing(RawPeer(client.entry.snapshots, kind)) as peer:
         topics = (b"\x01" + os.urandom(size) for _ in range(count))
         assert not all(peer.send(topic) for topic in topics), "the connection was not ended"
         assert client.request("status").ok
@@ -270,7 +285,7 @@ def test_subscriptions_to_topics_take_no_memory(
 
 def test_100000_messages_to_the_stream_are_ignored(host: EngineHost, client: Client) -> None:
     chance, memory = random.Random(22), psutil.Process().memory_info
-    with contextlib.closing(RawPeer(client.entry.snapshots, b"DEALER")) as peer:
+    with closing(RawPeer(client.entry.snapshots, b"DEALER")) as peer:
         before = memory().rss
         for number in range(100_000):
             body = chance.randbytes(chance.choice((1, 1, 2, 8, 100)))
@@ -278,6 +293,51 @@ def test_100000_messages_to_the_stream_are_ignored(host: EngineHost, client: Cli
         assert not host.watched
         assert client.request("status").ok
         assert memory().rss - before < 30_000_000
+
+
+@pytest.mark.parametrize(
+    ("where", "size"), [(one, n) for one in ("commands", "snapshots") for n in (0, 900)]
+)
+def test_a_message_that_is_never_finished_ends_its_connection(
+    client: Client, where: str, size: int
+) -> None:
+    memory = psutil.Process().memory_info
+    before = largest = memory().rss
+    lot = wire(*[bytes(size)] * 1000, more=True)
+    lots = 8 * GROWTH_BYTES // (1000 * (size + 64))  # libzmq takes 64 bytes for an empty part
+    for _ in range(3):
+        with closing(RawPeer(getattr(client.entry, where), b"DEALER")) as peer:
+            sent = 0
+            while sent < lots and peer.send_wire(lot):
+                sent += 1
+                largest = max(largest, memory().rss)
+            assert sent < lots, "the connection was not ended"
+        began = time.monotonic()
+        assert "not possible while idle" in client.request("stop").sentence
+        assert time.monotonic() - began < 1.0
+    assert largest - before < 2.5 * GROWTH_BYTES
+
+
+def test_a_viewer_that_sends_nothing_keeps_what_it_gets_when_another_takes_memory(
+    host: EngineHost, client: Client
+) -> None:
+    with closing(Client(client.entry, "Bea")) as viewer:
+        until(lambda: viewer.poll() is not None, "snapshots come")
+        connections = host._server._connections
+        until(lambda: connections._usual < math.inf, "the memory was looked at")
+        connections._usual -= 2 * GROWTH_BYTES  # as if the engine had grown
+        until(lambda: connections._usual > 0, "a growth of its own is borne")
+        assert client.request("status").ok
+        while viewer.poll() is not None:
+            pass
+        until(lambda: viewer.poll() is not None, "snapshots come again")
+
+
+def test_a_message_of_many_parts_ends_its_connection(client: Client) -> None:
+    with closing(RawPeer(client.entry.commands, b"DEALER")) as peer:
+        parts = wire(*[b""] * 100_000)
+        until(lambda: not peer.send_wire(parts), "the connection is ended")
+    assert client.request("status").ok
 
 
 def test_notes_of_one_client_do_not_fill_the_log(tmp_path: Path) -> None:
@@ -359,6 +419,46 @@ def send_mutated(
         assert host._server.failure is None
 
 
+def mutated_wire(honest: list[bytes], chance: random.Random) -> bytes:
+    """Return messages as a peer sends them: mutated, with parts cut, doubled, too large, too many.
+
+    Mostly the frames hold, so that what is in them is read; else their bytes are mutated too.
+    """
+    parts = [b"", mutated(chance.choice(honest), chance)]
+    kind = chance.randrange(8)
+    if kind == 0:
+        parts *= chance.choice((2, 5, 50))
+    elif kind == 1:
+        parts[chance.randrange(2)] = chance.randbytes(chance.choice((1, 1000, MESSAGE_BYTES + 1)))
+    elif kind == 2:
+        parts = [chance.choice(parts) for _ in range(chance.randrange(1, 12))]
+    elif kind == 3:
+        parts[1] = parts[1][: chance.randrange(len(parts[1]) + 1)]
+    data = wire(*parts, more=chance.randrange(100) == 0)
+    return mutated(data, chance) if chance.randrange(50) == 0 else data
+
+
+def send_mutated_wire(host: EngineHost, client: Client, folder: Path, seed: int, size: int) -> None:
+    """Send mutated messages to both sockets; meanwhile Stop is answered, and memory stays flat."""
+    chance, memory = random.Random(seed), psutil.Process().memory_info
+    honest, before, slowest_s, sent = honest_messages(folder), memory().rss, 0.0, 0
+    while sent < size:
+        where = chance.choice((client.entry.commands, client.entry.snapshots))
+        with suppress(ConnectionError), closing(RawPeer(where, b"DEALER")) as peer:
+            while sent < size and peer.send_wire(mutated_wire(honest, chance)):
+                sent += 1
+                if sent % 200 == 0:
+                    began = time.monotonic()
+                    assert client.request("stop").sentence
+                    slowest_s = max(slowest_s, time.monotonic() - began)
+                    break
+    grown = memory().rss - before
+    print(f"{sent} messages: {grown / 1e6:.1f} MB more, the slowest Stop took {slowest_s:.3f} s")
+    assert slowest_s < 1.0
+    assert grown < 50_000_000
+    assert host._server.failure is None
+
+
 def start_and_stop(host: EngineHost, client: Client, test: Path, out: Path) -> None:
     """Bring a rig, in whatever state it was left, to a running test, and stop that by request."""
     assert client.request("take_command", {"force": True}).ok
@@ -385,6 +485,22 @@ def stop(host: EngineHost, client: Client) -> None:
 
 def test_mutated_messages_are_survived(host: EngineHost, client: Client, tmp_path: Path) -> None:
     send_mutated(host, client, tmp_path, seed=14, thousands=1, size=1000)
+
+
+def test_mutated_bytes_of_both_sockets_are_survived(
+    host: EngineHost, client: Client, tmp_path: Path
+) -> None:
+    send_mutated_wire(host, client, tmp_path, seed=30, size=2000)
+
+
+@pytest.mark.soak
+@pytest.mark.timeout(7200)
+def test_100000_mutated_messages_as_bytes_are_survived(
+    host: EngineHost, client: Client, tmp_path: Path
+) -> None:
+    seed = int(os.environ.get("RIGAPP_SEED", str(time.time_ns() % 2**32)))
+    print(f"seed {seed}: RIGAPP_SEED={seed} sends the same messages again")
+    send_mutated_wire(host, client, tmp_path, seed, size=100_000)
 
 
 @pytest.mark.soak
