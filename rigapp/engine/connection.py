@@ -329,6 +329,8 @@ class Connection:
                 core.act_on(because("pause_failed"))
             return
         if do is DriveStep.STANDING:
+            if stop.unseen:
+                core.stop_unseen(self.spindle.name)
             core.stood(stop.witnesses, stop.how)
         elif do is DriveStep.POWER_OFF and stop.by_itself and core.state not in ACTIVE:
             self._turns_by_itself()
@@ -492,6 +494,7 @@ class Connection:
             newest is not None
             and now - newest.host_s < max(FRESH_S, 2 * self.core.timing.standing)
             and self.process.well
+            and not self.core.alarms.is_active("encoder_lost")
         )
         if newest is None or not fresh:
             seen = Seen(now, drive_rpm, None, None, drive_s=self.control.answered_s)

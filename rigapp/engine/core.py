@@ -283,6 +283,13 @@ class Core:
         if self.test is not None and not self.test.stood:
             self.test.fault_sentence = self.test.fault_sentence or sentence
 
+    def stop_unseen(self, drive: str) -> None:
+        """Take note that only the drive says that the spindle stands."""
+        cause = because("stop_unseen", drive=drive)
+        self.warn(cause)
+        if self.test is not None and not self.test.stood:
+            self.test.fault_sentence = self.test.fault_sentence or cause.sentence
+
     def will_not_stop(self, sentence: str) -> None:
         """Take note that the spindle could not be shown to stand."""
         self.warn(because("will_not_stop", sentence=sentence))

@@ -154,7 +154,8 @@ class Supervisor:
         if core.state not in ACTIVE:
             alarms = core.alarms.alarms()
             waiting = any(one.active and one.ends is Ends.STAND for one in alarms)
-            if waiting and connection.control.seen().stands:
+            seen = connection.control.seen() if waiting else None
+            if seen is not None and seen.stands and seen.encoder_stands:
                 core.alarms.clear_ended_by(Ends.STAND)
             return
         if test is None or core.state is not RunState.STOPPING:

@@ -382,15 +382,37 @@ def test_a_spindle_that_does_not_stop_raises_the_loudest_alarm(rig: MemoryRig) -
     eventually(lambda: not any(a.active for a in rig.engine.status().alarms))
 
 
-def test_a_drive_that_confirms_and_ignores_every_command_is_stopped_by_its_watchdog(
-    rig: MemoryRig,
-) -> None:
+def test_a_drive_that_confirms_and_ignores_every_command_is_stopped_by_its_watchdog() -> None:
+    # A loaded computer needs longer than the others' coast time to see that it does not slow down.
+    rig = MemoryRig(timing=replace(MemoryRig().timing, coast=30.0))
+    rig.engine.connect()
+    rig.start(a_test(LONG))
+    eventually(lambda: len(rig.store.rows) >= 5)
     rig.spindle.ignores = math.inf
     rig.engine.drive_off("Ada")
     ended(rig, FinishReason.OPERATOR, "confirmed the power-off, but the crank turns on")
     assert rig.stands
     assert rig.engine.state is RunState.FAULT
     rig.spindle.ignores = 0.0
+    back_to_work(rig)
+    rig.engine.shutdown(20.0)
+
+
+@pytest.mark.parametrize("healthy", [True, False])
+def test_a_standstill_that_only_the_drive_reports_is_left_to_its_watchdog_and_told(
+    rig: MemoryRig, healthy: bool
+) -> None:
+    rig.source.silent = True
+    if not healthy:
+        rig.spindle.ignores, rig.spindle.tells_ratio = math.inf, 0.0
+    eventually(lambda: rig.engine.status().data_age_s > 1.0)
+    rig.engine.drive_off("Ada")
+    ended(rig, FinishReason.OPERATOR, "The stop could not be seen", "drive reports a standstill")
+    assert rig.engine.state is RunState.FAULT
+    rig.source.silent = False
+    eventually(lambda: rig.stands)
+    assert not rig.crank.powered
+    rig.spindle.ignores, rig.spindle.tells_ratio = 0.0, 1.0
     back_to_work(rig)
 
 

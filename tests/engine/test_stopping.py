@@ -22,6 +22,8 @@ from rigapp.schema.messages import FinishReason, RunState
 from rigapp.schema.notices import Committed, Finished, StateChanged
 from rigapp_drivers.api import Block
 
+WATCHDOG_S = 0.5
+
 # --- the stop ------------------------------------------------------------------------------------
 
 
@@ -245,8 +247,11 @@ def test_one_witness_is_enough_and_none_is_not() -> None:
         spindle = Spinning(True, True)
         spindle.drive, spindle.encoder = drive, encoder
         sequence = StopSequence(True, 0.0, ramp_s=1.0, coast_s=2.0)
-        assert spindle.run(sequence)[0] is DriveStep.STANDING
+        do, ended_s = spindle.run(sequence)
+        assert do is DriveStep.STANDING
         assert sequence.witnesses == words
+        assert sequence.unseen is drive, "a drive alone is left to its watchdog before"
+        assert (ended_s > 0.3 + 2.0 * WATCHDOG_S) is drive
     spindle = Spinning(True, True)
     spindle.drive = spindle.encoder = False
     sequence = StopSequence(True, 0.0, ramp_s=1.0, coast_s=2.0)

@@ -130,8 +130,9 @@ class StopSequence:
     What counts is what the encoder shows, not what the drive has acknowledged: the power-off is
     repeated while the crank moves. Where it stays without effect, or is not accepted, nothing is
     sent for a while (``quiet``): what the drive receives feeds its watchdog, and only the watchdog
-    can then stop it. This goes on after the stop was given up, and begins again when a crank that
-    stood begins to turn.
+    can then stop it. So it is too where the drive alone says that the crank stands: it may err.
+    This goes on after the stop was given up, and begins again when a crank that stood begins to
+    turn.
 
     off: skip the ramp. ramp_s, coast_s: longest time for the ramp and for coasting without power.
     watchdog_s: the drive's watchdog time.
@@ -158,6 +159,7 @@ class StopSequence:
         self.by_itself = False
         self.escalated = False
         self.ignored = False
+        self.unseen = False
         self.witnesses = ""
 
     @classmethod
@@ -174,6 +176,8 @@ class StopSequence:
             return "though the drive accepted no command"
         if self.ignored:
             return "though the power-off had no effect"
+        if self.unseen:
+            return "without power, and its watchdog has had the time to stop it"
         return "after the power had to be cut" if self.escalated else "without power"
 
     @property
@@ -228,6 +232,8 @@ class StopSequence:
             else:
                 return DriveStep.WAIT
             self._last_try = -1e9
+        if self._doubted(stands, seen):
+            return DriveStep.WAIT
         if stands and (self._off_done or seen.drive_rpm is None):
             self.witnesses = seen.witnesses
             self.done, self.quiet = True, False
@@ -242,11 +248,30 @@ class StopSequence:
         """Begin anew when a crank moves that stood and that nothing may turn."""
         if not seen.moves:
             return False
-        self.done, self.by_itself, self.ignored = False, True, False
+        self.done, self.by_itself, self.ignored, self.unseen = False, True, False, False
         self._last_try, self._trying_since, self._repeated_from = -1e9, seen.now_s, seen.now_s
         self._steady_limit, self._trend = STEADY_AT_REST, SpeedTrend()
         self._deadline = math.inf
         return True
+
+    def _doubted(self, stands: bool, seen: Seen) -> bool:
+        """Leave the drive to its watchdog, once, where it alone says that the crank stands.
+
+        Its own encoder may be dead, and its acknowledgement of the power-off wrong.
+        """
+        if seen.encoder_stands is not None:
+            self.unseen = False
+        elif stands and self._off_done and not self.unseen:
+            self.unseen = True
+            self._leave_to_watchdog(seen.now_s)
+            self._commanded_s = self._quiet_until  # what is seen from then on counts
+            self._deadline = max(self._deadline, self._quiet_until + SEGMENT_S)
+        return self.unseen and seen.now_s < self._quiet_until
+
+    def _leave_to_watchdog(self, now_s: float) -> None:
+        self.quiet = True
+        self._quiet_until = self._trying_since = self._repeated_from = now_s + self._quiet_s
+        self._trend = SpeedTrend()
 
     def _repeat(self, seen: Seen) -> DriveStep:
         """Repeat the power-off, or leave the drive to its watchdog."""
@@ -263,9 +288,7 @@ class StopSequence:
         ignored = self._off_done and too_long
         if not ignored and not self._not_accepted(False, now_s):
             return self._try(DriveStep.POWER_OFF, now_s)
-        self.quiet = True
-        self._quiet_until = self._trying_since = self._repeated_from = now_s + self._quiet_s
-        self._trend = SpeedTrend()
+        self._leave_to_watchdog(now_s)
         if not ignored:
             return DriveStep.WAIT
         self._watchdog_from = self._quiet_until + self._quiet_s

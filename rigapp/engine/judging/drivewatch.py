@@ -108,7 +108,8 @@ class DriveWatch:
         now = time.monotonic()
         if not blind:
             self._blind_since = None
-            run.alarms.clear("encoder_lost")
+            if not self._rig.processor.motion.standing(standing_s):  # a dead one sees no stop
+                run.alarms.clear("encoder_lost")
         elif self._blind_since is None:
             self._blind_since = now
         elif now - self._blind_since > 2 * standing_s:

@@ -5728,6 +5728,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Versorgung, Temperatur und Last des Antriebs ansehen.</translation>
     </message>
     <message>
+        <source>Look at the crank before you reach in. Then mend the encoder, and connect.</source>
+        <translation>Die Kurbel ansehen, bevor Sie hineingreifen. Dann den Drehgeber instand setzen und verbinden.</translation>
+    </message>
+    <message>
         <source>Look at the network and the server, and at rigapp notify --test; what waits is kept.</source>
         <translation>Netz und Server ansehen, und rigapp notify --test; was wartet, bleibt erhalten.</translation>
     </message>
@@ -7268,6 +7272,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Stoppbits der Leitung</translation>
     </message>
     <message>
+        <source>Stop not seen</source>
+        <translation>Stillstand nicht gesehen</translation>
+    </message>
+    <message>
         <source>Stop other programs that write to this disk; look at its health and its network.</source>
         <translation>Andere Programme beenden, die auf diese Festplatte schreiben; ihren Zustand und ihr Netz ansehen.</translation>
     </message>
@@ -7486,6 +7494,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The drive does not tell what its input S3 does: press the emergency stop before the first test</source>
         <translation>Der Antrieb meldet nicht, was sein Eingang S3 bewirkt: vor dem ersten Versuch den Not-Halt betätigen</translation>
+    </message>
+    <message>
+        <source>The drive may be wrong. It got no command for its watchdog&apos;s time.</source>
+        <translation>Der Antrieb kann irren. Für die Zeit seiner Überwachung erhielt er keinen Befehl.</translation>
     </message>
     <message>
         <source>The drive may switch off by itself soon.</source>
@@ -9692,6 +9704,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>mit Gewichten, bei mehreren Bolzenwinkeln</translation>
     </message>
     <message>
+        <source>without power, and its watchdog has had the time to stop it</source>
+        <translation>ohne Leistung, und seine Überwachung hatte die Zeit, sie anzuhalten</translation>
+    </message>
+    <message>
         <source>worn area at the end</source>
         <translation>verschlissene Fläche am Ende</translation>
     </message>
@@ -11037,6 +11053,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The step numbers go back at {}; write the readings in the order taken (sorted as text, 11 stands before 2)</source>
         <translation>Die Schrittnummern gehen bei {} zurück; die Messungen in der Reihenfolge der Aufnahme schreiben (als Text sortiert steht 11 vor 2)</translation>
+    </message>
+    <message>
+        <source>The stop could not be seen: {drive} reports a standstill, the crank encoder nothing.</source>
+        <translation>Der Stopp war nicht zu sehen: {drive} meldet Stillstand, der Drehgeber der Kurbel nichts.</translation>
     </message>
     <message>
         <source>The stop was commanded, the power was cut, and still the spindle is not seen to stand (asked: {})</source>

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import enum
 import struct
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from rigapp_drivers.cia402.protocol import (
@@ -58,6 +58,7 @@ class Cia402Fault(enum.StrEnum):
     NO_SDO_REPLY = "no_sdo_reply"
     IGNORED_COMMAND = "ignored_command"  # the write is confirmed and not obeyed
     FALSE_READBACK = "false_readback"  # it says that the motor has no power, whatever it does
+    FALSE_STANDSTILL = "false_standstill"  # it says that the motor stands: its encoder is dead
     TURNS_BY_ITSELF = "turns_by_itself"  # rpm that nobody has commanded
     SLOW_COMMAND = "slow_command"  # s until a download is confirmed; it is obeyed at once
     LATE_TPDO = "late_tpdo"  # s of delay
@@ -348,6 +349,9 @@ class Cia402Node:
 
     def observe(self, state: MotorState) -> None:
         """Take the motor's state."""
+        if self._plan.on(Cia402Fault.FALSE_STANDSTILL):
+            count = self._motor.position_count
+            state = replace(state, speed_count_per_s=0.0, position_count=count)
         self._motor = state
         self._observed = True
         self.axis.observe(state)

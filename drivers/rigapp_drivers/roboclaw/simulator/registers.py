@@ -6,7 +6,7 @@ import copy
 import enum
 import struct
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 from rigapp_drivers.roboclaw.protocol import (
@@ -41,6 +41,7 @@ class RoboClawFault(enum.StrEnum):
     LOST_COMMAND = "lost_command"  # the packet is neither obeyed nor answered
     IGNORED_COMMAND = "ignored_command"  # the write is acknowledged and not obeyed
     FALSE_READBACK = "false_readback"  # it says that the motor has no power, whatever it does
+    FALSE_STANDSTILL = "false_standstill"  # it says that the motor stands: its encoder is dead
     TURNS_BY_ITSELF = "turns_by_itself"  # counts/s that nobody has commanded
     SLOW_REPLY = "slow_reply"  # s of delay
     DUPLICATED_REPLY = "duplicated_reply"
@@ -126,6 +127,9 @@ class Registers:
 
     def observe(self, state: MotorState) -> None:
         """Take the state of the motor that the plant turns."""
+        if self._plan.on(RoboClawFault.FALSE_STANDSTILL):
+            count = self._state.position_count
+            state = replace(state, speed_count_per_s=0.0, position_count=count)
         self._state = state
         self.axes[self.motor - 1].observe(state)
 
