@@ -10,6 +10,7 @@ Error tree::
     ├── ProtocolError           bytes that the protocol does not allow, after all retries
     ├── DeviceLost              the connection broke while in use (cable, power, reset)
     ├── DataOverrun             the device says that it dropped data
+    ├── DriverFailed            the driver itself failed: an error that is none of these (``edge``)
     └── DeviceFault             the device reports a fault of its own (drive fault, e-stop)
 
 A driver knows bytes and meaning, never engineering units of the rig and never the application.
@@ -87,6 +88,13 @@ class SettingsLost(DeviceLost):
 
 class DataOverrun(DeviceError):
     """The device says that it dropped data."""
+
+
+class DriverFailed(DeviceError):
+    """The driver raised what no driver should raise, or answered in another form.
+
+    Only ``edge`` raises this; its cause is what the driver raised.
+    """
 
 
 class DeviceFault(DeviceError):
@@ -400,7 +408,7 @@ class SlowRequest:
 class SlowSource(Named, Protocol):
     """Tell slow quantities (temperature, humidity) when asked; a thread of its own asks.
 
-    It may fail and come back: after DeviceLost the caller closes it and opens it anew.
+    It may fail and come back: after any error the caller closes it and opens it anew.
     """
 
     def open(self) -> Identity:

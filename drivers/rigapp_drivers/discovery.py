@@ -15,7 +15,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from rigapp_drivers.api import DeviceError, DriverInfo, Identity
+from rigapp_drivers.api import DeviceError, DriverFailed, DriverInfo, Identity
+from rigapp_drivers.edge import Edge
 from rigapp_drivers.transport import SerialPort
 
 QUESTION_S: Final = 0.3  # many times the slowest answer, and eight drivers may ask
@@ -123,12 +124,12 @@ def _ask_one(
     """Ask for one driver; a broken port raises DeviceError, a fault in the probe is noted."""
     assert info.probe is not None
     line.read_some(1 << 16, 0.0)
+    edge = Edge(info.probe, line.device, line.port, info.name)
     try:
-        return info.probe.ask(line, timeout_s)
-    except DeviceError:
-        raise
-    except Exception as error:  # of a third party's driver, which must not end the search
-        problems.append(f"the question of driver {info.name} failed: {error!r}")
+        with edge.calling("it was identified"):
+            return info.probe.ask(line, timeout_s)
+    except DriverFailed as error:  # must not end the search
+        problems.append(error.sentence)
         return None
     finally:
         time.sleep(_PAUSE_S)

@@ -15,6 +15,7 @@ from importlib.metadata import EntryPoint, entry_points
 from typing import Any
 
 from rigapp_drivers.api import DriverInfo, SettingSpec
+from rigapp_drivers.edge import failure_words, foreign
 
 GROUP = "rigapp.drivers"
 FORMER_NAMES = ("drivers", "model", "calibration")
@@ -38,13 +39,20 @@ class DriverNotFound(LookupError):
     """Say which driver or simulator cannot be loaded, and what to do."""
 
 
+class DriverBroken(DriverNotFound):
+    """Say which package brings a driver or simulator that fails to load."""
+
+
 def available_drivers() -> tuple[str, ...]:
     """Return the names of all installed drivers, sorted, without importing any of them."""
     return tuple(sorted(_entries()))
 
 
 def load_driver(name: str) -> DriverInfo:
-    """Import the driver of that name and return its description; raise DriverNotFound."""
+    """Import the driver of that name and return its description; raise DriverNotFound.
+
+    Whatever the import raises is a DriverBroken.
+    """
     entries = _entries()
     entry = entries.get(name)
     if entry is None:
@@ -52,25 +60,38 @@ def load_driver(name: str) -> DriverInfo:
         raise DriverNotFound(
             f'There is no driver "{name}"{hint}; installed are: {", ".join(sorted(entries))}.'
         )
-    try:
-        info = entry.load()
-    except (ImportError, AttributeError) as error:
-        former = (getattr(error, "name", None) or "").partition(".")[0]
-        way_out = (
-            f'it was written for an older rigapp: "from {former} import ..." is "from '
-            f'rigapp.{former} import ..." now; install its newer version, or change that line.'
-            if former in FORMER_NAMES
-            else "reinstall the package that brings it."
+    with foreign(
+        lambda error: DriverBroken(
+            f'The driver "{name}" ({entry.value}) cannot be loaded: {failure_words(error)}; '
+            f"{_way_out(name, error)}."
         )
-        raise DriverNotFound(
-            f'The driver "{name}" ({entry.value}) cannot be loaded: {error}; {way_out}'
-        ) from error
+    ):
+        info = entry.load()
     if not isinstance(info, DriverInfo):
-        raise DriverNotFound(
+        raise DriverBroken(
             f'The driver "{name}" ({entry.value}) is a {type(info).__name__}, not a DriverInfo; '
-            "report it to the author of that package."
+            f"report it to the author of the package {package_of(name)}."
         )
     return info
+
+
+def _way_out(driver: str, error: BaseException) -> str:
+    """Return what to do about a driver whose import has failed."""
+    former = str(getattr(error, "name", None) or "").partition(".")[0]
+    if former in FORMER_NAMES:
+        return (
+            f'it was written for an older rigapp: "from {former} import ..." is "from '
+            f'rigapp.{former} import ..." now; install its newer version, or change that line'
+        )
+    return f"reinstall or update the package {package_of(driver)}"
+
+
+def package_of(driver: str) -> str:
+    """Return the name of the package that brings a driver, as it was installed."""
+    entry = _entries().get(driver)
+    if entry is None:
+        return driver
+    return entry.dist.name if entry.dist is not None else entry.module.partition(".")[0]
 
 
 def load_simulator(info: DriverInfo) -> type[Any]:
@@ -83,17 +104,18 @@ def load_simulator(info: DriverInfo) -> type[Any]:
             f'The driver "{info.name}" has no simulator; give the device a real port.'
         )
     module_name, _, class_name = info.simulator.partition(":")
-    try:
+    package = package_of(info.name)
+    with foreign(
+        lambda error: DriverBroken(
+            f'The simulator of driver "{info.name}" ({info.simulator}) cannot be loaded: '
+            f"{failure_words(error)}; reinstall or update the package {package}."
+        )
+    ):
         simulator = getattr(importlib.import_module(module_name), class_name)
-    except (ImportError, AttributeError, ValueError) as error:
-        raise DriverNotFound(
-            f'The simulator of driver "{info.name}" ({info.simulator}) cannot be loaded: {error}; '
-            "reinstall the package that brings it."
-        ) from error
     if not isinstance(simulator, type):
-        raise DriverNotFound(
+        raise DriverBroken(
             f'The simulator of driver "{info.name}" ({info.simulator}) is not a class; '
-            "report it to the author of that package."
+            f"report it to the author of the package {package}."
         )
     return simulator
 

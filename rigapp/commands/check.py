@@ -146,11 +146,13 @@ def self_check(
     try:
         devices.open()
         source = devices.source
-        if not isinstance(source, SelfChecking):
+        driver = source.driver
+        if not isinstance(driver, SelfChecking):
             return
         what = f"Test value of {source.name}"
         try:
-            results = source.half_scale()
+            with source.calling("its test value was read"):
+                results = driver.half_scale()
         except DeviceError as error:
             yield Check(what, Checked.ATTENTION, f"not possible: {error.sentence}")
             return

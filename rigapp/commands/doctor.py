@@ -136,9 +136,6 @@ def installed_drivers(findings: list[Observation]) -> list[DriverInfo]:
             drivers.append(load_driver(name))
         except DriverNotFound as error:
             findings.append(Observation(f"Driver {name}", str(error), False))
-        except Exception as error:  # of a third party's package
-            sentence = f"cannot be loaded ({error!r}); reinstall the package that brings it."
-            findings.append(Observation(f"Driver {name}", sentence, False))
     return drivers
 
 

@@ -43,9 +43,9 @@ from rigapp_drivers.api import (
     DeviceError,
     Identity,
     SlowRequest,
-    SlowSource,
     StreamSetup,
 )
+from rigapp_drivers.edge import GuardedSlow
 
 SMALLEST_QUEUE = 16384  # samples; a burst of so many may come after a pause of the host
 PACED_SAMPLES = 4096
@@ -149,7 +149,7 @@ class Connection:
         for slow in self.slow_channels.devices.values():
             slow.await_first(max(0.0, deadline - time.monotonic()))
 
-    def _ask(self, source: SlowSource, request: SlowRequest) -> SlowDevice:
+    def _ask(self, source: GuardedSlow, request: SlowRequest) -> SlowDevice:
         """Return a slow source with its thread, whose death is warned of and ends nothing."""
 
         def opened(identity: Identity, readback: Mapping[str, str | float | int]) -> None:

@@ -4,24 +4,39 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, cast
+from typing import Any, NoReturn, cast
 
 from rigapp.config.channels import channel_table, input_keys
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
 from rigapp_drivers.api import (
+    ConnectionFailed,
     DataRequest,
-    DataSource,
+    DeviceError,
     DriveRequest,
     DriverInfo,
     DriverKind,
     Identity,
     SlowRequest,
-    SlowSource,
-    Spindle,
     StreamSetup,
 )
-from rigapp_drivers.registry import DriverNotFound, SettingsError, check_settings, load_driver
+from rigapp_drivers.edge import (
+    Guarded,
+    GuardedSlow,
+    GuardedSource,
+    GuardedSpindle,
+    failure_words,
+    foreign,
+    make_driver,
+)
+from rigapp_drivers.registry import (
+    DriverBroken,
+    DriverNotFound,
+    SettingsError,
+    check_settings,
+    load_driver,
+    package_of,
+)
 
 LoadDriver = Callable[[str], DriverInfo]
 
@@ -36,12 +51,12 @@ class Devices:
     A slow source is opened and asked by a thread of its own (``samples.slow``).
     """
 
-    source: DataSource
-    spindle: Spindle
+    source: GuardedSource
+    spindle: GuardedSpindle
     data_request: DataRequest
     drive_request: DriveRequest
     drivers: Mapping[str, str]
-    slow: tuple[tuple[SlowSource, SlowRequest], ...] = ()
+    slow: tuple[tuple[GuardedSlow, SlowRequest], ...] = ()
     identities: dict[str, Identity] = field(default_factory=dict)
     readback: dict[str, Mapping[str, str | float | int]] = field(default_factory=dict)
 
@@ -142,7 +157,12 @@ def _slow_requests(
     slow = [one for one in channel_table(rig).slow if one.device != rig.spindle.device]
     for name in dict.fromkeys(one.device for one in slow):
         wanted = [one for one in slow if one.device == name]
-        info, settings = _driver(rig, name, DriverKind.SLOW_SOURCE, where, load)
+        try:
+            info, settings = _driver(rig, name, DriverKind.SLOW_SOURCE, where, load)
+        except UnusableInput as error:
+            if not isinstance(error.__cause__, DriverBroken):
+                raise
+            info, settings = _broken(rig.devices[name].driver, error.__cause__), {}
         request = SlowRequest(tuple(dict.fromkeys(one.input for one in wanted)), settings=settings)
         for one in wanted:
             wrong = _objection(info, replace(request, quantities=(one.input,)))
@@ -180,12 +200,22 @@ def _check_inputs(rig: RigFile, info: DriverInfo, request: DataRequest, where: s
 
 
 def _objection(info: DriverInfo, request: DataRequest | DriveRequest | SlowRequest) -> str:
-    if info.check is not None:
+    """Return why no such device can do it, empty where one can; raise UnusableInput."""
+    if info.check is None:
+        return ""
+    with foreign(lambda error: _no_objection(info, error)):
         try:
             info.check(request)
         except ValueError as error:
             return str(error)
     return ""
+
+
+def _no_objection(info: DriverInfo, error: BaseException) -> UnusableInput:
+    return UnusableInput(
+        f"the driver {info.name} failed to check its request ({failure_words(error)}); report it to"
+        f" the author of the package {package_of(info.name)}"
+    )
 
 
 def make_devices(
@@ -194,7 +224,7 @@ def make_devices(
     load: LoadDriver = load_driver,
     where: str = "rig file",
 ) -> Devices:
-    """Make the drivers of a rig file without touching a port; raise UnusableInput.
+    """Make the drivers of a rig file without touching a port; raise UnusableInput, DeviceError.
 
     ports: device name -> port, in place of the rig file's.
     """
@@ -204,18 +234,49 @@ def make_devices(
         rig, plan.spindle, plan.spindle_driver, plan.drive_request.settings, ports, where
     )
     return Devices(
-        source=cast(DataSource, source),
-        spindle=cast(Spindle, spindle),
+        source=cast(GuardedSource, source),
+        spindle=cast(GuardedSpindle, spindle),
         data_request=plan.data_request,
         drive_request=plan.drive_request,
         drivers={
             name: rig.devices[name].driver for name in (plan.source, plan.spindle, *plan.slow)
         },
         slow=tuple(
-            (cast(SlowSource, _made(rig, name, info, request.settings, ports, where)), request)
+            (_slow_source(rig, name, info, request.settings, ports, where), request)
             for name, (info, request) in plan.slow.items()
         ),
     )
+
+
+class Unusable:
+    """A slow source whose driver cannot be had: it says why, and the rig goes on without it."""
+
+    def __init__(self, error: DeviceError) -> None:
+        self._error = error
+
+    def open(self) -> Identity:
+        """Raise ConnectionFailed with the reason."""
+        error = self._error
+        raise ConnectionFailed(error.device, error.port, error.sentence) from error
+
+    def close(self) -> None:
+        """Do nothing: nothing was opened."""
+
+
+def _slow_source(rig: RigFile, name: str, info: DriverInfo, *made: Any) -> GuardedSlow:
+    try:
+        return cast(GuardedSlow, _made(rig, name, info, *made))
+    except DeviceError as error:
+        return GuardedSlow(Unusable(error), name, error.port, info.name)
+
+
+def _broken(driver: str, error: DriverBroken) -> DriverInfo:
+    """Return what stands for the driver of a slow source whose package cannot be loaded."""
+
+    def fails(name: str, port: str, settings: Mapping[str, Any]) -> NoReturn:
+        raise ConnectionFailed(name, port, str(error)) from error
+
+    return DriverInfo(driver, driver, DriverKind.SLOW_SOURCE, fails)
 
 
 def _driver(
@@ -247,10 +308,10 @@ def _made(
     settings: Mapping[str, Any],
     ports: Mapping[str, str],
     where: str,
-) -> DataSource | Spindle | SlowSource:
+) -> Guarded:
     port = ports.get(name, rig.devices[name].port)
     if port == "simulated":
         raise UnusableInput(
             f"{where}: devices.{name}.port is 'simulated', and no simulated device runs for it"
         )
-    return info.factory(name, port, dict(settings))
+    return make_driver(info, name, port, settings)

@@ -167,6 +167,7 @@ class Engine:
             setup = devices.open()
         finally:
             self._opening = None
+        connection: Connection | None = None
         try:
             calibration = calibration_of(core.rig.record, setup)
             connection = Connection(
@@ -176,8 +177,8 @@ class Engine:
             core.alarms.clear_ended_by(Ends.TEST, Ends.CONNECTION, Ends.SEEN)
             connection.start()
         except BaseException:
+            (devices if connection is None else connection).close()
             core.control = None
-            devices.close()
             raise
         return connection
 

@@ -29,7 +29,7 @@ from rigapp.schema.messages import (
 from rigapp.schema.results import how_ended
 from rigapp.schema.states import ACTIVE
 from rigapp_calibration.load_cell.force_uncertainty import stated_uncertainty
-from rigapp_drivers.api import DataSource, LineCounters, SlowSource, Spindle
+from rigapp_drivers.edge import Guarded
 
 RIG_FILE = "rig file"
 """What is told in place of a calibration record where there is none."""
@@ -237,7 +237,7 @@ def _being_opened(devices: Devices) -> tuple[DeviceView, ...]:
     )
 
 
-def _named(devices: Devices, device: DataSource | Spindle | SlowSource) -> dict[str, Any]:
+def _named(devices: Devices, device: Guarded) -> dict[str, Any]:
     """Return what is shown of every device alike."""
     identity = devices.identities.get(device.name)
     words = ("maker", "model", "firmware", "serial_number")
@@ -246,7 +246,7 @@ def _named(devices: Devices, device: DataSource | Spindle | SlowSource) -> dict[
         "driver": devices.drivers[device.name],
         "port": device.port,
         "identity": " ".join(getattr(identity, one) for one in words).strip() if identity else "",
-        "counters": dict(device.counters()) if isinstance(device, LineCounters) else {},
+        "counters": dict(device.counters()),
         "wiring": str(devices.readback.get(device.name, {}).get("wiring", "")),
         "advice": str(devices.readback.get(device.name, {}).get("advice", "")),
     }

@@ -41,7 +41,8 @@ from rigapp.engine.drive.timing import Timing
 from rigapp.engine.engine import Engine
 from rigapp.engine.recording.store import Opened, OpenRequest, OpenStore
 from rigapp.schema.channels import BASE
-from rigapp.schema.messages import Event, LookedAfter
+from rigapp.schema.messages import Event, FinishReason, LookedAfter
+from rigapp.schema.states import ENDED
 from rigapp.simulation.constants import packaged_parameters
 from rigapp_drivers.api import (
     Block,
@@ -576,3 +577,16 @@ def eventually(condition: Any, seconds: float = PATIENCE_S) -> None:
     while not condition():
         assert time.monotonic() < deadline, f"did not come about in {seconds} s"
         time.sleep(0.001)
+
+
+def back_to_work(rig: MemoryRig) -> None:
+    """Repair, reconnect, acknowledge, reset, and run a test to its end."""
+    rig.engine.connect()
+    # A repaired fault ends with the next look of the thread that monitors it.
+    eventually(lambda: not any(one.active for one in rig.engine.status().alarms))
+    rig.engine.acknowledge(operator="Ada")
+    rig.engine.reset("Ada")
+    rig.start(a_test(5))
+    rig.engine.wait(ENDED, 60.0)
+    assert rig.engine.outcome is not None
+    assert rig.engine.outcome.reason is FinishReason.COMPLETE

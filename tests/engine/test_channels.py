@@ -350,7 +350,7 @@ def test_a_garbled_answer_costs_its_values_until_the_device_is_opened_again(
     key = "slow_silent:climate"
     eventually(lambda: key in {one.key for one in rig.engine.status().alarms if one.active})
     shown = next(one for one in rig.engine.status().devices if one.name == "climate")
-    assert "its driver failed" in shown.last_error
+    assert "its driver memory thermometer failed" in shown.last_error
     ran(rig)
     assert rig.engine.outcome is not None
     assert rig.engine.outcome.status == "complete"

@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from engine_doubles import MemoryRig, a_test, eventually
+from engine_doubles import MemoryRig, a_test, back_to_work, eventually
 
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.speeds import ANSWERS
@@ -49,19 +49,6 @@ def ended(rig: MemoryRig, reason: FinishReason, *words: str) -> Finished:
     assert rig.engine.status().reason == outcome.sentence
     assert rig.store.closed
     return outcome
-
-
-def back_to_work(rig: MemoryRig) -> None:
-    """Repair, reconnect, acknowledge, reset, and run a test to its end."""
-    rig.engine.connect()
-    # A repaired fault ends with the next look of the thread that monitors it.
-    eventually(lambda: not any(one.active for one in rig.engine.status().alarms))
-    rig.engine.acknowledge(operator="Ada")
-    rig.engine.reset("Ada")
-    rig.start(a_test(5))
-    rig.engine.wait(ENDED, 60.0)
-    assert rig.engine.outcome is not None
-    assert rig.engine.outcome.reason is FinishReason.COMPLETE
 
 
 def test_a_pulled_cable_ends_the_test_names_the_port_and_can_be_mended(rig: MemoryRig) -> None:

@@ -19,7 +19,8 @@ from dataclasses import dataclass
 
 from rigapp.engine.drive.sequences import CREEP_RPM, DriveStep, PauseSequence, Seen, StopSequence
 from rigapp.engine.drive.timing import Timing
-from rigapp_drivers.api import DeviceError, DriveStatus, Spindle
+from rigapp_drivers.api import DeviceError, DriveStatus
+from rigapp_drivers.edge import GuardedSpindle
 
 TURNS_TO_AIM = 3.0
 """Turns at creep speed granted for coming to an angle: one to slow down, one whole, one more."""
@@ -74,7 +75,7 @@ class SpindleControl:
 
     def __init__(
         self,
-        spindle: Spindle,
+        spindle: GuardedSpindle,
         timing: Timing,
         look: Callable[[float | None], Seen],
         pace: Callable[[], float],

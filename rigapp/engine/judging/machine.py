@@ -25,7 +25,7 @@ from rigapp.schema.alarms import Cause
 from rigapp.schema.channels import ChannelTable
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import Ending, Trigger
-from rigapp_drivers.api import DataSource, Spindle
+from rigapp_drivers.edge import GuardedSource, GuardedSpindle
 
 
 class OpenTest(Protocol):
@@ -120,8 +120,8 @@ class JudgedSamples(Protocol):
 class JudgedRig(Protocol):
     """The devices of a rig and what they show."""
 
-    source: DataSource
-    spindle: Spindle
+    source: GuardedSource
+    spindle: GuardedSpindle
     control: SpindleControl
     slow_channels: SlowChannels
     counts_per_turn: float

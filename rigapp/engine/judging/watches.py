@@ -5,7 +5,7 @@ from __future__ import annotations
 from rigapp.engine.judging.machine import JudgedRig, JudgedRun
 from rigapp.schema.alarms import KINDS, Cause, because, key_of
 from rigapp.schema.states import ACTIVE
-from rigapp_drivers.api import InputFault, InputFaultKind, InputSupervision, SlowSource
+from rigapp_drivers.api import InputFault, InputFaultKind, SlowSource
 
 CALM_S = 0.5
 """An input that was saturated has returned when no sample has been for so long."""
@@ -52,8 +52,6 @@ class Watches:
 
     def _look_at_inputs(self) -> None:
         source = self._rig.source
-        if not isinstance(source, InputSupervision):
-            return
         faults = source.input_faults()
         if faults == self._told:
             return

@@ -7,7 +7,6 @@ silent gives no value and a growing age, is warned of, and is opened again for a
 
 from __future__ import annotations
 
-import logging
 import math
 import threading
 import time
@@ -16,16 +15,8 @@ from dataclasses import dataclass
 
 from rigapp.process.threads import Worker
 from rigapp.schema.channels import Channel
-from rigapp_drivers.api import (
-    DeviceError,
-    DeviceLost,
-    DriveStatus,
-    Identity,
-    SlowRequest,
-    SlowSource,
-)
-
-log = logging.getLogger(__name__)
+from rigapp_drivers.api import DeviceError, DriveStatus, Identity, SlowRequest
+from rigapp_drivers.edge import GuardedSlow
 
 PERIOD_S = 1.0
 """A device is asked once in so long: rooms and bushings take minutes to change by what such a
@@ -65,7 +56,7 @@ class SlowDevice:
 
     def __init__(
         self,
-        source: SlowSource,
+        source: GuardedSlow,
         request: SlowRequest,
         on_open: Callable[[Identity, Mapping[str, str | float | int]], None],
         on_death: Callable[[Worker, BaseException], None],
@@ -97,8 +88,9 @@ class SlowDevice:
         return self._asked.wait(timeout_s)
 
     def close(self) -> None:
-        """Release the device, after its thread has ended."""
-        self._close()
+        """Release the device: its thread does, or whoever has ended it."""
+        self._open = False
+        self.source.close()
 
     def _step(self) -> None:
         try:
@@ -106,16 +98,9 @@ class SlowDevice:
                 identity = self.source.open()
                 self._on_open(identity, self.source.configure(self._request))
                 self._open = True
-            values = {name: float(value) for name, value in self.source.read().items()}
+            values = self.source.read()
         except DeviceError as error:
-            self._failed(error, lost=isinstance(error, DeviceLost))
-            return
-        except Exception as error:
-            # One garbled line may raise anything in a driver of others; it costs its values alone.
-            log.warning("%s on %s", self.source.name, self.source.port, exc_info=error)
-            unusable = f"its driver failed ({type(error).__name__}: {error})"
-            cause = DeviceLost(self.source.name, self.source.port, unusable)
-            self._failed(cause, lost=True)
+            self._failed(error)
             return
         now = time.monotonic()
         self._readings = {name: Reading(value, now) for name, value in values.items()}
@@ -123,23 +108,14 @@ class SlowDevice:
         self._asked.set()
         self.worker.pause(PERIOD_S)
 
-    def _failed(self, error: DeviceError, lost: bool) -> None:
+    def _failed(self, error: DeviceError) -> None:
+        """Close the device, to be opened again: what it left half done is nobody's guess."""
         self.errors += 1
         self.last_error = error.sentence
         self._asked.set()
-        if self._open and not lost:
-            self.worker.pause(PERIOD_S)
-            return
-        self._open = False
-        self._close()
+        self.close()
         self.worker.pause(self._reopen_s)
         self._reopen_s = min(2.0 * self._reopen_s, LONGEST_REOPEN_S)
-
-    def _close(self) -> None:
-        try:
-            self.source.close()
-        except Exception as error:
-            log.warning("%s was not closed", self.source.name, exc_info=error)
 
 
 class SlowChannels:

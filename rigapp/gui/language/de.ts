@@ -8932,8 +8932,60 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>er endet nicht</translation>
     </message>
     <message>
+        <source>it was closed</source>
+        <translation>beim Schließen</translation>
+    </message>
+    <message>
+        <source>it was given a speed</source>
+        <translation>beim Vorgeben der Drehzahl</translation>
+    </message>
+    <message>
+        <source>it was identified</source>
+        <translation>beim Erkennen</translation>
+    </message>
+    <message>
+        <source>it was made</source>
+        <translation>beim Anlegen</translation>
+    </message>
+    <message>
+        <source>it was opened</source>
+        <translation>beim Öffnen</translation>
+    </message>
+    <message>
+        <source>it was read</source>
+        <translation>beim Lesen</translation>
+    </message>
+    <message>
+        <source>it was set up</source>
+        <translation>beim Einstellen</translation>
+    </message>
+    <message>
+        <source>it was started</source>
+        <translation>beim Starten</translation>
+    </message>
+    <message>
+        <source>it was stopped</source>
+        <translation>beim Anhalten</translation>
+    </message>
+    <message>
+        <source>it was zeroed</source>
+        <translation>beim Nullsetzen</translation>
+    </message>
+    <message>
         <source>its U</source>
         <translation>seine U</translation>
+    </message>
+    <message>
+        <source>its counters were read</source>
+        <translation>beim Lesen seiner Zähler</translation>
+    </message>
+    <message>
+        <source>its fault was reset</source>
+        <translation>beim Quittieren seiner Störung</translation>
+    </message>
+    <message>
+        <source>its inputs were read</source>
+        <translation>beim Lesen seiner Eingänge</translation>
     </message>
     <message>
         <source>its mechanism tells the elastic motion, its limits stay</source>
@@ -8942,6 +8994,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>its plan</source>
         <translation>ihr Plan</translation>
+    </message>
+    <message>
+        <source>its power was taken off</source>
+        <translation>beim Abschalten seiner Leistung</translation>
     </message>
     <message>
         <source>its structure</source>
@@ -9262,10 +9318,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>reconnect</source>
         <translation>neu verbinden</translation>
-    </message>
-    <message>
-        <source>reinstall the package that brings it</source>
-        <translation>das Paket, das ihn mitbringt, neu installieren</translation>
     </message>
     <message>
         <source>rejected: {}</source>
@@ -10259,6 +10311,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Treiber &quot;{}&quot; ({}) lässt sich nicht laden: {}; {}</translation>
     </message>
     <message>
+        <source>The driver &quot;{}&quot; ({}) is a {}, not a DriverInfo; report it to the author of the package {}</source>
+        <translation>Der Treiber "{}" ({}) ist ein {}, kein DriverInfo; dies dem Autor des Pakets {} melden</translation>
+    </message>
+    <message>
         <source>The encoder counted {revolutions:.1f} revolutions without its index pulse.</source>
         <translation>Der Drehgeber zählte {revolutions:.1f} Umdrehungen ohne Indexpuls.</translation>
     </message>
@@ -10289,6 +10345,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The result {}. The largest part is {} (u = {:.3g} N): correct its setting, or measure it better</source>
         <translation>Das Ergebnis {}. Den größten Anteil hat {} (u = {} N): die Einstellung berichtigen oder besser messen</translation>
+    </message>
+    <message>
+        <source>The simulator of driver &quot;{}&quot; ({}) cannot be loaded: {}; reinstall or update the package {}</source>
+        <translation>Die Simulation des Treibers "{}" ({}) lässt sich nicht laden: {}; das Paket {} neu installieren oder aktualisieren</translation>
+    </message>
+    <message>
+        <source>The simulator of driver &quot;{}&quot; ({}) is not a class; report it to the author of the package {}</source>
+        <translation>Die Simulation des Treibers "{}" ({}) ist keine Klasse; dies dem Autor des Pakets {} melden</translation>
     </message>
     <message>
         <source>The test did not start: {}</source>
@@ -10397,6 +10461,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>hang {}</source>
         <translation>{} anhängen</translation>
+    </message>
+    <message>
+        <source>its driver {} failed while {}; the log has the details</source>
+        <translation>sein Treiber {} ist {} fehlgeschlagen; Einzelheiten stehen im Protokoll</translation>
     </message>
     <message>
         <source>limits.overspeed_rpm = {:g} is not above {} = {:g}; the test would trip at once</source>
@@ -10863,10 +10931,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Kurbel dreht ohne Befehl mit {speed_rpm:.1f} rpm, und {drive} ist eingeschaltet.</translation>
     </message>
     <message>
-        <source>The driver &quot;{}&quot; ({}) is a {}, not a DriverInfo; report it to the author of that package</source>
-        <translation>Der Treiber &quot;{}&quot; ({}) ist {}, kein DriverInfo; dies dem Autor des Pakets melden</translation>
-    </message>
-    <message>
         <source>The driver &quot;{}&quot; has no simulator; give the device a real port</source>
         <translation>Der Treiber &quot;{}&quot; hat keine Simulation; dem Gerät einen echten Anschluss geben</translation>
     </message>
@@ -11037,14 +11101,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The shipped {} are neither in {} nor where rigapp is installed; install it again, or name files of your own</source>
         <translation>Die mitgelieferten {} sind weder in {} noch dort, wo rigapp installiert ist; es neu installieren oder eigene Dateien nennen</translation>
-    </message>
-    <message>
-        <source>The simulator of driver &quot;{}&quot; ({}) cannot be loaded: {}; reinstall the package that brings it</source>
-        <translation>Die Simulation des Treibers &quot;{}&quot; ({}) lässt sich nicht laden: {}; das Paket, das sie mitbringt, neu installieren</translation>
-    </message>
-    <message>
-        <source>The simulator of driver &quot;{}&quot; ({}) is not a class; report it to the author of that package</source>
-        <translation>Die Simulation des Treibers &quot;{}&quot; ({}) ist keine Klasse; dies dem Autor des Pakets melden</translation>
     </message>
     <message>
         <source>The step number of {} stands twice in its series at this place; give each reading of a series a number of its own, in the order taken</source>
@@ -11607,10 +11663,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>er wurde für ein älteres rigapp geschrieben: &quot;from {} import ...&quot; heißt jetzt &quot;from rigapp.{} import ...&quot;; seine neuere Version installieren oder diese Zeile ändern</translation>
     </message>
     <message>
-        <source>its driver failed ({}: {})</source>
-        <translation>sein Treiber ist fehlgeschlagen ({}: {})</translation>
-    </message>
-    <message>
         <source>its schema is {}, this program reads {}; update rigapp</source>
         <translation>sein Schema ist {}, dieses Programm liest {}; rigapp erneuern</translation>
     </message>
@@ -11941,6 +11993,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>registers, entry {}: {}</source>
         <translation>registers, Eintrag {}: {}</translation>
+    </message>
+    <message>
+        <source>reinstall or update the package {}</source>
+        <translation>das Paket {} neu installieren oder aktualisieren</translation>
     </message>
     <message>
         <source>replay × {:g}</source>
@@ -12291,6 +12347,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Heartbeat des Antriebs {}</translation>
     </message>
     <message>
+        <source>the driver {} failed to check its request ({}); report it to the author of the package {}</source>
+        <translation>der Treiber {} konnte seine Anforderung nicht prüfen ({}); bitte dem Verfasser des Pakets {} melden</translation>
+    </message>
+    <message>
         <source>the emergency stop stays: {}</source>
         <translation>der Not-Halt bleibt: {}</translation>
     </message>
@@ -12401,10 +12461,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the program that wrote the file ended without closing the test (killed, crashed or power lost); {} safe, resume {}</source>
         <translation>das Programm, das die Datei schrieb, endete, ohne den Versuch zu schließen (beendet, abgestürzt oder Stromausfall); {} sicher, resume {}</translation>
-    </message>
-    <message>
-        <source>the question of driver {} failed: {}</source>
-        <translation>die Suche des Treibers {} schlug fehl: {}</translation>
     </message>
     <message>
         <source>the rate input has no range of {:g} Hz</source>

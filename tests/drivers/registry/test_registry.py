@@ -78,7 +78,7 @@ def test_unknown_driver_names_the_nearest() -> None:
 @pytest.mark.parametrize(
     ("name", "words"),
     [
-        ("broken", "reinstall the package"),
+        ("broken", "reinstall or update the package no_such_package_at_all"),
         ("wrong", "float"),
         ("former", '"from rigapp.model import ...'),
     ],
