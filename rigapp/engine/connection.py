@@ -58,6 +58,10 @@ PROMPT_S = 0.02
 FRESH_S = 0.5
 """A sample that is older tells nothing of what the crank does now."""
 
+WAITS_IN_VAIN = 3
+"""Reads in a row that wait for their whole time-out and get nothing: a computer that lets the
+reader wait lets it read, so what is missing then is not on the wire."""
+
 SLOWEST_PACE = 0.02
 """A simulated rig that runs slower than this has hung: nobody waits for it in proportion."""
 
@@ -110,6 +114,7 @@ class Connection:
         self.received_s = time.monotonic()
         self.source_errors = 0
         self.last_source_error = ""
+        self._waits_in_vain = 0
         self._in_hand_ns: int | None = None
         self._overrun = False
         self._drive_polled_s = 0.0
@@ -237,7 +242,9 @@ class Connection:
             self.reader.halt()
             return
         if block is None:
+            self._waits_in_vain += 1
             return
+        self._waits_in_vain = 0
         self.received_s = time.monotonic()
         if not self.queue.put(block):
             self._overrun = True
@@ -461,6 +468,17 @@ class Connection:
         waiting = (self._in_hand_ns, self.queue.oldest_ns)
         oldest = min((one for one in waiting if one is not None), default=None)
         return 0.0 if oldest is None else max(0.0, self.age_s(oldest * 1e-9))
+
+    def silence_s(self) -> float:
+        """Return for how long samples are outstanding, in the time in which stale data are judged.
+
+        That of the rig: a simulated one may be faster than the host's clock, and the drive's count
+        tells its time, once the reader has waited in vain often enough that none can be on the way.
+        """
+        age_s = self.age_s(self.received_s)
+        if not self.core.rig.record.simulated_samples or self._waits_in_vain < WAITS_IN_VAIN:
+            return age_s
+        return max(age_s, self.guard.gaps.outstanding_s())
 
     def data_age_s(self) -> float:
         """Return the seconds since the last samples came."""

@@ -57,6 +57,9 @@ TRIGGERS = frozenset({"limit", "note"})
 NO_FILE = "No revolution was made, so no file is left."
 """Told at the end of a test that failed at its start."""
 
+TOGETHER_NS = 10_000_000
+"""Two clocks read within so long are read together: what is tied to UTC is good to that."""
+
 UNTRUE = Flag.PAUSED | Flag.PARTIAL | Flag.TIME_JUMP
 """Revolutions with one of these flags are no food for the prediction."""
 
@@ -81,7 +84,7 @@ class Core:
         self.test: ActiveTest | None = None
         self._on_measured = on_measured
         self.control: SpindleControl | None = None
-        self.anchor = (time.monotonic_ns(), time.time())
+        self.anchor = _both_clocks()
         self._no_limits = LimitsSection()
         self._quick_commits = 0
         self.committing_since = 0.0
@@ -484,17 +487,30 @@ class Core:
             later_s = 0.0
         return seconds + (host_time_ns - ns) * 1e-9 - later_s
 
-    def anchor_time(self) -> float:
-        """Tie the monotonic clock to UTC anew; return the seconds by which UTC has jumped."""
-        now = (time.monotonic_ns(), time.time())
-        jump = now[1] - self.utc(now[0], 0.0)
-        self.anchor = now
-        return jump
+    def clock_jump(self) -> float:
+        """Return the seconds by which UTC has jumped since it was tied to the monotonic clock."""
+        ns, seconds = _both_clocks()
+        return seconds - self.utc(ns, 0.0)
+
+    def anchor_time(self) -> None:
+        """Tie the monotonic clock to UTC anew."""
+        self.anchor = _both_clocks()
 
     def require(self, condition: bool, sentence: str) -> None:
         """Raise Refused unless a condition holds."""
         if not condition:
             raise Refused(sentence)
+
+
+def _both_clocks() -> tuple[int, float]:
+    """Return the monotonic clock in ns and UTC in s, read together.
+
+    A program that is put to sleep between the two would take that for a clock that was set.
+    """
+    while True:
+        ns, seconds = time.monotonic_ns(), time.time()
+        if time.monotonic_ns() - ns < TOGETHER_NS:
+            return ns, seconds
 
 
 def _log(event: Event) -> None:

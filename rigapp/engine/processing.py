@@ -17,7 +17,6 @@ from rigapp.engine.samples.assembler import Assembler, Revolution
 from rigapp.engine.samples.motion import MotionWindow, Point
 from rigapp.engine.samples.sampleclock import TICKS_PER_S, EncoderClock
 from rigapp.engine.samples.signals import Means, RecentSignals
-from rigapp.engine.samples.timewatch import TimeWatch
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.channels import LOAD_CELL, PROBES
 from rigapp_drivers.api import Block, SampleClock
@@ -50,11 +49,8 @@ class Judge(Protocol):
     def revolution(self, revolution: Revolution) -> None:
         """Take a revolution."""
 
-    def lost(self, samples: int) -> None:
-        """Take note that samples were lost; all of them so far."""
-
-    def missing(self, seconds: float) -> None:
-        """Take note that samples of so long went missing without a number."""
+    def lost(self, samples: int, seconds: float) -> None:
+        """Take note that samples were lost: all of them so far, and how long the gap is."""
 
 
 SLOWED_SHARE = 0.8
@@ -125,8 +121,6 @@ class Processor:
         self._judge = judge
         self._overload_N = overload_N
         by_encoder = calibration.counter.clock is SampleClock.ENCODER
-        timed = real_time and not by_encoder
-        self._watch = TimeWatch(calibration.sample_rate_Hz) if timed else None
         self._clock = (
             EncoderClock(calibration.sample_rate_Hz, calibration.counter.pulse_rate, real_time)
             if by_encoder
@@ -136,7 +130,6 @@ class Processor:
         self._recent: RecentSignals | None = None
         self.index_seen = False
         self._discard = threading.Event()
-        self._lost = 0
         self._over = False
         self._saturation = SaturationWatch(calibration)
         self._set(calibration)
@@ -248,6 +241,7 @@ class Processor:
     def _handle(self, block: Block) -> None:
         n = block.values.shape[1]
         if n == 0:
+            self.assembler.push(block)
             if self._clock is not None:
                 self._stand(self._clock.quiet(block.host_time_ns), block.host_time_ns * 1e-9)
             return
@@ -261,12 +255,11 @@ class Processor:
         assembler = self.assembler
         revolutions = assembler.push(block, ticks)
         self.next_sample = block.first_sample + n
+        if assembler.motion.gap:
+            self.motion.gap()
+            gap_s = max(0, assembler.motion.gap) / self.calibration.sample_rate_Hz
+            self._judge.lost(assembler.lost_samples, gap_s)
         self._look(block, n, ticks)
-        if assembler.lost_samples != self._lost:
-            self._lost = assembler.lost_samples
-            self._judge.lost(self._lost)
-            if self._watch is not None:
-                self._watch.restart()
         for revolution in revolutions:
             self._judge.revolution(revolution)
 
@@ -349,7 +342,3 @@ class Processor:
             if averaging.done.is_set():
                 self._averaging = None
         self._judge.motion(self.motion.speed_rpm())
-        if self._watch is not None:
-            jump = self._watch.end(block.first_sample + n, host_s)
-            if jump > 0:
-                self._judge.missing(jump)

@@ -101,7 +101,7 @@ class Supervisor:
 
     def _look_at_data(self) -> None:
         core, connection = self._core, self._connection
-        age = connection.age_s(connection.received_s)
+        age = connection.silence_s()
         if age <= core.limits.stale_data_s:
             core.alarms.clear("stale_data")
             return
@@ -204,12 +204,13 @@ class Supervisor:
             self._help("file", self._core.look_after_file)
 
     def _look_at_clock(self) -> None:
-        now = time.monotonic()
-        if now - self._anchored_s < ANCHOR_S:
+        now, jump = time.monotonic(), self._core.clock_jump()
+        jumped = abs(jump) > CLOCK_JUMP_S
+        if now - self._anchored_s < ANCHOR_S and not jumped:
             return
         self._anchored_s = now
-        jump = self._core.anchor_time()
-        if abs(jump) > CLOCK_JUMP_S:
+        self._core.anchor_time()
+        if jumped:
             self._core.event("clock", "engine", f"this computer's UTC clock jumped by {jump:.1f} s")
 
     def _help(self, name: str, work: Callable[[], object]) -> None:

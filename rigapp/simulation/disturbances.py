@@ -49,6 +49,7 @@ class SignalFault(enum.StrEnum):
     SWINGING_WEIGHT = "swinging_weight"  # share of the signal by which it goes to and fro
     JAM = "jam"  # N m of dry friction on the shaft
     REVERSED_ENCODER = "reversed_encoder"  # lines A and B of the crank encoder are exchanged
+    CLOCK_DRIFT = "clock_drift"  # ppm by which the device samples faster than it says
 
 
 _SHAFT = "shaft"
@@ -57,6 +58,7 @@ _DEFAULTS = {
     SignalFault.SWINGING_WEIGHT: 0.03,
     SignalFault.MOVED_PROBE: 0.5,
     SignalFault.JAM: 1e3,
+    SignalFault.CLOCK_DRIFT: 100.0,
 }
 """What stands behind a fault when nothing is said; 1 for the others."""
 
@@ -74,6 +76,11 @@ class Disturbances:
     def jam_Nm(self) -> float:
         """Return the dry friction on the shaft beyond the bearing's."""
         return self._channels.get((SignalFault.JAM, _SHAFT), 0.0)
+
+    @property
+    def clock(self) -> float:
+        """Return how many times faster than it says the device samples."""
+        return 1.0 + 1e-6 * self._channels.get((SignalFault.CLOCK_DRIFT, _SHAFT), 0.0)
 
     def start(self, fault: SignalFault, channel: str, value: float | None, rate: float) -> None:
         """Let a fault begin; channel: by its name, "" for both forces."""
@@ -130,6 +137,6 @@ class Disturbances:
 
 
 def _terminals(fault: SignalFault, channel: str) -> tuple[str, ...]:
-    if fault in (SignalFault.JAM, SignalFault.REVERSED_ENCODER):
+    if fault in (SignalFault.JAM, SignalFault.REVERSED_ENCODER, SignalFault.CLOCK_DRIFT):
         return (_SHAFT,)
     return (channel,) if channel else BRIDGES

@@ -16,13 +16,13 @@ A fault file is TOML::
 Triggers are in plant time. The duration of a signal fault is plant time; that of a wire or device
 fault is the wall clock's, which the wire, the drive's watchdog and the host's time-outs live on.
 
-Wire: cable_pull, hang, garbage (value: bytes), truncated (value: bytes), split (value: bytes a
-piece), slow (value: s). Signal: see ``disturbances.SignalFault``; slip_ring_spikes also takes
-rate_per_s. Any other kind goes to the device's simulator, which has its own list; value, count
-and target (command number or object index) go with it. Every simulated drive has ignored_command
-(confirmed and not obeyed), false_readback (it says that it has no power), false_standstill (its
-encoder is dead: it says that it stands), turns_by_itself, slow_command (value: s until it is
-confirmed), restart_unseen and watchdog_lost.
+Wire: cable_pull, hang (what is sent is lost), hold (it comes late, at once), garbage (value:
+bytes), truncated (value: bytes), split (value: bytes a piece), slow (value: s). Signal: see
+``disturbances.SignalFault``; slip_ring_spikes also takes rate_per_s. Any other kind goes to the
+device's simulator, which has its own list; value, count and target (command number or object index)
+go with it. Every simulated drive has ignored_command (confirmed and not obeyed), false_readback (it
+says that it has no power), false_standstill (its encoder is dead: it says that it stands),
+turns_by_itself, slow_command (value: s until it is confirmed), restart_unseen and watchdog_lost.
 """
 
 from __future__ import annotations

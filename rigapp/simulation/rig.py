@@ -133,7 +133,8 @@ class RigSimulation:
         self._connected = self._daq.wire.connected()
         self._drive.wire.connected()
         self._converse(now_s)
-        self.plant.set_sample_rate(self._daq.simulator.sample_rate_Hz)
+        rate_Hz = self._daq.simulator.sample_rate_Hz * self._disturbances.clock
+        self.plant.set_sample_rate(rate_Hz)
         self._pace.tick(now_s)
         for _ in range(LONGEST_PASS_CHUNKS):
             steps = self._chunk_steps()

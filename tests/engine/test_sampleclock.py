@@ -244,10 +244,7 @@ class Quiet:
     def revolution(self, revolution: Revolution) -> None:
         return
 
-    def lost(self, samples: int) -> None:
-        raise AssertionError
-
-    def missing(self, seconds: float) -> None:
+    def lost(self, samples: int, seconds: float) -> None:
         raise AssertionError
 
 

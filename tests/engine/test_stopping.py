@@ -13,10 +13,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rigapp.engine.drive.sequences import CREEP_RPM, DriveStep, PauseSequence, Seen, StopSequence
+from rigapp.engine.judging.gapwatch import LATE_S
 from rigapp.engine.publish import NoticeStream
 from rigapp.engine.samples.blockqueue import BlockQueue
 from rigapp.engine.samples.motion import MotionWindow, Point
-from rigapp.engine.samples.timewatch import TimeWatch
+from rigapp.engine.samples.timewatch import LagWatch
 from rigapp.process.threads import Worker
 from rigapp.schema.messages import FinishReason, RunState
 from rigapp.schema.notices import Committed, Finished, StateChanged
@@ -359,9 +360,9 @@ def test_an_unknown_index_is_an_unknown_angle() -> None:
 
 
 def jumps(delays: list[float]) -> list[float]:
-    watch = TimeWatch(1000.0)
-    found = [watch.end(i * 50, i * 0.05 + delay) for i, delay in enumerate(delays)]
-    return [jump for jump in found if jump]
+    watch = LagWatch()
+    found = [watch.add(delay, i * 0.05 + delay) for i, delay in enumerate(delays)]
+    return [grown for grown in found if grown > LATE_S]
 
 
 def test_samples_lost_unseen_show_as_a_jump_of_time() -> None:

@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from rigapp.engine.judging.criteria import Met
 from rigapp.engine.judging.depthwatch import DEPTH_COLUMNS
+from rigapp.engine.judging.gapwatch import GapWatch
 from rigapp.engine.judging.limits import LevelPassed
 from rigapp.engine.judging.machine import JudgedRig, JudgedRun, OpenTest
 from rigapp.engine.judging.speeds import LATE_S, SpeedComparison, wrong_sense
 from rigapp.engine.judging.testrun import Row
 from rigapp.engine.samples.assembler import Revolution
-from rigapp.engine.samples.timewatch import WINDOW_S, LagWatch
 from rigapp.schema.alarms import because, key_of
 from rigapp.schema.channels import LOAD_CELL
 from rigapp.schema.columns import by_name, prediction_columns
@@ -47,15 +47,6 @@ only while the drive has not answered since."""
 BACKWARDS_RPM = -1.0
 """A drive that reports less than this turns backwards."""
 
-MISSING_SHARE = 0.15
-"""Of the turns in a window: slip, or a wrong gear ratio, is less (``speeds.AGREE``)."""
-
-HALF_TURN = 0.5
-"""The encoder counts within a turn: only whole turns are missing from its count."""
-
-MOST_MISSING = 1e5
-"""Turns; more is the drive's counter that wraps or was set."""
-
 CALM_REVOLUTIONS = 20
 
 CALMING = {
@@ -73,8 +64,7 @@ class Guard:
     def __init__(self, run: JudgedRun, rig: JudgedRig) -> None:
         self._run = run
         self._rig = rig
-        self._turns = LagWatch()
-        self._compared_ns = 0
+        self.gaps = GapWatch(run, rig)
         self._missed = 0
         self._start_count: int | None = None
         self._turning_s = 0.0
@@ -95,7 +85,7 @@ class Guard:
         self._start_count = assembler.motion.travel[1]
         self._changed_in = assembler.ordinal
         self._speeds.begin()
-        self._turns.restart()
+        self.gaps.begin()
         self._missed = 0
         self._blind = set()
         self._peak_N = 0.0
@@ -171,8 +161,7 @@ class Guard:
         if self._calm and state not in ACTIVE:
             self._calm = False
             run.alarms.clear("invalid_signal")
-        if test is not None and state in ACTIVE and not rig.swinging:
-            self._compare_turns(test)
+        self.gaps.look()
         limit = run.limits.overspeed_rpm
         if abs(speed_rpm) > limit and state in TURNING and not rig.swinging:
             by = "crank encoder"
@@ -254,48 +243,17 @@ class Guard:
         self._run.act_on(because("senses_differ", sentence=sentence), off=drive_back)
         return True
 
-    def lost(self, samples: int) -> None:
-        """Warn of lost samples."""
-        self._turns.restart()  # what the encoder did in a gap is estimated
+    def lost(self, samples: int, seconds: float) -> None:
+        """Warn of lost samples; power off when they are as long as stale data."""
+        if not self.gaps.known(seconds):
+            self._warn_lost(samples)
+
+    def _warn_lost(self, samples: int) -> None:
         device = self._rig.source.name
         sentence = f"{samples} samples of {device} were lost in all."
         if not samples:
             sentence = f"Samples of {device} were lost; how many is not known."
         self._run.warn(because("lost_samples", sentence=sentence))
-
-    def missing(self, seconds: float) -> None:
-        """Record a gap whose samples have no number; power off when it is as long as stale data."""
-        run, device = self._run, self._rig.source.name
-        self._turns.restart()
-        self._rig.processor.assembler.flag_time_jump()
-        run.alarms.clear("count_mismatch")  # the gap is its cause, not the encoder
-        if run.test is not None and run.state in ACTIVE:
-            run.gap(f"{device} sent no samples for {seconds:.2f} s, and their number is not known")
-        limit_s = run.limits.stale_data_s
-        if run.state in ACTIVE and seconds > limit_s:
-            run.act_on(because("samples_missing", device=device, seconds=seconds, limit_s=limit_s))
-        else:
-            run.warn(because("time_jump", device=device, seconds=seconds))
-
-    def _compare_turns(self, test: OpenTest) -> None:
-        """Compare the turns of drive and encoder: what the encoder lacks are missing samples.
-
-        The host's clock shows them too, but not in a simulated rig that is faster than it.
-        """
-        status, motion = self._rig.control.status, self._rig.processor.motion
-        if status is None or status.host_time_ns == self._compared_ns:
-            return
-        host_s = status.host_time_ns * 1e-9
-        turns = motion.turns_at(host_s)
-        if turns is None:
-            return
-        self._compared_ns = status.host_time_ns
-        rev_per_s = test.target_rpm / 60.0
-        tolerance = max(HALF_TURN, MISSING_SHARE * WINDOW_S * rev_per_s * motion.pace())
-        drive_turns = status.position_count / self._rig.counts_per_turn
-        grown = self._turns.add(drive_turns - turns, host_s, tolerance)
-        if 0.0 < grown < MOST_MISSING:
-            self.missing(grown / rev_per_s)
 
     # --- every revolution ------------------------------------------------------------------------
 
@@ -345,10 +303,11 @@ class Guard:
         else:
             self._missed = 0
             run.alarms.clear("index_missed")
-        if flags & Flag.COUNT_MISMATCH:
+        self.gaps.revolution(row.measured.revolution)
+        if flags & Flag.COUNT_MISMATCH and not _samples_missing(row.measured.revolution):
             run.warn(because("count_mismatch", revolution=row.number))
         if flags & Flag.LOST_SAMPLES:
-            self.lost(self._rig.processor.assembler.lost_samples)
+            self._warn_lost(self._rig.processor.assembler.lost_samples)
         for key, bad in CALMING.items():
             self._calm_down(key, not flags & bad)
         for verdict in row.verdicts:
@@ -418,6 +377,12 @@ class Guard:
         self._sound[key] = self._sound.get(key, 0) + 1 if sound else 0
         if self._sound[key] == CALM_REVOLUTIONS:
             self._run.alarms.clear(key)
+
+
+def _samples_missing(revolution: Revolution) -> bool:
+    """Tell whether samples are missing in or before a revolution: the encoder may have counted."""
+    known = Flag.LOST_SAMPLES | Flag.GAP_BEFORE | Flag.TIME_JUMP
+    return revolution.skipped_counts != 0 or bool(revolution.flags & known)
 
 
 def _remarked(sentence: str, test: OpenTest) -> str:

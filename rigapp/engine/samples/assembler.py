@@ -86,6 +86,8 @@ class Revolution:
     first_sample, end_sample: device sample index of its first and of the first after it.
     host_time_ns: monotonic time of the block that carries its end; later_samples: device samples
     from its end to the end of that block.
+    skipped_counts: by which the count jumps where samples went missing unseen, modulo a turn; 0
+    where the index at its end shows that it was the encoder that lost counts.
     ticks: None for a device that samples at fixed times. Of one that the encoder clocks: the time
     of every sample of ``values``; all that is counted in device samples above is counted in these
     ticks then, and sample_rate_Hz says how many make a second.
@@ -105,6 +107,7 @@ class Revolution:
     lost_samples: int
     idle_samples: int
     flags: Flag
+    skipped_counts: int = 0
     ticks: NDArray[np.int64] | None = None
 
     @property
@@ -142,7 +145,9 @@ class Motion:
     count: unwrapped position, corrected at every index; phase: counts from the index, 0 ..
     counts_per_revolution - 1. travel: counts turned up to the block's first and last sample, never
     corrected, so that a lost count does not look like speed.
-    standing_samples: device samples since the count last changed.
+    standing_samples: device samples since the count last changed. gap: samples lost just before the
+    block, -1 when their number is not known; turned_in_gap: counts turned meanwhile. skips: jumps
+    of the count so far that stayed.
     """
 
     count: int = 0
@@ -153,6 +158,9 @@ class Motion:
     turned_without_index: float = 0.0
     index_events: int = 0
     count_errors: int = 0
+    gap: int = 0
+    turned_in_gap: int = 0
+    skips: int = 0
 
 
 @dataclass(slots=True, eq=False)
@@ -252,6 +260,7 @@ class Assembler:
         if n == 0:
             return []
         self.lost_samples += max(lost, 0)
+        self.motion.gap = lost
         counts, quality = self._counts(block)
         if n > self._scratch.size:
             self._scratch = np.empty(2 * n, np.int64)
@@ -421,6 +430,7 @@ class Assembler:
     def _look(self, position: NDArray[np.int64], block: Block, n: int) -> None:
         state, turn = self._state, self.encoder.counts_per_revolution
         motion = self.motion
+        motion.turned_in_gap = int(state[StateAt.TRAVEL_FIRST]) - motion.travel[1]
         motion.travel = (int(state[StateAt.TRAVEL_FIRST]), int(state[StateAt.TRAVEL]))
         motion.count = int(position[-1])
         motion.phase = motion.count % turn
@@ -431,6 +441,7 @@ class Assembler:
         )
         motion.index_events = int(state[StateAt.INDEX_EVENTS])
         motion.count_errors = int(state[StateAt.COUNT_ERRORS])
+        motion.skips = int(state[StateAt.SKIPS])
 
     def _ready(self) -> list[Revolution]:
         end = self._origin + self._fill
@@ -474,6 +485,7 @@ class Assembler:
             later_samples=item.later_samples,
             lost_samples=int(event[EventAt.LOST]),
             idle_samples=int(event[EventAt.IDLE]),
+            skipped_counts=int(event[EventAt.SKIPPED]),
             flags=Flag(int(event[EventAt.FLAGS])),
         )
         if self._ticks is None:

@@ -48,7 +48,10 @@ class StateAt(IntEnum):
     SEEN = 31
     ODD = 32
     GAP = 33
-    SIZE = 34
+    SKIPPED = 34
+    OFF_INDEX = 35
+    SKIPS = 36
+    SIZE = 37
 
 
 class ParameterAt(IntEnum):
@@ -77,7 +80,8 @@ class EventAt(IntEnum):
     LOST = 6
     IDLE = 7
     END_POSITION = 8
-    SIZE = 9
+    SKIPPED = 9
+    SIZE = 10
 
 
 CUT = 1

@@ -45,6 +45,8 @@ class MotionWindow:
         self._rate = sample_rate_Hz
         self._index_deg = index_angle_deg
         self._points: deque[Point] = deque(maxlen=BLOCKS_KEPT)
+        self._pace = 1.0
+        self._held_rpm: float | None = None
         self._lock = threading.Lock()
 
     def add(self, first: Point | None, last: Point, keep_s: float = 2.0) -> None:
@@ -63,9 +65,14 @@ class MotionWindow:
             ):
                 points.popleft()
 
-    def clear(self) -> None:
-        """Forget everything."""
+    def gap(self) -> None:
+        """Forget the points before samples went missing: across a gap there is no speed.
+
+        The speed before it holds until the samples after it tell one.
+        """
+        speed, pace = self.speed_rpm(), self.pace()
         with self._lock:
+            self._held_rpm, self._pace = speed, pace
             self._points.clear()
 
     def newest(self) -> Point | None:
@@ -98,9 +105,13 @@ class MotionWindow:
         """
         with self._lock:
             if len(self._points) < 2:
-                return 0.0
+                return self._held_rpm or 0.0
             last = self._points[-1]
             first = self._back(window_s)
+            if self._held_rpm is not None:
+                if last.sample - first.sample < window_s * self._rate:
+                    return self._held_rpm
+                self._held_rpm = None
         turned = (last.count - first.count) / self._turn
         return 60.0 * turned * self._rate / (last.sample - first.sample)
 
@@ -127,12 +138,12 @@ class MotionWindow:
         """Return seconds of device time per second of host time: 1 but for a simulated rig."""
         with self._lock:
             if len(self._points) < 2:
-                return 1.0
+                return self._pace
             first, last = self._points[0], self._points[-1]
         elapsed = last.host_s - first.host_s
-        return (
-            (last.sample - first.sample) / self._rate / elapsed if elapsed > LEAST_PACE_S else 1.0
-        )
+        if elapsed <= LEAST_PACE_S:
+            return self._pace
+        return (last.sample - first.sample) / self._rate / elapsed
 
     def angle_deg(self, now_s: float) -> float | None:
         """Return the crank angle at a host time, extrapolated; None when it is not known."""

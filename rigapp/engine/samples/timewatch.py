@@ -5,47 +5,42 @@ from __future__ import annotations
 import math
 
 WINDOW_S = 2.0  # the least delay of so long is free of the jitter of single blocks
-TOLERANCE_S = 0.2  # more is no jitter of a host: time was lost
+SHORT_S = 0.3
+"""After a jump of the count, which late samples do not show, so much is enough: three answers of
+the drive, or fifteen blocks. The first level is taken so, too: one too high hides a gap for a
+window, and invents none."""
 
 
 class LagWatch:
     """Notice a lag that has grown for good.
 
     A late reader delays a block, but the blocks after it come early: the smallest lag within a
-    window is free of it. A lag that stays is lost data.
+    window is free of it. A lag that stays is lost data. level: the smallest lag of the last window.
     """
 
     def __init__(self) -> None:
         self.restart()
 
     def restart(self) -> None:
-        """Forget the past, after a known gap."""
-        self._level = math.nan
+        """Forget the past; what comes next is the level."""
+        self.level = math.nan
+        self.look_again()
+
+    def look_again(self) -> None:
+        """Begin a short window with the next lag."""
         self._smallest = math.inf
         self._window_end = math.nan
+        self._window_s = SHORT_S
 
-    def add(self, lag: float, host_s: float, tolerance: float) -> float:
-        """Take a lag; return by how much it has grown for good, 0 within the tolerance."""
+    def add(self, lag: float, host_s: float) -> float:
+        """Take a lag; return by how much it has grown at the end of a window, else NaN."""
         if math.isnan(self._window_end):
-            self._window_end = host_s + WINDOW_S
+            self._window_end = host_s + self._window_s
         self._smallest = min(self._smallest, lag)
         if host_s < self._window_end:
-            return 0.0
-        level, self._level = self._level, self._smallest
+            return math.nan
+        level, self.level = self.level, self._smallest
         self._smallest = math.inf
+        self._window_s = WINDOW_S
         self._window_end = host_s + WINDOW_S
-        if math.isnan(level) or self._level - level < tolerance:
-            return 0.0
-        return self._level - level
-
-
-class TimeWatch(LagWatch):
-    """Compare device time with host time. Only for a rig in real time."""
-
-    def __init__(self, sample_rate_Hz: float) -> None:
-        super().__init__()
-        self._rate = sample_rate_Hz
-
-    def end(self, end_sample: int, host_s: float) -> float:
-        """Take the end of a block; return the seconds by which time has jumped, else 0."""
-        return self.add(host_s - end_sample / self._rate, host_s, TOLERANCE_S)
+        return self.level - level

@@ -10,7 +10,9 @@ without one, the cut is made where the count says, and flagged.
 
 Words used here. *step*: counts turned from one sample to the next. *index event*: the counter was
 set to zero by the index pulse between two samples. *base*: position of the index at which the
-present revolution began. *odd*: a step that no motion explains.
+present revolution began. *odd*: a step that no motion explains. *skip*: a jump of the count that
+stays, and that the next index confirms: samples went missing, as an encoder that loses counts comes
+to the index with a wrong count.
 """
 
 from __future__ import annotations
@@ -104,6 +106,14 @@ def _doubt(state: Counts) -> None:
     state[StateAt.COUNT_ERRORS] += 1
 
 
+@njit("void(int64, int64[::1], int64[::1])", cache=True, nogil=True)
+def _skip(jump: int, state: Counts, parameters: Counts) -> None:
+    """Take note of a jump that stays."""
+    if abs(jump) > DITHER + parameters[ParameterAt.TOLERANCE]:
+        state[StateAt.SKIPPED] += jump
+        state[StateAt.SKIPS] += 1
+
+
 @njit("int64(int64, int64, int64, int64[::1], float64[::1], int64[::1])",
             cache=True, nogil=True)  # fmt: skip
 def _over_gap(
@@ -159,15 +169,21 @@ def _pass_index(
             state[StateAt.OTHER_VALID] = 1
         if abs(deviation) > DITHER + tolerance + abs(expected) // INDEX_STEADY:
             _doubt(state)
+            if at_zero:
+                state[StateAt.OFF_INDEX] = 1
+            else:
+                _skip(-deviation, state, parameters)
     elif wrapped and not odd:
         # A whole turn of counts since the last index: the counter is right again.
         ahead = (state[StateAt.BEFORE] - base) // turn + (1 if step >= 0 else 0)
         state[StateAt.POSITION] = base + ahead * turn + phase
         state[StateAt.SEEN] = 1
+        state[StateAt.OFF_INDEX] = 1
         _doubt(state)
     else:
         state[StateAt.POSITION] = target
         state[StateAt.JUMPED] = 0 if at_zero else 1
+        state[StateAt.OFF_INDEX] |= 1 if at_zero else 0
         state[StateAt.JUMP_STEP] = step
         _doubt(state)
     if not odd:
@@ -222,6 +238,7 @@ def _step_on(count: int, step: int, state: Counts, parameters: Counts) -> None:
         jump = wrap(count - now, turn) if parameters[ParameterAt.RESTARTS] != 0 else count - now
         if abs(jump) <= turn // 2:
             now += jump
+            _skip(jump, state, parameters)
     state[StateAt.POSITION] = now
     state[StateAt.STEP] = step
     state[StateAt.JUMPED] = 0
@@ -305,6 +322,7 @@ def _event(
     events[row, EventAt.LOST] = state[StateAt.LOST]
     events[row, EventAt.IDLE] = state[StateAt.IDLE]
     events[row, EventAt.END_POSITION] = end
+    events[row, EventAt.SKIPPED] = 0 if state[StateAt.OFF_INDEX] else state[StateAt.SKIPPED]
     return row + 1
 
 
@@ -379,6 +397,7 @@ def _cut(
     state[StateAt.FLAGS] = carried
     state[StateAt.LOST] = max(lost, 0) if state[StateAt.GAP] else 0
     state[StateAt.IDLE] = 0
+    state[StateAt.SKIPPED], state[StateAt.OFF_INDEX] = 0, 0
     state[StateAt.HIGH] = state[StateAt.POSITION]
     state[StateAt.START_KEPT] = kept
     return found

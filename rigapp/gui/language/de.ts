@@ -12863,12 +12863,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{device} an {port}: {words}.</translation>
     </message>
     <message>
-        <source>{device} sent no samples for {seconds:.2f} s, and said nothing of it.</source>
-        <translation>{device} hat {seconds:.2f} s lang keine Messwerte gesendet und nichts davon gemeldet.</translation>
+        <source>{device} sent no samples for {seconds:.2f} s.</source>
+        <translation>{device} hat {seconds:.2f} s lang keine Messwerte gesendet.</translation>
     </message>
     <message>
-        <source>{device} sent no samples for {seconds:.2f} s, and said nothing of it; the limit is {limit_s:g} s.</source>
-        <translation>{device} hat {seconds:.2f} s lang keine Messwerte gesendet und nichts davon gemeldet; die Grenze ist {limit_s:g} s.</translation>
+        <source>{device} sent no samples for {seconds:.2f} s; the limit is {limit_s:g} s.</source>
+        <translation>{device} hat {seconds:.2f} s lang keine Messwerte gesendet; die Grenze ist {limit_s:g} s.</translation>
     </message>
     <message>
         <source>{drive} on {port}: {sentence}</source>

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from rigapp.simulation.wire.endpoints import Endpoint
 
 QUEUE_BYTES = 65536  # some 0.2 s of a GSV-8 at its highest rate
+HELD_BYTES = 1 << 24  # of a device that holds back: minutes of the example rigs
 HANDOVER_S = 0.00015  # a pty passes bytes on in less than 0.1 ms
 
 
@@ -24,6 +25,7 @@ class WireFault(enum.StrEnum):
 
     CABLE_PULL = "cable_pull"
     HANG = "hang"
+    HOLD = "hold"  # what the device sends stays in it and comes late, at once
     GARBAGE = "garbage"
     TRUNCATED = "truncated"
     SPLIT = "split"
@@ -101,6 +103,7 @@ class SimulatedWire:
         self._fresh = 0
         self._fresh_s = -math.inf
         self._queue = OutputQueue(limit)
+        self._limit = limit
         self._random = random.Random(seed)
         self._faults: dict[WireFault, float] = {}
 
@@ -110,6 +113,8 @@ class SimulatedWire:
         if fault is WireFault.CABLE_PULL:
             self._queue.clear()
             self.endpoint.pull()
+        elif fault is WireFault.HOLD:
+            self._queue.limit = HELD_BYTES
 
     def stop_fault(self, fault: WireFault) -> None:
         """Let a fault end; nothing happens when it is not there."""
@@ -144,6 +149,8 @@ class SimulatedWire:
 
     def flush(self, now_s: float) -> None:
         """Send what is due, as much as the endpoint takes."""
+        if WireFault.HOLD in self._faults:
+            return
         piece = int(self._faults.get(WireFault.SPLIT, 0.0))
         while head := self._queue.head(now_s):
             offered = head[:piece] if piece else head
@@ -153,6 +160,8 @@ class SimulatedWire:
                 self._note(count, now_s)
             if count < len(offered) or piece:
                 return
+        if not self._queue.bytes:
+            self._queue.limit = self._limit
 
     def waiting(self) -> int:
         """Return the bytes in the queue."""
@@ -162,7 +171,10 @@ class SimulatedWire:
         """Return the bytes in the queue and those that the host has not yet read.
 
         The kernel passes what was written on a little later: what went just now counts as unread.
+        What a device holds back is no backlog: it goes on measuring.
         """
+        if WireFault.HOLD in self._faults:
+            return 0
         fresh = self._fresh if now_s - self._fresh_s < HANDOVER_S else 0
         return self._queue.bytes + max(fresh, self.endpoint.unread())
 
