@@ -145,6 +145,7 @@ class Connection:
         """Start the stream and the threads; raise DeviceError."""
         if self.control.poll() is None and self.control.last_error is not None:
             raise self.control.last_error
+        self.slow_channels.take_drive()
         self._log.attach()
         self.source.start()
         self.received_s = time.monotonic()
@@ -295,6 +296,7 @@ class Connection:
         if due and (stands or core.state is RunState.STOPPING or self.all_well()):
             self._drive_polled_s = now
             self.drive_watch.ask()
+            self.slow_channels.take_drive()
         do = control.step()
         self.follow(do)
         self._watch_the_supervisor()

@@ -11,6 +11,7 @@ the second one of nobody: it waits for no other command.
 
 from __future__ import annotations
 
+import math
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -283,8 +284,8 @@ class SpindleControl:
         """Return what drive and encoder show now."""
         status = self.status
         known = status is not None and self.answering
-        rpm = status.speed_rev_per_s * 60.0 if status is not None and known else None
-        return self._look(rpm)
+        rpm = status.speed_rev_per_s * 60.0 if status is not None and known else math.nan
+        return self._look(None if math.isnan(rpm) else rpm)  # a drive may measure no speed
 
     def step(self) -> DriveStep:
         """Take the pause or stop under way one step further, and return what was done."""

@@ -114,7 +114,9 @@ class _Watched:
         """Judge a revolution's value; what is not known neither fulfils nor interrupts."""
         criterion = self.criterion
         value: float | None = criterion.value(at)
-        if value is None or math.isnan(value):
+        # One that is infinite far from the level is known: nothing wears, so nothing ends it.
+        endless = math.inf if criterion.falls else -math.inf
+        if value is None or not (math.isfinite(value) or value == endless):
             return None
         if self.rate is not None:
             value = self.rate.add(number, value)

@@ -65,7 +65,7 @@ class DepthWatch:
         """Yield what is to be raised; values: the columns of a prediction by name."""
         names = ("measured_wear_depth", "measured_wear_depth_uncertainty", "driven_wear_depth")
         depth, doubt, model = (1e3 * values[name] for name in names)
-        if math.isnan(depth) or math.isnan(doubt):
+        if not (math.isfinite(depth) and math.isfinite(doubt)):
             return
         now = KnownDepth(depth, doubt, model, f"revolution {number}")
         self._negative = self._negative + 1 if depth < -doubt else 0

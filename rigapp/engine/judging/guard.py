@@ -96,7 +96,7 @@ class Guard:
         """Take the power off: a sample is above the overload limit, or not a number."""
         run = self._run
         self._calm = False
-        if not math.isnan(force_N):
+        if math.isfinite(force_N):
             if run.state in ACTIVE:  # the limit is the test's: without one, weights may hang
                 # A crank that coasts passes the limit again: the alarm keeps the largest.
                 self._peak_N = max(self._peak_N, force_N)

@@ -33,7 +33,9 @@ class JointWatch:
         values: the columns of a prediction by name.
         """
         beyond = self._beyond(values)
-        self._in_a_row = self._in_a_row + 1 if bool(beyond) != self._left else 0
+        # What is not known does not say that the pairing is back.
+        known = bool(beyond) or all(math.isfinite(one) for one in self._judged(values))
+        self._in_a_row = self._in_a_row + 1 if known and bool(beyond) != self._left else 0
         if self._in_a_row >= STAYS:
             self._in_a_row, self._left = 0, bool(beyond)
             yield because("pairing_left", sentence=beyond) if beyond else "pairing_left"
@@ -43,6 +45,12 @@ class JointWatch:
             self._told = since
             how = "faster" if values["wear_consistency"] > 0.0 else "more slowly"
             yield because("wears_otherwise", since=since, how=how)
+
+    def _judged(self, values: Mapping[str, float]) -> Iterator[float]:
+        """Yield the values that have a level."""
+        for key in self._pairing.__struct_fields__:
+            if getattr(self._pairing, key) is not None:
+                yield values[f"{stem_of(key).rpartition('_')[0]}_max"]
 
     def _beyond(self, values: Mapping[str, float]) -> str:
         """Say which level of the pairing is passed, nothing when none."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from typing import TypeGuard
 
 import msgspec
 
@@ -41,13 +42,37 @@ class _Watch:
     beyond: int = 0
     active: bool = False
     missing: bool = False
+    since_s: float | None = None
+
+    def known(self, value: float | None) -> TypeGuard[float]:
+        """Tell whether a value can be judged: a number, or one that is infinitely far beyond."""
+        return value is not None and (
+            math.isfinite(value) or value == (math.inf if self.above else -math.inf)
+        )
+
+    def without_value_s(self, values: Mapping[str, float]) -> float | None:
+        """Return for how long there was no value, s; None while there is a whole one.
+
+        The mean of a revolution tells that one of its samples was no number.
+        """
+        value = values[self.quantity]
+        mean = values.get(f"{self.quantity.rpartition('_')[0]}_mean", 0.0)
+        if self.known(value) and math.isfinite(mean):
+            self.since_s = None
+            return None
+        age_s = values.get(f"{self.quantity}_age")  # of a slow channel
+        if age_s is not None:
+            return age_s
+        time_s = values.get("time", math.nan)
+        self.since_s = time_s if self.since_s is None else self.since_s
+        return time_s - self.since_s
 
     def cause(self, value: float) -> Cause:
         """Return the alarm that a value raises or ends."""
         return exceeded(self.quantity, self.severity, value, self.limit, self.above, self.action)
 
     def look_for_value(self, age_s: float | None) -> LevelPassed | None:
-        """Return what changed in whether a slow channel has a value to judge.
+        """Return what changed in whether there is a value to judge.
 
         age_s: of a value that is missing; None while there is one.
         """
@@ -133,28 +158,28 @@ class RuleMonitor:
             before = former.get((watch.quantity, watch.severity, watch.above, watch.steps))
             if before is not None:
                 watch.beyond, watch.active = before.beyond, before.active
-                watch.missing = before.missing
+                watch.missing, watch.since_s = before.missing, before.since_s
         self.rules, self._watches = rules, watches
 
     def judge(self, values: Mapping[str, float], step: int = 0) -> list[LevelPassed]:
-        """Return what changed with these values; quantities that are missing or NaN are skipped.
+        """Return what changed with these values; quantities that are not among them are skipped.
 
-        A slow channel without a value for longer than a value may be old is a change too: its limit
-        guards nothing then.
+        One without a value, or whose samples are no numbers, for longer than a slow value may be
+        old is a change too: its limit guards nothing then.
         step: of the test, in which they were measured. What a level of another step has found is
         over.
         """
         found: list[LevelPassed] = []
         for watch in self._watches:
             value = values.get(watch.quantity)
-            unknown = value is None or math.isnan(value)
-            # Only a slow channel has a column of its age.
-            age_s = values.get(f"{watch.quantity}_age")
-            if age_s is not None and watch.judges(step):
-                missing = watch.look_for_value(age_s if unknown else None)
+            if value is None:
+                continue
+            # What the twin tells comes without the time, and is not known before it has learnt.
+            if "time" in values and watch.judges(step):
+                missing = watch.look_for_value(watch.without_value_s(values))
                 if missing is not None:
                     found.append(missing)
-            if value is None or unknown:
+            if not watch.known(value):
                 continue
             change = watch.look(value) if watch.judges(step) else watch.leave()
             if change is not None:

@@ -48,6 +48,13 @@ class Reading:
 NEVER = Reading(math.nan, -math.inf)
 
 
+def told(value: float, host_s: float, before: Reading | None) -> Reading:
+    """Return the reading of an answer; one that is no number is none, and the age goes on."""
+    if math.isfinite(value):
+        return Reading(value, host_s)
+    return Reading(math.nan, before.host_s if before is not None else host_s)
+
+
 class SlowDevice:
     """A slow source with the thread that asks it.
 
@@ -103,7 +110,9 @@ class SlowDevice:
             self._failed(error)
             return
         now = time.monotonic()
-        self._readings = {name: Reading(value, now) for name, value in values.items()}
+        self._readings = {
+            name: told(value, now, self._readings.get(name)) for name, value in values.items()
+        }
         self.answered_s, self.last_error, self._reopen_s = now, "", REOPEN_S
         self._asked.set()
         self.worker.pause(PERIOD_S)
@@ -139,6 +148,19 @@ class SlowChannels:
         self._status = status
         self._age_s = age_s
         self._since_s = time.monotonic()
+        self._drive_readings: dict[str, Reading] = {}
+
+    def take_drive(self) -> None:
+        """Take note of what the drive has told last; called after every answer."""
+        status = self._status()
+        if status is None:
+            return
+        host_s = status.host_time_ns * 1e-9
+        for one in self.channels:
+            if one.device == self._drive:
+                before = self._drive_readings.get(one.input)
+                value = float(getattr(status, one.input))
+                self._drive_readings[one.input] = told(value, host_s, before)
 
     def at(self, channel: Channel, host_s: float) -> tuple[float, float]:
         """Return the value of a channel at a host time, NaN when it is too old, and its age, s."""
@@ -163,7 +185,4 @@ class SlowChannels:
     def _reading(self, channel: Channel) -> Reading:
         if channel.device != self._drive:
             return self.devices[channel.device].reading(channel.input)
-        status = self._status()
-        if status is None:
-            return NEVER
-        return Reading(float(getattr(status, channel.input)), status.host_time_ns * 1e-9)
+        return self._drive_readings.get(channel.input, NEVER)

@@ -56,8 +56,9 @@ def _extremes_and_moments(
     """
     s0 = s1 = s2 = s3 = 0.0
     q0 = q1 = q2 = q3 = 0.0
-    a0 = a1 = a2 = a3 = x[0]
-    b0 = b1 = b2 = b3 = x[0]
+    # A sample that is no number passes neither comparison: the extremes are those of the others.
+    a0 = a1 = a2 = a3 = -np.inf
+    b0 = b1 = b2 = b3 = np.inf
     whole = n - n % 4
     for i in range(0, whole, 4):
         v0, v1, v2, v3 = x[i], x[i + 1], x[i + 2], x[i + 3]
@@ -84,13 +85,16 @@ def _extremes_and_moments(
         a0 = v0 if v0 > a0 else a0
         b0 = v0 if v0 < b0 else b0
     largest = max(max(a0, a1), max(a2, a3))
+    smallest = min(min(b0, b1), min(b2, b3))
+    if largest < smallest:  # not one number
+        largest = smallest = np.nan
     place = 0
     for i in range(n):
         if x[i] == largest:
             place = i
             break
     out[0] = largest
-    out[1] = min(min(b0, b1), min(b2, b3))
+    out[1] = smallest
     out[2] = math.sqrt(((q0 + q1) + (q2 + q3)) / n)
     out[3] = ((s0 + s1) + (s2 + s3)) / n
     out[4] = (counts[place] * pitch_deg + index_deg) % 360.0
