@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from patience import PATIENCE_S
-from stories import log, recipe
+from stories import log, recipe, until
 
 from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.recipe import TestFile
@@ -101,3 +101,48 @@ def test_the_second_test_of_a_specimen_goes_on_with_its_depth_and_a_moved_probe_
     again = last_wear(RIG, specimen)
     assert again is not None
     assert again.file == str(second), "the last depth that was believed"
+
+
+@pytest.mark.parametrize(
+    "what",
+    [
+        "moved probe",
+        pytest.param("exchanged specimen", marks=pytest.mark.soak),
+        pytest.param("nothing", marks=pytest.mark.soak),
+    ],
+)
+def test_a_depth_that_jumps_between_stop_and_resume_is_told(
+    host: EngineHost, tmp_path: Path, what: str
+) -> None:
+    out, engine = tmp_path / "t.h5", host.engine
+    test = read_test(recipe(tmp_path, 5000, twin=True, every=1000))
+    host.start(test, out, "Ada", resume=False)
+    until(lambda: engine.status().revolution >= 150, "the bushing is worn")
+    engine.stop("Ada")
+    engine.wait(ENDED, PATIENCE_S)
+    host.handle(Request(verb="reset"))
+    depth, doubt = depths_um(out)
+    assert depth[-1] > 3.0 * doubt[-1], "an exchanged specimen shows"
+    if what == "moved probe":
+        fault = {"kind": "moved_probe", "channel": "probe_1", "value": 0.5}
+        assert host.handle(Request(verb="inject_fault", arguments=fault)).ok
+    elif what == "exchanged specimen":
+        assert host._simulated.process is not None
+        host._simulated.process.wear_to(0.0)
+    reply = host.handle(Request(verb="resume_file", arguments={"file": str(out)}))
+    assert reply.ok, reply.sentence
+    engine.extend(engine.status().revolution + 60)
+    engine.wait(ENDED, PATIENCE_S)
+    alarms = engine.status().alarms
+    assert engine.outcome is not None
+    assert engine.outcome.status == "complete"
+    if what == "nothing":
+        assert alarms == ()
+        return
+    (alarm,) = alarms
+    assert alarm.key == "wear_jumped"
+    assert "of t.h5 it was" in alarm.cause
+    assert "a probe was moved, or the specimen exchanged" in alarm.cause
+    assert "not to be trusted" in engine.outcome.sentence
+    with open_test(out) as reader:
+        assert believed_until(reader) is not None

@@ -7,6 +7,7 @@ watchdog has fired.
 from __future__ import annotations
 
 import contextlib
+import threading
 import time
 from pathlib import Path
 
@@ -26,6 +27,8 @@ from rigapp_drivers.api import DeviceError
 BOUND_S = Timing().coast + 0.5 + 1.0
 """Coast time, watchdog time and 1 s."""
 STANDS_S = 1.0
+HANGS_S = 2.0
+"""As long as a simulated drive's slow command."""
 IGNORED_BOUND_S = 6.0
 """Two turns at 60 rpm, the watchdog and a loaded computer."""
 QUICK = {"ignores everything", "and says it has no power"}
@@ -115,5 +118,37 @@ def test_every_drive_stands_in_time_whatever_it_confirms(
                 simulated.clear(fault["kind"])
             until(lambda: is_ready_after_next_step(engine), "the steps to lead to Ready")
         finally:
+            with contextlib.suppress(Exception):
+                engine.shutdown(20.0)
+
+
+@pytest.mark.soak
+@pytest.mark.parametrize("drive", DRIVES, ids=lambda one: one.name)
+def test_a_power_off_passes_a_command_that_hangs(tmp_path: Path, drive: Drive) -> None:
+    document = read_rig(drive.rig)
+    with start_simulated_rig(drive.rig, speed=1.0, parameters=None) as simulated:
+        engine = Engine(document, ports=simulated.urls)
+        try:
+            engine.connect()
+            plan = read_test(recipe(tmp_path, NEVER_OVER, twin=False))
+            engine.start(plan, tmp_path / "t.h5", operator="Ada")
+            until(lambda: simulated.state()["speed_rpm"] > 55.0, "the set speed")
+            simulated.inject({"kind": "slow_command", "device": "drive", "target": drive.ramp})
+            engine.pause("Ada")
+            connection = engine._connection
+            assert connection is not None
+            until(connection.control._commanding.locked, "a command that hangs")
+            tripped = time.monotonic()
+            off = threading.Thread(target=engine.drive_off, args=("Ada",))
+            off.start()
+            until(lambda: simulated.state()["drive_mode"] == "off", "no power")
+            took_s = time.monotonic() - tripped
+            print(f"\n| {drive.name} | power-off past a hanging command | {took_s:.2f} |")
+            assert took_s < HANGS_S / 2.0
+            off.join(60.0)
+            engine.wait(ENDED, 60.0)
+            assert is_stationary(simulated)
+        finally:
+            simulated.clear("slow_command")
             with contextlib.suppress(Exception):
                 engine.shutdown(20.0)
