@@ -243,7 +243,11 @@ class RawPeer:
         self._socket.connect(address.removeprefix("ipc://"))
         greeting = b"\xff" + bytes(8) + b"\x7f\x03\x00" + b"NULL".ljust(20, b"\x00") + bytes(32)
         ready = b"\x05READY\x0bSocket-Type" + len(kind).to_bytes(4, "big") + kind
-        self._socket.sendall(greeting + bytes([4, len(ready)]) + ready)
+        try:
+            self._socket.sendall(greeting + bytes([4, len(ready)]) + ready)
+        except OSError:
+            self.close()
+            raise
         # What comes before the engine's own READY is taken for a part of the handshake. A peer of
         # another kind than a viewer gets none.
         answer = b""
