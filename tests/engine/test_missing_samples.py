@@ -6,6 +6,8 @@ nothing.
 
 from __future__ import annotations
 
+import os
+import signal
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -227,6 +229,22 @@ def test_a_gap_in_the_run_up(tmp_path: Path, name: str) -> None:
             assert one.alarms() == ["lost_samples"]
 
 
+def test_a_silence_in_a_pause_loses_no_motion(tmp_path: Path) -> None:
+    with rig(GSV8, "1", tmp_path) as one:
+        one.start()
+        one.run()
+        one.engine.pause("Ada")
+        one.engine.wait({RunState.PAUSED}, 240.0)
+        one.devices.process.inject({"kind": "hang", "device": "daq"})
+        eventually(lambda: (one.engine.status().data_age_s or 0.0) > 0.3)
+        one.devices.process.clear("hang")
+        one.engine.resume("Ada")
+        one.run()
+        one.stop()
+        assert one.alarms() == []
+        assert one.gaps() == []
+
+
 @pytest.mark.parametrize("name", [GSV8, DATAQ])
 def test_a_gap_at_the_regular_end_leaves_the_test_complete(tmp_path: Path, name: str) -> None:
     with rig(name, "1", tmp_path, revolutions=3) as one:
@@ -262,3 +280,23 @@ def test_a_clock_of_the_computer_that_is_set_moves_utc_alone(
     steps = np.diff(rows["host_time"])
     assert [round(step / 3600.0) for step in steps if abs(step) > 1800.0] == [1, -1]
     assert np.all(np.diff(rows["time"]) < 60.0)
+
+
+@pytest.mark.parametrize("name", [GSV8, DATAQ])
+def test_a_simulated_rig_that_does_not_run_is_silent_and_has_no_gap(
+    tmp_path: Path, name: str
+) -> None:
+    """Its crank stands still as well, so that no samples are missing when it runs again."""
+    with rig(name, "20", tmp_path) as one:
+        one.start()
+        one.run()
+        os.kill(one.devices.process.pid, signal.SIGSTOP)
+        eventually(lambda: one.engine.status().alarms)
+        os.kill(one.devices.process.pid, signal.SIGCONT)
+        rows = one.engine.status().revolution
+        one.ready()
+        assert one.alarms()[0] in {"drive_silent", "stale_data", "device_lost"}
+        assert not WRONG.intersection(one.alarms())
+        assert one.gaps() == []
+        with open_test(one.path) as reader:
+            assert len(reader.rows()) >= rows

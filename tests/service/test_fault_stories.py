@@ -165,8 +165,9 @@ def test_disk_delayed_by_two_seconds_costs_no_revolution(
     assert "the disk took" in told[0].text
 
 
+@pytest.mark.parametrize("seconds", [3.0, 10.0])
 def test_suspended_engine_is_recorded_and_never_silent(
-    tmp_path: Path, running: Callable[..., Running]
+    tmp_path: Path, running: Callable[..., Running], seconds: float
 ) -> None:
     """In real time: the drive's watchdog stops the spindle, the engine says why when it wakes."""
     out = tmp_path / "t.h5"
@@ -178,7 +179,9 @@ def test_suspended_engine_is_recorded_and_never_silent(
         before, stopped_at = test.committed, time.monotonic()
         test.process.send_signal(signal.SIGSTOP)
         until(
-            lambda: simulated.state()["watchdog_tripped"] and time.monotonic() - stopped_at > 3.0,
+            lambda: (
+                simulated.state()["watchdog_tripped"] and time.monotonic() - stopped_at > seconds
+            ),
             "the drive's watchdog fires",
         )
         test.process.send_signal(signal.SIGCONT)
