@@ -62,6 +62,7 @@ class SimulatedDevices:
         return (
             self._process is not None
             and self._process.alive()
+            and not any(self._process.state().get("failed", {}).values())
             and (parameters in (None, self._parameters) or not self._rig.record.simulated_samples)
         )
 

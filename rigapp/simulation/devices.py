@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import re
+import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -16,12 +17,14 @@ from rigapp.simulation.disturbances import WiredSignals
 from rigapp.simulation.wire.endpoints import Endpoint
 from rigapp.simulation.wire.link import SimulatedWire
 from rigapp_drivers.api import DriverInfo, DriverKind
+from rigapp_drivers.edge import failure_words, foreign
 from rigapp_drivers.registry import (
     DriverNotFound,
     SettingsError,
     check_settings,
     load_driver,
     load_simulator,
+    package_of,
 )
 from rigapp_drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
 
@@ -96,6 +99,54 @@ class RealDevice:
         return DriveCommand(DriveMode.OFF)
 
 
+class SimulatorFailed(Exception):
+    """A simulator raised what none should; it is silent from now on."""
+
+
+class GuardedSimulator:
+    """A simulator of anybody's package: one that raises falls silent, and the rig goes on.
+
+    failed: why, in a sentence, empty while it works.
+    """
+
+    def __init__(self, simulator: Any, name: str, package: str) -> None:
+        self.simulator = simulator
+        self.failed = ""
+        self._name, self._package = name, package
+
+    def __getattr__(self, name: str) -> Any:
+        """Return an attribute of the simulator; a method is guarded, and kept as it is then."""
+        found = getattr(self.simulator, name, *([_nothing] if self.failed else []))
+        if not callable(found):
+            return found
+
+        def guarded(*arguments: Any, **options: Any) -> Any:
+            try:
+                with foreign(self._fail):
+                    return found(*arguments, **options)
+            except SimulatorFailed:
+                return getattr(self.simulator, name, _nothing)(*arguments, **options)
+
+        setattr(self, name, guarded)
+        return guarded
+
+    def _fail(self, error: BaseException) -> SimulatorFailed:
+        """Fall silent: what its methods do from now on is nothing."""
+        self.failed = (
+            f"The simulator of {self._name} has failed ({failure_words(error)}); report it to the"
+            f" author of the package {self._package}, and connect again."
+        )
+        print(self.failed, file=sys.stderr, flush=True)
+        self.simulator = RealDevice()
+        for name in [name for name, one in vars(self).items() if inspect.isfunction(one)]:
+            delattr(self, name)
+        return SimulatorFailed(self.failed)
+
+
+def _nothing(*arguments: Any, **options: Any) -> None:
+    """Do what a device does that is not here."""
+
+
 def real_device(name: str) -> SimulatedDevice:
     """Return what stands for a device that is real."""
     here: Any = RealDevice()
@@ -145,7 +196,8 @@ def _device(
     seed: int,
 ) -> SimulatedDevice:
     info, settings = _load(name, rig.devices[name], kind)
-    simulator = _simulator(name, info, settings, facts)
+    made, package = _simulator(name, info, settings, facts), package_of(rig.devices[name].driver)
+    simulator = GuardedSimulator(made, name, package)
     wire = SimulatedWire(make_endpoint(name), seed=seed)
     return SimulatedDevice(name, simulator, wire, getattr(simulator, "quantities", ()))
 
@@ -194,4 +246,10 @@ def _simulator(
         for key, value in settings.items()
         if key in parameters and type(value).__name__ in str(parameters[key].annotation)
     }
-    return simulator(**options)
+    with foreign(
+        lambda error: UnusableInput(
+            f"devices.{name}: the simulator of the package {package_of(info.name)} cannot be made"
+            f" ({failure_words(error)}); report it to its author."
+        )
+    ):
+        return simulator(**options)

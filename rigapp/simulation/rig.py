@@ -39,6 +39,7 @@ from rigapp.simulation.plant import Plant
 from rigapp.simulation.surroundings import DRIVE_WARMER_K, FreeInputs, slow_values
 from rigapp.simulation.truth import TruthRecorder
 from rigapp.simulation.wire.link import WireFault
+from rigapp_drivers.edge import foreign
 from rigapp_drivers.simulator_api import DriveCommand, DriveMode, MotorState
 
 STANDING = 1e-6
@@ -214,6 +215,7 @@ class RigSimulation:
             "streaming": self._daq.simulator.streaming,
             "sample_rate_Hz": self._daq.simulator.sample_rate_Hz,
             "connected": {n: w.endpoint.connected() for n, w in self._wires.items()},
+            "failed": {n: one.simulator.failed for n, one in self._devices.items()},
             "overruns": {n: w.dropped for n, w in self._wires.items()},
         }
 
@@ -336,9 +338,9 @@ class RigSimulation:
         """Hand a fault to the device's simulator, in the simulator's own words."""
         data = {"value": fault.value, "count": fault.count, "target": fault.target}
         given = {key: value for key, value in data.items() if value is not None}
-        try:
-            self._devices[fault.device].simulator.inject(fault.kind, **given)
-        except (AttributeError, TypeError, ValueError) as error:
-            raise UnusableInput(
+        with foreign(
+            lambda error: UnusableInput(
                 f"fault {fault.kind}: device {fault.device} cannot have it ({error})."
-            ) from error
+            )
+        ):
+            self._devices[fault.device].simulator.simulator.inject(fault.kind, **given)

@@ -253,6 +253,7 @@ def test_a_power_off_waits_for_no_speed_command_and_is_repeated_after_it(rig: Wa
 def test_a_power_off_waits_for_no_reset(rig: Watched) -> None:
     rig.spindle.faults = ("overcurrent",)
     rig.engine.wait((RunState.FAULT,), 60.0)
+    eventually(lambda: rig.engine.status().alarms)  # it is listed after the state
     rig.engine.acknowledge()
     hanging = Hanging(rig, "reset_fault")
     resetter = threading.Thread(target=rig.engine.reset, daemon=True)

@@ -389,6 +389,7 @@ def test_a_drive_that_confirms_and_ignores_every_command_is_stopped_by_its_watch
 def test_a_standstill_that_only_the_drive_reports_is_left_to_its_watchdog_and_told(
     rig: MemoryRig, healthy: bool
 ) -> None:
+    rig.engine.set_limit("stale_data_s", 60.0)  # a loaded computer is late with what follows
     rig.source.silent = True
     if not healthy:
         rig.spindle.ignores, rig.spindle.tells_ratio = math.inf, 0.0

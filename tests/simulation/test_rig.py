@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 import select
+import struct
 import time
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
@@ -23,6 +24,7 @@ from rigapp.simulation.control import Lines, answer
 from rigapp.simulation.rig import RigSimulation
 from rigapp.simulation.truth import COLUMNS, TruthRecorder
 from rigapp.simulation.wire.pty import PtyEndpoint
+from rigapp_drivers.edge import failure_words
 from rigapp_drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
 
 NONE: Mapping[str, ChannelSection] = {}
@@ -399,3 +401,47 @@ def test_truth_is_thinned_to_the_room(make: Callable[..., Bench], tmp_path: Path
         assert number[-1] > 3700
         time = truth["time_s"]
         np.testing.assert_allclose(time, number / 960.0, atol=1e-9)
+
+
+@pytest.mark.parametrize("error", [KeyError("x"), SystemExit(2), struct.error("4 bytes")], ids=str)
+@pytest.mark.parametrize(
+    ("name", "method"),
+    [
+        *(("daq", one) for one in ("receive", "sample")),
+        *(("drive", one) for one in ("receive", "emit", "command", "observe")),
+    ],
+)
+def test_a_simulator_that_raises_falls_silent_and_the_rig_goes_on(
+    make: Callable[..., Bench],
+    capsys: pytest.CaptureFixture[str],
+    name: str,
+    method: str,
+    error: BaseException,
+) -> None:
+    bench = make()
+    for one in ("drive", "daq"):
+        bench.open(one)
+    bench.say("daq", b"S")
+    bench.run(0.5, feed=b"1.0\n")
+    assert bench.heard > 0
+
+    def fails(*_: Any) -> Any:
+        raise error
+
+    device = {"daq": bench.source, "drive": bench.motor}[name]
+    setattr(device, method, fails)
+    before_s = bench.rig.report()["time_s"]
+    # What was called once is called as it was then: the guard keeps it.
+    vars(bench.rig._devices[name].simulator).pop(method, None)
+    bench.say("daq", b"S")
+    bench.run(0.5, feed=b"1.0\n")
+    heard, report = bench.heard, bench.rig.report()
+    assert report["time_s"] > before_s + 0.4
+    assert f"The simulator of {name} has failed ({failure_words(error)})" in report["failed"][name]
+    assert "author of the package rigapp" in report["failed"][name]
+    assert [key for key, words in report["failed"].items() if words] == [name]
+    assert capsys.readouterr().err.count("has failed") == 1
+    bench.run(0.2, feed=b"1.0\n")
+    assert (bench.heard > heard) == (name == "drive")
+    if name == "drive":
+        assert report["drive_mode"] == "off"

@@ -10312,7 +10312,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>The driver &quot;{}&quot; ({}) is a {}, not a DriverInfo; report it to the author of the package {}</source>
-        <translation>Der Treiber "{}" ({}) ist ein {}, kein DriverInfo; dies dem Autor des Pakets {} melden</translation>
+        <translation>Der Treiber &quot;{}&quot; ({}) ist ein {}, kein DriverInfo; dies dem Autor des Pakets {} melden</translation>
     </message>
     <message>
         <source>The encoder counted {revolutions:.1f} revolutions without its index pulse.</source>
@@ -10348,11 +10348,11 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>The simulator of driver &quot;{}&quot; ({}) cannot be loaded: {}; reinstall or update the package {}</source>
-        <translation>Die Simulation des Treibers "{}" ({}) lässt sich nicht laden: {}; das Paket {} neu installieren oder aktualisieren</translation>
+        <translation>Die Simulation des Treibers &quot;{}&quot; ({}) lässt sich nicht laden: {}; das Paket {} neu installieren oder aktualisieren</translation>
     </message>
     <message>
         <source>The simulator of driver &quot;{}&quot; ({}) is not a class; report it to the author of the package {}</source>
-        <translation>Die Simulation des Treibers "{}" ({}) ist keine Klasse; dies dem Autor des Pakets {} melden</translation>
+        <translation>Die Simulation des Treibers &quot;{}&quot; ({}) ist keine Klasse; dies dem Autor des Pakets {} melden</translation>
     </message>
     <message>
         <source>The test did not start: {}</source>
@@ -11525,10 +11525,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>fault {}: device = {} is not in the rig; it has {}</source>
         <translation>fault {}: device = {} ist nicht im Prüfstand; er hat {}</translation>
-    </message>
-    <message>
-        <source>fault {}: device {} cannot have it ({})</source>
-        <translation>fault {}: Gerät {} kann sie nicht haben ({})</translation>
     </message>
     <message>
         <source>fault: {}</source>
