@@ -36,6 +36,7 @@ ROLL_RAMP = 2
 """Revolutions beyond those wanted: the first ones carry the ramp."""
 REVOLUTIONS = {"routine": 12, "full": 30}
 """Plan -> revolutions at each speed: from 10 on the spread of a roll is known; more average it."""
+FASTEST_RPM = round(FASTEST * 30.0 / math.pi, 6)
 ORDERS = 8
 """Fourier orders of a usual map: a pin's eccentricity, ovality and lobes."""
 
@@ -85,8 +86,7 @@ def roll_plan(rpm: str, revolutions: int, orders: int) -> RollPlan:
     """Return the plan that words ask for; raise UnusableInput naming the one that is wrong."""
     if revolutions < 1:
         raise UnusableInput("--revolutions: take at least 1; 12 are good.")
-    fastest = round(FASTEST * 30.0 / math.pi, 6)
-    speeds = speeds_of("--rpm", rpm, SLOWEST_RPM, fastest, 1)
+    speeds = speeds_of("--rpm", rpm, SLOWEST_RPM, FASTEST_RPM, 1)
     return RollPlan(tuple(speeds), revolutions, orders)
 
 

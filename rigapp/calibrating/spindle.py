@@ -17,10 +17,10 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.toml import toml_text
-from rigapp.schema.messages import RunState
+from rigapp.schema.messages import AT_REST, RunState
 from rigapp.schema.states import ENDED
 
-IDLE = frozenset(state.value for state in (*ENDED, RunState.READY, RunState.IDLE))
+IDLE = frozenset(state.value for state in (*ENDED, *AT_REST, RunState.CALIBRATING))
 SLOWEST_RPM = 0.5
 """Slower no spindle turns evenly."""
 

@@ -26,7 +26,7 @@ from rigapp.calibrating.probe_result import fit_probes
 from rigapp.calibrating.probe_session import PROBES as WHICH_PROBES
 from rigapp.calibrating.probe_session import ProbeSession, probe_plan
 from rigapp.calibrating.records_in_use import LOAD_CELL, PROBES, RUN_OUT, RecordPlace
-from rigapp.calibrating.rolls import REVOLUTIONS, roll_plan
+from rigapp.calibrating.rolls import FASTEST_RPM, REVOLUTIONS, roll_plan
 from rigapp.calibrating.run_out import RUN_OUT_COLUMNS
 from rigapp.calibrating.running_check import RUNNING_COLUMNS
 from rigapp.calibrating.session import LiveSession, Outcome
@@ -54,7 +54,7 @@ class Subject:
     ReadingsError or UnusableInput; None where the readings are test files. session: with live
     readings step by step, None for others. certificate: of a record's content. place: where a rig
     file names its records, None for a check that changes nothing there, and for free channels, of
-    which each rig has its own.
+    which each rig has its own. fastest_rpm: at which it turns the spindle, 0: never.
     """
 
     name: str
@@ -66,6 +66,7 @@ class Subject:
     session: type[LiveSession[Any, Any, Any]] | None = None
     plan: Callable[[Mapping[str, Any], Any], Any] | None = None
     place: RecordPlace | None = None
+    fastest_rpm: float = 0.0
 
 
 def _fit_probes(text: str, given: ProbeFile, where: str, which: str) -> Outcome:
@@ -110,6 +111,7 @@ SUBJECTS: Mapping[str, Subject] = {
                 asked["speeds"], REVOLUTIONS[asked["plan"]], asked["orders"]
             ),
             place=RUN_OUT,
+            fastest_rpm=FASTEST_RPM,
         ),
         Subject(
             name="channel",

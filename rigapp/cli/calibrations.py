@@ -165,6 +165,20 @@ def calibrate_running_check(
     )
 
 
+@calibrate_verbs.command("release")
+def calibrate_release(
+    rig: RigOption,
+    yes: Annotated[
+        bool, option("--yes", "The pin was looked at, nothing hangs on it: do not ask.")
+    ] = False,
+    reason: Annotated[str, option("--reason", "Why; it goes into the log.")] = "",
+) -> int:
+    """End a calibration that occupies the rig, in place of the window that died."""
+    from rigapp.commands.live.release import release_calibration
+
+    return release_calibration(rig, reason, sure=yes)
+
+
 @calibrate_verbs.command("history")
 def calibrate_history(
     store: Annotated[Path, typer.Argument(help="Store of daily checks.")] = Path(

@@ -96,7 +96,7 @@ def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check
             return _look_alone(records, test)
         client = Client(entry, look=False)
         try:
-            return msgspec.convert(client.request("status").result, Status), []
+            return msgspec.convert(client.request("status").result, Status).shown(), []
         finally:
             client.close()
     except DeviceError as error:
@@ -108,6 +108,7 @@ def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check
 
 def _look_alone(records: RigRecords, test: TestFile) -> tuple[Status, list[Check]]:
     from rigapp.engine.engine import Engine
+    from rigapp.service.calibration import kept_calibration
     from rigapp.service.simulated import SimulatedDevices, parse_speed
 
     simulated = SimulatedDevices(records.rig, parse_speed(None, records.rig))
@@ -120,7 +121,10 @@ def _look_alone(records: RigRecords, test: TestFile) -> tuple[Status, list[Check
             deadline = time.monotonic() + FIRST_DATA_S
             while not engine.status().channels and time.monotonic() < deadline:
                 time.sleep(0.05)
-            return engine.status(), checks
+            kept = kept_calibration(records.rig.path)
+            calibration = kept.shown if kept is not None else None
+            status = msgspec.structs.replace(engine.status(), calibration=calibration)
+            return status.shown(), checks
         finally:
             engine.shutdown()
     finally:

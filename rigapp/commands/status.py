@@ -67,6 +67,7 @@ def _asked(entry: Any) -> dict[str, Any]:
     return {
         **shown,
         **{name: _finite(status[name]) for name in names},
+        "calibration": status.get("calibration"),
         "alarms": alarms,
         "next": next_step,
     }

@@ -29,7 +29,7 @@ from rigapp.page.rig import DiskSpace, WatchedRig
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.states import state_line, state_word
 from rigapp.presentation.times import MOMENT, dated, duration
-from rigapp.schema.messages import Alarm, DeviceView, RunState, Status
+from rigapp.schema.messages import Alarm, DeviceView, OpenCalibration, RunState, Status
 from rigapp.schema.states import ACTIVE
 
 NOTES = 5
@@ -115,6 +115,7 @@ class RigView(msgspec.Struct, frozen=True):
     values: dict[str, float] = {}
     wear: dict[str, float] = {}
     limits: tuple[LimitView, ...] = ()
+    calibration: OpenCalibration | None = None
     alarms: tuple[Alarm, ...] = ()
     devices: tuple[DeviceView, ...] = ()
     notes: tuple[NoteView, ...] = ()
@@ -169,7 +170,7 @@ def view_of(rig: WatchedRig, news: News) -> RigView:
 _FROM_STATUS = (
     "reason", "test", "revolution", "planned", "committed", "rows_dropped", "speed_rpm",
     "target_rpm", "started_at", "expected_end_at", "twin_age_s", "worst_margin_percent",
-    "worst_margin", "simulated", "alarms", "devices",
+    "worst_margin", "simulated", "calibration", "alarms", "devices",
 )  # fmt: skip
 
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Iterable
 from typing import Final
 
+from rigapp.presentation.times import dated
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
-from rigapp.schema.messages import Alarm, HowEnded, RunState, Severity, Status
+from rigapp.schema.messages import Alarm, HowEnded, OpenCalibration, RunState, Severity, Status
 
 STATES: Final[dict[RunState, Text]] = {
     RunState.IDLE: "Idle",
@@ -21,6 +23,7 @@ STATES: Final[dict[RunState, Text]] = {
     RunState.STOPPING: "Stopping",
     RunState.STOPPED: "Stopped",
     RunState.FAULT: "Fault",
+    RunState.CALIBRATING: "Calibrating",
 }
 OUTCOMES: Final[dict[HowEnded, Text]] = {
     HowEnded.COMPLETE: "Complete",
@@ -32,6 +35,9 @@ OUTCOMES: Final[dict[HowEnded, Text]] = {
     HowEnded.NOT_READABLE: "Cannot be read",
 }
 """How a test ended, wherever it is shown: strip, card, list, report, command line."""
+
+CALIBRATED: Final[tuple[Text, ...]] = ("load cell", "probes", "slow roll", "running check")
+"""What the command line calibrates; the window's words stand with its choices."""
 
 USUAL: Final[dict[RunState, Text]] = {
     RunState.RUNNING: "Running as planned.",
@@ -64,15 +70,42 @@ def rest_text(status: Status) -> str:
     return tr("{} s left, step {} of {}", left, status.step, status.steps)
 
 
+def calibration_text(status: Status) -> str:
+    """Return what is calibrated, by whom and since when; empty without a calibration."""
+    return calibration_words(status.calibration) if status.calibration is not None else ""
+
+
+def calibration_words(one: OpenCalibration) -> str:
+    """Return what is calibrated, by whom and since when."""
+    return tr("{}, by {}, since {}", tr(one.what), one.who, since_text(one.since, time.time()))
+
+
+def occupied_text(status: Status) -> str:
+    """Return why nothing turns the spindle while a calibration is open."""
+    text: Text = (
+        "Calibrating: {}. Nothing starts until it ends: close it, or press End calibration."
+    )
+    return tr(text, calibration_text(status))
+
+
+def since_text(since: float, now: float) -> str:
+    """Return a time of day, with its day where that is another one; UTC seconds."""
+    moment, today = time.localtime(since), time.localtime(now)
+    same_day = (moment.tm_year, moment.tm_yday) == (today.tm_year, today.tm_yday)
+    return dated("%H:%M" if same_day else "%a %H:%M", moment)
+
+
 def state_line(status: Status, key: str = "") -> str:
     """Return what is, and what is next; key: that does the next step, in the window."""
     word = state_word(status)
     if is_resting(status):
         return f"{word}, {rest_text(status)}. {tr('The test resumes by itself.')}"
-    step = status.recovery
+    step, occupied = status.recovery, calibration_text(status)
+    reason = "" if status.state is RunState.CALIBRATING else status.reason
     pressed = f" ({key})" if key and step.verb and step.left else ""
     told = [
-        f"{word}: {retold(status.reason)}" if status.reason else "",
+        f"{word}: {retold(reason)}" if reason else "",
+        f"{tr(STATES[RunState.CALIBRATING])}: {occupied}." if occupied else "",
         retold(step.sentence) + pressed,
     ]
     return "  ".join(one for one in told if one) or _unnamed(status, word)

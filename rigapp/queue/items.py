@@ -82,6 +82,12 @@ def ended(queue: Queue, number: int, sentence: str, *, done: bool) -> Queue:
     )
 
 
+def put_back(queue: Queue, one: QueuedTest) -> Queue:
+    """Return a queue whose test could not begin, as before; the queue begins no other by itself."""
+    items = tuple(one if other.number == one.number else other for other in queue.items)
+    return msgspec.structs.replace(queue, items=items, working=False)
+
+
 def halted(queue: Queue) -> Queue:
     """Return a queue that begins no other test; the one that runs goes on."""
     return msgspec.structs.replace(queue, working=False)

@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import Protocol
 
 from rigapp.config.names import new_result
-from rigapp.queue.items import Queue, after_finish, at_work, begun, cut_off, ended, halted
+from rigapp.queue.items import Queue, after_finish, at_work, begun, cut_off, ended, halted, put_back
 from rigapp.queue.store import QueueStore
 from rigapp.schema.notices import Finished
 from rigapp.schema.queue import ItemState, QueuedTest
-from rigapp.schema.states import Refused
+from rigapp.schema.states import Occupied, Refused
 
 
 class Begin(Protocol):
@@ -106,6 +106,10 @@ class QueueWorker:
             return now
         try:
             end = self._hands.begin(Path(one.test), Path(file), self._operator)
+        except Occupied as error:
+            self._store.change(lambda queue: put_back(queue, one))
+            self._hands.tell(f"{error}; then start the queue again.")
+            raise
         except Exception as error:
             words = str(error)
             self._store.change(lambda queue: ended(queue, one.number, words, done=False))

@@ -24,7 +24,11 @@ NOTE_CHARACTERS = 2000
 
 
 class RunState(enum.StrEnum):
-    """The states of a run; every way through them ends with the spindle stopped and a reason."""
+    """The states of a run; every way through them ends with the spindle stopped and a reason.
+
+    CALIBRATING: what people are shown of a rig at rest that a calibration occupies; no state of the
+    engine's own, see ``Status.shown``.
+    """
 
     IDLE = "idle"
     CONNECTING = "connecting"
@@ -36,6 +40,11 @@ class RunState(enum.StrEnum):
     STOPPING = "stopping"
     STOPPED = "stopped"
     FAULT = "fault"
+    CALIBRATING = "calibrating"
+
+
+AT_REST = frozenset({RunState.IDLE, RunState.READY, RunState.STOPPED})
+"""States without a test and without a fault: a calibration may occupy the rig in them."""
 
 
 class FinishReason(enum.StrEnum):
@@ -160,6 +169,14 @@ class Recovery(msgspec.Struct, frozen=True):
     cause: str = ""
 
 
+class OpenCalibration(msgspec.Struct, frozen=True):
+    """Show the calibration that occupies the rig: what, who, and since when, UTC seconds."""
+
+    what: str
+    who: str
+    since: float
+
+
 class _UnknownIsNone(msgspec.Struct, frozen=True, omit_defaults=True):
     """Hold numbers that may be unknown: None, absent on the wire, whatever was given for them."""
 
@@ -246,7 +263,9 @@ class Status(_UnknownIsNone, frozen=True):
     that are done among them; queue_works: the next one begins by itself. step: of the test, of so
     many steps, both 0 where it has none; resting: between two of them; the test resumes by itself
     in rest_left_s seconds of this computer. outcome: how the last test ended, None before and while
-    one is open. coasting: it is being stopped, has no power, and turns.
+    one is open. coasting: it is being stopped, has no power, and turns. calibration: what occupies
+    the rig, None without one; the state beside it is the engine's own, as viewers of before know no
+    other.
     """
 
     state: RunState
@@ -291,6 +310,13 @@ class Status(_UnknownIsNone, frozen=True):
     outcome: HowEnded | None = None
     coasting: bool = False
     revolution_age_s: float | None = None
+    calibration: OpenCalibration | None = None
+
+    def shown(self) -> Status:
+        """Return it with the state that people are shown: an open calibration occupies the rig."""
+        if self.calibration is None or self.state not in AT_REST:
+            return self
+        return msgspec.structs.replace(self, state=RunState.CALIBRATING)
 
     def tree(self) -> dict[str, Any]:
         """Return it as the answer to a request, every field there, None where not known."""

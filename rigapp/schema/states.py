@@ -95,6 +95,10 @@ class Refused(Exception):
     """Say in one sentence why a command cannot be carried out now, and what to do."""
 
 
+class Occupied(Refused):
+    """Say which calibration occupies the rig, so that nothing may turn the spindle."""
+
+
 class InFault(Refused):
     """Say why the engine is in fault and what to do. code: what kind of failure led there."""
 

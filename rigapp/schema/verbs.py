@@ -18,6 +18,9 @@ from rigapp.schema.messages import NOTE_CHARACTERS
 PATH_CHARACTERS = 4096
 """Systems take paths of so many bytes."""
 
+WHAT_CHARACTERS = 100
+"""Of the name of what is calibrated: it is shown in the strip."""
+
 Words = Annotated[str, msgspec.Meta(max_length=NOTE_CHARACTERS)]
 Name = Annotated[str, msgspec.Meta(max_length=PATH_CHARACTERS)]
 Duration = Annotated[float, msgspec.Meta(ge=0.0, le=1e9)]
@@ -42,11 +45,34 @@ class AlarmKey(msgspec.Struct, frozen=True):
 
 
 class Start(msgspec.Struct, frozen=True):
-    """Name the test file, the file to make, and how many revolutions in place of the test's."""
+    """Name the test file, the file to make, and how many revolutions in place of the test's.
+
+    calibration: key of the open calibration that the test is part of.
+    """
 
     test: Name
     out: Name
     revolutions: Revolutions = None
+    calibration: Name = ""
+
+
+class BeginCalibration(msgspec.Struct, frozen=True):
+    """Name what is calibrated, and the fastest speed at which it turns the spindle, 0: never."""
+
+    what: Annotated[str, msgspec.Meta(min_length=1, max_length=WHAT_CHARACTERS)]
+    fastest_rpm: Annotated[float, msgspec.Meta(ge=0.0, le=1e5)] = 0.0
+
+
+class CalibrationKey(msgspec.Struct, frozen=True):
+    """Give the key that the beginning of the calibration was answered with."""
+
+    key: Name
+
+
+class ReleaseCalibration(Reason, frozen=True):
+    """Say which calibration is ended: ``since`` of the one that was looked at, 0: whichever."""
+
+    since: float = 0.0
 
 
 class File(msgspec.Struct, frozen=True):
@@ -200,6 +226,9 @@ VERBS = {
         Verb("note", Note, Lane.WORK),
         Verb("extend", Extend, Lane.WORK),
         Verb("set_limit", SetLimit, Lane.WORK),
+        Verb("calibration_begin", BeginCalibration, Lane.WORK, timeout_s=20.0),
+        Verb("calibration_end", CalibrationKey, Lane.WORK, Who.ANYONE, timeout_s=30.0),
+        Verb("calibration_release", ReleaseCalibration, Lane.WORK, timeout_s=30.0),
         Verb("use_records", Nothing, Lane.WORK),
         Verb("zero", Zero, Lane.WORK, timeout_s=60.0),
         Verb("inject_fault", FaultRecord, Lane.WORK),

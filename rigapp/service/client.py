@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 import zmq
 
-from rigapp.schema.messages import PROTOCOL_VERSION, Reply, Request, Snapshot
+from rigapp.schema.messages import PROTOCOL_VERSION, Reply, Request, Snapshot, Status
 from rigapp.schema.verbs import verb_of
 from rigapp.service.registry import EngineEntry, lasting_folder, other_version
 
@@ -88,7 +88,8 @@ class Client:
             body = self._stream.recv(zmq.NOBLOCK)
         except zmq.Again:
             return None
-        return msgspec.msgpack.decode(body, type=Snapshot)
+        snapshot = msgspec.msgpack.decode(body, type=Snapshot)
+        return msgspec.structs.replace(snapshot, status=snapshot.status.shown())
 
     def request(
         self, verb: str, arguments: dict[str, Any] | None = None, timeout_s: float | None = None
@@ -98,6 +99,9 @@ class Client:
         timeout_s: that of ``VERBS`` if None.
         """
         reply = self._request(verb, arguments, timeout_s or verb_of(verb).timeout_s)
+        if verb == "status" and reply.ok:
+            shown = msgspec.convert(reply.result, Status).shown()
+            reply = msgspec.structs.replace(reply, result={**reply.result, "state": shown.state})
         if verb == "take_command" and reply.ok:
             self._stay_present()
         if verb == "release_command" and reply.ok:

@@ -23,6 +23,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
+from rigapp.config.sequence import Sequence
 from rigapp.engine.devices import plan_devices
 from rigapp.engine.engine import Engine, LogEntry
 from rigapp.engine.starting import check_fit
@@ -37,7 +38,10 @@ from rigapp.queue.items import removed
 from rigapp.queue.worker import Hands
 from rigapp.schema.loglines import SpecimenWear
 from rigapp.schema.messages import (
+    AT_REST,
     PROTOCOL_VERSION,
+    Recovery,
+    Remedy,
     Reply,
     Request,
     RevolutionMeasured,
@@ -47,8 +51,21 @@ from rigapp.schema.messages import (
 )
 from rigapp.schema.notices import Finished
 from rigapp.schema.states import ACTIVE, Refused
-from rigapp.schema.verbs import VERBS, Hand, Nothing, QueueAdd, QueueRemove, Resume, Start
+from rigapp.schema.verbs import (
+    VERBS,
+    BeginCalibration,
+    CalibrationKey,
+    Hand,
+    Nothing,
+    QueueAdd,
+    QueueRemove,
+    ReleaseCalibration,
+    Resume,
+    Start,
+    Zero,
+)
 from rigapp.service.bounds import asked_of, refusal
+from rigapp.service.calibration import RigCalibration
 from rigapp.service.command import InCommand
 from rigapp.service.lasttest import cut_off, last_wear, remember
 from rigapp.service.queued import add_tests
@@ -101,6 +118,9 @@ TWIN_START_S = 15.0
 """A test waits so long for its twin, so that the first revolutions are predicted, then goes on."""
 
 
+END_CALIBRATION = "Take off what hangs on the pin, then end the calibration."
+"""The next step of a rig that a calibration occupies."""
+
 HAND_LOOKS = 3
 """Looks at both counts before a hand: of three, one is not held up by the computer."""
 
@@ -113,11 +133,17 @@ class EngineHost:
     """One engine of one rig, reachable by viewers while it lives."""
 
     def __init__(
-        self, rig: Document[RigFile], speed: Speed | None, bind: Bind | None = None
+        self,
+        rig: Document[RigFile],
+        speed: Speed | None,
+        bind: Bind | None = None,
+        *,
+        own: bool = False,
     ) -> None:
         """Make the engine and begin to serve; devices are opened by ``connect`` or ``start``.
 
-        bind: where to listen in place of this computer's sockets. Raises UnusableInput.
+        bind: where to listen in place of this computer's sockets. own: its simulated rig ends with
+        it, so an open calibration is not taken up, nor kept. Raises UnusableInput.
         """
         plan_devices(rig.record, str(rig.path))
         ways = ways_of(rig)
@@ -139,6 +165,9 @@ class EngineHost:
         self._behind = SampleNumbers()
         self._command = InCommand(
             lambda text, who, before, after: self.engine.log("command", text, who, before, after)
+        )
+        self._calibration = RigCalibration(
+            None if own else rig.path, lambda text, who: self.engine.log("calibrating", text, who)
         )
         hands = Hands(self._begin_queued, EXPECTED, self.engine.queue_stopped)
         self._queue = RigQueue(rig.path, hands, self.engine.watch())
@@ -165,7 +194,7 @@ class EngineHost:
         return CourierLink(
             CourierSetup(rig, ways.ways, ways.ping, str(folder), str(ways.secrets), run, name),
             self.engine.watch(),
-            self.engine.status,
+            lambda: self._with_service(self.engine.status()).shown(),
             lambda text: self.engine.log("message", text, "messages"),
             self.engine.messages_failed,
             runtime_folder(),
@@ -214,12 +243,15 @@ class EngineHost:
         resume: bool,
         reason: str = "",
         examined: Callable[[Resumption], None] = lambda found: None,
+        calibration: str = "",
     ) -> None:
         """Connect where needed and start a test, or go on with it; raises what the engine raises.
 
         reason: for what ``resumption`` finds and asks a reason for. examined: told what it found.
+        calibration: key of the open one that the test is part of.
         """
         with self._starting:
+            self._calibration.judge(calibration, Sequence(test.record.run).fastest_rpm)
             notes = self._latest_records(operator)
             if self._records.blocking:
                 raise Refused("; ".join(self._records.blocking.values()))
@@ -273,6 +305,7 @@ class EngineHost:
     def resumption(self, path: Path) -> Resumption:
         """Connect where needed and say what a test in a file would meet if it went on here."""
         with self._starting:
+            self._calibration.judge()  # a simulated rig may be put up anew for the test
             self._latest_records("")
             past = read_past(path)
             self._make_ready(recorded_test(path).record)
@@ -418,10 +451,16 @@ class EngineHost:
         """Tell whether a viewer is attached."""
         return self._server.watched
 
+    @property
+    def occupied(self) -> bool:
+        """Tell whether a test is under way or a calibration open, which nobody may look at."""
+        return self.engine.state in ACTIVE or self._calibration.shown is not None
+
     # --- tests one after another -----------------------------------------------------------------
 
     def _begin_queued(self, test: Path, file: Path, operator: str) -> Finished | None:
         """Begin a test of the queue; where its file is there, go on with it or end it."""
+        self._calibration.judge()
         if not file.exists():
             file.parent.mkdir(parents=True, exist_ok=True)
             self.start(read_test(test), file, operator, resume=False)
@@ -442,8 +481,14 @@ class EngineHost:
     def _with_service(self, status: Status) -> Status:
         """Add what the engine itself does not know."""
         speed, queue = self._simulated.speed, self._queue.view()
+        calibration, recovery = self._calibration.shown, status.recovery
+        next_is_test = recovery.step in (Remedy.GO_ON, Remedy.NONE)
+        if calibration is not None and next_is_test and status.state in AT_REST:
+            recovery = Recovery(sentence=END_CALIBRATION)
         return msgspec.structs.replace(
             status,
+            calibration=calibration,
+            recovery=recovery,
             simulated_speed=0.0 if speed == "max" else float(speed or 1.0),
             in_command=self._command.holder,
             queue=queue.items,
@@ -490,7 +535,7 @@ class EngineHost:
             "queue_remove": self._unqueue_request,
             "examine_file": lambda a, by: msgspec.to_builtins(self.resumption(Path(a.file))),
             "pause": lambda a, by: engine.pause(by.operator, a.reason),
-            "resume": lambda a, by: engine.resume(by.operator),
+            "resume": self._resume_paused,
             "stop": lambda a, by: engine.stop(by.operator, a.reason),
             "drive_off": lambda a, by: engine.drive_off(by.operator, a.reason),
             "reset": lambda a, by: engine.reset(by.operator),
@@ -499,8 +544,11 @@ class EngineHost:
             "note": lambda a, by: engine.note(a.text, by.operator),
             "extend": lambda a, by: engine.extend(a.revolutions, by.operator, a.reason),
             "set_limit": lambda a, by: engine.set_limit(a.name, a.value, by.operator, a.reason),
+            "calibration_begin": self._begin_calibration,
+            "calibration_end": self._end_calibration,
+            "calibration_release": self._release_calibration,
             "use_records": lambda a, by: self.use_records(by.operator),
-            "zero": lambda a, by: engine.zero(a.what, by.operator, a.reason),
+            "zero": self._zero_request,
             "inject_fault": lambda a, by: simulated.process.inject(msgspec.to_builtins(a)),
             "clear_fault": lambda a, by: simulated.process.clear(a.kind),
             "signals": lambda a, by: msgspec.to_builtins(engine.hear(a.window_s)),
@@ -517,13 +565,36 @@ class EngineHost:
         process.hand(asked.what, **asked.details)
         return {"after_sample": self._behind.processed_at(int(process.state()["samples"]))}
 
+    def _resume_paused(self, asked: Nothing, by: Request) -> None:
+        self._calibration.judge_viewer(by.client)
+        self.engine.resume(by.operator)
+
+    def _zero_request(self, asked: Zero, by: Request) -> dict[str, tuple[float, float]]:
+        self._calibration.judge()  # what hangs on the pin would be in the zero
+        return self.engine.zero(asked.what, by.operator, asked.reason)
+
+    def _begin_calibration(self, asked: BeginCalibration, by: Request) -> dict[str, str | float]:
+        with self._starting:
+            if self.engine.state in ACTIVE:
+                raise Refused("a test is under way; stop it first")
+            return self._calibration.begin(by, asked.what, asked.fastest_rpm)
+
+    def _end_calibration(self, asked: CalibrationKey, by: Request) -> None:
+        self._calibration.end(asked.key, by)
+
+    def _release_calibration(self, asked: ReleaseCalibration, by: Request) -> None:
+        if self.engine.state in ACTIVE:
+            raise Refused("the spindle turns for the calibration; stop it first")
+        self._calibration.release(asked.since, asked.reason, by)
+
     def _connect_request(self, asked: Nothing, by: Request) -> None:
         with self._starting:
             self.connect()
 
     def _start_request(self, asked: Start, by: Request) -> None:
         test = with_revolutions(read_test(Path(asked.test)), asked.revolutions)
-        self.start(test, Path(asked.out), by.operator, resume=False)
+        out, key = Path(asked.out), asked.calibration
+        self.start(test, out, by.operator, resume=False, calibration=key)
 
     def _queue_request(self, asked: QueueAdd, by: Request) -> None:
         tests = [Path(one) for one in asked.tests]
@@ -533,6 +604,7 @@ class EngineHost:
         self._queue.store.change(lambda queue: removed(queue, list(asked.numbers)))
 
     def _resume_request(self, asked: Resume, by: Request) -> Reply | None:
+        self._calibration.judge()
         path = Path(asked.file)
         ended = end_whole_test(path)
         if ended is not None:
@@ -561,7 +633,7 @@ def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: b
             notice = host.notices.get(0.2)
             if isinstance(notice, Finished):
                 compress_complete(notice)
-            if stay or host.watched or host.engine.state in ACTIVE:
+            if stay or host.watched or host.occupied:
                 lonely_since = time.monotonic()
             elif time.monotonic() - lonely_since > LONELY_S:
                 break

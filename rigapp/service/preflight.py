@@ -20,6 +20,7 @@ from rigapp.config.sequence import Sequence
 from rigapp.engine.judging.criteria import described
 from rigapp.engine.judging.reach import FEWEST_SAMPLES, load_cell_reach_N
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.states import calibration_text
 from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.schema.messages import DeviceView, RunState, Severity, Status
 
@@ -241,6 +242,9 @@ def _of_engine(status: Status) -> Iterator[Check]:
     state = status.state
     if state in (RunState.READY, RunState.STOPPED):
         yield Check("State", GOOD, state.value)
+    elif state is RunState.CALIBRATING:
+        action = "Close that calibration, or end it: rigapp calibrate release"
+        yield Check("State", BLOCKS, f"calibrating: {calibration_text(status)}", action)
     elif state is RunState.IDLE:
         yield Check("State", ATTENTION, "not connected", "Connect (F4); Start does it too")
     else:

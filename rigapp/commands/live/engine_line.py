@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,6 +13,8 @@ from rigapp.config.loading import read_rig
 from rigapp.config.recipe import TestFile
 from rigapp.process.ending import ending_as_interrupt
 from rigapp.schema.messages import Reply, Request
+
+log = logging.getLogger(__name__)
 
 Ask = Callable[[str, dict[str, Any]], Any]
 
@@ -34,21 +37,39 @@ def engine_line(
     if entry is not None:
         client = Client(entry, operator)
         try:
-            yield lambda verb, arguments: _result(client.request(verb, arguments))
+            yield lambda verb, arguments: result_of(client.request(verb, arguments))
         finally:
             client.close()
         return
     document = read_rig(rig)
     with ending_as_interrupt():
-        host = EngineHost(document, parse_speed(None, document))
+        host = EngineHost(document, parse_speed(None, document), own=own)
         try:
             host.connect(test)
-            yield lambda verb, arguments: _result(host.handle(Request(verb, arguments, operator)))
+            yield lambda verb, arguments: result_of(host.handle(Request(verb, arguments, operator)))
         finally:
             host.close()
 
 
-def _result(reply: Reply) -> Any:
+@contextmanager
+def occupied(ask: Ask, what: str, fastest_rpm: float = 0.0) -> Iterator[str]:
+    """Let a calibration occupy the rig, and yield its key; it ends in order, however this ends.
+
+    fastest_rpm: at which its tests turn the spindle. Raises UnusableInput where the rig is not
+    free.
+    """
+    key = ask("calibration_begin", {"what": what, "fastest_rpm": fastest_rpm})["key"]
+    try:
+        yield key
+    finally:
+        try:
+            ask("calibration_end", {"key": key})
+        except UnusableInput as error:
+            log.warning("the end of the calibration: %s", error)
+
+
+def result_of(reply: Reply) -> Any:
+    """Return the result of an answer; raise UnusableInput for a refusal."""
     if not reply.ok:
         raise UnusableInput(reply.sentence)
     return reply.result

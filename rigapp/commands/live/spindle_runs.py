@@ -18,7 +18,7 @@ from rigapp.calibrating.rolls import roll_plan, rolls_of, save_map
 from rigapp.calibrating.running_check import check_of, known_term
 from rigapp.calibrating.spindle import SLOWEST_RPM, SpindleRun, SpindleRuns, speeds_of
 from rigapp.commands.calibrate import say_outcome
-from rigapp.commands.live.engine_line import Ask, engine_line
+from rigapp.commands.live.engine_line import Ask, engine_line, occupied
 from rigapp.commands.live.terminal import Say, operator_of, sayer
 from rigapp.config.calibration_settings import CellSection, LoadCellFile, RunOutFile
 from rigapp.config.errors import UnusableInput
@@ -50,7 +50,8 @@ def take_runs(taken: SpindleRuns, line: AbstractContextManager[Ask], say: Say) -
 
     line: to the engine. An interrupt stops the spindle under control first.
     """
-    with line as ask:
+    fastest = max(run.rpm for run in taken.runs)
+    with line as ask, occupied(ask, taken.what, fastest) as key:
         said = ""
         try:
             while not taken.done:
@@ -59,7 +60,7 @@ def take_runs(taken: SpindleRuns, line: AbstractContextManager[Ask], say: Say) -
                     said = taken.words
                     say(said)
                 if action is not None:
-                    ask(action.verb, dict(action.arguments))
+                    ask(action.verb, {**action.arguments, "calibration": key})
                 elif not taken.done:
                     time.sleep(LOOK_EVERY_S)
         except BaseException:

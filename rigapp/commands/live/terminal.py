@@ -17,7 +17,7 @@ from rigapp.calibrating.records import refuse_existing
 from rigapp.calibrating.session import LiveSession, Outcome, Rig
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.commands.calibrate import ONE_SOURCE, calibrate_table, say_outcome
-from rigapp.commands.live.engine_line import Ask, engine_line
+from rigapp.commands.live.engine_line import Ask, engine_line, occupied
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document, read_rig
@@ -241,7 +241,10 @@ def calibrate(
     session = subject.session(given, here, where, wanted, keep_waiting_times=not practise)
     say = sayer(as_json)
     try:
-        with engine_line(rig, operator, own=practise) as ask:
+        with (
+            engine_line(rig, operator, own=practise) as ask,
+            occupied(ask, "daily check" if asked.get("plan") == "daily" else name),
+        ):
             hands = SimulatedHands(session, ask) if practise else None
             if hands is not None:
                 hands.carry_out(session.practice.prepare)
@@ -250,8 +253,6 @@ def calibrate(
                 say(f"Closed. Take it up again with the same command; the journal is {where}.")
                 return 1
             session.look(terminal.listen())
-            if hands is not None:
-                hands.carry_out(session.practice.tidy_up)
         outcome = session.judge()
         if outcome.check is not None:
             return _keep_check(session, outcome, to.parent / STORE, as_json=as_json, say=say)

@@ -4312,6 +4312,10 @@
         <translation>{} {} in {}</translation>
     </message>
     <message>
+        <source>{}, by {}, since {}</source>
+        <translation>{}, durch {}, seit {}</translation>
+    </message>
+    <message>
         <source>{}, mean {}</source>
         <translation>{}, Mittelwert {}</translation>
     </message>
@@ -4840,6 +4844,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kalibrieren – rigapp</translation>
     </message>
     <message>
+        <source>Calibrating</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrating: {}. Look at the pin: take off what hangs on it, keep hands away.</source>
+        <translation>Kalibrierung: {}. Den Bolzen ansehen: abnehmen, was daran hängt, Hände weg.</translation>
+    </message>
+    <message>
+        <source>Calibrating: {}. Nothing starts until it ends: close it, or press End calibration.</source>
+        <translation>Kalibrierung: {}. Nichts startet, bis sie beendet ist: sie schließen oder „Kalibrierung beenden“ drücken.</translation>
+    </message>
+    <message>
         <source>Calibration</source>
         <translation>Kalibrierung</translation>
     </message>
@@ -4922,6 +4938,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Choose tests</source>
         <translation>Versuche wählen</translation>
+    </message>
+    <message>
+        <source>Close that calibration, or end it: rigapp calibrate release</source>
+        <translation>Diese Kalibrierung schließen oder beenden: rigapp calibrate release</translation>
     </message>
     <message>
         <source>Close the comparison</source>
@@ -5174,6 +5194,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Encoder and drive show the crank turning backwards, though forwards was commanded: check the motor&apos;s leads, and A and B of the drive&apos;s encoder</source>
         <translation>Drehgeber und Antrieb zeigen, dass die Kurbel rückwärts dreht, obwohl vorwärts befohlen war: die Motorleitungen prüfen, und A und B des Drehgebers am Antrieb</translation>
+    </message>
+    <message>
+        <source>End calibration…</source>
+        <translation>Kalibrierung beenden…</translation>
+    </message>
+    <message>
+        <source>End the calibration</source>
+        <translation>Die Kalibrierung beenden</translation>
+    </message>
+    <message>
+        <source>End the calibration that occupies the rig</source>
+        <translation>Die Kalibrierung beenden, die den Prüfstand belegt</translation>
     </message>
     <message>
         <source>End the scan list by slist n 65535, in case a longer one is in the device</source>
@@ -5566,6 +5598,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Keep clear of the crank; check the drive&apos;s holding torque and the spring.</source>
         <translation>Abstand zur Kurbel halten; Haltemoment des Antriebs und Feder prüfen.</translation>
+    </message>
+    <message>
+        <source>Keep it open</source>
+        <translation>Offen lassen</translation>
+    </message>
+    <message>
+        <source>Keep the calibration</source>
+        <translation>Die Kalibrierung offen lassen</translation>
     </message>
     <message>
         <source>Keep this angle and turn the level end for end</source>
@@ -6122,6 +6162,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Note: </source>
         <translation>Hinweis: </translation>
+    </message>
+    <message>
+        <source>Nothing hangs on the pin: end the calibration</source>
+        <translation>Am Bolzen hängt nichts: die Kalibrierung beenden</translation>
     </message>
     <message>
         <source>Nothing is lost; the test goes on and is recorded.</source>
@@ -7372,6 +7416,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{name} das Kommando nehmen? {name} kann dann nur noch zusehen; das Protokoll hält es fest.</translation>
     </message>
     <message>
+        <source>Take off what hangs on the pin, then end the calibration</source>
+        <translation>Abnehmen, was am Bolzen hängt, dann die Kalibrierung beenden</translation>
+    </message>
+    <message>
         <source>Take over command</source>
         <translation>Das Kommando übernehmen</translation>
     </message>
@@ -7450,6 +7498,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The calibration is being opened.</source>
         <translation>Die Kalibrierung wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>The calibration was ended elsewhere. All readings are kept.</source>
+        <translation>Die Kalibrierung wurde anderswo beendet. Alle Messwerte bleiben erhalten.</translation>
     </message>
     <message>
         <source>The certificate is made from the record alone: the same bytes each time.</source>
@@ -7598,6 +7650,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The pin is &amp;turned</source>
         <translation>Der Bolzen ist &amp;gedreht</translation>
+    </message>
+    <message>
+        <source>The pin is free: end it</source>
+        <translation>Der Bolzen ist frei: beenden</translation>
     </message>
     <message>
         <source>The plan and all readings are those of the journal.</source>
@@ -8676,6 +8732,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>vor dem Start</translation>
     </message>
     <message>
+        <source>both probes</source>
+        <translation>beide Wegsensoren</translation>
+    </message>
+    <message>
         <source>bound of the computed depth&apos;s error</source>
         <translation>Schranke für den Fehler der berechneten Tiefe</translation>
     </message>
@@ -8694,6 +8754,22 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>by the probes, k = 2</source>
         <translation>von den Wegsensoren, k = 2</translation>
+    </message>
+    <message>
+        <source>calibrating</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>calibration begin</source>
+        <translation>Kalibrierung beginnen</translation>
+    </message>
+    <message>
+        <source>calibration end</source>
+        <translation>Kalibrierung abschließen</translation>
+    </message>
+    <message>
+        <source>calibration release</source>
+        <translation>Kalibrierung freigeben</translation>
     </message>
     <message>
         <source>circle</source>
@@ -9116,6 +9192,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>als Nächstes</translation>
     </message>
     <message>
+        <source>no calibration is open</source>
+        <translation>keine Kalibrierung ist offen</translation>
+    </message>
+    <message>
         <source>no data yet</source>
         <translation>noch keine Daten</translation>
     </message>
@@ -9264,8 +9344,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>vorhanden</translation>
     </message>
     <message>
+        <source>probe 1</source>
+        <translation>Wegsensor 1</translation>
+    </message>
+    <message>
+        <source>probe 2</source>
+        <translation>Wegsensor 2</translation>
+    </message>
+    <message>
         <source>probe errors</source>
         <translation>Fehler der Wegsensoren</translation>
+    </message>
+    <message>
+        <source>probes</source>
+        <translation>Wegsensoren</translation>
     </message>
     <message>
         <source>probes, k = 2</source>
@@ -9390,6 +9482,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>rose</source>
         <translation>stieg</translation>
+    </message>
+    <message>
+        <source>run-out of the pin</source>
+        <translation>Rundlauf des Bolzens</translation>
     </message>
     <message>
         <source>run.rpm = 0: give a speed other than 0</source>
@@ -9624,6 +9720,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>die Prüfstandsdatei</translation>
     </message>
     <message>
+        <source>the spindle turns for the calibration; stop it first</source>
+        <translation>die Spindel dreht für die Kalibrierung; sie erst anhalten</translation>
+    </message>
+    <message>
         <source>the tare is set</source>
         <translation>der Nullpunkt ist gesetzt</translation>
     </message>
@@ -9634,6 +9734,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>they come</source>
         <translation>sie kommen</translation>
+    </message>
+    <message>
+        <source>this calibration was ended already</source>
+        <translation>diese Kalibrierung ist schon beendet</translation>
     </message>
     <message>
         <source>this is looked at</source>
@@ -11311,6 +11415,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>und {} weitere</translation>
     </message>
     <message>
+        <source>another calibration is open: {}</source>
+        <translation>eine andere Kalibrierung ist offen: {}</translation>
+    </message>
+    <message>
         <source>answered {} instead of FF</source>
         <translation>mit {} statt FF beantwortet</translation>
     </message>
@@ -11333,6 +11441,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>by force from {}</source>
         <translation>mit Gewalt von {}</translation>
+    </message>
+    <message>
+        <source>calibrating: {}</source>
+        <translation>Kalibrieren: {}</translation>
     </message>
     <message>
         <source>came and went: {}</source>
@@ -11457,6 +11569,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>end of the replay; the test: {}</source>
         <translation>Ende der Wiedergabe; der Versuch: {}</translation>
+    </message>
+    <message>
+        <source>ended the calibration of {}, {}{}</source>
+        <translation>hat die Kalibrierung von {} beendet, {}{}</translation>
     </message>
     <message>
         <source>error {:04X}: Hall sensor or encoder (EPOS1)</source>
@@ -12267,6 +12383,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>die Wand der Buchse von {} mm ist durchgeschliffen; weniger Zyklen angeben</translation>
     </message>
     <message>
+        <source>the calibration begins: {}</source>
+        <translation>die Kalibrierung beginnt: {}</translation>
+    </message>
+    <message>
+        <source>the calibration is over: {}</source>
+        <translation>die Kalibrierung ist zu Ende: {}</translation>
+    </message>
+    <message>
         <source>the calibration record {} of {} {}; calibrate again, or write calibration_override with the reason</source>
         <translation>der Kalibrierdatensatz {} von {} {}; neu kalibrieren oder calibration_override mit dem Grund schreiben</translation>
     </message>
@@ -12503,6 +12627,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der simulierte Prüfstand ist beendet ({})</translation>
     </message>
     <message>
+        <source>the simulated rig is as it was left: {}</source>
+        <translation>der simulierte Prüfstand ist noch, wie er verlassen wurde: {}</translation>
+    </message>
+    <message>
         <source>the specimen is {} since {}</source>
         <translation>die Probe ist {} seit {}</translation>
     </message>
@@ -12621,6 +12749,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>they were taken {} after loading, not {}</source>
         <translation>sie wurden {} nach dem Belasten genommen, nicht {}</translation>
+    </message>
+    <message>
+        <source>this calibration turns the spindle at {:g} rpm at most, the test at {:g} rpm</source>
+        <translation>diese Kalibrierung dreht die Spindel mit höchstens {:g} min⁻¹, der Versuch mit {:g} min⁻¹</translation>
     </message>
     <message>
         <source>this computer&apos;s UTC clock jumped by {:.1f} s</source>
@@ -13159,6 +13291,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} wird mit {} beantwortet; die Register mit dem Handbuch des Geräts vergleichen</translation>
     </message>
     <message>
+        <source>{} is calibrating: {}, since {}</source>
+        <translation>{} kalibriert: {}, seit {}</translation>
+    </message>
+    <message>
         <source>{} is declared as a bridge, and the {} has no bridge inputs; put a bridge amplifier with a voltage output before it and tell its output in V for 1 mV/V as bridge_amplifiers = {{ {} = ... }}</source>
         <translation>{} ist als Brücke angegeben, und das {} hat keine Brückeneingänge; einen Brückenverstärker mit Spannungsausgang davorsetzen und seinen Ausgang in V je 1 mV/V als bridge_amplifiers = {{ {} = ... }} angeben</translation>
     </message>
@@ -13473,6 +13609,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}, {} of {}</source>
         <translation>{}, {} von {}</translation>
+    </message>
+    <message>
+        <source>{}. Close that calibration, or end it: End calibration in a window, or rigapp calibrate release</source>
+        <translation>{}. Diese Kalibrierung schließen oder beenden: „Kalibrierung beenden“ in einem Fenster oder rigapp calibrate release</translation>
     </message>
     <message>
         <source>{}.device = {}</source>
@@ -14233,6 +14373,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}; take it again</source>
         <translation>{}; sie wiederholen</translation>
+    </message>
+    <message>
+        <source>{}; then start the queue again</source>
+        <translation>{}; danach die Warteschlange wieder starten</translation>
     </message>
     <message>
         <source>{}limits.overload_N = {:g} can never be seen: the input of the load cell is full at {:.0f} N; lower the limit or raise load_cell.range_mV_per_V</source>

@@ -19,7 +19,7 @@ from rigapp.presentation.told import retold
 from rigapp.presentation.translation import marked, tr
 from rigapp.schema.messages import RunState
 
-BEFORE = frozenset({RunState.IDLE, RunState.CONNECTING, RunState.READY})
+BEFORE = frozenset({RunState.IDLE, RunState.CONNECTING, RunState.READY, RunState.CALIBRATING})
 """States before a test, in which it matters what is connected."""
 MOST = 8
 

@@ -34,7 +34,7 @@ from rigapp.gui.widgets.tables import PlainTable
 from rigapp.presentation.numbers import grouped, unit_text
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
-from rigapp.schema.messages import DeviceView, RunState, Status
+from rigapp.schema.messages import AT_REST, DeviceView, RunState, Status
 
 CHANNEL_HEADINGS: Final[tuple[Text, ...]] = (
     "Channel", "Signal", "Value", "Uncertainty", "Calibration", "What is positive",
@@ -344,7 +344,7 @@ class DevicePanel(QWidget):
     def _enable(self) -> None:
         standing = self._state in (RunState.READY, RunState.STOPPED)
         self.zero.setEnabled(standing and bool(self.reason.text().strip()))
-        known = self._state in (RunState.IDLE, RunState.READY, RunState.STOPPED, RunState.FAULT)
+        known = self._state in (*AT_REST, RunState.FAULT, RunState.CALIBRATING)
         for one in (self.reconnect, *(card.reconnect for card in self.cards.values())):
             one.setEnabled(known)
 

@@ -19,6 +19,7 @@ from rigapp.gui.widgets.build import button, column, named, prose, row
 from rigapp.gui.widgets.labels import heading
 from rigapp.gui.widgets.reflow import WrappingGrid
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.states import occupied_text
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.states import ACTIVE
 
@@ -151,7 +152,11 @@ class StartPage(QWidget):
     def show_news(self, news: News) -> None:
         """Say what rig it is."""
         status = news.status
-        if status is None:
+        free = status is None or status.calibration is None
+        self.ways[Act.TRY].button.setEnabled(free)
+        if status is not None and not free:
+            self.rig.setText(occupied_text(status))
+        elif status is None:
             self.rig.setText(
                 tr("Looking for the engine of the rig. Results can be opened meanwhile.")
             )

@@ -21,9 +21,10 @@ from rigapp.gui.widgets.build import button, column, edit, filled, named, row
 from rigapp.gui.widgets.labels import ElidedLabel, FewLinesLabel
 from rigapp.gui.window.command import CommandLine
 from rigapp.gui.window.headline import identity
+from rigapp.presentation.states import occupied_text
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
-from rigapp.schema.messages import NOTE_CHARACTERS, Remedy, Reply, RunState, Status
+from rigapp.schema.messages import AT_REST, NOTE_CHARACTERS, Remedy, Reply, RunState, Status
 from rigapp.schema.states import ACTIVE, Trigger, is_untimely
 
 Send = Callable[[str, dict[str, Any], Callable[[Reply], None]], None]
@@ -46,8 +47,8 @@ class ButtonSpec:
         return tr(self.text).replace("&", "")
 
 
-STARTABLE = frozenset({RunState.IDLE, RunState.READY, RunState.STOPPED})
-AT_REST = STARTABLE
+STARTABLE = AT_REST
+NOTHING_TURNS = AT_REST | {RunState.CALIBRATING}
 """States in which there is nothing to stop."""
 ASKED = "asked by the operator"
 START_AFTER_CONNECT_S = 60.0  # the slowest device is identified and set within half of it
@@ -122,6 +123,7 @@ class ControlRow(QFrame):
         self._tight = False
         self._lent = False
         self._state: RunState | None = None
+        self._occupied = ""
         self._waiting_start: tuple[dict[str, Any], float] | None = None
         named(self, "controls", "Control of the test")
         self.setFixedHeight(BAR_HEIGHT)
@@ -214,6 +216,7 @@ class ControlRow(QFrame):
     def show_status(self, status: Status | None, connection: ConnectionState) -> None:
         """Enable what applies now; Stop is always allowed."""
         self._state = status.state if status is not None else None
+        self._occupied = occupied_text(status) if status is not None and status.calibration else ""
         self._start_when_ready()
         self._show_identity(status)
         for command in BUTTONS:
@@ -252,7 +255,7 @@ class ControlRow(QFrame):
             self.start_wanted.emit()
             return
         arguments: dict[str, Any] = {}
-        if verb == "stop" and self._state in AT_REST:
+        if verb == "stop" and self._state in NOTHING_TURNS:
             # It is asked for all the same: a test may have begun since the engine spoke.
             arguments["reason"] = self.text.text().strip() or ASKED
             self._send(verb, arguments, self._stopped_at_rest)
@@ -289,11 +292,19 @@ class ControlRow(QFrame):
         if self._state in (RunState.READY, RunState.STOPPED) or idle:
             self._waiting_start = None
             self.send("start", arguments)
+        elif self._occupied:
+            self._waiting_start = None
+            self.tell_occupied()
         elif self._state is RunState.FAULT or waited > START_AFTER_CONNECT_S:
             self._waiting_start = None
             self.show_answer("The test was not started: the devices are not ready.", good=False)
         elif waited < 1.0:
             self.show_answer("start: waiting for the devices …", good=True)
+
+    def tell_occupied(self) -> None:
+        """Say why nothing turns the spindle while a calibration is open."""
+        if self._occupied:
+            self.show_answer(self._occupied, good=False)
 
     def add_note(self) -> None:
         """Send the text as a note of the log."""
@@ -341,6 +352,8 @@ class ControlRow(QFrame):
         tip = tr(command.tip)
         if applies:
             return f"{tip} ({command.key})"
+        if self._occupied and command.verb in ("start", "resume"):
+            return tr("{}. Not now. {}", tip, self._occupied)
         if status is not None and status.state in command.states:
             return tr("{}. Not now. {}", tip, retold(status.recovery.sentence))
         now = tr(self._state.value if self._state is not None else "not known")
@@ -367,6 +380,8 @@ class ControlRow(QFrame):
             if spec.key == key and self.buttons[spec.verb].isEnabled():
                 self.buttons[spec.verb].click()
                 return
+        if any(spec.key == key and spec.verb == "start" for spec in BUTTONS):
+            self.tell_occupied()
 
     def _to_text(self) -> None:
         self.text.setFocus(Qt.FocusReason.ShortcutFocusReason)

@@ -15,7 +15,13 @@ from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import LARGEST
 from rigapp.gui.data.shown import UNKNOWN_AGE, Age, Level, Renewed, age_of, aged, level_of
 from rigapp.presentation.numbers import grouped
-from rigapp.presentation.states import is_resting, listed_alarms, rest_text, state_word
+from rigapp.presentation.states import (
+    calibration_text,
+    is_resting,
+    listed_alarms,
+    rest_text,
+    state_word,
+)
 from rigapp.presentation.times import dated, duration
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, marked, tr
@@ -94,6 +100,7 @@ _SHAPES: dict[RunState, StateShape] = {
     RunState.PAUSED: StateShape.BARS,
     RunState.STOPPED: StateShape.SQUARE,
     RunState.FAULT: StateShape.DIAMOND,
+    RunState.CALIBRATING: StateShape.BARS,
 }
 """States without a shape of their own are on the way to another one."""
 _OUTCOME_SHAPES: dict[HowEnded, StateShape] = {
@@ -152,6 +159,8 @@ def _state(
         shape = _OUTCOME_SHAPES.get(status.outcome, shape)
     level = Level.CRITICAL if shape is StateShape.DIAMOND else Level.NORMAL
     detail = rest_text(status) if is_resting(status) else retold(status.reason)
+    if status.state is RunState.CALIBRATING:
+        detail = calibration_text(status)
     return shape, TileText(state_word(status), detail, level)
 
 

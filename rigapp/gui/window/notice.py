@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import Signal
+
 from rigapp.gui.data.connection import ConnectionState
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.bars import Bar
@@ -18,17 +20,29 @@ from rigapp.schema.states import ACTIVE
 class NoticeBar(Bar):
     """Show the reason of a state and the next step; of an engine that does not answer, that.
 
+    own_calibration: begin of the one that this window has open, which its guide ends.
+
     A restart is shown until it is put away, or until a test is under way again.
     """
 
+    end_wanted = Signal()
+
     def __init__(self, theme: Theme) -> None:
         super().__init__("notice", "What happened")
+        self.own_calibration = 0.0
         self._theme = theme
         self._last: Status | None = None
         self._silent = self._restart = ""
         self._bad = False
         self.away = button("notice_away", "Understood", self._put_away, "Put the notice away")
-        self.lay_out((self.away,))
+        self.end = button(
+            "end_calibration",
+            "End calibration…",
+            self.end_wanted.emit,
+            "End the calibration that occupies the rig",
+            guarded=True,
+        )
+        self.lay_out((self.end, self.away))
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -40,6 +54,7 @@ class NoticeBar(Bar):
         if replay:
             self.say(tr("{}: no rig is connected, nothing moves.", status.test))
             self.away.hide()
+            self.end.hide()
             self.show_when(True)
             return
         last, self._last = self._last, status
@@ -67,6 +82,8 @@ class NoticeBar(Bar):
             bool(silent or self._restart) or (status is not None and status.state is RunState.FAULT)
         )
         self.away.setVisible(bool(self._restart) and not silent)
+        found = status.calibration if status is not None and not silent else None
+        self.end.setVisible(found is not None and found.since != self.own_calibration)
         self.say(text)
         self.setToolTip(text)
         self.show_when(bool(text))

@@ -45,6 +45,7 @@ class StartBar(QFrame):
         super().__init__()
         self._recipe = recipe
         self._results = results_folder
+        self._occupied = ""
         named(self, "start_bar", "Start a test")
         self.setProperty("role", "card")
         self.test = choice("start_test", "Armed test", ())
@@ -78,6 +79,12 @@ class StartBar(QFrame):
         """Offer test files."""
         for path in tests:
             self._add(path)
+
+    def show_occupied(self, words: str) -> None:
+        """Start nothing while a calibration occupies the rig, and say so; empty: it is free."""
+        if words != self._occupied:
+            self._occupied = words
+            self._show_armed()
 
     @property
     def first(self) -> Path | None:
@@ -129,7 +136,7 @@ class StartBar(QFrame):
         self.test.setCurrentIndex(-1 if armed is None else self._add(armed.path))
         changed = armed.on_disk() if armed is not None else []
         lost = self._recipe.unsaved()
-        wrong = armed is None or bool(changed or armed.problem)
+        wrong = armed is None or bool(changed or armed.problem or self._occupied)
         text = self._sentence(changed, lost)
         if armed is not None and not wrong:
             self.out.setText(str(new_result(self._results, armed.path.stem)))
@@ -142,6 +149,8 @@ class StartBar(QFrame):
     def _sentence(self, changed: Sequence[str], lost: Sequence[str]) -> str:
         """Say what is armed; changed: what differs on the disk, lost: what is not saved."""
         armed = self._recipe.armed
+        if self._occupied:
+            return self._occupied
         if armed is None:
             return tr("No test is armed. Choose a test file, or save the new one in Prepare.")
         name = armed.path.name
@@ -189,7 +198,7 @@ class StartBar(QFrame):
         """Start, unless the file has become another one since it was armed."""
         self.revolutions.interpretText()
         out, armed = self.out.text().strip(), self._recipe.armed
-        if armed is None or not out or armed.on_disk():
+        if armed is None or not out or armed.on_disk() or self._occupied:
             self._show_armed()
             return
         arguments: dict[str, Any] = {"test": str(armed.path), "out": out}

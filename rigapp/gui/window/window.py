@@ -42,6 +42,7 @@ from rigapp.gui.window.closebar import CloseBar
 from rigapp.gui.window.command import KEY as COMMAND_KEY
 from rigapp.gui.window.command import ViewerBar, why_forbidden
 from rigapp.gui.window.controls import STARTABLE, ControlRow
+from rigapp.gui.window.endcalibration import EndCalibrationBar
 from rigapp.gui.window.header import Header
 from rigapp.gui.window.headline import headline, measured, rig_words
 from rigapp.gui.window.help import HelpWindow
@@ -56,9 +57,11 @@ from rigapp.gui.window.stage import Stage
 from rigapp.gui.window.startbar import StartBar
 from rigapp.gui.window.tabs import Tabs
 from rigapp.gui.window.watchdog import IDLE_PERIOD_S, PERIOD_S, Watchdog
+from rigapp.presentation.states import occupied_text
+from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.process.memory import begin_to_load, end_of_loading
-from rigapp.schema.messages import Snapshot, Status
+from rigapp.schema.messages import Reply, RunState, Snapshot, Status
 from rigapp.schema.states import ACTIVE
 
 if TYPE_CHECKING:
@@ -144,12 +147,14 @@ class MainWindow(QMainWindow):
         self._calibration: CalibrationWizard | None = None
         self._make_wizard: type[CalibrationWizard] | None = None
         self._calibrate_next = ""
+        self._calibrating_since, self._occupies = 0.0, False
         self.theme = theme
         self.watchdog = Watchdog(self)
         named(self, "main_window", "Rig control").setWindowTitle(PROGRAM)
         self.header = Header(theme)
         self.controls = ControlRow(connection.request, theme)
         self.close_bar = CloseBar()
+        self.end_calibration = EndCalibrationBar()
         self.notice = NoticeBar(theme)
         self.recover = RecoverPanel(theme)
         self.viewer_bar = ViewerBar(theme)
@@ -164,9 +169,8 @@ class MainWindow(QMainWindow):
         self.side = SideColumn(theme, self.recover)
         self.tabs.panels["side"] = self.side
         self.rail = Rail(theme, self.switch_theme, self.show_help)
-        self.messages = MessageLine(
-            (self.viewer_bar, self.close_bar, self.notice), self.controls.answer, theme
-        )
+        bars = (self.viewer_bar, self.close_bar, self.end_calibration, self.notice)
+        self.messages = MessageLine(bars, self.controls.answer, theme)
         if rig is not None:
             self.tabs.prepare.set_rig(rig)
         if tests:
@@ -339,25 +343,51 @@ class MainWindow(QMainWindow):
 
     def calibrate_what(self, which: str) -> None:
         """Open the wizard for the load cell, a probe or both (see ``chooser.CHOICES``)."""
-        from rigapp.calibrating.session import Rig
         from rigapp.gui.wizard.chooser import CHOICES
 
-        status = self._may_calibrate()
-        if status is None:
+        if self._may_calibrate() is None:
             self._end_calibration()
             return
         self._calibrate_next = which
         if self._make_wizard is None:
             self._say("The calibration is being opened.")
             return
+        from rigapp.calibrating.subjects import SUBJECTS
+
+        self._calibrate_next, choice = "", CHOICES[which]
+        fastest = SUBJECTS[choice.subject].fastest_rpm
+        asked = {"what": choice.what, "fastest_rpm": fastest}
+        self._connection.request("calibration_begin", asked, partial(self._occupied, which))
+
+    def _occupied(self, which: str, reply: Reply) -> None:
+        """Open the wizard once the rig is this calibration's; say why where it is not."""
+        from rigapp.calibrating.session import Rig
+        from rigapp.gui.wizard.chooser import CHOICES
+
+        status = self._connection.status
+        if not reply.ok or status is None:
+            self._end_calibration()
+            self.controls.show_answer(retold(reply.sentence), good=False)
+            return
+        begun = reply.result or {}
+        self.controls.show_answer("", good=True)
+        self._calibrating_since, self._occupies = begun.get("since", 0.0), False
+        self.notice.own_calibration = self._calibrating_since
         operator = status.operator or getuser()
         test = self.tabs.prepare.recipe.path
         rig = Rig(status.rig, status.simulated, operator, self._rig_file, test)
         line, folder = self._connection.request, self._results_folder
         choice = CHOICES[which]
-        self._calibrate_next = ""
+        assert self._make_wizard is not None
         self._calibration = self._make_wizard(
-            line, rig, self.theme, folder, parent=self, subject=choice.subject, fields=choice.fields
+            line,
+            rig,
+            self.theme,
+            folder,
+            parent=self,
+            subject=choice.subject,
+            fields=choice.fields,
+            key=begun.get("key", ""),
         )
         self._calibration.finished.connect(self._end_calibration)
         self._turns.then((self._take_calibration,))
@@ -392,6 +422,7 @@ class MainWindow(QMainWindow):
 
     def _end_calibration(self) -> None:
         self._calibration, self._calibrate_next = None, ""
+        self._calibrating_since, self._occupies = 0.0, False
         self.stage.end()
         self._show_place()
 
@@ -400,6 +431,9 @@ class MainWindow(QMainWindow):
         if self._connection.is_replay or status is None or status.state in ACTIVE:
             why: Text = "Calibrating needs a running engine and no test under way."
             self.controls.show_answer(why, good=False)
+            return None
+        if status.calibration is not None:
+            self.controls.tell_occupied()
             return None
         return status
 
@@ -426,14 +460,14 @@ class MainWindow(QMainWindow):
         self._part_timer.stop()
         self.watchdog.stop()
         self._save_layout()
+        if self._calibration is not None:
+            self._calibration.reject()  # it frees the rig over the line that is closed next
         self._connection.close()
         self._test.close()
         self._results.close()
         self._reader.close()
         if self._help is not None:
             self._help.close()
-        if self._calibration is not None:
-            self._calibration.reject()
         super().closeEvent(event)
 
     def _keep_unsaved(self) -> bool:
@@ -460,6 +494,7 @@ class MainWindow(QMainWindow):
         self._keep(IN_TEST if busy else IDLE)
         self.recover.take_status(None if self._connection.is_replay else status)
         self.notice.take_status(status, replay=self._connection.is_replay)
+        self._take_occupied(status)
         self._test.take(snapshot)
         self.tabs.take(self.news)
         self._show_place()
@@ -472,6 +507,29 @@ class MainWindow(QMainWindow):
             title = tr("Viewing only: {}", title)
         if self.windowTitle() != title:
             self.setWindowTitle(title)
+
+    def _take_occupied(self, status: Status) -> None:
+        """Take which calibration occupies the rig; close ours when somebody else has ended it."""
+        found = status.calibration
+        self.end_calibration.take_status(status)
+        self.start_bar.show_occupied(occupied_text(status) if found is not None else "")
+        ours = found is not None and found.since == self._calibrating_since
+        if self._occupies and not ours and self._calibration is not None:
+            self._calibration.reject()
+            why: Text = "The calibration was ended elsewhere. All readings are kept."
+            self.controls.show_answer(why, good=False)
+        self._occupies = ours and self._calibration is not None
+
+    def _ask_end_calibration(self) -> None:
+        if self._connection.status is not None:
+            self.end_calibration.ask(self._connection.status)
+
+    def _next_step(self) -> None:
+        """Do the next step that the message line names; there is none in a calibration."""
+        status = self._connection.status
+        if status is not None and status.state is RunState.CALIBRATING:
+            self.controls.tell_occupied()
+        self.recover.press()
 
     def _keep(self, rhythm: Rhythm) -> None:
         if rhythm is not self.rhythm:
@@ -658,6 +716,8 @@ class MainWindow(QMainWindow):
         self.recover.start_wanted.connect(self.start_bar.open)
         self.controls.answered.connect(self.recover.answered)
         self.controls.refused.connect(lambda refused: self.messages.give_room(refused=refused))
+        self.notice.end_wanted.connect(self._ask_end_calibration)
+        self.end_calibration.wanted.connect(self.controls.send)
         self.close_bar.leave.connect(self._leave)
         self.close_bar.stop_first.connect(self._stop_and_close)
         self.replay_bar.wanted.connect(self.controls.send)
@@ -670,7 +730,7 @@ class MainWindow(QMainWindow):
         for key, call in (
             ("F1", self.show_help),
             (COMMAND_KEY, self.controls.command_line.act),
-            (RECOVER_KEY, self.recover.press),
+            (RECOVER_KEY, self._next_step),
             ("F9", self.switch_theme),
             ("F3", self.calibrate),
         ):

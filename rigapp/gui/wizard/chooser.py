@@ -19,32 +19,44 @@ from rigapp.presentation.translation import Text, tr
 class Choice:
     """One thing to choose: its name with an access key, how it is done, and the subject it is.
 
-    fields: what the first page says at the beginning, by the name of its field.
+    what: how it is named where it occupies the rig. fields: what the first page says at the
+    beginning, by the name of its field.
     """
 
     text: Text
     words: Text
+    what: Text
     subject: str
     fields: Mapping[str, str] = field(default_factory=dict)
 
 
 CHOICES = {
-    "load cell": Choice("&Load cell", "with weights, at several pin angles", "load cell"),
+    "load cell": Choice(
+        "&Load cell", "with weights, at several pin angles", "load cell", "load cell"
+    ),
     "daily": Choice(
         "&Daily check",
         "of the load cell, one weight at 4 pin angles",
+        "daily check",
         "load cell",
         {"plan": "daily"},
     ),
-    "1": Choice("&Probe 1", "with a micrometer along the follower", "probes", {"which": "1"}),
-    "2": Choice("Prob&e 2", "with a micrometer across the follower", "probes", {"which": "2"}),
+    "1": Choice(
+        "&Probe 1", "with a micrometer along the follower", "probe 1", "probes", {"which": "1"}
+    ),
+    "2": Choice(
+        "Prob&e 2", "with a micrometer across the follower", "probe 2", "probes", {"which": "2"}
+    ),
     "both": Choice(
         "&Both probes",
         "with a micrometer stage; finds how the probes stand as well",
+        "both probes",
         "probes",
         {"which": "both"},
     ),
-    "run-out": Choice("&Run-out of the pin", "by slow rolls of the spindle", "run-out"),
+    "run-out": Choice(
+        "&Run-out of the pin", "by slow rolls of the spindle", "run-out of the pin", "run-out"
+    ),
 }
 """What is chosen: the subject, or which of several things of it."""
 

@@ -90,7 +90,7 @@ class LiveCalibration(QObject):
     """Listen to the engine and hold the calibration under way; nothing here waits.
 
     question: what the engine is asked over and over; view: its newest answer, None before there is
-    one.
+    one. key: of the calibration that occupies the rig.
     """
 
     question: Question = ("signals", {"window_s": LISTEN_S})
@@ -105,6 +105,7 @@ class LiveCalibration(QObject):
         super().__init__()
         self._line, self._session_type = line, session_type
         self.rig, self.practice = rig, session_type.practice
+        self.key = ""
         self.session: Any = None
         self.view: Mapping[str, Any] | None = None
         self.window: Any = None
@@ -146,6 +147,8 @@ class LiveCalibration(QObject):
         self._hands.tidy_up(self.practice.tidy_up)
         self.close_session()
         self._worker.close()
+        if self.key:
+            self._line("calibration_end", {"key": self.key}, lambda reply: None)
 
     def tick(self) -> None:
         """Ask the engine again unless an answer is still due."""

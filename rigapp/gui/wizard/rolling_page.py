@@ -52,7 +52,8 @@ class RollingCalibration(LiveCalibration):
             return
         if action is not None:
             self._asked = True
-            self._line(action.verb, dict(action.arguments), self._answered)
+            asked = {**action.arguments, "calibration": self.key}
+            self._line(action.verb, asked, self._answered)
         elif session.runs.done:
             self._end("")
 

@@ -72,8 +72,12 @@ class CalibrationWizard(QWizard):
         *,
         subject: str = "load cell",
         fields: Mapping[str, str] | None = None,
+        key: str = "",
     ) -> None:
-        """Make the pages of a subject; fields: what those of the first page say at first."""
+        """Make the pages of a subject; fields: what those of the first page say at first.
+
+        key: of the calibration by which this wizard occupies the rig; its end frees the rig.
+        """
         super().__init__(parent)
         of, face = SUBJECTS[subject], FACES[subject]
         session: Any = face.session or of.session
@@ -87,6 +91,7 @@ class CalibrationWizard(QWizard):
         self.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
         self.setModal(False)
         self.live = face.live(line, rig, session)
+        self.live.key = key
         self._held: QWidget | None = None
         self.live.judged.connect(self._hold_focus)
         self.plan = PlanPage(

@@ -1,0 +1,155 @@
+"""The calibration that occupies a rig: weights may hang on the pin, so nothing else turns it.
+
+It begins with a key, by which its holder ends it and may turn the spindle at the speeds that it
+needs. What nobody ended, as its window died, stays until somebody releases it on purpose, in a new
+engine of the rig too.
+"""
+
+from __future__ import annotations
+
+import logging
+import threading
+import time
+import uuid
+from collections.abc import Callable
+from pathlib import Path
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.writing import whole_file
+from rigapp.process.private import read_own
+from rigapp.schema.messages import OpenCalibration, Request
+from rigapp.schema.states import Occupied, Refused
+from rigapp.service.registry import kept_of
+
+log = logging.getLogger(__name__)
+
+Log = Callable[[str, str], None]
+"""Takes the text of an event and who did it."""
+
+
+class HeldCalibration(msgspec.Struct, frozen=True):
+    """An open calibration with what its holder alone knows.
+
+    key: ends it, and starts its tests, of ``fastest_rpm`` at most. client: the viewer that began.
+    """
+
+    shown: OpenCalibration
+    key: str
+    fastest_rpm: float = 0.0
+    client: str = ""
+
+
+class RigCalibration:
+    """Keep the one calibration of a rig; every method may be called from any thread."""
+
+    def __init__(self, rig: Path | None, log_line: Log) -> None:
+        """Take up what the disk keeps of a rig file; None: of a rig that ends with its engine."""
+        self._rig, self._log = rig, log_line
+        self._lock = threading.Lock()
+        self._held = kept_calibration(rig) if rig is not None else None
+
+    @property
+    def shown(self) -> OpenCalibration | None:
+        """Return what viewers see of it, None while nothing is calibrated."""
+        held = self._held
+        return held.shown if held is not None else None
+
+    def begin(self, request: Request, what: str, fastest_rpm: float) -> dict[str, str | float]:
+        """Occupy the rig; return key and beginning. Raises Occupied where another one is open."""
+        who = request.operator.strip() or "somebody"
+        with self._lock:
+            self._refuse()
+            shown = OpenCalibration(what, who, round(time.time(), 3))
+            self._held = HeldCalibration(shown, uuid.uuid4().hex, fastest_rpm, request.client)
+            key = self._held.key
+            self._keep()
+        self._log(f"the calibration begins: {what}", who)
+        return {"key": key, "since": shown.since}
+
+    def end(self, key: str, request: Request) -> None:
+        """End it in order; raise Refused where it is open no longer."""
+        with self._lock:
+            held = self._held
+            if held is None or held.key != key:
+                raise Refused("this calibration was ended already")
+            self._held = None
+            self._keep()
+        self._log(f"the calibration is over: {held.shown.what}", request.operator or held.shown.who)
+
+    def release(self, since: float, reason: str, request: Request) -> None:
+        """End it on purpose, in place of its holder; raise Refused where it is another one."""
+        with self._lock:
+            held = self._held
+            if held is None:
+                raise Refused("no calibration is open")
+            if since and since != held.shown.since:
+                raise Refused(f"another calibration is open: {_words(held.shown)}")
+            self._held = None
+            self._keep()
+        why = f": {reason.strip()}" if reason.strip() else ""
+        self._log(f"ended the calibration of {held.shown.who}, {held.shown.what}{why}",
+                  request.operator.strip() or "somebody")  # fmt: skip
+
+    def judge(self, key: str = "", rpm: float = 0.0) -> None:
+        """Raise Occupied where a test may not start; rpm: its fastest speed, key: its holder's."""
+        held = self._held
+        if held is None or held.key != key:
+            self._refuse()
+        elif rpm > held.fastest_rpm:
+            raise Refused(
+                f"this calibration turns the spindle at {held.fastest_rpm:g} rpm at most, the test"
+                f" at {rpm:g} rpm"
+            )
+
+    def judge_viewer(self, client: str) -> None:
+        """Raise Occupied unless nothing is calibrated, or by this viewer."""
+        held = self._held
+        if held is None or not client or held.client != client:
+            self._refuse()
+
+    def _refuse(self) -> None:
+        if self._held is not None:
+            raise Occupied(occupied_words(self._held.shown))
+
+    def _keep(self) -> None:
+        """Write it for the next engine; a calibration is not held up where that fails."""
+        if self._rig is None:
+            return
+        try:
+            path = kept_of(self._rig, "calibrations")
+            if self._held is None:
+                path.unlink(missing_ok=True)
+                return
+            with whole_file(path, mode=0o600) as part:
+                part.write_bytes(msgspec.json.encode(self._held))
+        except (UnusableInput, OSError) as error:
+            log.warning("the open calibration is not kept for another engine: %s", error)
+
+
+def kept_calibration(rig: Path) -> HeldCalibration | None:
+    """Return the calibration that a rig's engine left open, None without one."""
+    try:
+        text = read_own(kept_of(rig, "calibrations"))
+        return msgspec.json.decode(text or b"", type=HeldCalibration)
+    except (UnusableInput, ValueError):
+        return None
+
+
+def forget_calibration(rig: Path) -> None:
+    """End the calibration that a rig's engine left open, while no engine runs."""
+    kept_of(rig, "calibrations").unlink(missing_ok=True)
+
+
+def occupied_words(shown: OpenCalibration) -> str:
+    """Return which calibration occupies the rig, and how to end it."""
+    return (
+        f"{_words(shown)}. Close that calibration, or end it: End calibration in a window, or"
+        " rigapp calibrate release"
+    )
+
+
+def _words(shown: OpenCalibration) -> str:
+    since = time.strftime("%H:%M", time.localtime(shown.since))
+    return f"{shown.who} is calibrating: {shown.what}, since {since}"
