@@ -34,15 +34,14 @@ Actions = tuple[Action, ...]
 class Practice:
     """How a calibration is practised.
 
-    mistakes: to be planted, the first of them none. prepare, tidy_up: what makes the rig ready, and
-    puts it together again. plant: what begins a mistake at the rig and ends all others. act
-    (session, mistake, since): what the hands do for the step under way, ``since``: the step at
-    which the mistake began.
+    mistakes: to be planted, the first of them none. prepare: what makes the rig ready; the engine
+    puts it together when the calibration ends. plant: what begins a mistake at the rig and ends all
+    others. act (session, mistake, since): what the hands do for the step under way, ``since``: the
+    step at which the mistake began.
     """
 
     mistakes: type[enum.StrEnum]
     prepare: Actions
-    tidy_up: Actions
     plant: Callable[[Any], Actions]
     act: Callable[[Any, Any, int], Actions]
 
@@ -53,7 +52,7 @@ class NoMistake(enum.StrEnum):
     NONE = "none"
 
 
-NO_PRACTICE = Practice(NoMistake, (), (), lambda _: (), lambda *_: ())
+NO_PRACTICE = Practice(NoMistake, (), lambda _: (), lambda *_: ())
 
 # --- weights --------------------------------------------------------------------------------------
 
@@ -71,6 +70,8 @@ _FAULTS = {
     WeighingMistake.SWAPPED_CABLE: "swapped_bridges",
     WeighingMistake.SWINGING: "swinging_weight",
 }
+MISTAKES = tuple(_FAULTS.values())
+"""Faults of the simulated rig by which a mistake is made."""
 ONCE_ROUND = (90.0, 180.0, 270.0, 359.0, 0.0)
 """Angles (degrees) that lead the pin once past the encoder's index."""
 BARE_PIN: Actions = (
@@ -82,7 +83,7 @@ BARE_PIN: Actions = (
 
 def _plant_fault(mistake: WeighingMistake) -> Actions:
     """Begin a mistake at the rig; a wrong weight is a matter of what is hung."""
-    ends = tuple(Action("clear_fault", {"kind": kind}) for kind in _FAULTS.values())
+    ends = tuple(Action("clear_fault", {"kind": kind}) for kind in MISTAKES)
     kind = _FAULTS.get(mistake)
     return (*ends, Action("inject_fault", {"kind": kind})) if kind else ends
 
@@ -117,7 +118,6 @@ def _wrong_by(hanging: Sequence[float]) -> float:
 LOAD_CELL_PRACTICE = Practice(
     WeighingMistake,
     prepare=BARE_PIN,
-    tidy_up=(*_plant_fault(WeighingMistake.NONE), _hand("put_on_follower")),
     plant=_plant_fault,
     act=_weigh,
 )
@@ -185,7 +185,6 @@ def _with_mistake(procedure: Procedure[Any], mistake: MicrometerMistake, since: 
 PROBE_PRACTICE = Practice(
     MicrometerMistake,
     prepare=(_hand("take_off_follower"), *_set(0.0, 0.0)),
-    tidy_up=(*_set(0.0, 0.0), _hand("put_on_follower")),
     plant=lambda _: (),
     act=_turn_micrometer,
 )

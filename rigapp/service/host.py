@@ -562,7 +562,7 @@ class EngineHost:
         process = self._simulated.process
         for _ in range(HAND_LOOKS):
             self._behind.note(self.engine.samples_processed, int(process.state()["samples"]))
-        process.hand(asked.what, **asked.details)
+        self._simulated.hand(asked.what, asked.details)
         return {"after_sample": self._behind.processed_at(int(process.state()["samples"]))}
 
     def _resume_paused(self, asked: Nothing, by: Request) -> None:
@@ -581,11 +581,23 @@ class EngineHost:
 
     def _end_calibration(self, asked: CalibrationKey, by: Request) -> None:
         self._calibration.end(asked.key, by)
+        self._put_together()
 
     def _release_calibration(self, asked: ReleaseCalibration, by: Request) -> None:
         if self.engine.state in ACTIVE:
             raise Refused("the spindle turns for the calibration; stop it first")
         self._calibration.release(asked.since, asked.reason, by)
+        self._put_together()
+
+    def _put_together(self) -> None:
+        """Take the hands of a training off the simulated rig: the crank would stay locked."""
+        try:
+            if self.engine.state not in ACTIVE:
+                self._simulated.put_together()
+        except (UnusableInput, SimulationFailed) as error:
+            self.engine.log(
+                "calibrating", f"the simulated rig is as it was left: {error}", "engine"
+            )
 
     def _connect_request(self, asked: Nothing, by: Request) -> None:
         with self._starting:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal
+from typing import Any, Literal
 
+from rigapp.calibrating.practice import MISTAKES
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.parameters import ParameterFile
@@ -49,6 +50,7 @@ class SimulatedDevices:
         self._process: SimulatedRig | None = None
         self._parameters: ParameterFile | None = None
         self._specimen: str | None = None
+        self._handled = False
 
     @property
     def needed(self) -> bool:
@@ -99,8 +101,25 @@ class SimulatedDevices:
         self.process.wear_to(max(worn_um, 0.0))
         return True
 
+    def hand(self, what: str, details: Mapping[str, Any]) -> None:
+        """Let the simulated hands do something; raise UnusableInput, SimulationFailed."""
+        self._handled = True
+        self.process.hand(what, **details)
+
+    def put_together(self) -> None:
+        """Take simulated hands off the rig: no weight, no mistake, the follower on the pin.
+
+        Raises UnusableInput while the spindle turns, SimulationFailed.
+        """
+        if self._handled and self._process is not None:
+            for kind in MISTAKES:
+                self.process.clear(kind)
+            self.process.hand("put_on_follower")
+            self._handled = False
+
     def close(self) -> None:
         """End the simulated rig."""
+        self._handled = False
         if self._process is not None:
             self._process.close()
             self._process = None

@@ -123,6 +123,7 @@ class PlantHands:
             case PutOnFollower():
                 self._off = False
                 self._weight_N = 0.0
+                self._micrometers_um = [0.0, 0.0]
             case HangWeight(mass_kg=mass, gravity_m_s2=gravity, hung_s=hung):
                 self._locked = True
                 creep = CREEP_PER_DECADE * math.log10(max(hung, CREEP_FROM_S) / CREEP_FROM_S)

@@ -187,6 +187,36 @@ def test_the_queue_waits_and_fails_no_test(
 
 
 @pytest.mark.timeout(300)
+@pytest.mark.parametrize("end", ["calibration_end", "calibration_release"])
+def test_the_crank_turns_after_a_training_that_ends_in_the_middle(
+    viewer: Callable[[str], Client], tmp_path: Path, host: EngineHost, end: str
+) -> None:
+    """The simulated crank is locked while the follower is off; no reset takes the lock away."""
+    ada = viewer("Ada")
+    start = {"test": str(recipe(tmp_path, 3, twin=False))}
+
+    def turns(name: str) -> None:
+        reply = ada.request("start", {**start, "out": str(tmp_path / name)})
+        assert reply.ok, reply.sentence
+        host.engine.wait((RunState.STOPPED, RunState.FAULT), PATIENCE_S)
+        outcome = host.engine.outcome
+        assert outcome is not None
+        assert outcome.status == "complete", outcome
+
+    turns("before.h5")  # the rig has the mechanism of the test, and is not put up anew for it
+    key = begun(ada)
+    for what, details in (
+        ("take_off_follower", {}),
+        ("turn_pin", {"angle_deg": 90.0}),
+        ("hang_weight", {"mass_kg": 32.5}),
+    ):
+        assert ada.request("hand", {"what": what, "details": details}).ok
+    assert ada.request("inject_fault", {"kind": "swapped_bridges"}).ok
+    assert ada.request(end, {"key": key}).ok
+    turns("after.h5")
+
+
+@pytest.mark.timeout(300)
 def test_a_killed_holder_leaves_it_until_it_is_released_on_purpose(
     viewer: Callable[[str], Client], tmp_path: Path, running: Callable[..., Running]
 ) -> None:

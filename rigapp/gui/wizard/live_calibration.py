@@ -62,12 +62,9 @@ class HandsQueue:
             self.prepared = True
             self.add(actions)
 
-    def tidy_up(self, actions: Iterable[Action]) -> None:
-        """Put a prepared rig together again, waiting for no answer."""
-        if self.prepared:
-            for action in actions:
-                self._line(action.verb, dict(action.arguments), lambda reply: None)
-            self.prepared = False
+    def drop(self) -> None:
+        """Do nothing more; the engine puts the rig together when the calibration ends."""
+        self._actions.clear()
 
     def _next(self) -> None:
         self.busy = bool(self._actions)
@@ -142,9 +139,9 @@ class LiveCalibration(QObject):
             self.session = None
 
     def close(self) -> None:
-        """Stop listening, put the simulated rig together again; what was recorded stays."""
+        """Stop listening and free the rig; what was recorded stays."""
         self._timer.stop()
-        self._hands.tidy_up(self.practice.tidy_up)
+        self._hands.drop()
         self.close_session()
         self._worker.close()
         if self.key:
