@@ -156,10 +156,11 @@ class EngineConnection:
         if client is not None and self.command.holder is CommandHolder.THIS:
             with suppress(Exception):
                 client.request("release_command", {}, RELEASE_S)
-        if client is not None and self._requests.idle and self._urgent.idle:
-            client.close()
         for worker in (self._attaching, self._requests, self._urgent):
             worker.close(timeout_s=1.0)
+        # What was asked for last, such as the end of a calibration, goes out before.
+        if client is not None and self._requests.ended and self._urgent.ended:
+            client.close()
 
     def _look_who_commands(self, status: Status) -> None:
         client = self._client

@@ -42,6 +42,11 @@ class TaskWorker:
         """Tell whether every call so far has ended and its result was delivered."""
         return self._waiting == 0
 
+    @property
+    def ended(self) -> bool:
+        """Tell whether its thread has ended, so that no call uses anything any more."""
+        return not self._thread.is_alive()
+
     def deliver(self) -> None:
         """Hand over what is ready."""
         for _ in range(self._results.qsize()):
