@@ -98,7 +98,7 @@ DEEDS: dict[str, Callable[[Bench], None]] = {
     "nonsense": _fault(
         lambda rig: setattr(rig.source, "broken", ProtocolError("daq", "memory", "nonsense"))
     ),
-    "thread dies": _fault(lambda rig: setattr(rig.source, "broken", ValueError("a defect"))),
+    "driver fails": _fault(lambda rig: setattr(rig.source, "broken", ValueError("a defect"))),
     "device gone": _fault(lambda rig: setattr(rig.source, "open_fails", True)),
     "encoder dead": _fault(lambda rig: setattr(rig.source, "encoder_dead", True)),
     "index missing": _fault(lambda rig: setattr(rig.source, "index_dead", True)),
@@ -255,7 +255,7 @@ def test_what_forbids_to_turn_is_said_by_connect_and_start(
     [
         ("lost", "daq on memory: .*reconnect", FinishReason.DEVICE),
         ("silent", "daq on memory has sent no samples.*reconnect", FinishReason.DEVICE),
-        ("broken", "thread read daq failed: ValueError: a defect", FinishReason.INTERNAL),
+        ("broken", "daq on memory: its driver .* failed.*reconnect", FinishReason.DEVICE),
     ],
 )
 def test_a_fault_that_comes_during_the_start_is_its_refusal(
