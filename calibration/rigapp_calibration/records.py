@@ -88,7 +88,7 @@ def unseal(data: bytes) -> Record:
     try:
         sealed = json.loads(data)
     except (UnicodeDecodeError, json.JSONDecodeError) as error:
-        raise RecordError(f"it is not a calibration record ({error})") from error
+        raise RecordError(f"it is not a calibration record ‹{error}›") from error
     if not isinstance(sealed, dict) or "digest" not in sealed or "kind" not in sealed:
         raise RecordError("it is not a calibration record")
     if sealed.get("schema") != SCHEMA:

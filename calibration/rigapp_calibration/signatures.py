@@ -43,7 +43,7 @@ def sign(record: Record, private: bytes) -> Signature:
     try:
         key = serialization.load_pem_private_key(private, password=None)
     except (ValueError, TypeError, UnsupportedAlgorithm) as error:
-        raise UnusableKey(f"it is no private key in PEM without a passphrase ({error})") from error
+        raise UnusableKey(f"it is no private key in PEM without a passphrase ‹{error}›") from error
     if not isinstance(key, Ed25519PrivateKey):
         raise UnusableKey("it is not an Ed25519 key; make one with rigapp calibrate key")
     public = key.public_key().public_bytes_raw()
@@ -67,7 +67,7 @@ def public_key_of(pem: bytes) -> str:
     try:
         key = serialization.load_pem_public_key(pem)
     except (ValueError, UnsupportedAlgorithm) as error:
-        raise UnusableKey(f"it is no public key in PEM ({error})") from error
+        raise UnusableKey(f"it is no public key in PEM ‹{error}›") from error
     if not isinstance(key, Ed25519PublicKey):
         raise UnusableKey("it is not an Ed25519 key")
     return key.public_bytes_raw().hex()

@@ -62,7 +62,7 @@ def load_driver(name: str) -> DriverInfo:
         )
     with foreign(
         lambda error: DriverBroken(
-            f'The driver "{name}" ({entry.value}) cannot be loaded: {failure_words(error)}; '
+            f'The driver "{name}" cannot be loaded ‹{entry.value}: {failure_words(error)}›; '
             f"{_way_out(name, error)}."
         )
     ):
@@ -107,8 +107,9 @@ def load_simulator(info: DriverInfo) -> type[Any]:
     package = package_of(info.name)
     with foreign(
         lambda error: DriverBroken(
-            f'The simulator of driver "{info.name}" ({info.simulator}) cannot be loaded: '
-            f"{failure_words(error)}; reinstall or update the package {package}."
+            f'The simulator of driver "{info.name}" cannot be loaded '
+            f"‹{info.simulator}: {failure_words(error)}›; "
+            f"reinstall or update the package {package}."
         )
     ):
         simulator = getattr(importlib.import_module(module_name), class_name)

@@ -126,7 +126,9 @@ class SerialPort:
                 raise self._lost(error, "writing") from error
             self.bytes_sent += len(data) if sent is None else sent
         if sent is not None and sent != len(data):
-            raise DeviceLost.at(self, f"only {sent} of {len(data)} bytes could be sent.")
+            raise DeviceLost.at(
+                self, f"a request could not be sent whole ‹{sent} of {len(data)} bytes›."
+            )
 
     def drain(self) -> bytes:
         """Read until the line is quiet for 20 ms, at most 2 s, and return what came."""
@@ -256,16 +258,16 @@ def _why_not_opened(error: Exception, port: str) -> str:
             "(often dialout or uucp) and log in again."
         )
     if port.startswith("socket://"):
-        return f"no connection ({text}); check host, port number and that the server runs."
+        return f"no connection ‹{text}›; check host, port number and that the server runs."
     if number in (errno.ENOENT, errno.ENXIO, errno.ENODEV):
         return "there is no such port; check the cable, the power and the port's name."
-    return f"the port cannot be opened ({text}); check the port's name in the rig file."
+    return f"the port cannot be opened ‹{text}›; check the port's name in the rig file."
 
 
 def _why_lost(error: Exception, doing: str) -> str:
     if isinstance(error, serial.SerialTimeoutException):
         return (
-            "the device takes no more bytes (write time-out); check the cable and switch the "
+            "the device takes no more data (write time-out); check the cable and switch the "
             "device off and on."
         )
-    return f"the connection broke while {doing} ({error}); check cable and power."
+    return f"the connection broke while {doing} ‹{error}›; check cable and power."

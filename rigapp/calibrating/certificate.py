@@ -48,7 +48,7 @@ def write_certificate(record: Path, to: Path, issued: datetime.date | None = Non
     except FileNotFoundError as error:
         raise UnusableInput(f"{record}: there is no such record; check the name.") from error
     except (OSError, RecordError, UnusableInput) as error:
-        raise UnusableInput(f"{record}: {error}.") from error
+        raise UnusableInput(f"{record}: the record cannot be used ‹{error}›.") from error
     found = verified(data)
     for one in filter(None, (in_future(sealed, time.time()), *found.differences)):
         raise UnusableInput(f"{record}: there is no certificate of it: {one}")

@@ -25,7 +25,7 @@ class Journal:
         try:
             self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o644)
         except OSError as error:
-            raise UnusableInput(f"{path}: the journal cannot be opened ({error}).") from error
+            raise UnusableInput(f"{path}: the journal cannot be opened ‹{error}›.") from error
         if not hold_writer_lock(self._file):
             os.close(self._file)
             raise UnusableInput(
@@ -45,7 +45,7 @@ class Journal:
             try:
                 event = json.loads(line)
                 if not isinstance(event, dict):
-                    raise ValueError("not an object")
+                    raise ValueError("no line of a journal")
             except ValueError as error:
                 raise UnusableInput(
                     f"{self.path}: line {number} is not an event ({error}); name another journal."
@@ -59,11 +59,11 @@ class Journal:
         try:
             written = os.write(self._file, line)
             if written < len(line):
-                raise OSError(f"only {written} of {len(line)} bytes were written")
+                raise OSError(f"only a part was written ‹{written} of {len(line)} bytes›")
             os.fsync(self._file)
         except OSError as error:
             raise UnusableInput(
-                f"{self.path}: the reading was not saved ({error}); make room and record it again."
+                f"{self.path}: the reading was not saved ‹{error}›; make room and record it again."
             ) from error
 
     def close(self) -> None:

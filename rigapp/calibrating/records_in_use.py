@@ -123,7 +123,7 @@ def _read(rig: Rig, key: str, name: str, kinds: tuple[str, ...]) -> tuple[str, R
         data = read_bytes(path)
         record = unseal(data)
     except OSError as error:
-        raise UnusableInput(f"{where}: the record cannot be read ({error}).") from error
+        raise UnusableInput(f"{where}: the record cannot be read ‹{error}›.") from error
     except RecordError as error:
         raise UnusableInput(f"{where}: {error}.") from error
     if record.kind not in kinds:

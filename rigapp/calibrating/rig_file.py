@@ -62,7 +62,7 @@ def _copy(rig: Path, text: str) -> Path:
             continue
         except OSError as error:
             raise UnusableInput(
-                f"{copy}: the copy of the rig file cannot be written ({error}); nothing is changed."
+                f"{copy}: the copy of the rig file cannot be written ‹{error}›; nothing is changed."
             ) from error
         return copy
     raise UnusableInput(f"{rig}: there are too many copies beside it; remove some.")

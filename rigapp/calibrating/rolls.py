@@ -169,7 +169,7 @@ class RollSession:
                 told = events[0]["plan"]
                 return RollPlan(tuple(told["speeds"]), told["revolutions"], told["orders"])
             except (KeyError, TypeError) as error:
-                raise UnusableInput(f"{self.journal.path}: it tells no rolls ({error}).") from error
+                raise UnusableInput(f"{self.journal.path}: it tells no rolls ‹{error}›.") from error
         if plan is None:
             raise UnusableInput("there are no rolls to take up; begin a map.")
         self.journal.append({"event": "begin", "rig": self.rig.name, "plan": asdict(plan)})

@@ -119,7 +119,7 @@ def verify(record: Record) -> Verification:
     try:
         again = kind.fit(content)
     except (ReadingsError, UnusableInput, msgspec.ValidationError, KeyError) as error:
-        words = (f"Its readings cannot be fitted by this version: {error}.",)
+        words = (f"Its readings cannot be fitted by this version ‹{error!r}›.",)
         newer = record.evaluation > EVALUATION
         return Verification(0, (), words) if newer else Verification(0, words)
     same = record.evaluation == EVALUATION

@@ -16,6 +16,7 @@ import typer
 from rigapp.cli import calibrations, models, recorded, rig, unattended
 from rigapp.cli.options import WholeSentences, option
 from rigapp.config.errors import UnusableInput
+from rigapp.schema.details import error_text, indented
 
 app = typer.Typer(
     name="rigapp",
@@ -103,7 +104,8 @@ def _report(error: Exception) -> int:
         return 2
     wrong_call = getattr(error, "format_message", None)
     if wrong_call is None:
-        print(f"rigapp: {error or type(error).__name__}", file=sys.stderr)
+        text = error_text(error, "an unexpected error; --debug shows where.")
+        print(f"rigapp: {indented(text)}", file=sys.stderr)
         return _status_of(error)
     if type(error).__name__ == "NoArgsIsHelpError":
         print(wrong_call())

@@ -21,6 +21,7 @@ from rigapp.config.rig import RigFile
 from rigapp.config.rules import check_rules
 from rigapp.engine.devices import LoadDriver, make_devices, plan_devices
 from rigapp.notify.ways import inspected, ways_of
+from rigapp.schema.details import indented
 from rigapp.schema.messages import Status
 from rigapp.service.preflight import Check, Checked, blocked, disk_facts, preflight
 from rigapp.simulation.handle import SimulationFailed
@@ -65,6 +66,7 @@ def _print_table(checks: Sequence[Check]) -> None:
     table = Table(show_header=False, box=None, pad_edge=False)
     for check in checks:
         text = f"{check.finding}. {check.action}" if check.action else check.finding
+        text = indented(text)
         table.add_row(MARKS[check.verdict], check.what, text)
     Console(width=None if sys.stdout.isatty() else PIPE_WIDTH).print(table)
 

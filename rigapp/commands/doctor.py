@@ -325,7 +325,7 @@ def _window() -> Iterator[Observation]:
         yield Observation("Window self test", "did not end within 120 s.", False)
         return
     except OSError as error:
-        yield Observation("Window self test", f"could not be started ({error}).", False)
+        yield Observation("Window self test", f"could not be started ‹{error}›.", False)
         return
     if done.returncode == 0:
         yield Observation("Window self test", "passed")

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from rigapp.config.extras import from_extra
 from rigapp.process.ending import ending_as_interrupt
+from rigapp.schema.details import indented
 
 
 def serve_page(
@@ -24,6 +25,6 @@ def serve_page(
     except KeyboardInterrupt:
         return 0
     if server.failure:
-        print(f"rigapp: {server.failure}", file=sys.stderr)
+        print(f"rigapp: {indented(str(server.failure))}", file=sys.stderr)
         return 1
     return 0

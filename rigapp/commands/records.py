@@ -15,6 +15,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.reading import read_bytes
 from rigapp.config.writing import whole_file
 from rigapp.process.private import open_to_others
+from rigapp.schema.details import error_text
 from rigapp_calibration.records import Record, RecordChanged, RecordError, in_future, seal, unseal
 from rigapp_calibration.signatures import UnusableKey, fingerprint, new_key, public_key_of, sign
 
@@ -131,7 +132,8 @@ def _read(path: Path) -> tuple[bytes, Record]:
     except RecordChanged:
         raise
     except (OSError, RecordError) as error:
-        raise UnusableInput(f"{path}: {error}.") from error
+        why = error_text(error, "the record cannot be read")
+        raise UnusableInput(f"{path}: {why}.") from error
 
 
 def _not_by(record: Record, public_key: Path) -> list[str]:

@@ -16,6 +16,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.process.ending import Background, asked_to_end, end_at_once, ending_as_interrupt
+from rigapp.schema.details import indented
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.notices import Committed, Finished, Notice, StateChanged
 from rigapp.schema.states import ACTIVE, Ending, InFault, Refused
@@ -171,7 +172,7 @@ def show_resumption(found: Resumption) -> None:
         values = one.now if same else f"{one.before} -> {one.now}"
         text = ": ".join(part for part in (one.what, values) if part)
         lines.append(f"  {one.fit.value:14} {text}{f' ({one.sentence})' if one.sentence else ''}")
-    print("\n".join(lines), file=sys.stderr)
+    print("\n".join(map(indented, lines)), file=sys.stderr)
 
 
 def _refuse_bad_target(out: Path) -> None:
@@ -189,7 +190,7 @@ def _report(end: Finished) -> int:
     status = STATUS[end.reason]
     sentence = f"{end.file}: {end.revolutions} revolutions, {end.status}. {end.sentence}"
     with suppress(OSError):  # of a terminal that was closed
-        print(sentence, file=sys.stderr)
+        print(indented(sentence), file=sys.stderr)
     return status
 
 
@@ -279,7 +280,7 @@ def _not_started(
     )
     shown.notice(end)
     with suppress(OSError):
-        print(end.sentence, file=sys.stderr)
+        print(indented(end.sentence), file=sys.stderr)
     return STATUS[why]
 
 

@@ -163,7 +163,7 @@ def _owner(path: Path) -> str:
     except FileNotFoundError:
         return ""
     except (OSError, ValueError) as error:
-        raise UnusableInput(f"{path}: cannot be read ({error}).") from error
+        raise UnusableInput(f"{path}: cannot be read ‹{error}›.") from error
     of = next((line.removeprefix("X-Of=") for line in lines if line.startswith("X-Of=")), "")
     return of.replace("%%", "%").replace("\\\\", "\\") or "another program"
 

@@ -53,7 +53,8 @@ def _asked(entry: Any) -> dict[str, Any]:
         client.close()
     if not reply.ok:
         return {**shown, "problem": reply.sentence}
-    status, shown["state_word"], shown["state_line"] = _told(reply.result)
+    status = reply.result
+    shown |= _told(status)
     names = (
         "state", "reason", "rig", "test", "file", "revolution", "planned", "committed",
         "speed_rpm", "data_age_s", "in_command", "simulated",
@@ -73,15 +74,23 @@ def _asked(entry: Any) -> dict[str, Any]:
     }
 
 
-def _told(result: Any) -> tuple[Any, str, str]:
-    """Return a status with its state in a word and in a line, as the window says them."""
+def _told(result: Any) -> dict[str, str]:
+    """Return the state of a status in a word and in a line, as the window says them."""
     import msgspec
 
-    from rigapp.presentation.states import state_line, state_word
+    from rigapp.presentation.states import state_details, state_line, state_word
     from rigapp.schema.messages import Status
 
     status = msgspec.convert(result, Status)
-    return result, state_word(status), state_line(status)
+    told = {"state_word": state_word, "state_line": state_line, "state_details": state_details}
+    return {name: tell(status) for name, tell in told.items()}
+
+
+def _indented(text: str) -> list[str]:
+    """Return the lines of a text with its details below it."""
+    from rigapp.schema.details import indented
+
+    return [f"  {line}" for line in indented(text).splitlines()]
 
 
 def _finite(value: Any) -> Any:
@@ -92,9 +101,10 @@ def _finite(value: Any) -> Any:
 def _lines(one: dict[str, Any]) -> list[str]:
     head = f"engine {one['pid']}: {one['rig_file']}"
     if "problem" in one:
-        return [head, f"  {one['problem']}"]
+        return [head, *_indented(one["problem"])]
     word, line = one["state_word"], one["state_line"]
     lines = [head, f"  {line}" if line.startswith(word) else f"  {word}. {line}"]
+    lines += [f"      {one}" for one in one["state_details"].splitlines()]
     if one["file"]:
         lines.append(
             f"  {one['test']}: revolution {one['revolution']} of {one['planned']},"
@@ -102,7 +112,6 @@ def _lines(one: dict[str, Any]) -> list[str]:
         )
     if one["in_command"]:
         lines.append(f"  in command: {one['in_command']}")
-    lines += [
-        f"  {alarm['severity']}, {alarm['state']}: {alarm['cause']}" for alarm in one["alarms"]
-    ]
+    for alarm in one["alarms"]:
+        lines += _indented(f"{alarm['severity']}, {alarm['state']}: {alarm['cause']}")
     return lines

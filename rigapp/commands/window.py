@@ -34,7 +34,7 @@ def open_window(rig: Path | None, test: Path | None, *, start: bool, language: s
         from rigapp.gui.window.app import main
     except ImportError as error:
         raise UnusableInput(
-            f"The window's libraries are missing ({error}); run 'rigapp doctor'."
+            f"The window's libraries are missing ‹{error}›; run 'rigapp doctor'."
         ) from error
     from rigapp.service.launch import attach
 

@@ -21,6 +21,6 @@ def from_extra(extra: Extra, what: str) -> Iterator[None]:
         yield
     except ModuleNotFoundError as error:
         raise UnusableInput(
-            f"{what} needs packages that are missing ({error}); install them: "
+            f"{what} needs packages that are missing ‹{error}›; install them: "
             f"pip install 'rigapp[{extra}]'."
         ) from error

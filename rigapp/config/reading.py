@@ -43,7 +43,7 @@ def read_text(path: Path, largest: int = LARGEST_BYTES) -> str:
     except (OSError, ValueError) as error:
         if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
             raise
-        raise UnusableInput(f"{path}: cannot be read as text ({error}).") from error
+        raise UnusableInput(f"{path}: cannot be read as text ‹{error}›.") from error
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 

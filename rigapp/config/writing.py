@@ -35,8 +35,9 @@ def whole_file(
         else:
             part.replace(place)
     except OSError as error:
-        reason = error.strerror or str(error)
-        raise UnusableInput(f"{name or target}: cannot be written ({reason}).") from error
+        raise UnusableInput(
+            f"{name or target}: cannot be written ({error.strerror}) ‹{error}›."
+        ) from error
     finally:
         with suppress(OSError):
             part.unlink(missing_ok=True)

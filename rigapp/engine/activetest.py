@@ -28,10 +28,12 @@ STEPS_LOGGED = 500
 class Rest:
     """A rest between two steps: it lasts so long from when the crank stands.
 
-    since_s: host time since which it stands, None before. signals: of the load cell at that time.
+    step: after which it is. since_s: host time since which it stands, None before. signals: of the
+    load cell at that time.
     """
 
     duration_s: float
+    step: int
     since_s: float | None = None
     signals: RestSignals | None = None
 

@@ -163,8 +163,7 @@ class Connection:
             self.devices.readback[source.name] = readback
 
         def died(worker: Worker, error: BaseException) -> None:
-            sentence = f"{type(error).__name__}: {error}"
-            self.core.act_on(slow_silent(source, 0.0, sentence))
+            self.core.act_on(slow_silent(source, 0.0, f"it failed ‹{error!r}›"))
 
         return SlowDevice(source, request, opened, died, self.core.timing.silence)
 
@@ -397,8 +396,9 @@ class Connection:
             core.event("step", "engine", words, before=ended.words, after=stage.words)
         if ended.rest_s and test.resting is not None:
             test.resting.duration_s += ended.rest_s  # it was over while the crank slowed down
+            test.resting.step = ended.step
         elif ended.rest_s and self.pause(f"{ended.words} is done: a rest of {ended.rest_s:g} s"):
-            test.resting = Rest(ended.rest_s)
+            test.resting = Rest(ended.rest_s, ended.step)
         elif stage.speed_rpm != ended.speed_rpm:
             highest = max(stage.speed_rpm, ended.speed_rpm)
             test.deadline_s = self.ramp_deadline_s(highest, test.ramp_rpm_per_s)
@@ -555,8 +555,7 @@ class Connection:
 
     def _died(self, worker: Worker, error: BaseException) -> None:
         """Bring the rig into a safe state: a thread has died."""
-        sentence = f"{type(error).__name__}: {error}"
-        self.core.act_on(because("thread", worker.name, sentence=sentence))
+        self.core.act_on(because("thread", worker.name, sentence=f"failed ‹{error!r}›"))
         if self.core.state in ACTIVE and worker is self.drive:
             self.control.stop_now(off=True)
 
@@ -568,5 +567,5 @@ def lost_device(error: DeviceError) -> Cause:
 
 def silent_thread(worker: Worker) -> Cause:
     """Return the alarm of a thread that hangs."""
-    sentence = f"no sign of life for {worker.silent_for():.1f} s"
+    sentence = f"gave no sign of life for {worker.silent_for():.1f} s"
     return because("thread", worker.name, sentence=sentence)

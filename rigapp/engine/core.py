@@ -26,6 +26,7 @@ from rigapp.engine.judging.testrun import Row
 from rigapp.engine.publish import Publisher
 from rigapp.engine.recording.recorder import cycle_message, measured_history
 from rigapp.schema.alarms import Cause, because, kind_of
+from rigapp.schema.details import error_text
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import (
     Alarm,
@@ -267,7 +268,8 @@ class Core:
         """End the test because its file cannot be written."""
         name = str(self.test.path) if self.test is not None else "the file"
         if not self.alarms.is_active("storage"):
-            sentence = str(error) if name in str(error) else f"{name}: {error}"
+            why = error_text(error, "it cannot be written")
+            sentence = why if name in why else f"{name}: {why}"
             self.act_on(because("storage", sentence=sentence))
 
     def stood(self, witnesses: str, how: str) -> None:
@@ -330,7 +332,7 @@ class Core:
         try:
             self._on_measured(measured_history(row.number, row.measured))
         except Exception as error:
-            self.event("twin", "engine", f"the prediction was not asked: {error}")
+            self.event("twin", "engine", f"the prediction was not asked ‹{error!r}›")
             self._on_measured = None
 
     def _store(self, test: ActiveTest, row: Row) -> None:
@@ -467,7 +469,7 @@ class Core:
             recorder.abandon()
             if ending.code is FinishReason.STORAGE:
                 return ending
-            sentence = f"{ending.sentence} The file could not be finished: {error}"
+            sentence = f"{ending.sentence} The file could not be finished ‹{error}›."
             self.warn(because("storage", sentence=sentence))
             return Ending(FinishReason.STORAGE, sentence)
         if kept:

@@ -213,7 +213,7 @@ def _objection(info: DriverInfo, request: DataRequest | DriveRequest | SlowReque
 
 def _no_objection(info: DriverInfo, error: BaseException) -> UnusableInput:
     return UnusableInput(
-        f"the driver {info.name} failed to check its request ({failure_words(error)}); report it to"
+        f"the driver {info.name} failed to check its request ‹{failure_words(error)}›; report it to"
         f" the author of the package {package_of(info.name)}"
     )
 

@@ -33,6 +33,7 @@ from rigapp.engine.values.calibrate import Calibration, calibration_of
 from rigapp.engine.views import build_status, next_step
 from rigapp.process.threads import OneAtATime
 from rigapp.schema.alarms import Cause, because
+from rigapp.schema.details import error_text
 from rigapp.schema.loglines import LIMIT_CHANGED, SPECIMEN, LimitChange, RestSignals, SpecimenWear
 from rigapp.schema.messages import (
     Ends,
@@ -137,7 +138,8 @@ class Engine:
                     self._ports = dict(ports())
                 self._connection = self._open()
             except BaseException as error:
-                self._core.fire_if(Trigger.FAILED, str(error))
+                why = error_text(error, "The devices could not be connected.")
+                self._core.fire_if(Trigger.FAILED, why)
                 if isinstance(error, DeviceError):
                     self._core.warn(lost_device(error))
                 raise

@@ -58,7 +58,7 @@ def build_status(
         file=str(active.path) if active is not None else "",
         revolution=core.revolution,
         planned=active.run.planned if active is not None else 0,
-        step=active.stage.step if active is not None else 0,
+        step=_step(active),
         steps=active.sequence.count if active is not None else 0,
         resting=active is not None and active.resting is not None,
         rest_left_s=_rest_left_s(connection, active),
@@ -97,6 +97,13 @@ def build_status(
             else None
         ),
     )
+
+
+def _step(active: ActiveTest | None) -> int:
+    """Return the step under way; a rest belongs to the step before it."""
+    if active is None:
+        return 0
+    return active.resting.step if active.resting is not None else active.stage.step
 
 
 def _rest_left_s(connection: Connection | None, active: ActiveTest | None) -> float:

@@ -78,7 +78,7 @@ def attempted(request: AttemptRequest) -> AttemptResult:
     except UnusableInput as error:
         result = AttemptResult(False, str(error))
     except Exception as error:  # its words may hold the URL
-        result = AttemptResult(False, f"it failed ({type(error).__name__})")
+        result = AttemptResult(False, f"it failed ‹{type(error).__name__}›")
     clean = " ".join(redacted(result.reason, [*secrets.values()]).split())
     return msgspec.structs.replace(result, reason=clean[:MOST_REASON])
 

@@ -110,7 +110,7 @@ class CourierLink:
             if self._barren >= ATTEMPTS:
                 self._on_wrong("The process that sends messages does not stay up.")
         except Exception as error:
-            self._on_wrong(f"The engine's part of the messages failed ({error}).")
+            self._on_wrong(f"The engine's part of the messages failed ‹{error}›.")
         finally:
             context.destroy(linger=0)
             if self._address.startswith("ipc://"):
@@ -135,7 +135,7 @@ class CourierLink:
             if self._stop.is_set():
                 self._part(socket)
         except zmq.ZMQError as error:
-            self._on_said(f"the courier cannot be reached ({error})")
+            self._on_said(f"the courier cannot be reached ‹{error}›")
         finally:
             socket.close()
             if not self._stop.is_set():

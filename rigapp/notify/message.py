@@ -9,6 +9,7 @@ from typing import Literal
 import msgspec
 
 from rigapp.notify.facts import SignOfLife
+from rigapp.schema.details import sentence_of
 from rigapp.schema.messages import Alarm
 from rigapp.schema.notices import Finished
 
@@ -75,8 +76,10 @@ def worded(rig: str, batch: Sequence[Message]) -> tuple[str, str]:
     """Return title and text of what is sent: one message, or several in one."""
     if len(batch) == 1:
         message = batch[0]
-        return headline(rig, message), f"{message.text}\n{clock(message.at)}"[:MOST_CHARACTERS]
-    parts = [f"{clock(one.at)}  {headline(rig, one)}\n{one.text}" for one in batch]
+        return headline(rig, message), f"{sentence_of(message.text)}\n{clock(message.at)}"[
+            :MOST_CHARACTERS
+        ]
+    parts = [f"{clock(one.at)}  {headline(rig, one)}\n{sentence_of(one.text)}" for one in batch]
     share = MOST_CHARACTERS // len(parts)
     return f"{rig}: {len(batch)} messages", "\n\n".join(part[:share] for part in parts)
 

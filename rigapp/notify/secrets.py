@@ -83,7 +83,7 @@ def _of_keyring(name: str, file: Path) -> str:
     except ImportError:
         secret, why = None, "the keyring needs rigapp's extra: pip install 'rigapp[notify]'"
     except Exception as error:
-        secret, why = None, f"no keyring can be asked ({type(error).__name__})"
+        secret, why = None, f"no keyring can be asked ‹{type(error).__name__}›"
     if not secret:
         raise UnusableInput(
             f"the secret {name} is not in {file}, and {why}; write it into that file, mode 0600, or"

@@ -132,7 +132,7 @@ def attempt(request: AttemptRequest) -> AttemptResult:
             return AttemptResult(False, f"no answer within {ATTEMPT_S:g} s")
         return msgspec.json.decode(answer, type=AttemptResult)
     except (OSError, ValueError) as error:
-        return AttemptResult(False, f"the attempt failed ({type(error).__name__})")
+        return AttemptResult(False, f"the attempt failed ‹{type(error).__name__}›")
 
 
 def _bounded(argv: Sequence[str], given: bytes, *, keep: bool) -> tuple[int | None, bytes]:

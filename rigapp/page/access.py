@@ -135,7 +135,7 @@ def _check_pair(certificate: Path, key: Path) -> None:
         ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER).load_cert_chain(certificate, key, _no_password)
     except (OSError, ValueError) as error:
         raise UnusableInput(
-            f"{certificate}, {key}: cannot be used as certificate and key ({error})."
+            f"{certificate}, {key}: cannot be used as certificate and key ‹{error}›."
         ) from error
 
 

@@ -19,6 +19,7 @@ from rigapp.page.plots import Plot
 from rigapp.page.view import RigView
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.times import duration
+from rigapp.schema.details import details_of, sentence_of
 
 RESTART_TOLD_S = 600.0
 """So long the page says that the engine was started anew; who looks later sees a running test."""
@@ -37,6 +38,8 @@ def _templates() -> Environment:
     )
     found.filters["clock"] = lambda at: time.strftime("%d %b %H:%M:%S", time.localtime(at))
     found.filters["grouped"] = grouped
+    found.filters["sentence"] = sentence_of
+    found.filters["details"] = details_of
     found.filters["duration"] = duration
     return found
 

@@ -106,6 +106,6 @@ def _listening(access: Access) -> socket.socket:
         return socket.create_server((access.address, access.port), family=family, backlog=64)
     except OSError as error:
         raise UnusableInput(
-            f"The page cannot listen at {access.address}:{access.port}: {error}; choose another"
+            f"The page cannot listen at {access.address}:{access.port} ‹{error}›; choose another"
             " address or port by --bind."
         ) from error

@@ -128,4 +128,4 @@ class Watch:
 
     def _died(self, worker: Worker, error: BaseException) -> None:
         log.error("The page can show nothing any more: %s", error, exc_info=error)
-        self._on_death(f"The part of the page that looks at the rigs has died: {error!r}.")
+        self._on_death(f"The part of the page that looks at the rigs has died ‹{error!r}›.")

@@ -14,14 +14,10 @@ SYSTEM: Final = (
     "No such device or address", "No such file or directory", "Not a directory",
     "Operation not permitted", "Permission denied", "Read-only file system",
     "Resource temporarily unavailable", "Stale file handle", "Too many open files", "timed out",
-    "[Errno {}] {}", "[Errno {}] {}: {}",
 )  # fmt: skip
 """Errors of the operating system."""
 
 LIBRARIES: Final = (
-    "could not open port {}: {}", "read failed: {}", "write failed: {}", "socket disconnected",
-    "device reports readiness to read but returned no data"
-    " (device disconnected or multiple access on port?)",
     "{} (at line {}, column {})", "{} (at end of document)",
     "Cannot declare {} twice", "Cannot mutate immutable namespace {}", "Cannot overwrite a value",
     "Duplicate inline table key {}", "Expected {}", "Expected '=' after a key in a key/value pair",
@@ -38,31 +34,10 @@ LIBRARIES: Final = (
     "expected {} of length >= {}", "expected {} of length <= {}",
     "expected {} of at least length {}",
 )  # fmt: skip
-"""Errors of the serial port, of TOML and of the kinds of values."""
-
-CANOPEN: Final = (
-    "Code {}, {}", "SDO toggle bit error", "Timeout of transfer communication detected",
-    "Unknown SDO command specified", "Invalid block size", "Invalid sequence number", "CRC error",
-    "Out of memory", "Unsupported access to an object", "Attempt to read a write only object",
-    "Attempt to write a read only object", "Object does not exist",
-    "Object cannot be mapped to the PDO", "PDO length exceeded",
-    "General parameter incompatibility reason", "General internal incompatibility in the device",
-    "Access failed due to a hardware error", "Data type and length code do not match",
-    "Data type does not match, length of service parameter too high",
-    "Data type does not match, length of service parameter too low", "Subindex does not exist",
-    "Value range of parameter exceeded", "Value of parameter written too high",
-    "Value of parameter written too low", "Maximum value is less than minimum value",
-    "Resource not available", "General error",
-    "Data cannot be transferred or stored to the application",
-    "Data can not be transferred or stored to the application because of local control",
-    "Data can not be transferred or stored to the application because of the present device state",
-    "Object dictionary dynamic generation fails or no object dictionary is present",
-    "No data available", "Could not write to serial device", "invalid URL, protocol {} not known",
-)  # fmt: skip
-"""Why a CANopen node aborts a transfer."""
+"""Errors of TOML and of the kinds of values."""
 
 WORDS_INSIDE: Final = (
-    "Slowly", "(assumed)", "assumed", "bridge", "voltage", "holding register", "input register",
+    "Slowly", "(assumed)", "assumed", "bridge", "voltage",
     "over-current", "over-voltage", "under-voltage", "over-temperature", "current",
     "temperature", "hardware", "software", "faster", "fell", "grew", "heavier", "less", "lighter",
     "more", "nothing", "reading", "rose", "slower", "text", "unknown", "writing",

@@ -10,6 +10,7 @@ from typing import Final
 from rigapp.presentation.times import dated
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
+from rigapp.schema.details import details_of
 from rigapp.schema.messages import Alarm, HowEnded, OpenCalibration, RunState, Severity, Status
 
 STATES: Final[dict[RunState, Text]] = {
@@ -109,6 +110,14 @@ def state_line(status: Status, key: str = "") -> str:
         retold(step.sentence) + pressed,
     ]
     return "  ".join(one for one in told if one) or _unnamed(status, word)
+
+
+def state_details(status: Status) -> str:
+    """Return the technical details of what ``state_line`` says, a line each."""
+    told = (status.reason, status.recovery.sentence)
+    alarm = worst_alarm(status.alarms) if not any(told) else None
+    texts = told if alarm is None else (alarm.title, alarm.cause)
+    return "\n".join(filter(None, map(details_of, texts)))
 
 
 def _unnamed(status: Status, word: str) -> str:

@@ -15,7 +15,7 @@ from itertools import pairwise
 from string import Formatter
 from typing import Final
 
-from rigapp.presentation.foreign import CANOPEN, LIBRARIES, SYSTEM, WORDS_INSIDE
+from rigapp.presentation.foreign import LIBRARIES, SYSTEM, WORDS_INSIDE
 from rigapp.presentation.numbers import capitalised
 from rigapp.presentation.translation import (
     Text,
@@ -25,6 +25,7 @@ from rigapp.presentation.translation import (
     tr,
 )
 from rigapp.schema.alarms import KINDS, RULE_ACTIONS
+from rigapp.schema.details import sentence_of
 
 RECOVERY: Final[tuple[Text, ...]] = (
     "Wait: the devices are being connected.",
@@ -74,7 +75,7 @@ def templates() -> list[Text]:
 
     Braces stand where they put values.
     """
-    alarms = [one for kind in KINDS.values() for one in (kind.title, kind.sentence)]
+    alarms = [one for kind in KINDS.values() for one in (kind.title, sentence_of(kind.sentence))]
     led_to = [one for kind in KINDS.values() for one in (kind.consequence, kind.action)]
     return [
         *RECOVERY,
@@ -85,7 +86,6 @@ def templates() -> list[Text]:
         *RULES,
         *SYSTEM,
         *LIBRARIES,
-        *CANOPEN,
         *WORDS_INSIDE,
     ]
 
@@ -93,10 +93,10 @@ def templates() -> list[Text]:
 def retold(sentence: str) -> str:
     """Return a sentence of the engine in the language of the window, as it is where unknown.
 
-    What is not known as a whole is looked for in its parts. Numbers of the operating system's
-    errors are left out: its words say the same, and the log has both.
+    What is not known as a whole is looked for in its parts. Its details are left out, and numbers
+    of the operating system's errors: its words say the same, and the log has both.
     """
-    sentence = ERROR_NUMBER.sub("", sentence)
+    sentence = ERROR_NUMBER.sub("", sentence_of(sentence))
     return sentence if speaks_english() else _retold(sentence, language_changes())
 
 

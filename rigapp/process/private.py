@@ -45,7 +45,7 @@ def private_folder(folder: Path, instead: str = "") -> Path:
         if stat.S_IMODE(found.st_mode) != 0o700:
             folder.chmod(0o700)
     except OSError as error:
-        raise UnusableInput(f"{folder}: cannot be made ({error}){instead}.") from error
+        raise UnusableInput(f"{folder}: cannot be made ‹{error}›{instead}.") from error
     return folder
 
 

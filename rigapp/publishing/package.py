@@ -114,8 +114,9 @@ def _in_its_folder(to: Path) -> Iterator[tuple[Path, Path]]:
             f"{to}: the file exists and is not overwritten; give another name."
         ) from error
     except OSError as error:
-        reason = error.strerror or str(error)
-        raise UnusableInput(f"{to}: the package cannot be written ({reason}).") from error
+        raise UnusableInput(
+            f"{to}: the package cannot be written ({error.strerror}) ‹{error}›."
+        ) from error
     finally:
         hidden.unlink(missing_ok=True)
 

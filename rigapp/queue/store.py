@@ -34,7 +34,7 @@ class QueueStore:
             return Queue(rig=self._rig)
         except (OSError, ValueError) as error:
             raise UnusableInput(
-                f"{self._path}: the queue cannot be read ({error}); move the file away."
+                f"{self._path}: the queue cannot be read ‹{error}›; move the file away."
             ) from error
 
     def view(self) -> Queue:

@@ -10,6 +10,7 @@ from typing import Protocol
 from rigapp.config.names import new_result
 from rigapp.queue.items import Queue, after_finish, at_work, begun, cut_off, ended, halted, put_back
 from rigapp.queue.store import QueueStore
+from rigapp.schema.details import error_text
 from rigapp.schema.notices import Finished
 from rigapp.schema.queue import ItemState, QueuedTest
 from rigapp.schema.states import Occupied, Refused
@@ -111,7 +112,7 @@ class QueueWorker:
             self._hands.tell(f"{error}; then start the queue again.")
             raise
         except Exception as error:
-            words = str(error)
+            words = error_text(error, "The test could not be begun.")
             self._store.change(lambda queue: ended(queue, one.number, words, done=False))
             raise
         if end is None:

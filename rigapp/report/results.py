@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
 from rigapp.process.priority import give_way
+from rigapp.schema.details import error_text
 from rigapp.schema.loglines import alarm_change, severity_of
 from rigapp.schema.messages import NOT_STEADY, Severity
 from rigapp.schema.results import TestResult
@@ -43,7 +44,9 @@ def result_of(path: Path, *, closely: bool = False) -> TestResult:
         with open_test(path) as test:
             return result_of_open(test, modified, size, closely=closely)
     except (UnusableInput, OSError) as error:
-        return TestResult(str(path), modified, size, reason=str(error))
+        return TestResult(
+            str(path), modified, size, reason=error_text(error, "The file cannot be read.")
+        )
 
 
 def result_of_open(

@@ -134,18 +134,19 @@ class Client:
             socket.send(msgspec.msgpack.encode(request))
             if not socket.poll(int(1000 * timeout_s)):
                 raise EngineUnreachable(
-                    f"The engine (process {self.entry.pid}) did not answer {verb!r} within"
-                    f" {timeout_s:g} s; is it still running?"
+                    f"The engine did not answer within {timeout_s:g} s; is it still running?"
+                    f" ‹process {self.entry.pid}, request {verb}›"
                 )
             return msgspec.msgpack.decode(socket.recv(), type=Reply)
         except zmq.Again as error:
             raise EngineUnreachable(
-                f"The engine (process {self.entry.pid}) could not be reached within {timeout_s:g} s"
-                f" for {verb!r}{self._key_advice()}."
+                f"The engine could not be reached within {timeout_s:g} s{self._key_advice()}."
+                f" ‹process {self.entry.pid}, request {verb}›"
             ) from error
         except zmq.ZMQError as error:
             raise EngineUnreachable(
-                f"The engine (process {self.entry.pid}) cannot be reached for {verb!r}: {error}."
+                "The engine cannot be reached; is it still running?"
+                f" ‹process {self.entry.pid}, request {verb}: {error}›"
             ) from error
         finally:
             socket.close()

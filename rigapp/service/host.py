@@ -36,6 +36,7 @@ from rigapp.process.private import private_folder
 from rigapp.process.threads import OneAtATime
 from rigapp.queue.items import removed
 from rigapp.queue.worker import Hands
+from rigapp.schema.details import indented
 from rigapp.schema.loglines import SpecimenWear
 from rigapp.schema.messages import (
     AT_REST,
@@ -513,7 +514,7 @@ class EngineHost:
         except EXPECTED as error:
             return refusal(str(error))
         except (TypeError, ValueError) as error:
-            return refusal(f"The arguments of {request.verb!r} are not usable: {error}.")
+            return refusal(f"The arguments of {request.verb!r} are not usable ‹{error}›.")
         return result if isinstance(result, Reply) else Reply(ok=True, result=result)
 
     def _table(self) -> dict[str, Callable[[Any, Request], Any]]:
@@ -674,7 +675,7 @@ def _connect_quietly(host: EngineHost, patience_s: float = 0.0) -> None:
         try:
             host.connect()
         except EXPECTED as error:
-            print(f"rigapp engine: {error}", flush=True)
+            print(f"rigapp engine: {indented(str(error))}", flush=True)
         untouched = host.engine.state in (RunState.IDLE, RunState.FAULT) and not host.watched
         if not untouched or time.monotonic() > until or host.ended.wait(DEVICES_PAUSE_S):
             return

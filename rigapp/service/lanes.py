@@ -43,7 +43,7 @@ class Lanes:
             thread.start()
         except RuntimeError as error:
             self._leave(name)
-            return f"The engine has no thread left for this request ({error}); ask again."
+            return f"The engine has no room for this request now ‹{error}›; ask again."
         return ""
 
     def _carry_out(self, name: str, job: Callable[[], None]) -> None:

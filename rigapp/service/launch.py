@@ -78,7 +78,7 @@ def _engine_of(rig: Path) -> EngineEntry:
             raise EngineUnreachable(f"The engine for {rig} ended at once: {_last_words(log)}")
         time.sleep(LOOK_EVERY_S)
     raise EngineUnreachable(
-        f"The engine for {rig} (process {pid}) is still starting after {START_S:g} s; wait for it"
+        f"The engine for {rig} is still starting after {START_S:g} s ‹process {pid}›; wait for it"
         f"{f', or see {log}' if log is not None else ''}."
     )
 

@@ -76,7 +76,12 @@ def disk_facts(
             return DiskFacts(folder, needed, 0, f"{folder} does not exist or cannot be written to")
         free = shutil.disk_usage(folder).free
     except OSError as error:
-        return DiskFacts(folder, needed, 0, f"{folder}: {error}")
+        return DiskFacts(
+            folder,
+            needed,
+            0,
+            f"{folder}: cannot be used ({error.strerror}) ‹{error}›",
+        )
     return DiskFacts(folder, needed, free)
 
 

@@ -109,7 +109,7 @@ def read_entry(path: Path) -> EngineEntry:
     try:
         return msgspec.json.decode(read_bytes(path, SMALL_BYTES), type=EngineEntry)
     except (OSError, ValueError) as error:
-        raise UnusableInput(f"{path}: is not the entry of an engine ({error}).") from error
+        raise UnusableInput(f"{path}: is not the entry of an engine ‹{error}›.") from error
 
 
 def announce(entry: EngineEntry) -> Path:

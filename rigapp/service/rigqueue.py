@@ -80,4 +80,4 @@ class RigQueue:
             self._unnoted = None
 
     def _died(self, worker: Worker, error: BaseException) -> None:
-        self._tell(f"{type(error).__name__}: {error}.")
+        self._tell(f"The queue failed ‹{error!r}›.")

@@ -190,7 +190,7 @@ def _keys(folder: Path, name: str) -> KeyPair:
     try:
         public, secret = zmq.auth.load_certificate(path)
     except (OSError, ValueError) as error:
-        raise UnusableInput(f"{path}: is no key pair ({error}); delete it.") from error
+        raise UnusableInput(f"{path}: is no key pair ‹{error}›; delete it.") from error
     if secret is None:
         raise UnusableInput(f"{path}: holds no secret key; delete it.")
     return KeyPair(public, secret)

@@ -135,7 +135,7 @@ class Server:
         except zmq.ZMQError as error:
             self._release()
             raise UnusableInput(
-                f"The engine cannot listen at {address}: {error}; choose another address or port."
+                f"The engine cannot listen at {address} ‹{error}›; choose another address or port."
             ) from error
 
     def _release(self) -> None:
@@ -170,7 +170,7 @@ class Server:
             self._send_replies()
         except BaseException as error:
             self.failure = error
-            self._on_failure(f"The part that serves windows has died: {_named(error)}")
+            self._on_failure(f"The part that serves windows has died ‹{error!r}›.")
             raise
 
     @property
@@ -193,7 +193,7 @@ class Server:
         try:
             self._on_viewers(self.watched)
         except Exception as error:
-            self._on_failure(f"Failed to register a viewer: {_named(error)}")
+            self._on_failure(f"A window could not be attached ‹{error!r}›.")
 
     def _accept(self) -> None:
         try:
@@ -215,7 +215,7 @@ class Server:
         except Refused as error:
             why_not = str(error)
         except Exception as error:
-            why_not = f"The request is not readable: {error}."
+            why_not = f"The request is not readable ‹{error}›."
         if why_not:
             body = msgspec.msgpack.encode(refusal(why_not, identifier))
             self._router.send_multipart([sender, b"", body])
@@ -226,7 +226,9 @@ class Server:
             reply = msgspec.structs.replace(reply, identifier=request.identifier)
             body = msgspec.msgpack.encode(reply)
         except Exception as error:
-            body = msgspec.msgpack.encode(refusal(_named(error), request.identifier))
+            body = msgspec.msgpack.encode(
+                refusal(f"The engine could not do this ‹{error!r}›.", request.identifier)
+            )
         self._replies.put((sender, body))
 
     def _send_replies(self) -> None:
@@ -243,7 +245,7 @@ class Server:
         except Exception as error:
             if not self._told:
                 self._told = True
-                self._on_failure(f"No snapshot could be made for windows: {_named(error)}")
+                self._on_failure(f"No snapshot could be made for windows ‹{error!r}›.")
             return
         gone = set()
         for viewer in self._viewers:
@@ -257,10 +259,6 @@ class Server:
             self._viewers -= gone
             if not self._viewers:
                 self._note_viewers()
-
-
-def _named(error: BaseException) -> str:
-    return f"{type(error).__name__}: {error}"
 
 
 class _Period:

@@ -120,7 +120,7 @@ def _results(folder: Path, changed: float) -> StudyResults:
                 _power(folder / POWER),
             )
     except (OSError, KeyError, ValueError, TypeError, AttributeError) as error:
-        raise UnusableInput(f"{path}: is not the table of a study ({error}).") from error
+        raise UnusableInput(f"{path}: is not the table of a study ‹{error}›.") from error
 
 
 def _text(value: Any) -> str:

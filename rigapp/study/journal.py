@@ -71,7 +71,7 @@ class StudyJournal:
         try:
             known = msgspec.json.decode(path.read_bytes(), type=StudyIdentity)
         except (msgspec.DecodeError, OSError) as error:
-            raise UnusableInput(f"{path}: cannot be read ({error}).") from error
+            raise UnusableInput(f"{path}: cannot be read ‹{error}›.") from error
         if (known.study, known.parameters) != (identity.study, identity.parameters):
             raise UnusableInput(
                 f"--to {self.folder}: holds another study, or another parameter file; give a new"
@@ -93,7 +93,7 @@ class StudyJournal:
             try:
                 row = msgspec.json.decode(line, type=StudyRow)
             except msgspec.DecodeError as error:
-                raise UnusableInput(f"{self.folder / ROWS}: is damaged ({error}).") from error
+                raise UnusableInput(f"{self.folder / ROWS}: is damaged ‹{error}›.") from error
             found[row.number] = row
         self._file.truncate(end)
         self._file.seek(end)

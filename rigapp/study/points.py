@@ -11,6 +11,7 @@ import msgspec
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_parameters
+from rigapp.schema.details import error_text
 from rigapp.study.design import StudyPoint, Value
 from rigapp.study.kinds import KINDS
 
@@ -52,7 +53,9 @@ def _row(batch: Batch, point: StudyPoint) -> StudyRow:
         parameters, run = meant(batch, point.values)
         numbers = kind.compute(parameters, run, point.seed)
     except (ValueError, ArithmeticError, UnusableInput, OSError) as error:
-        return StudyRow(point.number, problem=" ".join(str(error).split()) or type(error).__name__)
+        return StudyRow(
+            point.number, problem=" ".join(error_text(error, "it cannot be computed").split())
+        )
     return StudyRow(point.number, {key: one for key, one in numbers.items() if math.isfinite(one)})
 
 
@@ -72,5 +75,5 @@ def meant(batch: Batch, values: Mapping[str, Value]) -> tuple[Parameters | None,
     try:
         settings = msgspec.convert(run, kind.settings, strict=False)
     except msgspec.ValidationError as error:
-        raise UnusableInput(f"[run]: {error}") from error
+        raise UnusableInput(f"[run]: the values cannot be used ‹{error}›") from error
     return parse_parameters(tree, "the point") if kind.modelled else None, settings

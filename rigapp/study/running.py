@@ -207,7 +207,7 @@ def _result(future: Any) -> list[StudyRow]:
         rows: list[StudyRow] = future.result()
     except (KilledWorker, CancelledError, OSError) as error:
         raise UnusableInput(
-            f"the workers were lost ({type(error).__name__}: {error}); what is done is safe, and"
+            f"the workers were lost ‹{error!r}›; what is done is safe, and"
             " the same command goes on with it."
         ) from error
     return rows
@@ -266,5 +266,5 @@ def _connected(scheduler: str) -> Any:
         return Client(scheduler, timeout=CONNECT_S)
     except (OSError, TimeoutError, ValueError) as error:
         raise UnusableInput(
-            f"--scheduler {scheduler}: no Dask scheduler answers there ({error})."
+            f"--scheduler {scheduler}: no Dask scheduler answers there ‹{error}›."
         ) from error

@@ -15,6 +15,7 @@ import msgspec
 import numpy as np
 
 from rigapp.schema.columns import WEAR_MODELS
+from rigapp.schema.details import error_text
 from rigapp.twin.approach import MeanApproach
 from rigapp.twin.measureddepth import MeasuredDepth
 from rigapp.twin.messages import Sought
@@ -123,7 +124,7 @@ class LifeAhead:
             if reached <= self.depth[-1]:
                 raise ModelError("loads", self.loads.mean_force, "they wear no depth", "N")
         except (ModelError, ValueError, ArithmeticError) as error:
-            self.failed = str(error)
+            self.failed = error_text(error, "the wear cannot be computed")
             log.warning("The life is not computed beyond %g um: %s", 1e6 * self.depth[-1], error)
             return
         self.progress.append(self._state.cycles)

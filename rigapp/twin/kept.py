@@ -36,7 +36,7 @@ def kept_of(reader: TestReader) -> tuple[Identifier, int]:
         test = parse_test(text, "its test", recorded=True)
         found = msgspec.msgpack.decode(state, type=Checkpoint)
     except (UnusableInput, msgspec.DecodeError) as error:
-        raise CannotBeTold(f"the twin has left nothing readable in the file ({error})") from error
+        raise CannotBeTold(f"the twin has left nothing readable in the file ‹{error}›") from error
     parameters = to_parameters(test.model)
     if found.identified is None:
         nobody = Identifier(parameters, Sought())

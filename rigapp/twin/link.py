@@ -192,7 +192,7 @@ class TwinLink:
             if not self._stop.is_set():
                 self.last_failure = f"the twin ended with status {self._worker.returncode}"
         except zmq.ZMQError as error:
-            self.last_failure = f"the twin cannot be reached: {error}"
+            self.last_failure = f"the twin cannot be reached ‹{error}›"
         finally:
             socket.close()
             self._worker.terminate()

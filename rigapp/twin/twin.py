@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.schema.columns import PROFILES_PER_DECADE, in_order, profile_columns
+from rigapp.schema.details import error_text
 from rigapp.schema.messages import Prediction, WornProfile
 from rigapp.twin.ahead import BushingAhead, bushing_ahead
 from rigapp.twin.approach import RIGID, Approach
@@ -97,7 +98,7 @@ class TrackedBushing:
             bare = replace(self.state, front=Front(self.state.front.surface))
             self.state = _advanced(bare, loads, cycles)
         except (ModelError, ValueError, ArithmeticError) as error:
-            self.failed = str(error)
+            self.failed = error_text(error, "the wear cannot be computed")
             log.warning("The twin's bushing is not worn on: %s", error)
         return True
 

@@ -18,6 +18,7 @@ import zmq
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import to_parameters
 from rigapp.process.link import connect_link
+from rigapp.schema.details import error_text
 from rigapp.schema.messages import RevolutionMeasured
 from rigapp.twin.checkpoint import packed, restore, take_over
 from rigapp.twin.identifying import Identifier
@@ -96,7 +97,7 @@ def answer(twin: Twin, measured: RevolutionMeasured) -> TwinAnswer:
     try:
         prediction = twin.predict(unpack(measured))
     except (Unpredictable, ModelError, ArithmeticError) as error:
-        return TwinAnswer(refused=str(error))
+        return TwinAnswer(refused=error_text(error, "the model has no solution"))
     if twin.changed:
         prediction = msgspec.structs.replace(prediction, checkpoint=packed(twin))
     return TwinAnswer(prediction)
@@ -121,7 +122,7 @@ def serve(twin: Twin, body: bytes) -> TwinAnswer:
 def _failure(error: Exception) -> str:
     if isinstance(error, UnusableInput):
         return str(error).rstrip(".")
-    return f"the twin failed ({type(error).__name__}: {error})"
+    return f"the twin failed ‹{error!r}›"
 
 
 def main(arguments: list[str]) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
@@ -14,6 +15,7 @@ from engine_doubles import FakeStore, MemoryRig, a_test, eventually
 from rigapp.config.recipe import LimitRule, RunStep, TestFile
 from rigapp.engine import activetest
 from rigapp.engine.recording.store import Opened
+from rigapp.presentation.states import state_line
 from rigapp.schema.loglines import REST
 from rigapp.schema.messages import Event, Flag, RunState
 from rigapp.schema.notices import Finished, Notice, StateChanged
@@ -146,6 +148,22 @@ def test_a_pause_of_the_operator_in_a_rest_lasts_until_somebody_goes_on(rig: Mem
     rig.engine.resume("Ada")
     rig.engine.wait(ENDED, 60.0)
     np.testing.assert_array_equal(rig.store.column("revolution"), np.arange(1, 21))
+
+
+def test_a_rest_says_how_long_it_lasts_still(rig: MemoryRig) -> None:
+    steps = [RunStep(revolutions=2, rest_s=one) for one in (0.0, 0.0, 1e6, 0.0, 0.0)]
+    rig.start(sequence(10, *steps))
+    rig.engine.wait((RunState.PAUSED,), 60.0)
+    first = rig.engine.status()
+    eventually(lambda: rig.engine.status().rest_left_s < first.rest_left_s)
+    told = rig.engine.status()
+    assert 0.0 < told.rest_left_s < first.rest_left_s <= 1e6
+    left = math.ceil(told.rest_left_s)
+    line = f"Resting, {left} s left, step 3 of 5. The test resumes by itself."
+    assert state_line(told, "F10") == line
+    rig.engine.resume("Ada")
+    rig.engine.wait(ENDED, 60.0)
+    assert rig.engine.status().rest_left_s == 0.0
 
 
 def test_an_operator_can_end_a_rest_and_end_the_test_in_one(rig: MemoryRig) -> None:

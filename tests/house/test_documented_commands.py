@@ -7,10 +7,12 @@ import shlex
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import pytest
 import typer
 
 from rigapp.cli.program import app
+from rigapp.schema.messages import RunState, Status
 
 TOP = Path(__file__).parents[2]
 PAGES = [TOP / "README.md", *sorted((TOP / "docs").glob("*.md"))]
@@ -56,3 +58,13 @@ def test_the_program_knows_what_the_page_says(page: Path) -> None:
 
 def test_the_pages_have_commands() -> None:
     assert sum(len(commands(page.read_text("utf-8"))) for page in PAGES) > 60
+
+
+def test_every_state_of_a_run_is_documented() -> None:
+    page = (TOP / "docs" / "service.md").read_text("utf-8")
+    table = page.partition("| state | means |")[2].partition("\n\n")[0]
+    documented = re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE)
+    assert {one.value for one in RunState} <= set(documented)
+    assert len(documented) == len(set(documented))
+    named = set(re.findall(r"`(\w+_\w+|outcome|resting|coasting)`", table))
+    assert named <= {one.name for one in msgspec.structs.fields(Status)}

@@ -380,7 +380,9 @@ def take_up(method: Method[PlanType], events: Iterable[Event]) -> Procedure[Plan
             else:
                 procedure = _after(procedure, event)
         except (KeyError, TypeError, ValueError) as error:
-            raise ProcedureError(f"line {number} of the journal is not usable: {error}") from error
+            raise ProcedureError(
+                f"line {number} of the journal is not usable ‹{error!r}›"
+            ) from error
     if procedure is None:
         raise ProcedureError("the journal is empty")
     return procedure

@@ -166,7 +166,7 @@ class Commissioning:
             if time.monotonic() > deadline:
                 raise ReplyTimeout.at(
                     node,
-                    f"node {node.node_id} tells no heartbeat of state OPERATIONAL within "
+                    f"node {node.node_id} tells no heartbeat as one that operates within "
                     f"{_START_S:g} s; its heartbeat cannot be supervised.",
                 )
         return boot_ups
@@ -176,7 +176,7 @@ class Commissioning:
     def _choose_mode(self) -> None:
         supported = self._node.read_if_there(0x6502)
         if supported is not None and not supported & PROFILE_VELOCITY_BIT:
-            raise self._refused("the drive has no profile velocity mode (6502).")
+            raise self._refused("the drive has no profile velocity mode ‹object 6502›.")
         self._node.write(0x6060, PROFILE_VELOCITY)
         deadline = time.monotonic() + _MODE_S
         while (mode := self._node.read(0x6061)) != PROFILE_VELOCITY:
@@ -192,7 +192,8 @@ class Commissioning:
         unit = velocity_unit_rev_per_s(raw)
         if unit is None:
             raise self._refused(
-                f"the velocity unit {raw:08X} (60A9) is unknown; set rpm (00B44700) in the drive."
+                "the velocity unit is unknown; set rpm in the drive "
+                f"‹object 60A9 is {raw:08X}, rpm is 00B44700›."
             )
         unit /= request.gear_ratio
         highest = math.ceil(request.maximum_speed_rev_per_s / unit - 1e-9)
@@ -219,7 +220,7 @@ class Commissioning:
         counts = 4 * self._node.read(0x3010, 1)
         if counts != request.counts_per_revolution:
             raise self._refused(
-                f"the drive has {counts} counts per revolution (four times object 3010:1), the rig "
+                f"the drive has {counts} counts per revolution ‹four times object 3010:1›, the rig "
                 f"file {request.counts_per_revolution}: one of them is wrong, and so would be the "
                 "speed."
             )
@@ -297,7 +298,8 @@ class Commissioning:
         found = self._node.read(index, subindex)
         if found != value:
             raise self._refused(
-                f"object {index:04X}:{subindex} reads {found} after {value} was set."
+                "the drive did not keep a setting; check its firmware and that it is not locked "
+                f"‹object {index:04X}:{subindex} reads {found} after {value} was set›."
             )
         self._kept[index, subindex] = value
 

@@ -191,7 +191,9 @@ class Cia402Drive:
         refuse_speed(self, speed_rev_per_s, setup.request)
         steps = round(setup.request.direction * speed_rev_per_s / setup.velocity_unit)
         if abs(steps) > _INT32:
-            raise self._refused(f"{speed_rev_per_s * 60:.1f} rpm does not fit into object 60FF.")
+            raise self._refused(
+                f"{speed_rev_per_s * 60:.1f} rpm is more than the drive can be told ‹object 60FF›."
+            )
         return steps
 
     def drive_off(self) -> None:

@@ -23,7 +23,7 @@ def identify(node: CanNode, interface: str, objects: str) -> Identity:
         raise ConnectionFailed.at(node, error.sentence) from error
     if device_type & 0xFFFF != PROFILE_402:
         raise WrongDevice.at(
-            node, f"node {node.node_id} is no CiA 402 drive (device type {device_type:08X})."
+            node, f"node {node.node_id} is no CiA 402 drive ‹device type {device_type:08X}›."
         )
     vendor, product, revision, serial = (node.read_if_there(0x1018, sub) for sub in range(1, 5))
     if objects == "auto":

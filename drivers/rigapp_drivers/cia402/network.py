@@ -118,7 +118,7 @@ class CanNode:
             interface = self._bus_options["interface"]
             raise ConnectionFailed.at(
                 self,
-                f"the CAN interface {interface} cannot be opened ({error}); check the channel's "
+                f"the CAN interface {interface} cannot be opened ‹{error}›; check the channel's "
                 "name, the adapter and that no other program uses it.",
             ) from error
         name = f"{self.device} CAN receiver"
@@ -201,7 +201,7 @@ class CanNode:
 
     def _lost(self, error: Exception) -> DeviceError:
         return DeviceLost.at(
-            self, f"the CAN adapter broke off ({error}); check its cable and the bus."
+            self, f"the CAN adapter broke off ‹{error}›; check its cable and the bus."
         )
 
     # --- node ------------------------------------------------------------------------------------
@@ -234,9 +234,7 @@ class CanNode:
         try:
             return int(variable.decode_raw(data))
         except Exception as error:
-            raise self._refused(
-                index, subindex, f"was answered by {len(data)} bytes ({error})"
-            ) from error
+            raise self._refused(index, subindex, f"{data.hex()}, {error}") from error
 
     def read_if_there(self, index: int, subindex: int = 0) -> int | None:
         """Return a number, None when the drive has no such object."""
@@ -282,21 +280,23 @@ class CanNode:
                 try:
                     return transfer()
                 except canopen.SdoAbortedError as error:
-                    raise self._refused(index, subindex, f"was refused: {error}") from error
+                    raise self._refused(index, subindex, str(error)) from error
                 except canopen.SdoCommunicationError as error:
                     self._check()
                     if attempt == most or self.hurry.is_set():
                         raise ReplyTimeout.at(
                             self,
-                            f"node {self.node_id} did not answer object {_shown(index, subindex)} "
-                            f"in {attempt} tries of {self._timeout_s * 1e3:.0f} ms: check power, "
-                            "wiring, terminators, node id and bit rate.",
+                            f"node {self.node_id} did not answer in {attempt} tries of "
+                            f"{self._timeout_s * 1e3:.0f} ms: check power, wiring, terminators, "
+                            f"node id and bit rate ‹object {_shown(index, subindex)}›.",
                         ) from error
         raise AssertionError("at least one try")
 
     def _refused(self, index: int, subindex: int, what: str) -> SettingRefused:
         return SettingRefused.at(
-            self, f"object {_shown(index, subindex)} of node {self.node_id} {what}."
+            self,
+            f"node {self.node_id} refused to be read or set; check the drive's manual and its "
+            f"settings ‹object {_shown(index, subindex)}: {what}›.",
         )
 
 

@@ -68,7 +68,7 @@ def listen(interface: str, channel: str, seconds: float = 1.0, **options: Any) -
                     _note(nodes, message.arbitration_id, bytes(message.data))
     except Exception as error:  # each interface has errors of its own
         raise ConnectionFailed(
-            "CAN", channel, f"the CAN interface {interface} cannot be listened to ({error})."
+            "CAN", channel, f"the CAN interface {interface} cannot be listened to ‹{error}›."
         ) from error
     return nodes
 

@@ -148,11 +148,11 @@ _EPOS_CODES: Final[Mapping[int, str]] = {
     0x8111: "CAN overrun",
     0x8120: "CAN error passive",
     0x8130: "heartbeat of the host lost",
-    0x8150: "collision of COB-IDs",
+    0x8150: "two senders use one identifier",
     0x81FD: "CAN bus off",
     0x81FE: "CAN receive queue overrun",
     0x81FF: "CAN transmit queue overrun",
-    0x8210: "wrong length of a PDO",
+    0x8210: "a message of a wrong length",
     0x8611: "following error",
     0xFF0B: "overload",
 }
@@ -178,10 +178,10 @@ def describe_code(code: int) -> str:
     words of its class (CiA 301).
     """
     if code in _EPOS_CODES:
-        return f"error {code:04X}: {_EPOS_CODES[code]} (EPOS1)"
+        return f"{_EPOS_CODES[code]} ‹EPOS1, error {code:04X}›"
     if 0xFF01 <= code <= 0xFF0A:
-        return f"error {code:04X}: Hall sensor or encoder (EPOS1)"
-    return f"error {code:04X}: {_CLASSES.get(code >> 12, 'unknown')}"
+        return f"Hall sensor or encoder ‹EPOS1, error {code:04X}›"
+    return f"{_CLASSES.get(code >> 12, 'unknown error')} ‹error {code:04X}›"
 
 
 @dataclass(frozen=True, slots=True)

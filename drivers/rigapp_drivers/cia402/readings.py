@@ -124,14 +124,14 @@ class Readings:
             return [f"the drive's heartbeat {told}"]
         node_state = monitor.node_state
         if node_state not in (NodeState.OPERATIONAL, NodeState.BOOT_UP):
-            return [f"the node has left OPERATIONAL (state {node_state})"]
+            return [f"the node does not operate any more ‹state {node_state}›"]
         return []
 
     def warnings(self, motion: AxisMotion) -> list[str]:
         """Return what the operator should know, in words."""
         warnings = [f"came and went: {e.words}" for e in self._monitor.take_passed()]
         if motion.status_word & WARNING_BIT:
-            warnings.append("the drive warns (bit 7 of the status word)")
+            warnings.append("the drive warns ‹bit 7 of the status word›")
         if motion.status_word & INTERNAL_LIMIT_BIT:
             warnings.append("an internal limit of the drive is active")
         return warnings

@@ -179,7 +179,7 @@ class Dataq:
         if self._link.heard:
             raise WrongDevice.at(
                 self,
-                "something sends bytes, but does not answer stop as a DATAQ instrument does; check "
+                "something sends data, but does not answer stop as a DATAQ instrument does; check "
                 "the port in the rig file, and switch the device off and on.",
             )
         raise ConnectionFailed.at(

@@ -91,8 +91,8 @@ class Link:
             return stray
         raise ReplyTimeout.at(
             self.port,
-            f"no answer to {wanted!r} within {self.reply_timeout_s:g} s, {tries} tries; check "
-            "cable and power, and that the LED blinks yellow (CDC mode).",
+            f"no answer within {self.reply_timeout_s:g} s, {tries} tries; check cable and power, "
+            f"and that the LED blinks yellow (CDC mode) ‹{wanted}›.",
         )
 
 

@@ -124,7 +124,9 @@ class Stream:
         self._running = False
         patience_s = 5.0 * self._link.reply_timeout_s + 1.0
         if not self._lock.acquire(timeout=patience_s):
-            raise self._error(ReplyTimeout, f"the reading thread is busy for {patience_s:g} s.")
+            raise self._error(
+                ReplyTimeout, f"the device is busy for {patience_s:g} s ‹reading thread›."
+            )
         try:
             self._end()
         finally:
@@ -221,7 +223,7 @@ class Stream:
         """Stop, flush and start again; raise ProtocolError when that has not helped."""
         self.tally.restarts += 1
         self._bad_restarts += 1
-        self._say(f"{why}: bytes were lost or added; the stream was restarted.")
+        self._say(f"data were lost or added on the line; the stream was restarted ‹{why}›.")
         if self._bad_restarts > _MOST_RESTARTS:
             with contextlib.suppress(DeviceError):
                 self._halt()

@@ -193,7 +193,7 @@ class Commissioner:
                 other = ", int24 or int16" if plan.data_type is DataType.FLOAT32 else ""
                 raise self._refused(
                     f"sample_rate_Hz = {rate:g}: the device allows at most {highest:g} with "
-                    f"{len(plan.objects)} objects as {plan.data_type.name.lower()}; choose a "
+                    f"{len(plan.objects)} inputs as {plan.data_type.name.lower()}; choose a "
                     f"lower rate{other}."
                 )
         self._ensure(r.RATE, rate)

@@ -256,8 +256,8 @@ class Gsv8:
         if reply.model != p.MODEL_GSV8:
             raise WrongDevice.at(
                 self,
-                f"a device of model {reply.model:02X} answers, not a GSV-8 (model 08); check the "
-                "port in the rig file.",
+                "another device than a GSV-8 answers; check the port in the rig file "
+                f"‹model {reply.model:02X}, not 08›.",
             )
         version = self._link.command(Command.FIRMWARE_VERSION, reply=4)
         self._firmware = p.decode_version(version)
@@ -276,7 +276,7 @@ class Gsv8:
         if self._link.tally.dropped_bytes:
             return WrongDevice.at(
                 self,
-                "something sends bytes, but not those of a GSV-8; check the port and, on a UART, "
+                "something sends data, but not those of a GSV-8; check the port and, on a UART, "
                 f"baud_rate ({rate}).",
             )
         return ConnectionFailed.at(

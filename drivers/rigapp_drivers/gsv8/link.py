@@ -156,7 +156,7 @@ class Link:
         if stray:
             raise ProtocolError.at(
                 self.port,
-                f"{command.words} was answered with the wrong number of bytes; check the firmware "
+                f"{command.words} was answered with a wrong length; check the firmware "
                 "and that no other program uses the device.",
             )
         raise self._timeout(command, f"{tries} tries")
@@ -259,8 +259,8 @@ class Link:
             self._parser.consecutive_foreign = 0
             raise ProtocolError.at(
                 self.port,
-                "the measured values have another number of objects or another format than the "
-                "device was set to; stop the test, configure again and check the object map.",
+                "the measured values have another number of inputs or another format than the "
+                "device was set to; stop the test, configure again and check object_map.",
             )
         return True
 

@@ -194,7 +194,7 @@ def _mapped(object_map: Sequence[Any], wanted: tuple[str, ...]) -> tuple[str, ..
         raise Unplannable(f"object_map names {', '.join(idle)}, which is not in use; take it out.")
     counters = sum(name.startswith("counter") for name in names)
     if len(names) > p.ANALOG_CHANNELS + counters or len(names) < 2:
-        raise Unplannable(f"object_map has {len(names)} objects; a frame has 2 to 10.")
+        raise Unplannable(f"object_map has {len(names)} inputs; 2 to 10 are possible.")
     return names
 
 

@@ -85,7 +85,7 @@ class Command(enum.IntEnum):
     @property
     def words(self) -> str:
         """Return the command as people would say it, with its number."""
-        return f"{self.name.lower().replace('_', ' ')} (command {self.value:02X})"
+        return f"{self.name.lower().replace('_', ' ')} ‹command {self.value:02X}›"
 
 
 class InputType(enum.IntEnum):

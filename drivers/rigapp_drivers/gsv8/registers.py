@@ -59,7 +59,7 @@ FLAGS = Setting(
 )
 DATA_TYPE = Setting("data_type", Command.GET_TX_MODE, Command.SET_TX_MODE, ">H", u8(p.TX_DATA_TYPE))
 OBJECTS = Setting(
-    "number of objects in the frame",
+    "number of inputs in the frame",
     Command.GET_TX_MAPPING,
     Command.SET_TX_MAPPING,
     ">H",

@@ -12,7 +12,7 @@ STATUS_WORDS: dict[int, str] = {
     0x40: "the device does not know this command",
     0x41: "this device does not have this command",
     0x42: "the request ended wrongly",
-    0x43: "the checksum of the request was wrong",
+    0x43: "the request arrived damaged",
     0x50: "a parameter is wrong",
     0x51: "the index, channel or address does not exist",
     0x52: "the value is not one of those allowed",
@@ -44,13 +44,13 @@ STATUS_WORDS: dict[int, str] = {
     0x81: "arithmetic fault in the device",
     0x82: "the analog-to-digital converter is faulty",
     0x83: "the measured value is not suitable for it",
-    0x84: "the settings memory (EEPROM) is faulty",
+    0x84: "the settings memory is faulty ‹EEPROM›",
     0x85: "external hardware is missing",
     0x86: "the memory card is missing or faulty",
     0x87: "the memory card refused the access",
-    0x91: "the transmit buffer overran: measured values were lost",
+    0x91: "the device could not send in time: measured values were lost",
     0x92: "the device is busy",
-    0x99: "the receive buffer of the device is full",
+    0x99: "the device takes no more requests for now",
     0xC0: "the radio link failed",
 }
 
@@ -58,9 +58,9 @@ STATUS_WORDS: dict[int, str] = {
 def status_words(code: int) -> str:
     """Return what a status code means."""
     if 0xB0 <= code <= 0xB8:
-        return f"the sensor's memory (TEDS) cannot be used (status {code:02X})"
+        return f"the sensor's memory cannot be used ‹TEDS, status {code:02X}›"
     words = STATUS_WORDS.get(code, "a status that this program does not know")
-    return f"{words} (status {code:02X})"
+    return f"{words} ‹status {code:02X}›"
 
 
 _KINDS = {
@@ -139,7 +139,7 @@ _FLAGS: dict[int, tuple[str, tuple[str, ...]]] = {
 def value_fault_words(kind: int, flags: int) -> str:
     """Return a value error in words, with the channels that it names."""
     if kind not in _FLAGS:
-        return f"value error of unknown kind {kind} with flags {flags:04X}"
+        return f"value error of unknown kind ‹{kind}, flags {flags:04X}›"
     what, names = _FLAGS[kind]
     if kind == 4 and flags == 0xFFFF:
         return f"{what}: unknown output"

@@ -132,8 +132,7 @@ def check(request: SlowRequest) -> None:
     missing = [name for name in request.quantities if name not in known]
     if missing:
         raise ValueError(
-            f"no register tells {', '.join(missing)}; the device's settings give "
-            f"{', '.join(known)}."
+            f"the device does not tell {', '.join(missing)}; its settings give {', '.join(known)}."
         )
 
 

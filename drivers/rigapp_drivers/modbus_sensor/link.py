@@ -50,7 +50,7 @@ class ModbusLink:
                 raise DeviceFault.at(
                     self.port,
                     f"{self._asked(function, address, count)} is answered by {reply.exception}; "
-                    "check the registers against the device's manual.",
+                    "check the settings against the device's manual.",
                 )
             if reply.words:
                 return reply.words
@@ -64,7 +64,7 @@ class ModbusLink:
             )
         raise ReplyTimeout.at(
             self.port,
-            f"no answer to {self._asked(function, address, count)} within "
+            f"no answer from {self._asked(function, address, count)} within "
             f"{self.reply_timeout_s:g} s; check power, wires A and B, address, baud rate and "
             "parity.",
         )
@@ -86,7 +86,7 @@ class ModbusLink:
             if left_s <= 0.0:
                 break
         self._late_until_s = time.monotonic() + self.reply_timeout_s
-        return ModbusReply(wrong=f"{len(data)} bytes only") if data else None
+        return ModbusReply(wrong=f"an answer cut short ‹{len(data)} bytes›") if data else None
 
     def _outwait_late_reply(self) -> None:
         """Let the answer to a question that was given up pass: it does not say what it answers."""
@@ -95,8 +95,5 @@ class ModbusLink:
                 self._late_until_s = 0.0
 
     def _asked(self, function: int, address: int, count: int) -> str:
-        many = "input registers" if function == 4 else "holding registers"
-        return (
-            f"{count} {many if count > 1 else many.removesuffix('s')} from {address} on at Modbus"
-            f" address {self.device}"
-        )
+        asked = f"function {function}, {count} from {address} on"
+        return f"the device at Modbus address {self.device} ‹{asked}›"

@@ -43,12 +43,14 @@ def decode_reply(data: bytes, device: int, function: int, count: int) -> ModbusR
     """Return what the bytes since a request say, None while the frame is not whole."""
     used, pdu = _FRAMER.handleFrame(data, 0, 0)
     if pdu is None:
-        return ModbusReply(wrong="a wrong checksum") if used else None
+        return ModbusReply(wrong="a damaged answer ‹wrong checksum›") if used else None
     if pdu.dev_id != device:
         return ModbusReply(wrong=f"an answer of device {pdu.dev_id}")
     if pdu.isError():
         code = pdu.exception_code
-        return ModbusReply(exception=f"exception {code} ({_EXCEPTIONS.get(code, 'unknown')})")
+        return ModbusReply(
+            exception=f"a refusal ‹exception {code}, {_EXCEPTIONS.get(code, 'unknown')}›"
+        )
     if pdu.function_code != function or len(pdu.registers) != count:
         return ModbusReply(
             wrong=f"{len(pdu.registers)} words to function {pdu.function_code} instead of "

@@ -182,7 +182,7 @@ class RoboClaw:
         if abs(speed) > min(setup.qpps, _MAXIMUM_SPEED):
             raise self._refused(
                 f"{abs(speed)} counts/s ({speed_rev_per_s * 60:.1f} rpm of the crank) is above "
-                f"the drive's own limit (QPPS) of {setup.qpps} counts/s; tune the drive's velocity "
+                f"the drive's own limit ‹QPPS› of {setup.qpps} counts/s; tune the drive's velocity "
                 "loop."
             )
         return speed

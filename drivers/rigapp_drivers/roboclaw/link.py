@@ -32,7 +32,7 @@ BITS_PER_BYTE: Final = 10
 FLUSH_LIMIT: Final = 65536
 
 _UNACKNOWLEDGED: Final = "not acknowledged by FF"
-_REPEATED_BECAUSE: Final = {"crc": "wrong CRC"}
+_REPEATED_BECAUSE: Final = {"crc": "a damaged answer"}
 _NO_REPLY: Final = "missing or short reply"
 
 _Reply = TypeVar("_Reply")
@@ -152,7 +152,9 @@ class Link:
             if answer == ACKNOWLEDGE:
                 failures.append("acknowledged, and not in effect")
             else:
-                failures.append(f"answered {answer.hex().upper()} instead of FF" if answer else "")
+                failures.append(
+                    f"a wrong answer ‹{answer.hex().upper()}, not FF›" if answer else ""
+                )
             if self.hurry.is_set():
                 break
         raise self._failure(command, failures)
@@ -173,7 +175,9 @@ class Link:
                 for reason in sorted(because):
                     self._tell_repeated(reason)
                 return result
-            failures.append("" if result.sentence.startswith("0 ") else result.sentence)
+            quiet, cut = result.sentence.startswith("0 "), result.kind == "short"
+            said = f"an answer cut short ‹{result.sentence}›" if cut else result.sentence
+            failures.append("" if quiet else said)
             because.add(_REPEATED_BECAUSE.get(result.kind, _NO_REPLY))
             self.crc_errors += result.kind == "crc"
             if self.hurry.is_set():
@@ -184,19 +188,18 @@ class Link:
         _log.warning("%s on %s: a packet was repeated: %s", self.device, self.port, reason)
 
     def _failure(self, command: int, failures: list[str]) -> ProtocolError | ReplyTimeout:
-        name = Command(command).name
+        name = f"{Command(command).name} ({command})"
         told = list(dict.fromkeys(sentence for sentence in failures if sentence))
         if not told:
             return ReplyTimeout.at(
                 self,
-                f"no reply to {name} ({command}) in {len(failures)} tries of "
-                f"{self._timeout_s * 1e3:.0f} ms or longer: "
-                "check power, cable, address and baud rate.",
+                f"no reply in {len(failures)} tries of {self._timeout_s * 1e3:.0f} ms or longer: "
+                f"check power, cable, address and baud rate ‹{name}›.",
             )
         return ProtocolError.at(
             self,
-            f"{name} ({command}) failed in {len(failures)} tries: {'; '.join(told)}: "
-            "check the cable's screen and the baud rate.",
+            f"no usable reply in {len(failures)} tries: {'; '.join(told)}: "
+            f"check the cable's screen and the baud rate ‹{name}›.",
         )
 
     def _reply_timeout(self, wire_bytes: int) -> float:

@@ -234,7 +234,7 @@ def _checked(address: int, command: int, raw: bytes) -> bytes | Rejected:
     data, sent = raw[:-CRC_LENGTH], int.from_bytes(raw[-CRC_LENGTH:], "big")
     computed = crc16(bytes((address, command)) + data)
     if sent != computed:
-        return Rejected("crc", f"CRC {sent:04X} instead of {computed:04X}")
+        return Rejected("crc", f"a damaged answer ‹CRC {sent:04X} instead of {computed:04X}›")
     return data
 
 
@@ -262,7 +262,7 @@ def parse_version(address: int, raw: bytes) -> str | Rejected:
         return data
     text = data[:end].rstrip(b"\n")
     if not text.isascii():
-        return Rejected("text", "a firmware text with bytes that are not ASCII")
+        return Rejected("text", "a firmware text that is not readable")
     return text.decode("ascii")
 
 

@@ -44,14 +44,14 @@ _WARNINGS_32: Final[Mapping[int, str]] = {
     21: "temperature 2 high",
     22: "input S4 active",
     23: "input S5 active",
-    24: "warning bit 24 (speed)",
-    25: "warning bit 25 (position, or speed M2)",
-    26: "warning bit 26 (position M1)",
-    27: "warning bit 27 (position M2)",
-    28: "warning bit 28 (CAN)",
-    29: "warning bit 29 (boot)",
-    30: "warning bit 30 (over-regeneration M1)",
-    31: "warning bit 31 (over-regeneration M2)",
+    24: "warning of speed ‹bit 24›",
+    25: "warning of position, or speed M2 ‹bit 25›",
+    26: "warning of position M1 ‹bit 26›",
+    27: "warning of position M2 ‹bit 27›",
+    28: "warning of CAN ‹bit 28›",
+    29: "warning of boot ‹bit 29›",
+    30: "warning of over-regeneration M1 ‹bit 30›",
+    31: "warning of over-regeneration M2 ‹bit 31›",
 }
 
 _ERRORS_16: Final[Mapping[int, str]] = {

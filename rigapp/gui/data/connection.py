@@ -11,6 +11,8 @@ from typing import Any, Protocol
 
 from rigapp.gui.data.commanding import CommandHolder, CommandWatch
 from rigapp.gui.data.tasks import TaskWorker
+from rigapp.presentation.translation import Text
+from rigapp.schema.details import error_text
 from rigapp.schema.messages import Reply, Snapshot, Status
 from rigapp.schema.verbs import verb_of
 
@@ -20,6 +22,7 @@ SILENT_AFTER_S = 2.0  # snapshots come ten to twenty times a second
 LOST_AFTER_S = 5.0  # longer than a busy computer pauses an engine
 FIRST_SNAPSHOT_S = 10.0  # an engine that has just been started imports meanwhile
 RETRY_S = (0.5, 1.0, 2.0, 5.0)
+BROKEN: Text = "The line to the engine broke."
 RELEASE_S = 1.0  # closing the window may wait so long, no longer
 
 
@@ -122,7 +125,7 @@ class EngineConnection:
         try:
             snapshot = self._client.poll()
         except Exception as error:
-            self._lose(f"{error}", now)
+            self._lose(error_text(error, BROKEN), now)
             return None
         if snapshot is not None:
             self._last_snapshot_at = now
@@ -144,7 +147,7 @@ class EngineConnection:
         accepted = worker.submit(
             lambda: client.request(verb, arguments, treated.timeout_s),
             handler,
-            lambda error: handler(Reply(ok=False, sentence=str(error) or type(error).__name__)),
+            lambda error: handler(Reply(ok=False, sentence=error_text(error, BROKEN))),
         )
         if not accepted:
             handler(Reply(ok=False, sentence="Too many requests are still waiting for an answer."))
@@ -186,7 +189,7 @@ class EngineConnection:
         self._attached_at = self._clock()
 
     def _not_attached(self, error: Exception) -> None:
-        reason = str(error) or type(error).__name__
+        reason = error_text(error, BROKEN)
         if reason != self._reason:
             log.warning("No engine: %s", reason)
         self._reason = reason

@@ -112,6 +112,10 @@
         <translation>Ein Versuch läuft. Er geht ohne dieses Fenster weiter.</translation>
     </message>
     <message>
+        <source>A window could not be attached</source>
+        <translation>Ein Fenster ließ sich nicht anschließen</translation>
+    </message>
+    <message>
         <source>Ac&amp;knowledge</source>
         <translation>&amp;Quittieren</translation>
     </message>
@@ -940,6 +944,10 @@
         <translation>Fallbeschleunigung</translation>
     </message>
     <message>
+        <source>Hall sensor or encoder</source>
+        <translation>Hallsensor oder Drehgeber</translation>
+    </message>
+    <message>
         <source>Hold off</source>
         <translation>Anfangsschonung</translation>
     </message>
@@ -958,6 +966,10 @@
     <message>
         <source>It should be {:.1f} {}</source>
         <translation>Soll: {:.1f} {}</translation>
+    </message>
+    <message>
+        <source>Its readings cannot be fitted by this version</source>
+        <translation>Seine Messungen lassen sich mit dieser Version nicht auswerten</translation>
     </message>
     <message>
         <source>Joint force over one revolution</source>
@@ -1058,6 +1070,10 @@
     <message>
         <source>No revolution measured yet: the wear depth with its predicted band is drawn here.</source>
         <translation>Noch keine Umdrehung gemessen: Hier wird die Verschleißtiefe mit ihrem vorhergesagten Band gezeichnet.</translation>
+    </message>
+    <message>
+        <source>No snapshot could be made for windows</source>
+        <translation>Für die Fenster ließ sich kein Abbild machen</translation>
     </message>
     <message>
         <source>No stored revolution: {}</source>
@@ -1432,6 +1448,10 @@
         <translation>Der Kraftsensor spürt</translation>
     </message>
     <message>
+        <source>The devices could not be connected</source>
+        <translation>Die Geräte ließen sich nicht verbinden</translation>
+    </message>
+    <message>
         <source>The encoder is not known yet</source>
         <translation>Der Drehgeber ist noch nicht bekannt</translation>
     </message>
@@ -1444,12 +1464,32 @@
         <translation>Der Drehgeber zeigt</translation>
     </message>
     <message>
+        <source>The engine cannot be reached; is it still running?</source>
+        <translation>Die Steuerung ist nicht zu erreichen; läuft sie noch?</translation>
+    </message>
+    <message>
+        <source>The engine could not do this</source>
+        <translation>Die Steuerung konnte das nicht ausführen</translation>
+    </message>
+    <message>
+        <source>The engine has no room for this request now; ask again</source>
+        <translation>Die Steuerung hat für diese Anfrage jetzt keinen Platz; noch einmal fragen</translation>
+    </message>
+    <message>
         <source>The file is still being read; try again.</source>
         <translation>Die Datei wird noch gelesen; noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The gap is recorded and the revolution flagged; nothing is interpolated.</source>
         <translation>Die Lücke ist aufgezeichnet, die Umdrehung gekennzeichnet; nichts wird interpoliert.</translation>
+    </message>
+    <message>
+        <source>The line to the engine broke</source>
+        <translation>Die Verbindung zur Steuerung ist abgebrochen</translation>
+    </message>
+    <message>
+        <source>The line to the engine broke.</source>
+        <translation>Die Verbindung zur Steuerung ist abgebrochen.</translation>
     </message>
     <message>
         <source>The log cannot be read: {}</source>
@@ -1480,8 +1520,28 @@
         <translation>Der neue Wert ist keine Zahl.</translation>
     </message>
     <message>
+        <source>The part that serves windows has died</source>
+        <translation>Der Teil, der die Fenster bedient, ist ausgefallen</translation>
+    </message>
+    <message>
         <source>The probe stands at</source>
         <translation>Der Wegsensor steht bei</translation>
+    </message>
+    <message>
+        <source>The queue failed</source>
+        <translation>Die Warteschlange ist ausgefallen</translation>
+    </message>
+    <message>
+        <source>The request is not readable</source>
+        <translation>Die Anfrage ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>The test cannot be checked</source>
+        <translation>Der Versuch lässt sich nicht prüfen</translation>
+    </message>
+    <message>
+        <source>The test could not be begun</source>
+        <translation>Der Versuch ließ sich nicht beginnen</translation>
     </message>
     <message>
         <source>The test goes on to its last revolution, or to another criterion.</source>
@@ -1716,12 +1776,28 @@
         <translation>Elastizitätsmodul</translation>
     </message>
     <message>
+        <source>[run]: the values cannot be used</source>
+        <translation>[run]: Die Werte sind nicht brauchbar</translation>
+    </message>
+    <message>
         <source>a calibration that is refused is not saved</source>
         <translation>eine abgelehnte Kalibrierung wird nicht gespeichert</translation>
     </message>
     <message>
+        <source>a damaged answer</source>
+        <translation>eine beschädigte Antwort</translation>
+    </message>
+    <message>
+        <source>a firmware text that is not readable</source>
+        <translation>ein Text der Firmware, der nicht lesbar ist</translation>
+    </message>
+    <message>
         <source>a journal starts with begin</source>
         <translation>ein Journal beginnt mit begin</translation>
+    </message>
+    <message>
+        <source>a message of a wrong length</source>
+        <translation>eine Nachricht falscher Länge</translation>
     </message>
     <message>
         <source>a new test</source>
@@ -1744,12 +1820,24 @@
         <translation>ein gültiger Kalibrierdatensatz</translation>
     </message>
     <message>
+        <source>a refusal</source>
+        <translation>eine Ablehnung</translation>
+    </message>
+    <message>
+        <source>a request could not be sent whole</source>
+        <translation>eine Anfrage ließ sich nicht ganz senden</translation>
+    </message>
+    <message>
         <source>a roll needs a rig file and a test file, whose mechanism tells the elastic motion: name the test file</source>
         <translation>ein Umlauf braucht eine Prüfstandsdatei und eine Versuchsdatei, deren Getriebe die elastische Bewegung sagt: die Versuchsdatei nennen</translation>
     </message>
     <message>
         <source>a simulated rig</source>
         <translation>ein simulierter Prüfstand</translation>
+    </message>
+    <message>
+        <source>a wrong answer</source>
+        <translation>eine falsche Antwort</translation>
     </message>
     <message>
         <source>above</source>
@@ -1796,12 +1884,20 @@
         <translation>in y</translation>
     </message>
     <message>
+        <source>an answer cut short</source>
+        <translation>eine abgeschnittene Antwort</translation>
+    </message>
+    <message>
         <source>angle of the maximum of {}</source>
         <translation>Winkel des Maximums {}</translation>
     </message>
     <message>
         <source>angle reference</source>
         <translation>Winkelbezug</translation>
+    </message>
+    <message>
+        <source>another device than a GSV-8 answers; check the port in the rig file</source>
+        <translation>ein anderes Gerät als ein GSV-8 antwortet; den Anschluss in der Prüfstandsdatei prüfen</translation>
     </message>
     <message>
         <source>archard</source>
@@ -1860,6 +1956,10 @@
         <translation>nach seiner Zeile in der Prüfstandsdatei</translation>
     </message>
     <message>
+        <source>cannot be judged</source>
+        <translation>nicht zu beurteilen</translation>
+    </message>
+    <message>
         <source>change</source>
         <translation>Änderung</translation>
     </message>
@@ -1898,10 +1998,6 @@
     <message>
         <source>cm/s^2 (Gal)</source>
         <translation>cm/s^2 (Gal)</translation>
-    </message>
-    <message>
-        <source>collision of COB-IDs</source>
-        <translation>COB-ID doppelt belegt</translation>
     </message>
     <message>
         <source>command names no program</source>
@@ -1974,6 +2070,10 @@
     <message>
         <source>data source</source>
         <translation>Messwertquelle</translation>
+    </message>
+    <message>
+        <source>data were lost or added on the line; the stream was restarted</source>
+        <translation>auf der Leitung gingen Daten verloren oder kamen hinzu; der Datenstrom wurde neu gestartet</translation>
     </message>
     <message>
         <source>default {}</source>
@@ -2396,12 +2496,32 @@
         <translation>es antwortet nicht mehr auf stop; es aus- und einschalten und das Kabel prüfen</translation>
     </message>
     <message>
+        <source>it cannot be computed</source>
+        <translation>es lässt sich nicht berechnen</translation>
+    </message>
+    <message>
+        <source>it cannot be written</source>
+        <translation>sie lässt sich nicht schreiben</translation>
+    </message>
+    <message>
         <source>it does not answer</source>
         <translation>er antwortet nicht</translation>
     </message>
     <message>
+        <source>it failed</source>
+        <translation>es ist fehlgeschlagen</translation>
+    </message>
+    <message>
         <source>it is inside the unworn bushing</source>
         <translation>es liegt innerhalb der neuen Buchse</translation>
+    </message>
+    <message>
+        <source>it is no private key in PEM without a passphrase</source>
+        <translation>es ist kein privater Schlüssel in PEM ohne Passphrase</translation>
+    </message>
+    <message>
+        <source>it is no public key in PEM</source>
+        <translation>es ist kein öffentlicher Schlüssel in PEM</translation>
     </message>
     <message>
         <source>it is not a calibration record</source>
@@ -2752,6 +2872,10 @@
         <translation>kein Kanal genannt</translation>
     </message>
     <message>
+        <source>no connection; check host, port number and that the server runs</source>
+        <translation>keine Verbindung; Rechnername und Portnummer prüfen, und dass der Server läuft</translation>
+    </message>
+    <message>
         <source>no cycles</source>
         <translation>keine Zyklen</translation>
     </message>
@@ -2766,6 +2890,10 @@
     <message>
         <source>no level</source>
         <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>no line of a journal</source>
+        <translation>keine Zeile eines Journals</translation>
     </message>
     <message>
         <source>no measured value came</source>
@@ -2828,10 +2956,6 @@
         <translation>nicht mit FF bestätigt</translation>
     </message>
     <message>
-        <source>not an object</source>
-        <translation>kein Objekt</translation>
-    </message>
-    <message>
         <source>not compared: the crank is not known to stand as it stood, and a spring presses by its angle</source>
         <translation>nicht verglichen: Ob die Kurbel steht, wie sie stand, ist nicht bekannt, und eine Feder drückt je nach ihrem Winkel</translation>
     </message>
@@ -2890,10 +3014,6 @@
     <message>
         <source>nothing, wait</source>
         <translation>nichts, warten</translation>
-    </message>
-    <message>
-        <source>number of objects in the frame</source>
-        <translation>Anzahl der Objekte im Rahmen</translation>
     </message>
     <message>
         <source>numbers of the rig file</source>
@@ -3256,10 +3376,6 @@
         <translation>einige Bits des Werts sind nicht erlaubt</translation>
     </message>
     <message>
-        <source>something sends bytes, but does not answer stop as a DATAQ instrument does; check the port in the rig file, and switch the device off and on</source>
-        <translation>etwas sendet Bytes, antwortet aber auf stop nicht wie ein Gerät von DATAQ; den Anschluss in der Prüfstandsdatei prüfen und das Gerät aus- und einschalten</translation>
-    </message>
-    <message>
         <source>something slips slowly</source>
         <translation>etwas rutscht langsam</translation>
     </message>
@@ -3384,10 +3500,6 @@
         <translation>die verwendete Kalibrierung ist nicht bekannt; läuft die Steuerung?</translation>
     </message>
     <message>
-        <source>the checksum of the request was wrong</source>
-        <translation>die Prüfsumme der Anfrage war falsch</translation>
-    </message>
-    <message>
         <source>the columns of a cycle differ in length</source>
         <translation>die Spalten eines Zyklus sind verschieden lang</translation>
     </message>
@@ -3476,16 +3588,8 @@
         <translation>das Gerät ist dafür im falschen Zustand</translation>
     </message>
     <message>
-        <source>the device takes no more bytes (write time-out); check the cable and switch the device off and on</source>
-        <translation>das Gerät nimmt keine Bytes mehr an (Zeitüberschreitung beim Schreiben); das Kabel prüfen und das Gerät aus- und einschalten</translation>
-    </message>
-    <message>
         <source>the drive does not answer</source>
         <translation>der Antrieb antwortet nicht</translation>
-    </message>
-    <message>
-        <source>the drive has no profile velocity mode (6502)</source>
-        <translation>der Antrieb hat keine Betriebsart „Profile Velocity“ (6502)</translation>
     </message>
     <message>
         <source>the drive has restarted (boot-up message) and its motor is off; check its supply</source>
@@ -3502,10 +3606,6 @@
     <message>
         <source>the drive only</source>
         <translation>nur der Antrieb</translation>
-    </message>
-    <message>
-        <source>the drive warns (bit 7 of the status word)</source>
-        <translation>der Antrieb warnt (Bit 7 des Statusworts)</translation>
     </message>
     <message>
         <source>the drive&apos;s watchdog is not set; configure the drive first</source>
@@ -3596,10 +3696,6 @@
         <translation>der Messwert ist dafür nicht geeignet</translation>
     </message>
     <message>
-        <source>the measured values have another number of objects or another format than the device was set to; stop the test, configure again and check the object map</source>
-        <translation>die Messwerte haben eine andere Anzahl von Objekten oder ein anderes Format, als im Gerät eingestellt wurde; den Versuch stoppen, neu konfigurieren und die Objektzuordnung prüfen</translation>
-    </message>
-    <message>
         <source>the mechanism is at a dead point</source>
         <translation>der Mechanismus steht in einem Totpunkt</translation>
     </message>
@@ -3680,10 +3776,6 @@
         <translation>die Messungen sagen über den Verschleißkoeffizienten kaum mehr, als vor dem Versuch angenommen war: ihn länger laufen lassen</translation>
     </message>
     <message>
-        <source>the receive buffer of the device is full</source>
-        <translation>der Empfangspuffer des Geräts ist voll</translation>
-    </message>
-    <message>
         <source>the record&apos;s settings</source>
         <translation>die Einstellungen des Datensatzes</translation>
     </message>
@@ -3702,10 +3794,6 @@
     <message>
         <source>the setting can only be read</source>
         <translation>die Einstellung lässt sich nur lesen</translation>
-    </message>
-    <message>
-        <source>the settings memory (EEPROM) is faulty</source>
-        <translation>der Einstellungsspeicher (EEPROM) ist defekt</translation>
     </message>
     <message>
         <source>the signal is not a number</source>
@@ -3758,10 +3846,6 @@
     <message>
         <source>the time of a rig that is not in real time needs the pulse rate</source>
         <translation>die Zeit eines Prüfstands, der nicht in Echtzeit läuft, braucht die Pulsfrequenz</translation>
-    </message>
-    <message>
-        <source>the transmit buffer overran: measured values were lost</source>
-        <translation>der Sendepuffer lief über: Messwerte gingen verloren</translation>
     </message>
     <message>
         <source>the twin could not keep up</source>
@@ -4008,38 +4092,6 @@
         <translation>warnen</translation>
     </message>
     <message>
-        <source>warning bit 24 (speed)</source>
-        <translation>Warnbit 24 (Drehzahl)</translation>
-    </message>
-    <message>
-        <source>warning bit 25 (position, or speed M2)</source>
-        <translation>Warnbit 25 (Lage, oder Drehzahl M2)</translation>
-    </message>
-    <message>
-        <source>warning bit 26 (position M1)</source>
-        <translation>Warnbit 26 (Lage M1)</translation>
-    </message>
-    <message>
-        <source>warning bit 27 (position M2)</source>
-        <translation>Warnbit 27 (Lage M2)</translation>
-    </message>
-    <message>
-        <source>warning bit 28 (CAN)</source>
-        <translation>Warnbit 28 (CAN)</translation>
-    </message>
-    <message>
-        <source>warning bit 29 (boot)</source>
-        <translation>Warnbit 29 (Boot)</translation>
-    </message>
-    <message>
-        <source>warning bit 30 (over-regeneration M1)</source>
-        <translation>Warnbit 30 (zu viel Rückspeisung M1)</translation>
-    </message>
-    <message>
-        <source>warning bit 31 (over-regeneration M2)</source>
-        <translation>Warnbit 31 (zu viel Rückspeisung M2)</translation>
-    </message>
-    <message>
         <source>was closed</source>
         <translation>wurde geschlossen</translation>
     </message>
@@ -4146,14 +4198,6 @@
     <message>
         <source>wrong</source>
         <translation>falsch</translation>
-    </message>
-    <message>
-        <source>wrong CRC</source>
-        <translation>falsche CRC</translation>
-    </message>
-    <message>
-        <source>wrong length of a PDO</source>
-        <translation>falsche Länge eines PDO</translation>
     </message>
     <message>
         <source>wrong parameter</source>
@@ -4652,10 +4696,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Angenommen</translation>
     </message>
     <message>
-        <source>Access failed due to a hardware error</source>
-        <translation>Zugriff wegen eines Hardwarefehlers fehlgeschlagen</translation>
-    </message>
-    <message>
         <source>Acknowledge the alarm that is told in full</source>
         <translation>Den Alarm quittieren, der ganz zu lesen ist</translation>
     </message>
@@ -4734,14 +4774,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>As in the file.</source>
         <translation>Wie in der Datei.</translation>
-    </message>
-    <message>
-        <source>Attempt to read a write only object</source>
-        <translation>Lesen eines nur schreibbaren Objekts</translation>
-    </message>
-    <message>
-        <source>Attempt to write a read only object</source>
-        <translation>Schreiben eines nur lesbaren Objekts</translation>
     </message>
     <message>
         <source>Back</source>
@@ -4826,10 +4858,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>CAN transmit queue overrun</source>
         <translation>Überlauf der CAN-Sendewarteschlange</translation>
-    </message>
-    <message>
-        <source>CRC error</source>
-        <translation>CRC-Fehler</translation>
     </message>
     <message>
         <source>Calculating …</source>
@@ -5004,10 +5032,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zeitüberschreitung der Verbindung</translation>
     </message>
     <message>
-        <source>Could not write to serial device</source>
-        <translation>Schreiben auf den seriellen Anschluss nicht möglich</translation>
-    </message>
-    <message>
         <source>Count that the index sets</source>
         <translation>Zählerstand, den der Index setzt</translation>
     </message>
@@ -5062,30 +5086,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Data are missing or doubtful</source>
         <translation>Daten fehlen oder sind zweifelhaft</translation>
-    </message>
-    <message>
-        <source>Data can not be transferred or stored to the application because of local control</source>
-        <translation>die Daten lassen sich wegen örtlicher Steuerung nicht übertragen oder speichern</translation>
-    </message>
-    <message>
-        <source>Data can not be transferred or stored to the application because of the present device state</source>
-        <translation>die Daten lassen sich im gegenwärtigen Zustand des Geräts nicht übertragen oder speichern</translation>
-    </message>
-    <message>
-        <source>Data cannot be transferred or stored to the application</source>
-        <translation>die Daten lassen sich nicht übertragen oder speichern</translation>
-    </message>
-    <message>
-        <source>Data type and length code do not match</source>
-        <translation>Datentyp und Länge passen nicht zusammen</translation>
-    </message>
-    <message>
-        <source>Data type does not match, length of service parameter too high</source>
-        <translation>der Datentyp passt nicht, der Parameter ist zu lang</translation>
-    </message>
-    <message>
-        <source>Data type does not match, length of service parameter too low</source>
-        <translation>der Datentyp passt nicht, der Parameter ist zu kurz</translation>
     </message>
     <message>
         <source>Delay</source>
@@ -5360,18 +5360,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Empfindlichkeit von Achse 2</translation>
     </message>
     <message>
-        <source>General error</source>
-        <translation>allgemeiner Fehler</translation>
-    </message>
-    <message>
-        <source>General internal incompatibility in the device</source>
-        <translation>allgemeine interne Unverträglichkeit im Gerät</translation>
-    </message>
-    <message>
-        <source>General parameter incompatibility reason</source>
-        <translation>allgemeine Unverträglichkeit der Parameter</translation>
-    </message>
-    <message>
         <source>Go a&amp;head</source>
         <translation>Fort&amp;fahren</translation>
     </message>
@@ -5516,10 +5504,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>ungültiges Argument</translation>
     </message>
     <message>
-        <source>Invalid block size</source>
-        <translation>ungültige Blockgröße</translation>
-    </message>
-    <message>
         <source>Invalid date or datetime</source>
         <translation>ungültiges Datum</translation>
     </message>
@@ -5530,10 +5514,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Invalid initial character for a key part</source>
         <translation>ungültiges erstes Zeichen eines Schlüssels</translation>
-    </message>
-    <message>
-        <source>Invalid sequence number</source>
-        <translation>ungültige Folgenummer</translation>
     </message>
     <message>
         <source>Invalid statement</source>
@@ -5848,10 +5828,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Matrix und Nullpunkt</translation>
     </message>
     <message>
-        <source>Maximum value is less than minimum value</source>
-        <translation>Höchstwert kleiner als Mindestwert</translation>
-    </message>
-    <message>
         <source>May</source>
         <translation>Mai</translation>
     </message>
@@ -6018,10 +5994,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>No data</source>
         <translation>Keine Daten</translation>
-    </message>
-    <message>
-        <source>No data available</source>
-        <translation>keine Daten verfügbar</translation>
     </message>
     <message>
         <source>No engine</source>
@@ -6220,18 +6192,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zahlen und Unsicherheit</translation>
     </message>
     <message>
-        <source>Object cannot be mapped to the PDO</source>
-        <translation>das Objekt lässt sich nicht auf das PDO abbilden</translation>
-    </message>
-    <message>
-        <source>Object dictionary dynamic generation fails or no object dictionary is present</source>
-        <translation>das Objektverzeichnis lässt sich nicht erzeugen oder fehlt</translation>
-    </message>
-    <message>
-        <source>Object does not exist</source>
-        <translation>das Objekt gibt es nicht</translation>
-    </message>
-    <message>
         <source>Objects to use: &quot;auto&quot; takes the EPOS4&apos;s own when the maker is maxon</source>
         <translation>Zu verwendende Objekte: &quot;auto&quot; nimmt die des EPOS4, wenn der Hersteller maxon ist</translation>
     </message>
@@ -6300,10 +6260,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>&amp;Ordnungen der Karte</translation>
     </message>
     <message>
-        <source>Out of memory</source>
-        <translation>kein Speicher mehr</translation>
-    </message>
-    <message>
         <source>Overload</source>
         <translation>Überlast</translation>
     </message>
@@ -6318,10 +6274,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>P&amp;lan</source>
         <translation>P&amp;lan</translation>
-    </message>
-    <message>
-        <source>PDO length exceeded</source>
-        <translation>Länge des PDO überschritten</translation>
     </message>
     <message>
         <source>Pa m/s</source>
@@ -6788,10 +6740,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Bisherige Abweichungen, Mikrometer</translation>
     </message>
     <message>
-        <source>Resource not available</source>
-        <translation>Mittel nicht verfügbar</translation>
-    </message>
-    <message>
         <source>Resource temporarily unavailable</source>
         <translation>Mittel vorübergehend nicht verfügbar</translation>
     </message>
@@ -6902,10 +6850,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>S&amp;top</source>
         <translation>S&amp;topp</translation>
-    </message>
-    <message>
-        <source>SDO toggle bit error</source>
-        <translation>Fehler des SDO-Toggle-Bits</translation>
     </message>
     <message>
         <source>SIMULATED</source>
@@ -7366,10 +7310,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Study</source>
         <translation>Studie</translation>
-    </message>
-    <message>
-        <source>Subindex does not exist</source>
-        <translation>den Subindex gibt es nicht</translation>
     </message>
     <message>
         <source>Sun</source>
@@ -7896,10 +7836,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Dauer der Messwerte, die zusammen übergeben werden</translation>
     </message>
     <message>
-        <source>Timeout of transfer communication detected</source>
-        <translation>Zeitüberschreitung bei der Übertragung</translation>
-    </message>
-    <message>
         <source>Title, specimen, file, operator, reason</source>
         <translation>Titel, Probe, Datei, Bediener, Grund</translation>
     </message>
@@ -7980,14 +7916,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Im Antrieb einzustellende Einheit; milli-rpm ist feiner, und nicht jeder Antrieb hat sie</translation>
     </message>
     <message>
-        <source>Unknown SDO command specified</source>
-        <translation>unbekannter SDO-Befehl</translation>
-    </message>
-    <message>
-        <source>Unsupported access to an object</source>
-        <translation>nicht unterstützter Zugriff auf ein Objekt</translation>
-    </message>
-    <message>
         <source>Unterminated string</source>
         <translation>nicht beendeter Text</translation>
     </message>
@@ -8020,20 +7948,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wert und Grenze</translation>
     </message>
     <message>
-        <source>Value of parameter written too high</source>
-        <translation>geschriebener Wert des Parameters zu groß</translation>
-    </message>
-    <message>
-        <source>Value of parameter written too low</source>
-        <translation>geschriebener Wert des Parameters zu klein</translation>
-    </message>
-    <message>
         <source>Value of the fault, empty: its default</source>
         <translation>Wert des Fehlers, leer: der übliche</translation>
-    </message>
-    <message>
-        <source>Value range of parameter exceeded</source>
-        <translation>Wertebereich des Parameters überschritten</translation>
     </message>
     <message>
         <source>Value, empty: default</source>
@@ -8484,10 +8400,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>ein Datensatz liegt hinter ihrem Ende</translation>
     </message>
     <message>
-        <source>a firmware text with bytes that are not ASCII</source>
-        <translation>ein Text der Firmware mit Bytes, die nicht ASCII sind</translation>
-    </message>
-    <message>
         <source>a full bridge of foil gauges gives its gauge factor, 2, times the strain: 4 at the 0.2 % that hardened steel bears, about 2 in most cells</source>
         <translation>eine Vollbrücke aus Folien-DMS ergibt ihren k-Faktor, 2, mal die Dehnung: 4 bei den 0.2 %, die gehärteter Stahl erträgt, etwa 2 bei den meisten Kraftsensoren</translation>
     </message>
@@ -8578,10 +8490,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>a window looks on</source>
         <translation>ein Fenster schaut zu</translation>
-    </message>
-    <message>
-        <source>a wrong checksum</source>
-        <translation>einer falschen Prüfsumme</translation>
     </message>
     <message>
         <source>a wrong weight hangs</source>
@@ -8824,10 +8732,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Dichte</translation>
     </message>
     <message>
-        <source>device reports readiness to read but returned no data (device disconnected or multiple access on port?)</source>
-        <translation>das Gerät meldet Daten, liefert aber keine (getrennt, oder mehrere Programme am Anschluss?)</translation>
-    </message>
-    <message>
         <source>diamond</source>
         <translation>Raute</translation>
     </message>
@@ -8968,14 +8872,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>für begrenzte Zeit verborgen, mit einem Grund; Grenzen wirken trotzdem</translation>
     </message>
     <message>
-        <source>holding register</source>
-        <translation>Holding-Register</translation>
-    </message>
-    <message>
-        <source>holding registers</source>
-        <translation>Holding-Register</translation>
-    </message>
-    <message>
         <source>idle</source>
         <translation>Ruhe</translation>
     </message>
@@ -8990,14 +8886,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>inject fault</source>
         <translation>Fehler auslösen</translation>
-    </message>
-    <message>
-        <source>input register</source>
-        <translation>Input-Register</translation>
-    </message>
-    <message>
-        <source>input registers</source>
-        <translation>Input-Register</translation>
     </message>
     <message>
         <source>interrupted</source>
@@ -9300,6 +9188,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>jetzt</translation>
     </message>
     <message>
+        <source>number of inputs in the frame</source>
+        <translation>Anzahl der Eingänge im Rahmen</translation>
+    </message>
+    <message>
+        <source>only a part was written</source>
+        <translation>nur ein Teil wurde geschrieben</translation>
+    </message>
+    <message>
         <source>over-current</source>
         <translation>Überstrom</translation>
     </message>
@@ -9556,12 +9452,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>kleinstes |F| des Gelenks</translation>
     </message>
     <message>
-        <source>socket disconnected</source>
-        <translation>Verbindung getrennt</translation>
-    </message>
-    <message>
         <source>software</source>
         <translation>Software</translation>
+    </message>
+    <message>
+        <source>something sends data, but does not answer stop as a DATAQ instrument does; check the port in the rig file, and switch the device off and on</source>
+        <translation>etwas sendet Daten, antwortet aber auf stop nicht wie ein Gerät von DATAQ; den Anschluss in der Prüfstandsdatei prüfen und das Gerät aus- und einschalten</translation>
     </message>
     <message>
         <source>speed unit, limits or heartbeat</source>
@@ -9644,6 +9540,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Text</translation>
     </message>
     <message>
+        <source>the CAN adapter broke off; check its cable and the bus</source>
+        <translation>der CAN-Adapter ist ausgefallen; sein Kabel und den Bus prüfen</translation>
+    </message>
+    <message>
         <source>the condition holds, and nobody has acknowledged it</source>
         <translation>die Bedingung gilt, und niemand hat sie quittiert</translation>
     </message>
@@ -9660,12 +9560,36 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der kritische Alarm, der seit dem letzten Zurücksetzen zuerst kam: dort zuerst nachsehen</translation>
     </message>
     <message>
+        <source>the device could not send in time: measured values were lost</source>
+        <translation>das Gerät konnte nicht rechtzeitig senden: Messwerte gingen verloren</translation>
+    </message>
+    <message>
+        <source>the device takes no more data (write time-out); check the cable and switch the device off and on</source>
+        <translation>das Gerät nimmt keine Daten mehr an (Zeitüberschreitung beim Schreiben); das Kabel prüfen und das Gerät aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>the device takes no more requests for now</source>
+        <translation>das Gerät nimmt zurzeit keine Anfragen mehr an</translation>
+    </message>
+    <message>
+        <source>the drive did not keep a setting; check its firmware and that it is not locked</source>
+        <translation>der Antrieb hat eine Einstellung nicht behalten; seine Firmware prüfen, und dass er nicht gesperrt ist</translation>
+    </message>
+    <message>
+        <source>the drive has no profile velocity mode</source>
+        <translation>der Antrieb hat keine Betriebsart „Profile Velocity“</translation>
+    </message>
+    <message>
         <source>the drive has restarted and its motor is off; check its supply</source>
         <translation>der Antrieb ist neu gestartet, und sein Motor ist aus; die Versorgung prüfen</translation>
     </message>
     <message>
         <source>the drive itself warns, as a rule of its supply, temperature or load; what is damaged on its line is counted beside the device and is no warning</source>
         <translation>der Antrieb selbst warnt, meist vor seiner Versorgung, Temperatur oder Last; was auf seiner Leitung beschädigt wird, ist beim Gerät gezählt und keine Warnung</translation>
+    </message>
+    <message>
+        <source>the drive warns</source>
+        <translation>der Antrieb warnt</translation>
     </message>
     <message>
         <source>the end waits</source>
@@ -9678,6 +9602,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the log of this test has no room left for notes; alarms are still kept</source>
         <translation>das Protokoll dieses Versuchs hat keinen Platz mehr für Notizen; Alarme werden weiter aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>the measured values have another number of inputs or another format than the device was set to; stop the test, configure again and check object_map</source>
+        <translation>die Messwerte haben eine andere Anzahl von Eingängen oder ein anderes Format, als im Gerät eingestellt wurde; den Versuch stoppen, neu konfigurieren und object_map prüfen</translation>
+    </message>
+    <message>
+        <source>the model has no solution</source>
+        <translation>das Modell hat keine Lösung</translation>
+    </message>
+    <message>
+        <source>the node does not operate any more</source>
+        <translation>der Knoten arbeitet nicht mehr</translation>
     </message>
     <message>
         <source>the note is empty</source>
@@ -9712,12 +9648,32 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>den Rundlauf des Bolzens</translation>
     </message>
     <message>
+        <source>the port cannot be opened; check the port&apos;s name in the rig file</source>
+        <translation>der Anschluss lässt sich nicht öffnen; den Namen des Anschlusses in der Prüfstandsdatei prüfen</translation>
+    </message>
+    <message>
+        <source>the prediction was not asked</source>
+        <translation>die Vorhersage wurde nicht gefragt</translation>
+    </message>
+    <message>
         <source>the probes</source>
         <translation>die Wegsensoren</translation>
     </message>
     <message>
+        <source>the request arrived damaged</source>
+        <translation>die Anfrage kam beschädigt an</translation>
+    </message>
+    <message>
         <source>the rig file</source>
         <translation>die Prüfstandsdatei</translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s memory cannot be used</source>
+        <translation>der Speicher des Sensors ist nicht verwendbar</translation>
+    </message>
+    <message>
+        <source>the settings memory is faulty</source>
+        <translation>der Einstellungsspeicher ist defekt</translation>
     </message>
     <message>
         <source>the spindle turns for the calibration; stop it first</source>
@@ -9726,6 +9682,30 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the tare is set</source>
         <translation>der Nullpunkt ist gesetzt</translation>
+    </message>
+    <message>
+        <source>the twin cannot be reached</source>
+        <translation>die Vorhersage ist nicht zu erreichen</translation>
+    </message>
+    <message>
+        <source>the twin failed</source>
+        <translation>die Vorhersage ist fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>the twin has left nothing readable in the file</source>
+        <translation>die Vorhersage hat in der Datei nichts Lesbares hinterlassen</translation>
+    </message>
+    <message>
+        <source>the velocity unit is unknown; set rpm in the drive</source>
+        <translation>die Geschwindigkeitseinheit ist unbekannt; rpm im Antrieb einstellen</translation>
+    </message>
+    <message>
+        <source>the wear cannot be computed</source>
+        <translation>der Verschleiß lässt sich nicht berechnen</translation>
+    </message>
+    <message>
+        <source>the workers were lost; what is done is safe, and the same command goes on with it</source>
+        <translation>die Rechenprozesse gingen verloren; was fertig ist, ist sicher, und derselbe Befehl macht damit weiter</translation>
     </message>
     <message>
         <source>these are no measurements</source>
@@ -9776,6 +9756,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>ausgelöst</translation>
     </message>
     <message>
+        <source>two senders use one identifier</source>
+        <translation>zwei Sender benutzen dieselbe Kennung</translation>
+    </message>
+    <message>
         <source>typical force</source>
         <translation>typische Kraft</translation>
     </message>
@@ -9796,6 +9780,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>unbekannt</translation>
     </message>
     <message>
+        <source>unknown error</source>
+        <translation>unbekannter Fehler</translation>
+    </message>
+    <message>
         <source>until ended</source>
         <translation>bis zum Beenden</translation>
     </message>
@@ -9812,6 +9800,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kalibrierung verwenden</translation>
     </message>
     <message>
+        <source>value error of unknown kind</source>
+        <translation>Messwertfehler unbekannter Art</translation>
+    </message>
+    <message>
         <source>voltage</source>
         <translation>Spannung</translation>
     </message>
@@ -9822,6 +9814,38 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>warning</source>
         <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>warning of CAN</source>
+        <translation>Warnung von CAN</translation>
+    </message>
+    <message>
+        <source>warning of boot</source>
+        <translation>Warnung beim Start</translation>
+    </message>
+    <message>
+        <source>warning of over-regeneration M1</source>
+        <translation>Warnung: zu viel Rückspeisung M1</translation>
+    </message>
+    <message>
+        <source>warning of over-regeneration M2</source>
+        <translation>Warnung: zu viel Rückspeisung M2</translation>
+    </message>
+    <message>
+        <source>warning of position M1</source>
+        <translation>Warnung: Lage M1</translation>
+    </message>
+    <message>
+        <source>warning of position M2</source>
+        <translation>Warnung: Lage M2</translation>
+    </message>
+    <message>
+        <source>warning of position, or speed M2</source>
+        <translation>Warnung: Lage, oder Drehzahl M2</translation>
+    </message>
+    <message>
+        <source>warning of speed</source>
+        <translation>Warnung: Drehzahl</translation>
     </message>
     <message>
         <source>was {}; {}</source>
@@ -10191,6 +10215,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>--probe {}: zu wählen ist {}</translation>
     </message>
     <message>
+        <source>--scheduler {}: no Dask scheduler answers there</source>
+        <translation>--scheduler {}: Dort antwortet kein Dask-Scheduler</translation>
+    </message>
+    <message>
+        <source>A part of the engine {sentence}.</source>
+        <translation>Ein Teil der Steuerung {sentence}.</translation>
+    </message>
+    <message>
         <source>Acknowledge &quot;{}&quot; and {} more: say that you have seen it.</source>
         <translation>„{}“ und {} weitere quittieren: bestätigen, dass es gesehen wurde.</translation>
     </message>
@@ -10375,6 +10407,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Winkel zwischen ihnen ist {} Grad (u = {})</translation>
     </message>
     <message>
+        <source>The arguments of {} are not usable</source>
+        <translation>Die Argumente von {} sind nicht brauchbar</translation>
+    </message>
+    <message>
         <source>The cell is off by {:.2f} N, {:.2f} N are allowed: axis {} tells {:+.2f} % of the force along axis {}{}. Check the weight that hung; if it was right, calibrate the load cell again</source>
         <translation>Der Kraftsensor weicht um {} N ab, {} N sind erlaubt: Achse {} zeigt {} % der Kraft längs Achse {}{}. Das angehängte Gewicht prüfen; war es richtig, den Kraftsensor neu kalibrieren</translation>
     </message>
@@ -10411,16 +10447,100 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Antrieb meldet {speed_rpm:.1f} rpm, aber der Drehgeber der Kurbel bewegt sich nicht.</translation>
     </message>
     <message>
-        <source>The driver &quot;{}&quot; ({}) cannot be loaded: {}; {}</source>
-        <translation>Der Treiber &quot;{}&quot; ({}) lässt sich nicht laden: {}; {}</translation>
+        <source>{} was answered with a wrong length; check the firmware and that no other program uses the device</source>
+        <translation>{} wurde mit einer falschen Länge beantwortet; die Firmware prüfen, und dass kein anderes Programm das Gerät benutzt</translation>
+    </message>
+    <message>
+        <source>{}: cannot be made{}</source>
+        <translation>{}: lässt sich nicht anlegen{}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read</source>
+        <translation>{}: nicht lesbar</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read as text</source>
+        <translation>{}: lässt sich nicht als Text lesen</translation>
+    </message>
+    <message>
+        <source>{}: is damaged</source>
+        <translation>{}: ist beschädigt</translation>
+    </message>
+    <message>
+        <source>{}: is no key pair; delete it</source>
+        <translation>{}: ist kein Schlüsselpaar; sie löschen</translation>
+    </message>
+    <message>
+        <source>{}: is not the entry of an engine</source>
+        <translation>{}: ist nicht der Eintrag einer Steuerung</translation>
+    </message>
+    <message>
+        <source>{}: is not the table of a study</source>
+        <translation>{}: ist nicht die Tabelle einer Studie</translation>
+    </message>
+    <message>
+        <source>{}: it tells no rolls</source>
+        <translation>{}: enthält keine Umläufe</translation>
+    </message>
+    <message>
+        <source>{}: the copy of the rig file cannot be written; nothing is changed</source>
+        <translation>{}: Die Kopie der Prüfstandsdatei lässt sich nicht schreiben; nichts ist geändert</translation>
+    </message>
+    <message>
+        <source>{}: the file cannot be opened as HDF5</source>
+        <translation>{}: Die Datei lässt sich nicht als HDF5 öffnen</translation>
+    </message>
+    <message>
+        <source>{}: the file is damaged, {} cannot be read; take a copy made before, and check the disk</source>
+        <translation>{}: Die Datei ist beschädigt, nicht lesbar: {}; eine ältere Kopie nehmen und den Datenträger prüfen</translation>
+    </message>
+    <message>
+        <source>{}: the journal cannot be opened</source>
+        <translation>{}: Das Journal lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>{}: the queue cannot be read; move the file away</source>
+        <translation>{}: Die Warteschlange ist nicht lesbar; die Datei beiseitelegen</translation>
+    </message>
+    <message>
+        <source>{}: the reading was not saved; make room and record it again</source>
+        <translation>{}: Die Messung wurde nicht gesichert; Platz schaffen und sie noch einmal aufnehmen</translation>
+    </message>
+    <message>
+        <source>{}: the record cannot be read</source>
+        <translation>{}: der Datensatz ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>{}: the record cannot be used</source>
+        <translation>{}: der Datensatz ist nicht verwendbar</translation>
     </message>
     <message>
         <source>The driver &quot;{}&quot; ({}) is a {}, not a DriverInfo; report it to the author of the package {}</source>
         <translation>Der Treiber &quot;{}&quot; ({}) ist ein {}, kein DriverInfo; dies dem Autor des Pakets {} melden</translation>
     </message>
     <message>
+        <source>The driver &quot;{}&quot; cannot be loaded; {}</source>
+        <translation>Der Treiber &quot;{}&quot; lässt sich nicht laden; {}</translation>
+    </message>
+    <message>
         <source>The encoder counted {revolutions:.1f} revolutions without its index pulse.</source>
         <translation>Der Drehgeber zählte {revolutions:.1f} Umdrehungen ohne Indexpuls.</translation>
+    </message>
+    <message>
+        <source>The engine cannot listen at {}; choose another address or port</source>
+        <translation>Die Steuerung kann an {} nicht lauschen; eine andere Adresse oder einen anderen Port wählen</translation>
+    </message>
+    <message>
+        <source>The engine could not be reached within {:g} s{}</source>
+        <translation>Die Steuerung war innerhalb von {} s nicht zu erreichen{}</translation>
+    </message>
+    <message>
+        <source>The engine did not answer within {:g} s; is it still running?</source>
+        <translation>Die Steuerung antwortete nicht innerhalb von {} s; läuft sie noch?</translation>
+    </message>
+    <message>
+        <source>The engine for {} is still starting after {:g} s; wait for it{}</source>
+        <translation>Die Steuerung für {} startet nach {} s noch immer; darauf warten{}</translation>
     </message>
     <message>
         <source>The engine is not reachable ({})</source>
@@ -10429,10 +10549,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The engine was shut down, but {}</source>
         <translation>Die Steuerung wurde beendet, aber {}</translation>
-    </message>
-    <message>
-        <source>The engine&apos;s thread {} failed: {sentence}.</source>
-        <translation>Der Teil {} der Steuerung ist ausgefallen: {sentence}.</translation>
     </message>
     <message>
         <source>The joint force reached {force_N:.1f} N; the limit is {limit_N:g} N.</source>
@@ -10449,10 +10565,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The result {}. The largest part is {} (u = {:.3g} N): correct its setting, or measure it better</source>
         <translation>Das Ergebnis {}. Den größten Anteil hat {} (u = {} N): die Einstellung berichtigen oder besser messen</translation>
-    </message>
-    <message>
-        <source>The simulator of driver &quot;{}&quot; ({}) cannot be loaded: {}; reinstall or update the package {}</source>
-        <translation>Die Simulation des Treibers &quot;{}&quot; ({}) lässt sich nicht laden: {}; das Paket {} neu installieren oder aktualisieren</translation>
     </message>
     <message>
         <source>The simulator of driver &quot;{}&quot; ({}) is not a class; report it to the author of the package {}</source>
@@ -10527,10 +10639,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>am Ende einer Ruhe von {} s, in der er um {}, {} mV/V kroch</translation>
     </message>
     <message>
-        <source>cannot be judged: {}</source>
-        <translation>nicht zu beurteilen: {}</translation>
-    </message>
-    <message>
         <source>critical_{} = {:g} must lie beyond warning_{} = {:g}</source>
         <translation>critical_{} = {} muss jenseits von warning_{} = {} liegen</translation>
     </message>
@@ -10579,28 +10687,128 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>limits.rule ({}): steps nennt Schritt {}, aber run.step steht {}-mal da</translation>
     </message>
     <message>
+        <source>line {} of the journal is not usable</source>
+        <translation>Zeile {} des Journals ist nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>no answer from {} within {:g} s; check power, wires A and B, address, baud rate and parity</source>
+        <translation>keine Antwort von: {}, innerhalb von {} s; Versorgung, Adern A und B, Adresse, Baudrate und Parität prüfen</translation>
+    </message>
+    <message>
+        <source>no answer within {:g} s, {} tries; check cable and power, and that the LED blinks yellow (CDC mode)</source>
+        <translation>keine Antwort innerhalb von {} s, {} Versuche; Kabel und Versorgung prüfen, und dass die LED gelb blinkt (CDC-Betrieb)</translation>
+    </message>
+    <message>
+        <source>no reply in {} tries of {:.0f} ms or longer: check power, cable, address and baud rate</source>
+        <translation>keine Antwort in {} Versuchen von {} ms oder länger: Versorgung, Kabel, Adresse und Baudrate prüfen</translation>
+    </message>
+    <message>
+        <source>no usable reply in {} tries: {}: check the cable&apos;s screen and the baud rate</source>
+        <translation>keine brauchbare Antwort in {} Versuchen: {}: den Schirm des Kabels und die Baudrate prüfen</translation>
+    </message>
+    <message>
         <source>no value from {}</source>
         <translation>kein Wert von {}</translation>
+    </message>
+    <message>
+        <source>node {} did not answer in {} tries of {:.0f} ms: check power, wiring, terminators, node id and bit rate</source>
+        <translation>Knoten {} antwortete in {} Versuchen von je {} ms nicht: Versorgung, Verdrahtung, Abschlusswiderstände, Knotennummer und Bitrate prüfen</translation>
+    </message>
+    <message>
+        <source>node {} is no CiA 402 drive</source>
+        <translation>Knoten {} ist kein CiA-402-Antrieb</translation>
+    </message>
+    <message>
+        <source>node {} refused to be read or set; check the drive&apos;s manual and its settings</source>
+        <translation>Knoten {} ließ sich nicht lesen oder einstellen; das Handbuch des Antriebs und seine Einstellungen prüfen</translation>
+    </message>
+    <message>
+        <source>node {} tells no heartbeat as one that operates within {:g} s; its heartbeat cannot be supervised</source>
+        <translation>Knoten {} meldet sich innerhalb von {} s nicht im Betrieb; sein Heartbeat lässt sich nicht überwachen</translation>
+    </message>
+    <message>
+        <source>object_map has {} inputs; 2 to 10 are possible</source>
+        <translation>object_map hat {} Eingänge; 2 bis 10 sind möglich</translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = {:g}: the device allows at most {:g} with {} inputs as {}; choose a lower rate{}</source>
+        <translation>sample_rate_Hz = {}: Das Gerät erlaubt höchstens {} mit {} Eingängen als {}; eine kleinere Rate wählen{}</translation>
     </message>
     <message>
         <source>signal_{} has the wrong sign: that bridge is reversed; exchange its two signal wires{}</source>
         <translation>signal_{} hat das falsche Vorzeichen: Diese Brücke ist verpolt; ihre beiden Signaladern tauschen{}</translation>
     </message>
     <message>
+        <source>something sends data, but not those of a GSV-8; check the port and, on a UART, baud_rate ({})</source>
+        <translation>etwas sendet Daten, aber nicht die eines GSV-8; den Anschluss prüfen und, an einem UART, baud_rate ({})</translation>
+    </message>
+    <message>
+        <source>the CAN interface {} cannot be listened to</source>
+        <translation>auf der CAN-Schnittstelle {} lässt sich nicht hören</translation>
+    </message>
+    <message>
+        <source>the CAN interface {} cannot be opened; check the channel&apos;s name, the adapter and that no other program uses it</source>
+        <translation>die CAN-Schnittstelle {} lässt sich nicht öffnen; den Namen des Kanals und den Adapter prüfen, und dass kein anderes Programm sie benutzt</translation>
+    </message>
+    <message>
+        <source>the connection broke while {}; check cable and power</source>
+        <translation>die Verbindung brach beim {} ab; Kabel und Versorgung prüfen</translation>
+    </message>
+    <message>
+        <source>the device at Modbus address {}</source>
+        <translation>das Gerät an Modbus-Adresse {}</translation>
+    </message>
+    <message>
+        <source>the device does not tell {}; its settings give {}</source>
+        <translation>das Gerät meldet {} nicht; seine Einstellungen ergeben {}</translation>
+    </message>
+    <message>
+        <source>the device is busy for {:g} s</source>
+        <translation>das Gerät ist seit {} s beschäftigt</translation>
+    </message>
+    <message>
         <source>the drive has lost its settings ({}), as after a restart; check its supply, then connect again</source>
         <translation>der Antrieb hat seine Einstellungen verloren ({}), wie nach einem Neustart; die Versorgung prüfen, dann neu verbinden</translation>
+    </message>
+    <message>
+        <source>the drive has {} counts per revolution, the rig file {}: one of them is wrong, and so would be the speed</source>
+        <translation>der Antrieb hat {} Schritte je Umdrehung, die Prüfstandsdatei {}: Eines von beiden ist falsch, und damit wäre es auch die Drehzahl</translation>
+    </message>
+    <message>
+        <source>the driver {} failed to check its request; report it to the author of the package {}</source>
+        <translation>der Treiber {} scheiterte beim Prüfen seiner Anfrage; das dem Autor des Pakets {} melden</translation>
     </message>
     <message>
         <source>the load cell shows {} mV/V at rest {}</source>
         <translation>der Kraftsensor zeigt in Ruhe {} mV/V {}</translation>
     </message>
     <message>
+        <source>{:.1f} rpm is more than the drive can be told</source>
+        <translation>{} rpm sind mehr, als sich im Antrieb einstellen lässt</translation>
+    </message>
+    <message>
         <source>{} ({} to {}) · 10⁻⁶ mm³/(N m)</source>
         <translation>{} ({} bis {}) · 10⁻⁶ mm³/(N m)</translation>
     </message>
     <message>
+        <source>{} The file could not be finished</source>
+        <translation>{} Die Datei ließ sich nicht abschließen</translation>
+    </message>
+    <message>
         <source>{} checks</source>
         <translation>{} Prüfungen</translation>
+    </message>
+    <message>
+        <source>{} counts/s ({:.1f} rpm of the crank) is above the drive&apos;s own limit of {} counts/s; tune the drive&apos;s velocity loop</source>
+        <translation>{} Schritte/s ({} rpm der Kurbel) liegen über der eigenen Grenze des Antriebs von {} Schritten/s; den Drehzahlregler des Antriebs einstellen</translation>
+    </message>
+    <message>
+        <source>{} is answered by {}; check the settings against the device&apos;s manual</source>
+        <translation>{} antwortet mit {}; die Einstellungen mit dem Handbuch des Geräts vergleichen</translation>
+    </message>
+    <message>
+        <source>{} needs packages that are missing; install them: pip install &apos;rigapp[{}]&apos;</source>
+        <translation>{} braucht Pakete, die fehlen; sie installieren: pip install 'rigapp[{}]'</translation>
     </message>
     <message>
         <source>{} revolutions at {:g} rpm, {:.3g} h</source>
@@ -10673,10 +10881,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>--points {}: give {} or more, for whole cycles (--cycles)</source>
         <translation>--points {}: für ganze Zyklen (--cycles) {} oder mehr angeben</translation>
-    </message>
-    <message>
-        <source>--scheduler {}: no Dask scheduler answers there ({})</source>
-        <translation>--scheduler {}: Dort antwortet kein Dask-Scheduler ({})</translation>
     </message>
     <message>
         <source>--speed {} is not usable; give a number above 0, or max</source>
@@ -10787,10 +10991,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zwischen {} s und {} s unter {} N ändert sich die Anzeige um {} N, {} % der Last. So weit kriecht kein Kraftsensor: Wurde die Last berührt? Das Kriechen neu aufnehmen oder weglassen</translation>
     </message>
     <message>
-        <source>CRC {:04X} instead of {:04X}</source>
-        <translation>CRC {} statt {}</translation>
-    </message>
-    <message>
         <source>Cannot declare {} twice</source>
         <translation>{} lässt sich nicht zweimal anlegen</translation>
     </message>
@@ -10801,10 +11001,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Check cable and power of {}, reconnect</source>
         <translation>Kabel und Versorgung von {} prüfen, neu verbinden</translation>
-    </message>
-    <message>
-        <source>Code {}, {}</source>
-        <translation>Code {}, {}</translation>
     </message>
     <message>
         <source>Coming back reads {:+.2f} um against going out: approach every position from one side</source>
@@ -10857,10 +11053,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Expected {}</source>
         <translation>erwartet wird {}</translation>
-    </message>
-    <message>
-        <source>Failed to register a viewer: {}</source>
-        <translation>Ein Betrachter ließ sich nicht anmelden: {}</translation>
     </message>
     <message>
         <source>Fewer than {} positions; linearity is known only roughly</source>
@@ -10943,10 +11135,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Seine Messungen werden abgelehnt: {}</translation>
     </message>
     <message>
-        <source>Its readings cannot be fitted by this version: {}</source>
-        <translation>Seine Messungen lassen sich mit dieser Version nicht auswerten: {}</translation>
-    </message>
-    <message>
         <source>Limits of the history for the sensitivity: {:.5f} to {:.5f}</source>
         <translation>Grenzen des Verlaufs für die Empfindlichkeit: {} bis {}</translation>
     </message>
@@ -10965,10 +11153,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>No pin angle within {:.0f} degrees of the turn; spread the angles evenly</source>
         <translation>Kein Bolzenwinkel innerhalb von {} Grad der Umdrehung; die Winkel gleichmäßig verteilen</translation>
-    </message>
-    <message>
-        <source>No snapshot could be made for windows: {}</source>
-        <translation>Für die Fenster ließ sich kein Abbild machen: {}</translation>
     </message>
     <message>
         <source>Only {} micrometer positions; take at least {}, better {}, up and down</source>
@@ -11023,10 +11207,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Versuch {} läuft; ihn erst stoppen</translation>
     </message>
     <message>
-        <source>The arguments of {} are not usable: {}</source>
-        <translation>Die Argumente von {} sind nicht brauchbar: {}</translation>
-    </message>
-    <message>
         <source>The axes stand as if every pin angle were {:.1f} degrees off. It can be the cell&apos;s own cross-talk; only the angle reference step can tell</source>
         <translation>Die Achsen stehen, als wäre jeder Bolzenwinkel um {} Grad falsch. Es kann das eigene Übersprechen des Kraftsensors sein; nur der Schritt des Winkelbezugs kann es zeigen</translation>
     </message>
@@ -11043,32 +11223,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Drehgeber zeigt, dass die Kurbel rückwärts dreht, während der Antrieb vorwärts dreht. Drehte die Kurbel gegen den Uhrzeigersinn, A und B des Drehgebers der Kurbel tauschen oder encoder.direction = {} in der Prüfstandsdatei setzen; sonst spindle.direction = {} setzen</translation>
     </message>
     <message>
-        <source>The engine (process {}) cannot be reached for {}: {}</source>
-        <translation>Die Steuerung (Prozess {}) ist für {} nicht zu erreichen: {}</translation>
-    </message>
-    <message>
-        <source>The engine (process {}) could not be reached within {:g} s for {}{}</source>
-        <translation>Die Steuerung (Prozess {}) war innerhalb von {} s für {} nicht zu erreichen{}</translation>
-    </message>
-    <message>
-        <source>The engine (process {}) did not answer {} within {:g} s; is it still running?</source>
-        <translation>Die Steuerung (Prozess {}) antwortete auf {} nicht innerhalb von {} s; läuft sie noch?</translation>
-    </message>
-    <message>
-        <source>The engine cannot listen at {}: {}; choose another address or port</source>
-        <translation>Die Steuerung kann an {} nicht lauschen: {}; eine andere Adresse oder einen anderen Port wählen</translation>
-    </message>
-    <message>
-        <source>The engine for {} (process {}) is still starting after {:g} s; wait for it{}</source>
-        <translation>Die Steuerung für {} (Prozess {}) startet nach {} s noch immer; darauf warten{}</translation>
-    </message>
-    <message>
         <source>The engine for {} ended at once: {}</source>
         <translation>Die Steuerung für {} endete sofort: {}</translation>
-    </message>
-    <message>
-        <source>The engine has no thread left for this request ({}); ask again</source>
-        <translation>Die Steuerung hat für diese Anfrage keinen Faden frei ({}); noch einmal fragen</translation>
     </message>
     <message>
         <source>The engine is busy with {} requests of this kind; ask again</source>
@@ -11135,10 +11291,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der andere Wegsensor zeigt {} % der Bewegung: Die Messschraube bewegt sich nicht längs der Achse dieses Wegsensors; sie neu einrichten</translation>
     </message>
     <message>
-        <source>The part that serves windows has died: {}</source>
-        <translation>Der Teil, der die Fenster bedient, ist ausgefallen: {}</translation>
-    </message>
-    <message>
         <source>The pin angle of {:.1f} degrees at {} is off by about {:.1f} degrees; take it from the encoder</source>
         <translation>Der Bolzenwinkel von {} Grad bei {} ist um etwa {} Grad falsch; ihn vom Drehgeber nehmen</translation>
     </message>
@@ -11187,10 +11339,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Datensatz {}: Sein Ergebnis lässt sich nicht nachprüfen</translation>
     </message>
     <message>
-        <source>The request is not readable: {}</source>
-        <translation>Die Anfrage ist nicht lesbar: {}</translation>
-    </message>
-    <message>
         <source>The running check is passed: at {:.0f} rpm force_1 changes by {:+.2f} N, {:+.2f} N are known, the uncertainty is {:.2f} N. The cell tells mass times radius as {:.3f} kg mm, +- {:.3f}</source>
         <translation>Die Laufprüfung ist bestanden: Bei {} rpm ändert sich force_1 um {} N, bekannt sind {} N, die Unsicherheit ist {} N. Der Kraftsensor zeigt Masse mal Radius als {} kg mm, +- {}</translation>
     </message>
@@ -11205,6 +11353,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The shipped {} are neither in {} nor where rigapp is installed; install it again, or name files of your own</source>
         <translation>Die mitgelieferten {} sind weder in {} noch dort, wo rigapp installiert ist; es neu installieren oder eigene Dateien nennen</translation>
+    </message>
+    <message>
+        <source>The simulator of driver &quot;{}&quot; cannot be loaded; reinstall or update the package {}</source>
+        <translation>Die Simulation des Treibers &quot;{}&quot; lässt sich nicht laden; das Paket {} neu installieren oder aktualisieren</translation>
     </message>
     <message>
         <source>The step number of {} stands twice in its series at this place; give each reading of a series a number of its own, in the order taken</source>
@@ -11323,18 +11475,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Bei einer Auflösung von {} N ist die kleinste Kraft für ASTM E74 Klasse A {} N und für ISO 376 Klasse 2 {} N; ob eine Klasse erreicht wird, muss eine einachsige Kalibrierung nach diesen Normen zeigen. Dieses Verfahren folgt ihnen, es erfüllt sie nicht</translation>
     </message>
     <message>
-        <source>[Errno {}] {}</source>
-        <translation>[Errno {}] {}</translation>
-    </message>
-    <message>
-        <source>[Errno {}] {}: {}</source>
-        <translation>[Errno {}] {}: {}</translation>
-    </message>
-    <message>
-        <source>[run]: {}</source>
-        <translation>[run]: {}</translation>
-    </message>
-    <message>
         <source>a DI-{} answers, and the rig file says DI-{}; {}</source>
         <translation>ein DI-{} antwortet, und die Prüfstandsdatei nennt DI-{}; {}</translation>
     </message>
@@ -11349,10 +11489,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>a depth of {:g} um is not possible; give 0 to less than {:g} um</source>
         <translation>eine Tiefe von {} um ist nicht möglich; 0 bis unter {} um angeben</translation>
-    </message>
-    <message>
-        <source>a device of model {:02X} answers, not a GSV-8 (model 08); check the port in the rig file</source>
-        <translation>ein Gerät des Modells {} antwortet, kein GSV-8 (Modell 08); den Anschluss in der Prüfstandsdatei prüfen</translation>
     </message>
     <message>
         <source>a grid needs 2 points at least, not {}</source>
@@ -11417,10 +11553,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>another calibration is open: {}</source>
         <translation>eine andere Kalibrierung ist offen: {}</translation>
-    </message>
-    <message>
-        <source>answered {} instead of FF</source>
-        <translation>mit {} statt FF beantwortet</translation>
     </message>
     <message>
         <source>at {:.1f} deg</source>
@@ -11493,10 +11625,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>command {} is not a write command</source>
         <translation>Befehl {} ist kein Schreibbefehl</translation>
-    </message>
-    <message>
-        <source>could not open port {}: {}</source>
-        <translation>Anschluss {} ließ sich nicht öffnen: {}</translation>
     </message>
     <message>
         <source>counter_{}: this device has no encoder input</source>
@@ -11575,24 +11703,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>hat die Kalibrierung von {} beendet, {}{}</translation>
     </message>
     <message>
-        <source>error {:04X}: Hall sensor or encoder (EPOS1)</source>
-        <translation>Fehler {}: Hallsensor oder Drehgeber (EPOS1)</translation>
-    </message>
-    <message>
-        <source>error {:04X}: {}</source>
-        <translation>Fehler {}: {}</translation>
-    </message>
-    <message>
-        <source>error {:04X}: {} (EPOS1)</source>
-        <translation>Fehler {}: {} (EPOS1)</translation>
-    </message>
-    <message>
         <source>every reading has a time in {}: all would be of the creep</source>
         <translation>jede Messung hat eine Zeit in {}: Alle wären vom Kriechen</translation>
-    </message>
-    <message>
-        <source>exception {} ({})</source>
-        <translation>Ausnahme {} ({})</translation>
     </message>
     <message>
         <source>expected {} &lt; {}</source>
@@ -11655,6 +11767,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Funktion {}, Adresse {}, {}, Skalierung {}</translation>
     </message>
     <message>
+        <source>function {}, {} from {} on</source>
+        <translation>Funktion {}, {} ab {}</translation>
+    </message>
+    <message>
+        <source>gave no sign of life for {:.1f} s</source>
+        <translation>gibt seit {} s kein Lebenszeichen</translation>
+    </message>
+    <message>
         <source>gear_ratio is {}, must be a finite number above 0</source>
         <translation>gear_ratio ist {}, muss aber eine endliche Zahl über 0 sein</translation>
     </message>
@@ -11699,10 +11819,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Eingangsart von analog_{}</translation>
     </message>
     <message>
-        <source>invalid URL, protocol {} not known</source>
-        <translation>ungültige URL, Protokoll {} nicht bekannt</translation>
-    </message>
-    <message>
         <source>is missing for {:.2f} s</source>
         <translation>fehlt seit {} s</translation>
     </message>
@@ -11725,18 +11841,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>it cannot zero {} itself; the zero belongs to the calibration</source>
         <translation>es kann {} nicht selbst nullen; der Nullpunkt gehört zur Kalibrierung</translation>
-    </message>
-    <message>
-        <source>it is no private key in PEM without a passphrase ({})</source>
-        <translation>es ist kein privater Schlüssel in PEM ohne Passphrase ({})</translation>
-    </message>
-    <message>
-        <source>it is no public key in PEM ({})</source>
-        <translation>es ist kein öffentlicher Schlüssel in PEM ({})</translation>
-    </message>
-    <message>
-        <source>it is not a calibration record ({})</source>
-        <translation>es ist kein Kalibrierdatensatz ({})</translation>
     </message>
     <message>
         <source>it leaves the follower {:g} m long, too short for the crank radius of {:g} m</source>
@@ -11799,10 +11903,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zeile {} hat mehr Felder als die {} der Kopfzeile: {} am Ende; herausnehmen, was zu viel ist, und Dezimalpunkte schreiben, keine Kommas</translation>
     </message>
     <message>
-        <source>line {} of the journal is not usable: {}</source>
-        <translation>Zeile {} des Journals ist nicht brauchbar: {}</translation>
-    </message>
-    <message>
         <source>line {} to {}</source>
         <translation>Leitung {} an {}</translation>
     </message>
@@ -11855,18 +11955,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>keine Antwort auf {} innerhalb von {} s ({}); Kabel und Versorgung prüfen, und dass kein anderes Programm das Gerät benutzt</translation>
     </message>
     <message>
-        <source>no answer to {} within {:g} s, {} tries; check cable and power, and that the LED blinks yellow (CDC mode)</source>
-        <translation>keine Antwort auf {} innerhalb von {} s, {} Versuche; Kabel und Versorgung prüfen, und dass die LED gelb blinkt (CDC-Modus)</translation>
-    </message>
-    <message>
-        <source>no answer to {} within {:g} s; check power, wires A and B, address, baud rate and parity</source>
-        <translation>keine Antwort auf {} innerhalb von {} s; Versorgung, Adern A und B, Adresse, Baudrate und Parität prüfen</translation>
-    </message>
-    <message>
-        <source>no connection ({}); check host, port number and that the server runs</source>
-        <translation>keine Verbindung ({}); Rechnername und Portnummer prüfen, und dass der Server läuft</translation>
-    </message>
-    <message>
         <source>no level is given; give one of {}</source>
         <translation>es ist keine Grenze angegeben; eine von {} angeben</translation>
     </message>
@@ -11883,24 +11971,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>kein Kalibrierdatensatz für {}: es gelten die Zahlen der Prüfstandsdatei</translation>
     </message>
     <message>
-        <source>no register tells {}; the device&apos;s settings give {}</source>
-        <translation>kein Register nennt {}; die Einstellungen des Geräts ergeben {}</translation>
-    </message>
-    <message>
-        <source>no reply to {} ({}) in {} tries of {:.0f} ms or longer: check power, cable, address and baud rate</source>
-        <translation>keine Antwort auf {} ({}) in {} Versuchen von je {} ms oder länger: Versorgung, Kabel, Adresse und Baudrate prüfen</translation>
-    </message>
-    <message>
         <source>no samples came for {:.1f} s</source>
         <translation>seit {} s kamen keine Messwerte</translation>
     </message>
     <message>
         <source>no samples for {:.1f} deg from {:.1f} deg on; a band-limited curve cannot be made of it</source>
         <translation>{} deg lang ab {} deg keine Messwerte; eine bandbegrenzte Kurve lässt sich daraus nicht machen</translation>
-    </message>
-    <message>
-        <source>no sign of life for {:.1f} s</source>
-        <translation>seit {} s kein Lebenszeichen</translation>
     </message>
     <message>
         <source>no such column: {}</source>
@@ -11917,18 +11993,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>node {} ({})</source>
         <translation>Knoten {} ({})</translation>
-    </message>
-    <message>
-        <source>node {} did not answer object {} in {} tries of {:.0f} ms: check power, wiring, terminators, node id and bit rate</source>
-        <translation>Knoten {} antwortete auf Objekt {} in {} Versuchen von je {} ms nicht: Versorgung, Verdrahtung, Abschlusswiderstände, Knotennummer und Bitrate prüfen</translation>
-    </message>
-    <message>
-        <source>node {} is no CiA 402 drive (device type {:08X})</source>
-        <translation>Knoten {} ist kein CiA-402-Antrieb (Gerätetyp {})</translation>
-    </message>
-    <message>
-        <source>node {} tells no heartbeat of state OPERATIONAL within {:g} s; its heartbeat cannot be supervised</source>
-        <translation>Knoten {} sendet innerhalb von {} s keinen Heartbeat im Zustand OPERATIONAL; sein Heartbeat lässt sich nicht überwachen</translation>
     </message>
     <message>
         <source>not compared: {}</source>
@@ -11955,24 +12019,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>jetzt kommt {}, nicht {}: {}</translation>
     </message>
     <message>
-        <source>object {:04X}:{} reads {} after {} was set</source>
-        <translation>Objekt {}:{} meldet {}, nachdem {} gesetzt wurde</translation>
-    </message>
-    <message>
-        <source>object {} of node {} {}</source>
-        <translation>Objekt {} von Knoten {} {}</translation>
-    </message>
-    <message>
         <source>object_map = {} lacks {}</source>
         <translation>in object_map = {} fehlt {}</translation>
     </message>
     <message>
         <source>object_map = {} names an input twice</source>
         <translation>object_map = {} nennt einen Eingang zweimal</translation>
-    </message>
-    <message>
-        <source>object_map has {} objects; a frame has 2 to 10</source>
-        <translation>object_map hat {} Objekte; ein Rahmen hat 2 bis 10</translation>
     </message>
     <message>
         <source>object_map names {}, which is not in use; take it out</source>
@@ -11985,14 +12037,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>only the load_cell can be zeroed, not {}</source>
         <translation>nur load_cell kann genullt werden, nicht {}</translation>
-    </message>
-    <message>
-        <source>only {} of {} bytes could be sent</source>
-        <translation>nur {} von {} Bytes ließen sich senden</translation>
-    </message>
-    <message>
-        <source>only {} of {} bytes were written</source>
-        <translation>nur {} von {} Bytes wurden geschrieben</translation>
     </message>
     <message>
         <source>or see {}</source>
@@ -12065,10 +12109,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>read after {:.0f} s</source>
         <translation>nach {} s gelesen</translation>
-    </message>
-    <message>
-        <source>read failed: {}</source>
-        <translation>Lesen schlug fehl: {}</translation>
     </message>
     <message>
         <source>readings are missing: {}</source>
@@ -12211,10 +12251,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>sample_rate_Hz = {} braucht mehr, als eine Leitung mit {} Baud trägt ({} Messwerte/s); eine kleinere Rate, eine höhere Baudrate oder USB wählen</translation>
     </message>
     <message>
-        <source>sample_rate_Hz = {:g}: the device allows at most {:g} with {} objects as {}; choose a lower rate{}</source>
-        <translation>sample_rate_Hz = {}: Das Gerät erlaubt höchstens {} mit {} Objekten als {}; eine kleinere Rate wählen{}</translation>
-    </message>
-    <message>
         <source>sample_rate_Hz is {}, must be positive</source>
         <translation>sample_rate_Hz ist {}, muss aber positiv sein</translation>
     </message>
@@ -12285,10 +12321,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>signal_{} stands still at {:g} from {} while the load grows: the input is saturated; choose a larger range</source>
         <translation>signal_{} steht ab {2} bei {1} still, während die Last wächst: Der Eingang ist übersteuert; einen größeren Bereich wählen</translation>
-    </message>
-    <message>
-        <source>something sends bytes, but not those of a GSV-8; check the port and, on a UART, baud_rate ({})</source>
-        <translation>etwas sendet Bytes, aber nicht die eines GSV-8; den Anschluss prüfen und, an einem UART, baud_rate ({})</translation>
     </message>
     <message>
         <source>spindle.device and encoder.device are both {}; the drive and the data acquisition are separate devices in a simulated rig</source>
@@ -12363,18 +12395,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Versuch {}, {}: {} {} weitere warten</translation>
     </message>
     <message>
-        <source>the CAN adapter broke off ({}); check its cable and the bus</source>
-        <translation>der CAN-Adapter ist ausgefallen ({}); sein Kabel und den Bus prüfen</translation>
-    </message>
-    <message>
-        <source>the CAN interface {} cannot be listened to ({})</source>
-        <translation>auf der CAN-Schnittstelle {} lässt sich nicht hören ({})</translation>
-    </message>
-    <message>
-        <source>the CAN interface {} cannot be opened ({}); check the channel&apos;s name, the adapter and that no other program uses it</source>
-        <translation>die CAN-Schnittstelle {} lässt sich nicht öffnen ({}); den Namen des Kanals und den Adapter prüfen, und dass kein anderes Programm sie benutzt</translation>
-    </message>
-    <message>
         <source>the arguments of {} are not usable: {}</source>
         <translation>die Argumente von {} sind nicht brauchbar: {}</translation>
     </message>
@@ -12397,10 +12417,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the channel of {} is a number, not {}</source>
         <translation>der Kanal von {} ist eine Zahl, nicht {}</translation>
-    </message>
-    <message>
-        <source>the connection broke while {} ({}); check cable and power</source>
-        <translation>die Verbindung brach beim {} ab ({}); Kabel und Versorgung prüfen</translation>
     </message>
     <message>
         <source>the counter counts on while the device does not scan; the pulse edge, width and highest rate on {}</source>
@@ -12435,10 +12451,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Antrieb hat „Betrieb freigegeben“ verlassen: {}</translation>
     </message>
     <message>
-        <source>the drive has {} counts per revolution (four times object 3010:1), the rig file {}: one of them is wrong, and so would be the speed</source>
-        <translation>der Antrieb hat {} Schritte je Umdrehung (viermal Objekt 3010:1), die Prüfstandsdatei {}: Eines von beiden ist falsch, und damit wäre es auch die Drehzahl</translation>
-    </message>
-    <message>
         <source>the drive is in fault, {}; reset it first</source>
         <translation>der Antrieb ist in Störung, {}; ihn erst zurücksetzen</translation>
     </message>
@@ -12465,10 +12477,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the drive&apos;s heartbeat {}</source>
         <translation>der Heartbeat des Antriebs {}</translation>
-    </message>
-    <message>
-        <source>the driver {} failed to check its request ({}); report it to the author of the package {}</source>
-        <translation>der Treiber {} konnte seine Anforderung nicht prüfen ({}); bitte dem Verfasser des Pakets {} melden</translation>
     </message>
     <message>
         <source>the emergency stop stays: {}</source>
@@ -12539,10 +12547,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>das Modell berechnet die Lebensdauer nur bis zu einer Tiefe von {} um, und gemessen sind {} um: weiter berechnen</translation>
     </message>
     <message>
-        <source>the node has left OPERATIONAL (state {})</source>
-        <translation>der Knoten hat OPERATIONAL verlassen (Zustand {})</translation>
-    </message>
-    <message>
         <source>the path that ends with {} has {} bytes, {} at most; choose a folder nearer to the root</source>
         <translation>der Pfad, der mit {} endet, hat {} Bytes, höchstens {}; einen Ordner näher an der Wurzel wählen</translation>
     </message>
@@ -12563,16 +12567,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Plan ist nicht möglich: {}</translation>
     </message>
     <message>
-        <source>the port cannot be opened ({}); check the port&apos;s name in the rig file</source>
-        <translation>der Anschluss lässt sich nicht öffnen ({}); den Namen des Anschlusses in der Prüfstandsdatei prüfen</translation>
-    </message>
-    <message>
         <source>the port {} ({})</source>
         <translation>der Anschluss {} ({})</translation>
-    </message>
-    <message>
-        <source>the prediction was not asked: {}</source>
-        <translation>die Vorhersage wurde nicht gefragt: {}</translation>
     </message>
     <message>
         <source>the probes have no calibration record that states {}: calibrate them, or give the test their record</source>
@@ -12589,10 +12585,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the reading is not a number{}; check cable and amplifier</source>
         <translation>die Messung ist keine Zahl{}; Kabel und Verstärker prüfen</translation>
-    </message>
-    <message>
-        <source>the reading thread is busy for {:g} s</source>
-        <translation>der Lesevorgang ist seit {} s beschäftigt</translation>
     </message>
     <message>
         <source>the record is of the kind {}, and this version knows only {}; a newer one may have made it</source>
@@ -12613,10 +12605,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the secret {} is not in {}, and {}; write it into that file, mode 0600, or give it by: keyring set {} {}</source>
         <translation>das Geheimnis {} ist nicht in {}, und {}; es in diese Datei schreiben, Modus 0600, oder eingeben mit: keyring set {} {}</translation>
-    </message>
-    <message>
-        <source>the sensor&apos;s memory (TEDS) cannot be used (status {:02X})</source>
-        <translation>der Speicher des Sensors (TEDS) ist nicht verwendbar (Status {})</translation>
     </message>
     <message>
         <source>the serial time-out reads {:.1f} s after {:.1f} s was set; the spindle must not turn without it</source>
@@ -12663,10 +12651,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Versuch wurde nach {} abgetastet, dieser Prüfstand tastet nach {} ab</translation>
     </message>
     <message>
-        <source>the twin cannot be reached: {}</source>
-        <translation>die Vorhersage ist nicht zu erreichen: {}</translation>
-    </message>
-    <message>
         <source>the twin did not answer within {:g} s</source>
         <translation>die Vorhersage antwortete nicht innerhalb von {} s</translation>
     </message>
@@ -12679,28 +12663,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>die Vorhersage endete mit Status {}</translation>
     </message>
     <message>
-        <source>the twin failed ({}: {})</source>
-        <translation>die Vorhersage schlug fehl ({}: {})</translation>
-    </message>
-    <message>
-        <source>the twin has left nothing readable in the file ({})</source>
-        <translation>die Vorhersage hat in der Datei nichts Lesbares hinterlassen ({})</translation>
-    </message>
-    <message>
         <source>the two angles differ by {:.2f} degrees; was the level on the same flat both times, and the bubble in the middle?</source>
         <translation>die beiden Winkel unterscheiden sich um {} Grad; lag die Wasserwaage beide Male auf derselben Fläche, mit der Blase in der Mitte?</translation>
     </message>
     <message>
-        <source>the velocity unit {:08X} (60A9) is unknown; set rpm (00B44700) in the drive</source>
-        <translation>die Geschwindigkeitseinheit {} (60A9) ist unbekannt; rpm (00B44700) im Antrieb einstellen</translation>
-    </message>
-    <message>
         <source>the weights cannot make {:g} kg; the nearest is {:g} kg of {:g} kg in all</source>
         <translation>die Gewichte ergeben keine {} kg; am nächsten sind {} kg von zusammen {} kg</translation>
-    </message>
-    <message>
-        <source>the workers were lost ({}: {}); what is done is safe, and the same command goes on with it</source>
-        <translation>die Rechenprozesse gingen verloren ({}: {}); was fertig ist, ist sicher, und derselbe Befehl macht damit weiter</translation>
     </message>
     <message>
         <source>the zero is taken before a test, not while {}</source>
@@ -12795,10 +12763,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Skalierung von analog_{}</translation>
     </message>
     <message>
-        <source>value error of unknown kind {} with flags {:04X}</source>
-        <translation>Messwertfehler unbekannter Art {} mit den Kennbits {}</translation>
-    </message>
-    <message>
         <source>vary.{}: is not a known key; known here: {}</source>
         <translation>vary.{}: ist kein bekannter Schlüssel; hier bekannt: {}</translation>
     </message>
@@ -12821,14 +12785,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>vendor {:08X}</source>
         <translation>Hersteller {}</translation>
-    </message>
-    <message>
-        <source>was answered by {} bytes ({})</source>
-        <translation>wurde mit {} Bytes beantwortet ({})</translation>
-    </message>
-    <message>
-        <source>was refused: {}</source>
-        <translation>wurde abgelehnt: {}</translation>
     </message>
     <message>
         <source>was taken on the rig {}, this is {}</source>
@@ -12883,10 +12839,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>um {} +/- {} um verschlissen</translation>
     </message>
     <message>
-        <source>write failed: {}</source>
-        <translation>Schreiben schlug fehl: {}</translation>
-    </message>
-    <message>
         <source>write {NAME} in its place, and the secret under that name into the keyring or secrets.toml</source>
         <translation>statt dessen {NAME} schreiben und das Geheimnis unter diesem Namen in den Schlüsselbund oder secrets.toml</translation>
     </message>
@@ -12909,10 +12861,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{:.0f} samples a revolution at {:g} Hz</source>
         <translation>{} Messwerte je Umdrehung bei {} Hz</translation>
-    </message>
-    <message>
-        <source>{:.1f} rpm does not fit into object 60FF</source>
-        <translation>{} rpm passen nicht in Objekt 60FF</translation>
     </message>
     <message>
         <source>{:.1f} rpm is above the rig&apos;s maximum of {:.1f} rpm</source>
@@ -13027,10 +12975,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} (Zeile {}, Spalte {})</translation>
     </message>
     <message>
-        <source>{} (command {:02X})</source>
-        <translation>{} (Befehl {})</translation>
-    </message>
-    <message>
         <source>{} (counter)</source>
         <translation>{} (Zähler)</translation>
     </message>
@@ -13055,20 +12999,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} (Abtasttakt)</translation>
     </message>
     <message>
-        <source>{} (status {:02X})</source>
-        <translation>{} (Status {})</translation>
-    </message>
-    <message>
         <source>{} ({wired} of {device}) is at the end of its range, {span}: its cable or plug, its range, or a signal beyond it.</source>
         <translation>{} ({wired} von {device}) ist am Ende seines Bereichs, {span}: Kabel oder Stecker, der Bereich, oder ein Signal darüber hinaus.</translation>
     </message>
     <message>
         <source>{} ({} more like it.)</source>
         <translation>{} ({} weitere dieser Art.)</translation>
-    </message>
-    <message>
-        <source>{} ({}) failed in {} tries: {}: check the cable&apos;s screen and the baud rate</source>
-        <translation>{} ({}) schlug in {} Versuchen fehl: {}: den Schirm des Kabels und die Baudrate prüfen</translation>
     </message>
     <message>
         <source>{} = &quot;{}&quot; is the rate input, which rate_range_Hz records; choose another line</source>
@@ -13139,10 +13075,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} Das war Umdrehung {} von höchstens {}</translation>
     </message>
     <message>
-        <source>{} The file could not be finished: {}</source>
-        <translation>{} Die Datei ließ sich nicht abschließen: {}</translation>
-    </message>
-    <message>
         <source>{} Then: {}</source>
         <translation>{} Danach: {}</translation>
     </message>
@@ -13187,10 +13119,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} um {} N, mehr als {} N ({} % der Nennkraft)</translation>
     </message>
     <message>
-        <source>{} bytes only</source>
-        <translation>nur {} Bytes</translation>
-    </message>
-    <message>
         <source>{} bytes without the end of a text</source>
         <translation>{} Bytes ohne das Ende eines Texts</translation>
     </message>
@@ -13221,10 +13149,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} counts per revolution are too few</source>
         <translation>{} Schritte je Umdrehung sind zu wenig</translation>
-    </message>
-    <message>
-        <source>{} counts/s ({:.1f} rpm of the crank) is above the drive&apos;s own limit (QPPS) of {} counts/s; tune the drive&apos;s velocity loop</source>
-        <translation>{} Schritte/s ({} rpm der Kurbel) liegen über der eigenen Grenze (QPPS) des Antriebs von {} Schritten/s; den Drehzahlregler des Antriebs einstellen</translation>
     </message>
     <message>
         <source>{} differs</source>
@@ -13285,10 +13209,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} is a folder</source>
         <translation>{} ist ein Ordner</translation>
-    </message>
-    <message>
-        <source>{} is answered by {}; check the registers against the device&apos;s manual</source>
-        <translation>{} wird mit {} beantwortet; die Register mit dem Handbuch des Geräts vergleichen</translation>
     </message>
     <message>
         <source>{} is calibrating: {}, since {}</source>
@@ -13383,10 +13303,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} braucht Firmware {} oder neuer, dieses Gerät hat {}; sie vom Hersteller erneuern lassen</translation>
     </message>
     <message>
-        <source>{} needs packages that are missing ({}); install them: pip install &apos;rigapp[{}]&apos;</source>
-        <translation>{} braucht Pakete, die fehlen ({}); sie installieren: pip install &apos;rigapp[{}]&apos;</translation>
-    </message>
-    <message>
         <source>{} needs {}</source>
         <translation>{} braucht {}</translation>
     </message>
@@ -13475,10 +13391,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} wurde mit {} beantwortet; die Leitung und ihren Abschluss prüfen, und dass jede Adresse nur einmal vergeben ist</translation>
     </message>
     <message>
-        <source>{} was answered with the wrong number of bytes; check the firmware and that no other program uses the device</source>
-        <translation>{} wurde mit der falschen Anzahl von Bytes beantwortet; die Firmware prüfen, und dass kein anderes Programm das Gerät benutzt</translation>
-    </message>
-    <message>
         <source>{} was answered with {}</source>
         <translation>{} wurde mit {} beantwortet</translation>
     </message>
@@ -13529,10 +13441,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} words to function {} instead of {} to {}</source>
         <translation>{} Wörtern zu Funktion {} statt {} zu {}</translation>
-    </message>
-    <message>
-        <source>{} {} from {} on at Modbus address {}</source>
-        <translation>{} {} ab {} an Modbus-Adresse {}</translation>
     </message>
     <message>
         <source>{} {} limit</source>
@@ -13771,24 +13679,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: gehört jemand anderem{}</translation>
     </message>
     <message>
-        <source>{}: bytes were lost or added; the stream was restarted</source>
-        <translation>{}: Bytes gingen verloren oder kamen hinzu; der Datenstrom wurde neu gestartet</translation>
-    </message>
-    <message>
-        <source>{}: cannot be made ({}){}</source>
-        <translation>{}: lässt sich nicht anlegen ({}){}</translation>
-    </message>
-    <message>
         <source>{}: cannot be read ({})</source>
         <translation>{}: nicht lesbar ({})</translation>
     </message>
     <message>
-        <source>{}: cannot be read as text ({})</source>
-        <translation>{}: lässt sich nicht als Text lesen ({})</translation>
-    </message>
-    <message>
         <source>{}: cannot be read now, {} other files hang</source>
         <translation>{}: lässt sich jetzt nicht lesen, {} andere Dateien hängen</translation>
+    </message>
+    <message>
+        <source>{}: cannot be used ({})</source>
+        <translation>{}: nicht benutzbar ({})</translation>
     </message>
     <message>
         <source>{}: cannot be written ({})</source>
@@ -13875,20 +13775,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: ist eine Pipe, in die innerhalb von {} s niemand schrieb; eine Datei nennen</translation>
     </message>
     <message>
-        <source>{}: is damaged ({})</source>
-        <translation>{}: ist beschädigt ({})</translation>
-    </message>
-    <message>
         <source>{}: is larger than {:.0f} MB; name another file</source>
         <translation>{}: ist größer als {} MB; eine andere Datei nennen</translation>
     </message>
     <message>
         <source>{}: is no TOML of lines like name = &quot;secret&quot;</source>
         <translation>{}: ist kein TOML aus Zeilen wie name = &quot;geheim&quot;</translation>
-    </message>
-    <message>
-        <source>{}: is no key pair ({}); delete it</source>
-        <translation>{}: ist kein Schlüsselpaar ({}); sie löschen</translation>
     </message>
     <message>
         <source>{}: is no small file of yours; a link is not followed</source>
@@ -13899,20 +13791,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: ist keine kleine Datei; die Geheimnisse in eine schreiben</translation>
     </message>
     <message>
-        <source>{}: is not the entry of an engine ({})</source>
-        <translation>{}: ist nicht der Eintrag einer Steuerung ({})</translation>
-    </message>
-    <message>
-        <source>{}: is not the table of a study ({})</source>
-        <translation>{}: ist nicht die Tabelle einer Studie ({})</translation>
-    </message>
-    <message>
         <source>{}: it holds no whole revolution; give a test with data</source>
         <translation>{}: enthält keine ganze Umdrehung; einen Versuch mit Daten angeben</translation>
-    </message>
-    <message>
-        <source>{}: it tells no rolls ({})</source>
-        <translation>{}: enthält keine Umläufe ({})</translation>
     </message>
     <message>
         <source>{}: its readings do not give this number</source>
@@ -14023,10 +13903,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: Der Rechner oder das Programm endete bei Umdrehung {} von {} dieses Versuchs</translation>
     </message>
     <message>
-        <source>{}: the copy of the rig file cannot be written ({}); nothing is changed</source>
-        <translation>{}: Die Kopie der Prüfstandsdatei lässt sich nicht schreiben ({}); nichts ist geändert</translation>
-    </message>
-    <message>
         <source>{}: the device has one counter, {}</source>
         <translation>{}: Das Gerät hat einen Zähler, {}</translation>
     </message>
@@ -14049,10 +13925,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}: the file cannot be created ({}); choose another folder</source>
         <translation>{}: Die Datei lässt sich nicht anlegen ({}); einen anderen Ordner wählen</translation>
-    </message>
-    <message>
-        <source>{}: the file cannot be opened as HDF5 ({})</source>
-        <translation>{}: Die Datei lässt sich nicht als HDF5 öffnen ({})</translation>
     </message>
     <message>
         <source>{}: the file cannot be opened for writing ({}); resume as the user who began the test, on a disk that can be written</source>
@@ -14095,10 +13967,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: Die Datei ist abgeschnitten, vielleicht eine unfertige Kopie; sie noch einmal kopieren</translation>
     </message>
     <message>
-        <source>{}: the file is damaged, {} cannot be read ({}); take a copy made before, and check the disk</source>
-        <translation>{}: Die Datei ist beschädigt, nicht lesbar: {} ({}); eine ältere Kopie nehmen und den Datenträger prüfen</translation>
-    </message>
-    <message>
         <source>{}: the file is empty; a copy of the test must be restored</source>
         <translation>{}: Die Datei ist leer; eine Kopie des Versuchs muss wiederhergestellt werden</translation>
     </message>
@@ -14127,24 +13995,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: Den Ordner {} gibt es nicht; ihn erst anlegen</translation>
     </message>
     <message>
-        <source>{}: the journal cannot be opened ({})</source>
-        <translation>{}: Das Journal lässt sich nicht öffnen ({})</translation>
-    </message>
-    <message>
         <source>{}: the map in use has expired, and an expired record forbids a start: take run_out out of [probes] for the roll</source>
         <translation>{}: die verwendete Karte ist abgelaufen, und ein abgelaufener Datensatz verbietet den Start: run_out für den Umlauf aus [probes] herausnehmen</translation>
-    </message>
-    <message>
-        <source>{}: the queue cannot be read ({}); move the file away</source>
-        <translation>{}: Die Warteschlange ist nicht lesbar ({}); die Datei beiseitelegen</translation>
-    </message>
-    <message>
-        <source>{}: the reading was not saved ({}); make room and record it again</source>
-        <translation>{}: Die Messung wurde nicht gesichert ({}); Platz schaffen und sie noch einmal aufnehmen</translation>
-    </message>
-    <message>
-        <source>{}: the record cannot be read ({})</source>
-        <translation>{}: der Datensatz ist nicht lesbar ({})</translation>
     </message>
     <message>
         <source>{}: the record states {:.9g}, its readings give {:.9g}</source>

@@ -10,6 +10,7 @@ from typing import Final
 
 from rigapp.presentation.told import EDGES, templates
 from rigapp.presentation.translation import Text
+from rigapp.schema.details import sentence_of
 
 ROOT: Final = Path(__file__).parents[3]
 
@@ -57,7 +58,7 @@ def sentences_of(module: Path, raised: bool = False) -> Iterator[str]:
     roots = [one for one in ast.walk(tree) if isinstance(one, ast.Raise)] if raised else [tree]
     for root in roots:
         for one, checked in _strings(root):
-            template = _template(one).strip(EDGES)
+            template = sentence_of(_template(one)).strip(EDGES)
             if has_words(_literal(template)) and (" " in template or checked):
                 yield template
 

@@ -29,11 +29,13 @@ from rigapp.gui.widgets.build import (
     tell,
     whole_number,
 )
+from rigapp.gui.widgets.details import FoldedDetails
 from rigapp.gui.widgets.reflow import FoldingSplitter, flowing
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.presentation.times import dated
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
+from rigapp.schema.details import details_of, sentence_of
 from rigapp.schema.loglines import ALARM
 from rigapp.schema.messages import NOTE_CHARACTERS, Alarm, Event, RunState, Severity
 from rigapp.schema.words import WORDS
@@ -109,6 +111,8 @@ class AlarmCard(QFrame):
             grid.addWidget(label, place, 0, Qt.AlignmentFlag.AlignTop)
             grid.addWidget(self.texts[key], place, 1)
         self.texts["action"].setProperty("role", "title")
+        self.details = FoldedDetails(name)
+        grid.addWidget(self.details, len(LINES), 1)
         if large:
             head: list[QWidget | QLayout] = [
                 flowing(self.chip, (self.title, 1), self.state, self.since)
@@ -141,6 +145,7 @@ class AlarmCard(QFrame):
             label.setText(retold(getattr(alarm, key)))
         for part in (*self.captions, *self.texts.values()):
             part.setVisible(whole)
+        self.details.show_details(details_of(alarm.cause) if whole else "")
         said = f"{tr(MARKS[alarm.severity])}: {retold(alarm.title)}, {tr(alarm.state)}"
         self.setAccessibleName(said)
         self.setAccessibleDescription(retold(alarm.action))
@@ -414,7 +419,7 @@ class AlarmJournal(QFrame):
                 (
                     dated("%d %b %H:%M:%S", time.localtime(one.time)),
                     str(one.revolution),
-                    one.text,
+                    sentence_of(one.text),
                     one.source,
                 )
                 for one in lines

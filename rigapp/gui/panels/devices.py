@@ -34,6 +34,7 @@ from rigapp.gui.widgets.tables import PlainTable
 from rigapp.presentation.numbers import grouped, unit_text
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
+from rigapp.schema.details import details_of
 from rigapp.schema.messages import AT_REST, DeviceView, RunState, Status
 
 CHANNEL_HEADINGS: Final[tuple[Text, ...]] = (
@@ -145,7 +146,8 @@ class DeviceCard(QFrame):
         tell(self.link, "role", "caution" if disturbed or not device.connected else "")
         self.link.setText(link)
         self.warnings.setText(retold(device.advice) or tr("no warning"))
-        self.details.setText(counted(device))
+        told = (details_of(device.last_error), details_of(device.advice), counted(device))
+        self.details.setText("\n".join(filter(None, told)))
         self.setAccessibleDescription(f"{tr(word)}, {link}")
 
 

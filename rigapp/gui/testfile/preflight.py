@@ -9,8 +9,10 @@ from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP
 from rigapp.gui.widgets.build import column, named, prose, row, scrolling, tell
+from rigapp.gui.widgets.details import FoldedDetails
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import marked, tr
+from rigapp.schema.details import details_of
 from rigapp.service.preflight import Check, Checked
 
 MARKS = {Checked.GOOD: "✓", Checked.ATTENTION: "▲", Checked.BLOCKS: "◆"}
@@ -36,7 +38,8 @@ class CheckRow(QFrame):
         )
         self.what.setProperty("role", "title")
         self.finding.setProperty("role", "caption")
-        texts = column(self.what, self.finding, self.action)
+        self.details = FoldedDetails(f"check_{place}")
+        texts = column(self.what, self.finding, self.action, self.details)
         texts.setSpacing(0)
         made = row(self.mark, (texts, 1), on=self)
         made.setAlignment(self.mark, Qt.AlignmentFlag.AlignTop)
@@ -51,6 +54,7 @@ class CheckRow(QFrame):
         verdict = tr(check.verdict.value)
         self.what.setText(what if good else f"{what}: {verdict}")
         self.finding.setText(finding)
+        self.details.show_details(details_of(check.finding))
         self.action.setText(action)
         self.action.setVisible(bool(action))
         self.setAccessibleName(f"{what}: {verdict}, {finding} {action}")

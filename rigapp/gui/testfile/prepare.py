@@ -12,7 +12,6 @@ from PySide6.QtWidgets import QWidget
 
 from rigapp.calibrating.records_in_use import RigRecords, with_records
 from rigapp.config.channels import channel_table
-from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp.config.recipe import TestFile
 from rigapp.gui.data.news import News, Takes
@@ -23,6 +22,7 @@ from rigapp.gui.testfile.preflight import PreflightPanel
 from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.gui.widgets.build import named, row
 from rigapp.presentation.translation import tr
+from rigapp.schema.details import error_text
 from rigapp.service.preflight import Check, Checked, DiskFacts, disk_facts, preflight
 
 DEFAULT_RATE_HZ = 1000.0  # to judge the disk by, until a device tells its own
@@ -145,7 +145,7 @@ class PreparePanel(QWidget):
 
     def _no_records(self, error: Exception) -> None:
         self._records = None
-        self._problem = str(error) if isinstance(error, UnusableInput) else repr(error)
+        self._problem = error_text(error, "The test cannot be checked.")
 
     def _ask_disk(self, rate: float) -> None:
         test, now = self._test, self._clock()
@@ -162,7 +162,7 @@ class PreparePanel(QWidget):
         self._disk = facts
 
     def _no_disk(self, error: Exception) -> None:
-        self._disk = DiskFacts(self._folder, 0, 0, f"cannot be judged: {error}")
+        self._disk = DiskFacts(self._folder, 0, 0, f"cannot be judged ‹{error}›")
 
 
 def prepare_page(host: Host) -> QWidget:

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFrame, QPushButton
 
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP
 from rigapp.gui.widgets.build import named, prose
+from rigapp.gui.widgets.details import details_button
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.presentation.translation import Text, tr
 
@@ -27,6 +28,8 @@ class Bar(QFrame):
         super().__init__()
         named(self, f"{name}_bar", spoken)
         self.text = prose(f"{name}_text", text_spoken or spoken)
+        self.more = details_button(name, lambda _: self._tell())
+        self._sentence = self._details = ""
         self.escape: Callable[[], object] | None = None
         self._sheet = ""
         self.hide()
@@ -34,11 +37,22 @@ class Bar(QFrame):
     def lay_out(self, buttons: Sequence[QPushButton]) -> None:
         """Put the buttons beside the sentence."""
         self.text.setMinimumWidth(TEXT_WIDTH)
-        flowing((self.text, 1), *buttons, on=self).setContentsMargins(MARGIN, 0, GAP, 0)
+        flowing((self.text, 1), self.more, *buttons, on=self).setContentsMargins(MARGIN, 0, GAP, 0)
 
-    def say(self, text: Text) -> None:
-        """Show a sentence; nothing is laid out again when it is the one shown."""
-        text = tr(text)
+    def say(self, text: Text, details: str = "") -> None:
+        """Show a sentence; nothing is laid out again when it is the one shown.
+
+        details: stand in its place while their button is down, so that the bar keeps its height.
+        """
+        if details != self._details:
+            self._details = details
+            self.more.setChecked(False)
+            self.more.setVisible(bool(details))
+        self._sentence = tr(text)
+        self._tell()
+
+    def _tell(self) -> None:
+        text = self._details if self.more.isChecked() else self._sentence
         if text != self.text.text():
             self.text.setText(text)
 

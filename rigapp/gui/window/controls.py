@@ -10,7 +10,7 @@ from typing import Any
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QFont, QKeySequence, QShortcut
-from PySide6.QtWidgets import QFrame, QPushButton, QSizePolicy, QStackedWidget
+from PySide6.QtWidgets import QFrame, QPushButton, QSizePolicy, QStackedWidget, QWidget
 
 from rigapp.gui.data.connection import ConnectionState
 from rigapp.gui.look.dress import dress_part
@@ -18,12 +18,14 @@ from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import MARGIN, MESSAGE_LINES, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import button, column, edit, filled, named, row
+from rigapp.gui.widgets.details import details_button
 from rigapp.gui.widgets.labels import ElidedLabel, FewLinesLabel
 from rigapp.gui.window.command import CommandLine
 from rigapp.gui.window.headline import identity
 from rigapp.presentation.states import occupied_text
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
+from rigapp.schema.details import details_of, marked_details, sentence_of
 from rigapp.schema.messages import AT_REST, NOTE_CHARACTERS, Remedy, Reply, RunState, Status
 from rigapp.schema.states import ACTIVE, Trigger, is_untimely
 
@@ -117,7 +119,7 @@ class ControlRow(QFrame):
         super().__init__()
         self._send = send
         self._theme = theme
-        self._asked_why = ""
+        self._asked_why = self._told = self._details = ""
         self._armed = ""
         self._good = True
         self._tight = False
@@ -145,7 +147,11 @@ class ControlRow(QFrame):
             if key == STOP_KEY:  # in the window of the help too
                 shortcut.setContext(Qt.ShortcutContext.ApplicationShortcut)
         self.answer = FewLinesLabel("answer", "Answer to the last command", MESSAGE_LINES)
-        self.answer.hide()
+        self.answer_more = details_button("answer", lambda _: self._show_answer())
+        self.answer_place = QWidget()
+        told = row((self.answer, 1), self.answer_more, on=self.answer_place)
+        told.setContentsMargins(MARGIN, 0, 0, 0)
+        self.answer_place.hide()
         self.test = ElidedLabel("identity", "Test")
         self.test.setProperty("role", "title")
         self.line = ElidedLabel("identity_line", "Rig, speed and file of the test")
@@ -320,12 +326,19 @@ class ControlRow(QFrame):
 
     def show_answer(self, sentence: Text, *, good: bool) -> None:
         """Show one sentence; a refusal is marked."""
-        sentence = tr(sentence)
-        self.answer.show_text(sentence if good else f"▲ {sentence}")
-        self.answer.setVisible(bool(sentence))
+        told = sentence_of(tr(sentence))
+        self._told, self._details = told if good else f"▲ {told}", details_of(sentence)
+        self.answer_more.setChecked(False)
+        self.answer_more.setVisible(bool(self._details))
+        self._show_answer()
+        self.answer_place.setVisible(bool(told))
         self._good = good
         self._paint_answer()
         self.refused.emit(not good)
+
+    def _show_answer(self) -> None:
+        """Show the answer, or its details in its place while their button is down."""
+        self.answer.show_text(self._details if self.answer_more.isChecked() else self._told)
 
     def _paint_answer(self) -> None:
         colour = self._theme.secondary if self._good else self._theme.critical
@@ -339,7 +352,7 @@ class ControlRow(QFrame):
             told = tr("{}: done. {}", label, retold(reply.sentence))
         else:
             told = tr("{} refused: {}", label, retold(reply.sentence))
-        self.show_answer(f"{stamp}  {told}", good=reply.ok)
+        self.show_answer(f"{stamp}  {told}{marked_details(reply.sentence)}", good=reply.ok)
 
     def _stopped_at_rest(self, reply: Reply) -> None:
         """Say that nothing runs only where the engine says so: any other refusal is shown."""

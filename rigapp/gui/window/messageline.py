@@ -45,7 +45,6 @@ class MessageLine(QFrame):
         for bar in bars:
             bar.setMinimumHeight(HEIGHT - 1)
             bar.installEventFilter(self)
-        answer.setContentsMargins(MARGIN, 0, 0, 0)
         self.dress(theme)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

@@ -10,7 +10,7 @@ from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import button
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.presentation.numbers import grouped
-from rigapp.presentation.states import state_line
+from rigapp.presentation.states import state_details, state_line
 from rigapp.presentation.times import duration
 from rigapp.presentation.translation import tr
 from rigapp.schema.messages import RunState, Status
@@ -84,7 +84,8 @@ class NoticeBar(Bar):
         self.away.setVisible(bool(self._restart) and not silent)
         found = status.calibration if status is not None and not silent else None
         self.end.setVisible(found is not None and found.since != self.own_calibration)
-        self.say(text)
+        told = status if status is not None and not (silent or self._restart) else None
+        self.say(text, state_details(told) if told is not None else "")
         self.setToolTip(text)
         self.show_when(bool(text))
         if bad != self._bad:

@@ -12,8 +12,10 @@ from PySide6.QtWidgets import QFrame, QLabel
 
 from rigapp.gui.look.tokens import CARD_RADIUS, GAP, MARGIN, STEP, Theme
 from rigapp.gui.widgets.build import button, column, named, prose
+from rigapp.gui.widgets.details import FoldedDetails
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
+from rigapp.schema.details import details_of
 from rigapp.schema.messages import Alarm, Remedy, RunState, Severity, Status
 from rigapp.schema.states import ACTIVE
 
@@ -79,6 +81,7 @@ class RecoverPanel(QFrame):
         named(self, "recover_panel", "Recover")
         self.title = named(QLabel(tr("Recover")), "recover_title", "Recover")
         self.cause = prose("recover_cause", "What happened")
+        self.details = FoldedDetails("recover")
         self.next = prose("recover_next", "Next step")
         self.steps = {
             step: named(QLabel(), f"recover_step_{step.name.lower()}", tr("Step: {}", tr(text)))
@@ -156,6 +159,7 @@ class RecoverPanel(QFrame):
             self._why = worst.cause
         self._frame(recovered=told.step is Remedy.GO_ON)
         self.cause.setText(retold(self._why or status.reason))
+        self.details.show_details(details_of(self._why or status.reason))
         self.next.setText(retold(told.sentence))
         for number, (step, label) in enumerate(self.steps.items(), 1):
             now = step is told.step
@@ -198,8 +202,9 @@ class RecoverPanel(QFrame):
         steps = column(*self.steps.values())
         steps.setSpacing(STEP // 2)
         made = self._column = column(
-            self.title, self.next, self.button, self.other, self.away, steps, self.cause, on=self
-        )
+            self.title, self.next, self.button, self.other, self.away, steps, self.cause,
+            self.details, on=self,
+        )  # fmt: skip
         made.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
         made.setSpacing(STEP)
 

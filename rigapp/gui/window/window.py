@@ -61,6 +61,7 @@ from rigapp.presentation.states import occupied_text
 from rigapp.presentation.told import retold
 from rigapp.presentation.translation import Text, tr
 from rigapp.process.memory import begin_to_load, end_of_loading
+from rigapp.schema.details import error_text
 from rigapp.schema.messages import Reply, RunState, Snapshot, Status
 from rigapp.schema.states import ACTIVE
 
@@ -170,7 +171,7 @@ class MainWindow(QMainWindow):
         self.tabs.panels["side"] = self.side
         self.rail = Rail(theme, self.switch_theme, self.show_help)
         bars = (self.viewer_bar, self.close_bar, self.end_calibration, self.notice)
-        self.messages = MessageLine(bars, self.controls.answer, theme)
+        self.messages = MessageLine(bars, self.controls.answer_place, theme)
         if rig is not None:
             self.tabs.prepare.set_rig(rig)
         if tests:
@@ -398,7 +399,7 @@ class MainWindow(QMainWindow):
             self.calibrate_what(self._calibrate_next)
 
     def _tell_problem(self, error: Exception) -> None:
-        self.controls.show_answer(str(error), good=False)
+        self.controls.show_answer(error_text(error, "That did not work."), good=False)
 
     def _take_calibration(self) -> None:
         if self._calibration is not None:

@@ -38,6 +38,7 @@ from rigapp.report.testreport.wording import (
     stamp,
 )
 from rigapp.report.testreport.worn import worn_of
+from rigapp.schema.details import sentence_of
 from rigapp.schema.results import TestResult
 from rigapp.storage import LargestForce, TestReader, largest_force, open_test, trip_of
 from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty, force_uncertainty
@@ -176,7 +177,9 @@ def _summary(
         blocks.append(Text(f"{simulated} simulated: these are not measurements.", strong=True))
     if status != "complete":
         sentence = LEADS.get(status, f"The status of the test is {status}.")
-        blocks.append(Text(f"{sentence} {_capital(summary['reason'])}".strip(), strong=True))
+        blocks.append(
+            Text(f"{sentence} {_capital(sentence_of(summary['reason']))}".strip(), strong=True)
+        )
     lines = [
         ("Title", about["title"]),
         ("Specimen", about["specimen"]),
@@ -260,7 +263,10 @@ def _ended(status: str, about: dict[str, Any]) -> str:
 
 def _reason(summary: dict[str, Any], about: dict[str, Any]) -> str:
     words = REASONS.get(about["reason_code"], "")
-    return ". ".join(_capital(one) for one in (words, summary["reason"]) if one) or "none given"
+    return (
+        ". ".join(_capital(one) for one in (words, sentence_of(summary["reason"])) if one)
+        or "none given"
+    )
 
 
 def _capital(text: str) -> str:

@@ -27,6 +27,7 @@ from rigapp.report.testreport.wording import (
 )
 from rigapp.report.testreport.worn import Worn, profile_blocks
 from rigapp.schema.channels import LOAD_CELL, Kind
+from rigapp.schema.details import sentence_of
 from rigapp.schema.messages import Event
 from rigapp.storage import Trip
 from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty
@@ -179,7 +180,9 @@ def agreement(
     blocks.append(plots.residual_trend(found, rows.gaps, vector))
     told = [one for one in events if one.kind == "twin"]
     if told:
-        table = tuple((utc(one.time), grouped(one.revolution), one.text) for one in told[:TOLD])
+        table = tuple(
+            (utc(one.time), grouped(one.revolution), sentence_of(one.text)) for one in told[:TOLD]
+        )
         header = ("time, UTC", "revolution", "what became of the prediction")
         left = f"First {TOLD} of {grouped(len(told))} lines" if len(told) > TOLD else ""
         blocks.append(Table(left, table, header))

@@ -18,6 +18,7 @@ from rigapp.report.testreport.history import (
     limits_of,
 )
 from rigapp.report.testreport.wording import UNKNOWN, counted, number, symbol, utc
+from rigapp.schema.details import sentence_of
 from rigapp.schema.messages import Event
 from rigapp.storage import TestReader
 
@@ -69,7 +70,9 @@ def _gaps(events: Sequence[Event], rows: Rows | None) -> tuple[Block, ...]:
         header = ("before revolution", "revolutions not recorded", "samples lost", "without data")
         blocks += _cut("Where data are missing", table, header)
     if told:
-        rows_told = tuple((utc(one.time), grouped(one.revolution), one.text) for one in told)
+        rows_told = tuple(
+            (utc(one.time), grouped(one.revolution), sentence_of(one.text)) for one in told
+        )
         blocks += _cut("What the log says", rows_told, ("time, UTC", "after revolution", "gap"))
     return tuple(blocks)
 
@@ -106,7 +109,9 @@ def _alarms(events: Sequence[Event], reason: str) -> list[Block]:
         return [*blocks, Text("No alarm was raised.")]
     first = next((one for one in found if one.first_out), None)
     if first is not None:
-        text = f"First out, the alarm that ended the test: {first.title}. {first.cause}"
+        text = (
+            f"First out, the alarm that ended the test: {first.title}. {sentence_of(first.cause)}"
+        )
         blocks.append(Text(text, strong=True))
     header = ("raised, UTC", "revolution", "alarm", "cause", "cleared, UTC", "acknowledged")
     table = tuple(_alarm_row(one) for one in found)
@@ -120,7 +125,7 @@ def _alarm_row(alarm: AlarmRecord) -> tuple[str, ...]:
         utc(alarm.raised_at),
         grouped(alarm.revolution),
         title,
-        alarm.cause,
+        sentence_of(alarm.cause),
         cleared,
         f"by {alarm.acknowledged}" if alarm.acknowledged else "no",
     )
@@ -132,7 +137,7 @@ def _changes(events: Sequence[Event]) -> tuple[Block, ...]:
         return (Text("No notes were written and nothing was changed during the test."),)
     header = ("time, UTC", "revolution", "what", "by", "text", "before", "after")
     table = tuple(
-        (utc(one.time), grouped(one.revolution), KINDS[one.kind], one.source, one.text,
+        (utc(one.time), grouped(one.revolution), KINDS[one.kind], one.source, sentence_of(one.text),
          one.before or "–", one.after or "–")
         for one in found
     )  # fmt: skip
@@ -145,7 +150,7 @@ def _course(events: Sequence[Event]) -> Block:
         return Text("The log has no entries.")
     table = tuple(
         (utc(one.time), grouped(one.revolution), one.kind.replace("_", " "), one.source,
-         one.text or UNKNOWN)
+         sentence_of(one.text) or UNKNOWN)
         for one in found
     )  # fmt: skip
     kept = table if len(table) <= SHOWN else table[: SHOWN // 2] + table[-SHOWN // 2 :]

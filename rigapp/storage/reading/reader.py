@@ -533,7 +533,7 @@ def _refusal(path: Path, message: str) -> str:
         return f"{path}: this is not an HDF5 file; give a file that rigapp run wrote"
     if "ermission" in message:
         return f"{path}: the file may not be read; ask its owner for permission"
-    return f"{path}: the file cannot be opened as HDF5 ({message})"
+    return f"{path}: the file cannot be opened as HDF5 ‹{message}›"
 
 
 def _refuse_foreign(path: Path, file: h5py.File) -> None:

@@ -39,7 +39,7 @@ def telling_damage(path: Path, what: str) -> Iterator[None]:
         yield
     except (OSError, RuntimeError, LookupError, ValueError, TypeError, MemoryError) as error:
         raise UnusableInput(
-            f"{path}: the file is damaged, {what} cannot be read ({error}); "
+            f"{path}: the file is damaged, {what} cannot be read ‹{error}›; "
             "take a copy made before, and check the disk"
         ) from error
 

@@ -78,11 +78,11 @@ def test_the_velocity_unit_is_read_and_never_assumed(unit: int, rev_per_s: float
 @pytest.mark.parametrize(
     ("code", "words"),
     [
-        (0x2310, "error 2310: over-current (EPOS1)"),
-        (0x8130, "error 8130: heartbeat of the host lost (EPOS1)"),
-        (0xFF05, "error FF05: Hall sensor or encoder (EPOS1)"),
-        (0x2345, "error 2345: current"),
-        (0xA000, "error A000: unknown"),
+        (0x2310, "over-current ‹EPOS1, error 2310›"),
+        (0x8130, "heartbeat of the host lost ‹EPOS1, error 8130›"),
+        (0xFF05, "Hall sensor or encoder ‹EPOS1, error FF05›"),
+        (0x2345, "current ‹error 2345›"),
+        (0xA000, "unknown error ‹error A000›"),
     ],
 )
 def test_error_codes_have_words_and_always_their_number(code: int, words: str) -> None:

@@ -162,7 +162,7 @@ def test_lost_and_added_bytes_cost_a_marked_gap(bench: Callable[..., Any], drops
     assert gap.quality[0] == Quality.LOST_BEFORE | Quality.RESYNCHRONISED | Quality.COUNT_SUSPECT
     tally = b.driver.tally
     assert (tally.gaps, tally.restarts, tally.lost_scans) == (1, 1, gap.lost_before)
-    assert "bytes were lost or added" in tally.sentences[0]
+    assert "data were lost or added" in tally.sentences[0]
 
 
 @only_encoder
@@ -329,7 +329,7 @@ def test_one_lost_reply_is_asked_for_again(bench: Callable[..., Any]) -> None:
 @pytest.mark.parametrize(
     ("fault", "error", "words"),
     [
-        ("no_reply", ReplyTimeout, "no answer to 'dec 1' within 1 s, 2 tries"),
+        ("no_reply", ReplyTimeout, "no answer within 1 s, 2 tries"),
         ("wrong_echo", ProtocolError, r"'dec 1' was answered with '\?dec 1'"),
     ],
 )

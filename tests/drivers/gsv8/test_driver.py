@@ -295,7 +295,7 @@ def test_half_scale_check_proves_scales_and_order(bench: Any) -> None:
     ("request_", "words"),
     [
         (_request(961.0), "nearest are 960 or 1000"),
-        (_request(16000.0), "at most 12000 with 5 objects as float32"),
+        (_request(16000.0), "at most 12000 with 5 inputs as float32"),
         (_request(24000.0, data_type="int24"), "at most 16000"),
         (_request(data_type="int16"), "one of 256 counts"),
         (DataRequest(960.0, {"analog_1": ("bridge", 3.0)}), "choose 2, 3.5, 7"),
@@ -358,7 +358,7 @@ def test_uart_carries_what_fits(bench: Any) -> None:
         (Command.WRITE_DATA_RATE, 0x64, "sample_rate_Hz cannot be 960.*data rate is too high"),
         (Command.SET_INPUT_TYPE, 0x75, "input type of analog_3.*another port"),
         (Command.WRITE_COUNTER_MODE, 0x71, "mode of counter_1.*locked"),
-        (Command.SET_TX_MAPPING, 0x54, "number of objects.*too big"),
+        (Command.SET_TX_MAPPING, 0x54, "number of inputs.*too big"),
     ],
 )
 def test_refused_commands_are_named_in_words(
@@ -573,7 +573,7 @@ def test_wrong_object_count_is_an_error(bench: Any) -> None:
     b.stream()
     b.blocks(20)
     b.simulator.inject("wrong_object_count")
-    with pytest.raises(ProtocolError, match="another number of objects"):
+    with pytest.raises(ProtocolError, match="another number of inputs"):
         b.blocks(10_000)
 
 
@@ -681,7 +681,7 @@ def test_a_power_cut_of_the_device_is_noticed(bench: Any) -> None:
     b.stream(960.0, data_checksum=True)
     b.blocks(20)
     b.simulator.inject("reset")
-    with pytest.raises(ProtocolError, match="another number of objects or another format"):
+    with pytest.raises(ProtocolError, match="another number of inputs or another format"):
         b.blocks(10_000)
 
 

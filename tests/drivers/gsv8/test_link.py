@@ -83,7 +83,7 @@ def test_samples_around_an_answer_are_kept() -> None:
 
 def test_refusals_are_said_in_words() -> None:
     link, _ = _link(_ok(status=0x71))
-    with pytest.raises(SettingRefused, match=r"set zero \(command 0C\) was refused: writing is"):
+    with pytest.raises(SettingRefused, match=r"set zero ‹command 0C› was refused: writing is"):
         link.command(Command.SET_ZERO, u8(1))
 
 
@@ -106,7 +106,7 @@ def test_answers_of_another_length_belong_to_someone_else() -> None:
     link.command(Command.STOP_TRANSMISSION)
     assert link.late_replies == 1
     wrong, _ = _link(*[_ok(b"\x00")] * 3)
-    with pytest.raises(ProtocolError, match="wrong number of bytes"):
+    with pytest.raises(ProtocolError, match="wrong length"):
         wrong.command(Command.STOP_TRANSMISSION)
 
 
@@ -123,7 +123,7 @@ def test_a_late_answer_after_a_retry_is_let_pass() -> None:
 
 def test_no_answer_is_a_time_out_that_names_the_command() -> None:
     link, port = _link()
-    with pytest.raises(ReplyTimeout, match=r"read data rate \(command 8A\) within 0.1 s"):
+    with pytest.raises(ReplyTimeout, match=r"read data rate ‹command 8A› within 0.1 s"):
         link.command(Command.READ_DATA_RATE, reply=4)
     assert len(port.sent) == 3
 

@@ -197,7 +197,7 @@ def test_write_time_out_when_nobody_takes_the_bytes(server: socket.socket) -> No
     port = SerialPort("drive", _url(server), 115200, write_timeout_s=0.1)
     port.open()
     peer, _ = server.accept()
-    with pytest.raises(DeviceLost, match="takes no more bytes"):
+    with pytest.raises(DeviceLost, match="takes no more data"):
         _write_often(port)
     port.close()
     peer.close()

@@ -1,0 +1,37 @@
+"""Details of a text, folded: what a library said, a register, an address; a button unfolds them."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from rigapp.gui.widgets.build import Called, button, column, prose, row
+
+
+def details_button(name: str, unfolded: Called) -> QPushButton:
+    """Return the button that unfolds details, hidden until there are any."""
+    made = button(f"{name}_more", "Details", unfolded, checkable=True, rank="quiet")
+    made.hide()
+    return made
+
+
+class FoldedDetails(QWidget):
+    """Details below the text that they belong to; hidden while there are none."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.details = prose(f"{name}_details", "Details")
+        self.details.setProperty("role", "caption")
+        self.details.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.details.hide()
+        self.more = details_button(name, self.details.setVisible)
+        column(row(self.more, None), self.details, on=self).setContentsMargins(0, 0, 0, 0)
+        self.hide()
+
+    def show_details(self, details: str) -> None:
+        """Take details, folded where they are new ones; nothing is shown without any."""
+        if details != self.details.text():
+            self.details.setText(details)
+            self.more.setChecked(False)
+        self.more.setVisible(bool(details))
+        self.setVisible(bool(details))
