@@ -23,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK = 1
 # Hundreds of programs that the tests start shall not compile the source again, each for itself.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: run test kernels lint hooks search bench soak docs single lock pictures translations clean
+.PHONY: run test kernels lint hooks search bench long soak docs single lock pictures translations clean
 
 run: kernels
 	@$(BIN)/python -m rigapp.start
@@ -33,14 +33,12 @@ run: kernels
 # is done takes work from the others. One file or folder is quicker without workers and without the
 # checks of the whole source.
 test: $(if $(TESTS),$(TEST_READY),lint) kernels
-	$(BIN)/python -m pytest $(or $(TESTS),-n 3 --dist worksteal) -m "not soak"
+	$(BIN)/python -m pytest $(or $(TESTS),-n 3 --dist worksteal) -m "not soak and not long"
 
 lint: $(TEST_READY)
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy
-	$(BIN)/mypy --platform win32 --cache-dir .mypy_cache/win32
-	$(BIN)/mypy --platform darwin --cache-dir .mypy_cache/darwin
 	$(BIN)/lint-imports
 
 hooks: $(TEST_READY)
@@ -53,10 +51,17 @@ docs: $(DOCS_READY) kernels
 
 search: $(TEST_READY) kernels
 	@echo "make search SEED=$(SEED) repeats this search"
-	$(BIN)/python -m pytest -n 2 -m "hypothesis and not soak" --hypothesis-profile search --hypothesis-seed $(SEED)
+	$(BIN)/python -m pytest -n 2 -m "hypothesis and not soak and not long" --hypothesis-profile search --hypothesis-seed $(SEED)
 
 bench: $(BENCH_READY) kernels
 	$(BIN)/python -m benchmarks
+
+# What a release is proved by, a quarter of an hour: types of the other systems, notebooks, series of
+# killed writers, every layout in every language.
+long: $(TEST_READY) kernels
+	$(BIN)/mypy --platform win32 --cache-dir .mypy_cache/win32
+	$(BIN)/mypy --platform darwin --cache-dir .mypy_cache/darwin
+	$(BIN)/python -m pytest -n 3 --dist worksteal -m long
 
 soak: $(TEST_READY) kernels
 	$(BIN)/python -m pytest -m soak

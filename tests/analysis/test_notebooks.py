@@ -51,6 +51,7 @@ def test_there_is_a_notebook_for_each_question() -> None:
     ]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", NOTEBOOKS)
 def test_a_notebook_runs(folder: Path, name: str) -> None:
     place = folder / "notebooks"
@@ -58,6 +59,7 @@ def test_a_notebook_runs(folder: Path, name: str) -> None:
     assert "nan" not in run(place, cells(name))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["compare_specimens.ipynb", "identify_wear_coefficient.ipynb"])
 def test_a_notebook_runs_beside_the_first_test_of_a_new_folder(tmp_path: Path, name: str) -> None:
     place = tmp_path / "notebooks"

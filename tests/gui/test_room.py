@@ -8,14 +8,14 @@ from typing import Any
 
 import pytest
 
-from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, speak_language
+from rigapp.gui.language.catalogue import ENGLISH, speak_language
 from rigapp.gui.look.tokens import THEMES
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.window.tabs import NUMBERS
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.alarms import because
 from rigapp.schema.messages import Alarm, Recovery, Remedy, RunState, Severity
-from tests.gui.roominess import SCALES, SIZES, cut_texts
+from tests.gui.roominess import LONGEST_FIRST, SCALES, SIZES, cut_texts
 from tests.patience import PATIENCE_MS
 
 
@@ -53,7 +53,7 @@ def tripped() -> dict[str, Any]:
     }  # fmt: skip
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", LONGEST_FIRST)
 def test_no_text_is_cut_at_any_scale_size_and_theme(
     language: str, qapp: Any, qtbot: Any, engine: Any, request: pytest.FixtureRequest
 ) -> None:

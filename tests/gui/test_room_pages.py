@@ -23,7 +23,7 @@ from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.recording import StoredTest
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, speak_language
+from rigapp.gui.language.catalogue import ENGLISH, speak_language
 from rigapp.gui.look.sheet import style_sheet
 from rigapp.gui.look.tokens import DARK, LIGHT, THEMES
 from rigapp.gui.testfile.steps import STEPS
@@ -40,7 +40,7 @@ from rigapp.schema.messages import (
     Severity,
 )
 from rigapp.schema.queue import ItemState, QueuedTest
-from tests.gui.roominess import SCALES, SIZES, badly_placed, cut_texts
+from tests.gui.roominess import LONGEST_FIRST, SCALES, SIZES, badly_placed, cut_texts
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 ROOMS = tuple(
@@ -108,7 +108,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return made
 
 
-@pytest.fixture(params=LANGUAGES)
+@pytest.fixture(params=LONGEST_FIRST)
 def desk(
     request: pytest.FixtureRequest,
     engine: Any,

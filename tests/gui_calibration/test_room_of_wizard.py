@@ -11,14 +11,14 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, QRect
 from PySide6.QtWidgets import QPushButton, QScrollArea, QWidget
 
-from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, speak_language
+from rigapp.gui.language.catalogue import ENGLISH, speak_language
 from rigapp.gui.window.window import MainWindow
 from rigapp.gui.wizard.parts import MeasuredCard
 from rigapp.gui.wizard.scenes import Brush
 from rigapp.gui.wizard.wizard import CalibrationWizard
 from rigapp.schema.messages import Reply, RunState
 from tests.gui.conftest import attach, engine, light_application, no_history, window
-from tests.gui.roominess import SCALES, SIZES, cut_texts
+from tests.gui.roominess import LONGEST_FIRST, SCALES, SIZES, cut_texts
 from tests.gui_calibration.tour import SUBJECTS, tour, tour_of_choices
 
 __all__ = ["attach", "engine", "light_application", "no_history", "window"]
@@ -74,7 +74,7 @@ def out_of_sight(top: MainWindow, wizard: QWidget) -> Iterator[str]:
             yield f"{one.text()} is beyond the window"
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", LONGEST_FIRST)
 @pytest.mark.parametrize("subject", ["choices", *SUBJECTS])
 def test_no_text_of_a_page_is_cut_at_any_scale_and_size(
     subject: str,

@@ -22,6 +22,7 @@ NOT_PORTABLE = ("test_a_resumed_file_is_write_protected_again",)
 HOST = os.uname().nodename
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("suite", SUITES)
 def test_what_holds_of_files_holds_of_portable_ones(suite: str) -> None:
     others = [f"not {name}" for name in NOT_PORTABLE]
