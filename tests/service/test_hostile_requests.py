@@ -26,11 +26,11 @@ from rigapp.schema.states import ACTIVE, ENDED
 from rigapp.schema.verbs import SAFETY_VERBS, VERBS
 from rigapp.service.bounds import MESSAGE_BYTES
 from rigapp.service.client import Client, EngineUnreachable
-from rigapp.service.connections import GROWTH_BYTES
 from rigapp.service.host import EngineHost
 from rigapp.service.registry import running_engines
 
 BATCH = 40
+GROWTH_BYTES = 100_000_000
 NOT_SENT = frozenset({"shutdown", "inject_fault", "hand"})
 """Verbs that may end the engine or break the simulated rig, as they should."""
 
@@ -38,6 +38,7 @@ NOT_SENT = frozenset({"shutdown", "inject_fault", "hand"})
 @pytest.fixture
 def host(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[EngineHost]:
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
+    monkeypatch.setattr("rigapp.service.connections.GROWTH_BYTES", GROWTH_BYTES)
     host = EngineHost(read_rig(RIG), 1.0)
     yield host
     host.close()
