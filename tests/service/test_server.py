@@ -241,7 +241,7 @@ def test_source_that_fails_is_told_once_and_commands_go_on(tmp_path: Path) -> No
         assert client.request("stop").ok
         assert client.request("stop").ok
         assert told == [
-            "No snapshot could be made for windows: ValueError: a mistake of the source"
+            "No snapshot could be made for windows ‹ValueError('a mistake of the source')›."
         ]
     finally:
         client.close()

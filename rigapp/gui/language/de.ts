@@ -12720,7 +12720,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>this calibration turns the spindle at {:g} rpm at most, the test at {:g} rpm</source>
-        <translation>diese Kalibrierung dreht die Spindel mit höchstens {:g} min⁻¹, der Versuch mit {:g} min⁻¹</translation>
+        <translation>diese Kalibrierung dreht die Spindel mit höchstens {:g} rpm, der Versuch mit {:g} rpm</translation>
     </message>
     <message>
         <source>this computer&apos;s UTC clock jumped by {:.1f} s</source>
