@@ -50,4 +50,4 @@ def test_a_changed_fit_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_records_that_are_kept_are_not_made_again(capsys: pytest.CaptureFixture[str]) -> None:
     assert pinned.main() == 1
-    assert "raise EVALUATION" in capsys.readouterr().err
+    assert "raise rigapp_calibration.records.EVALUATION" in capsys.readouterr().err

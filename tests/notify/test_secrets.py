@@ -127,7 +127,7 @@ def test_what_a_library_raises_is_told_by_its_kind_alone(
 
     monkeypatch.setattr(attempt_module, "_by_apprise", fail)
     found = attempted(AttemptRequest("send", "json://{password}", str(secrets_file(tmp_path))))
-    assert (found.ok, found.reason) == (False, "it failed (RuntimeError)")
+    assert (found.ok, found.reason) == (False, "it failed ‹RuntimeError›")
 
 
 def test_the_engine_and_its_courier_never_load_what_knows_secrets() -> None:

@@ -38,17 +38,16 @@ from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import button, column, follow_in_tab_order, named, row
 from rigapp.gui.widgets.guarded import GuardedButton
 from rigapp.gui.widgets.turns import Turns
-from rigapp.gui.window.closebar import CloseBar
 from rigapp.gui.window.command import KEY as COMMAND_KEY
 from rigapp.gui.window.command import ViewerBar, why_forbidden
 from rigapp.gui.window.controls import STARTABLE, ControlRow
-from rigapp.gui.window.endcalibration import EndCalibrationBar
 from rigapp.gui.window.header import Header
 from rigapp.gui.window.headline import headline, measured, rig_words
 from rigapp.gui.window.help import HelpWindow
 from rigapp.gui.window.messageline import MessageLine
 from rigapp.gui.window.notice import NoticeBar
 from rigapp.gui.window.places import PageBar, Rail, RailPlace
+from rigapp.gui.window.questions import CloseBar, EndCalibrationBar
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.gui.window.recover import RecoverPanel
 from rigapp.gui.window.replaybar import ReplayBar, ReplayFrame

@@ -194,7 +194,7 @@ def test_separate_bodies_agree_where_contact_holds(parameters) -> None:
 
 
 def test_losing_contact_is_said(parameters, monkeypatch) -> None:
-    monkeypatch.setattr("model.wear.impact_forces.MOST_REVOLUTIONS", 32)
+    monkeypatch.setattr("rigapp_model.wear.impact_forces.MOST_REVOLUTIONS", 32)
     loose = replace(parameters, mechanism=replace(parameters.mechanism, spring=None))
     found = life(loose, RPM30, 300, "continuous", 5e-2)
     assert any("Continuous contact does not hold" in note for note in found.notes)
@@ -232,7 +232,7 @@ def test_chaotic_lives_agree_within_their_stated_errors(
     parameters, number: int, cycles: int, monkeypatch
 ) -> None:
     if number < 10:
-        monkeypatch.setattr("model.wear.impact_forces.MOST_REVOLUTIONS", 32)
+        monkeypatch.setattr("rigapp_model.wear.impact_forces.MOST_REVOLUTIONS", 32)
     found = unsprung_lives(parameters, number, cycles, 0.1)
     for values, errors in (
         ([f.max_depth[-1] for f in found], [f.estimated_error[-1] for f in found]),
