@@ -111,7 +111,7 @@ def test_a_faulty_question_of_another_package_ends_nothing(device: Callable[[Any
 
     inquiry = ask(device(Mute()).url, [_info(Probe(fail)), load_driver("gsv8")], 0.05)
     assert len(inquiry.asked) == 2
-    assert "KeyError('oops')" in inquiry.problem
+    assert "its driver other failed while it was identified" in inquiry.problem
 
 
 def test_usual_baud_rates_are_tried_in_turn(monkeypatch: pytest.MonkeyPatch, device: Any) -> None:

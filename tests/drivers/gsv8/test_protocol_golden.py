@@ -268,7 +268,7 @@ def test_status_words(code: int, words: str) -> None:
         (4, 0xFFFF, "unknown output"),
         (4, 0x0102, "current loop 2 open, driver 1 too hot"),
         (5, 0x8000, "DIO 16"),
-        (6, 0x0001, "unknown kind 6"),
+        (6, 0x0001, "unknown kind ‹6, flags 0001›"),
         (1, 0, "no channel named"),
     ],
 )
