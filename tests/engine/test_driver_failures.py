@@ -13,7 +13,7 @@ import itertools
 import math
 import struct
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import pytest
@@ -62,6 +62,14 @@ FOREIGN = (
 """One of each kind; KeyboardInterrupt is one only in a thread that is not the main one."""
 
 ANYWHERE = tuple(one for one in FOREIGN if not isinstance(one, KeyboardInterrupt))
+FEW = (ValueError, SystemExit, BareDeviceError)
+"""Kinds that the default suite tries; the others are tried by the long one."""
+
+
+def tried(errors: Sequence[BaseException]) -> list[Any]:
+    """Return errors as cases, those that are not among the few marked as long."""
+    marks = [() if type(one) in FEW else (pytest.mark.long,) for one in errors]
+    return [pytest.param(one, marks=mark) for one, mark in zip(errors, marks, strict=True)]
 
 
 @dataclasses.dataclass
@@ -262,7 +270,9 @@ def in_turn(*walk: Any) -> Iterator[Any]:
     """Yield each case with an exception, so that every class comes up in turn."""
     for case, error in zip(walk, itertools.cycle(FOREIGN), strict=False):
         device, method, state = case
-        yield pytest.param(*case, error, id=f"{device}.{method} while {state}, {named(error)}")
+        name = f"{device}.{method} while {state}, {named(error)}"
+        marks = () if state in (RUNNING, PAUSED) else (pytest.mark.long,)
+        yield pytest.param(*case, error, id=name, marks=marks)
 
 
 @pytest.mark.parametrize(
@@ -310,7 +320,7 @@ def test_a_driver_that_fails_in_a_test_ends_it_safely_and_ready_is_reached_again
     back_to_work(rig)
 
 
-@pytest.mark.parametrize("error", FOREIGN, ids=named)
+@pytest.mark.parametrize("error", tried(FOREIGN), ids=named)
 def test_one_failed_answer_of_the_drive_ends_nothing(rig: ChannelRig, error: BaseException) -> None:
     bring_to(rig, RUNNING)
     trap = Trap(rig.spindle, "status", error)
@@ -320,7 +330,7 @@ def test_one_failed_answer_of_the_drive_ends_nothing(rig: ChannelRig, error: Bas
     assert rig.engine.state is RUNNING
 
 
-@pytest.mark.parametrize("error", ANYWHERE, ids=named)
+@pytest.mark.parametrize("error", tried(ANYWHERE), ids=named)
 def test_a_start_that_the_driver_fails_turns_nothing(rig: ChannelRig, error: BaseException) -> None:
     rig.engine.connect()
     trap = Trap(rig.spindle, "set_speed", error)
@@ -333,7 +343,7 @@ def test_a_start_that_the_driver_fails_turns_nothing(rig: ChannelRig, error: Bas
     back_to_work(rig)
 
 
-@pytest.mark.parametrize("error", ANYWHERE, ids=named)
+@pytest.mark.parametrize("error", tried(ANYWHERE), ids=named)
 def test_a_resume_that_the_driver_fails_ends_the_test(
     rig: ChannelRig, error: BaseException
 ) -> None:
@@ -348,7 +358,7 @@ def test_a_resume_that_the_driver_fails_ends_the_test(
     back_to_work(rig)
 
 
-@pytest.mark.parametrize("error", FOREIGN, ids=named)
+@pytest.mark.parametrize("error", tried(FOREIGN), ids=named)
 def test_a_power_off_goes_past_a_command_that_fails_meanwhile(
     rig: ChannelRig, error: BaseException
 ) -> None:
@@ -376,7 +386,7 @@ def test_a_power_off_goes_past_a_command_that_fails_meanwhile(
     back_to_work(rig)
 
 
-@pytest.mark.parametrize("error", ANYWHERE, ids=named)
+@pytest.mark.parametrize("error", tried(ANYWHERE), ids=named)
 def test_a_reset_that_the_driver_fails_is_refused_in_a_sentence(
     rig: ChannelRig, error: BaseException
 ) -> None:

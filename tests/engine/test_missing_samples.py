@@ -11,6 +11,7 @@ import signal
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import product
 from pathlib import Path
 
 import msgspec
@@ -45,8 +46,16 @@ port = "simulated"
 address = 128
 """
 """One drive for all: it is the amplifiers that are looked at."""
-SILENT = {"stale_data", "samples_missing", "device_lost"}
-"""What it is, where it is too long; some devices are asked when they are silent, and found lost."""
+SILENT = {"stale_data", "samples_missing", "device_lost", "time_jump"}
+"""What it is, where it is too long; some devices are asked when they are silent, and found lost. On
+a computer that is late the samples may be back before the limit is seen to be passed."""
+ELSEWHERE = [
+    pytest.param(name, speed, marks=pytest.mark.long)
+    for name, speed in product((GSV8, DATAQ, BY_ENCODER), ("1", "20", "100", "max"))
+    if (name, speed) not in {(GSV8, "1"), (GSV8, "20"), (DATAQ, "20"), (BY_ENCODER, "1")}
+]
+"""The same on more instruments and at more speeds."""
+MORE = ((GSV8, "20"), (DATAQ, "1"), (BY_ENCODER, "1"), (BY_ENCODER, "20"))
 
 
 class Rig:
@@ -129,8 +138,10 @@ def rig(name: str, speed: str, folder: Path, revolutions: int = 100_000) -> Iter
         one.devices.close()
 
 
-@pytest.mark.parametrize("speed", ["1", "20", "100", "max"])
-@pytest.mark.parametrize("name", [GSV8, DATAQ, BY_ENCODER])
+@pytest.mark.parametrize(
+    ("name", "speed"),
+    [(GSV8, "1"), (GSV8, "20"), (DATAQ, "20"), (BY_ENCODER, "1"), *ELSEWHERE],
+)
 def test_a_silence_beyond_the_limit_ends_the_test_and_is_the_reason(
     tmp_path: Path, name: str, speed: str
 ) -> None:
@@ -147,7 +158,9 @@ def test_a_silence_beyond_the_limit_ends_the_test_and_is_the_reason(
         assert not WRONG.intersection(alarms), alarms
 
 
-@pytest.mark.parametrize("turns", [0.1, 0.3, 0.7, 1.2])
+@pytest.mark.parametrize(
+    "turns", [0.1, *(pytest.param(one, marks=pytest.mark.long) for one in (0.3, 0.7, 1.2))]
+)
 def test_a_short_gap_has_its_length_and_the_encoder_is_not_blamed(
     tmp_path: Path, turns: float
 ) -> None:
@@ -175,8 +188,14 @@ def test_a_gap_after_a_gap_is_another_one(tmp_path: Path) -> None:
         assert one.alarms() == ["time_jump"]
 
 
-@pytest.mark.parametrize("speed", ["1", "20"])
-@pytest.mark.parametrize("name", [GSV8, DATAQ, BY_ENCODER])
+@pytest.mark.parametrize(
+    ("name", "speed"),
+    [
+        (GSV8, "1"),
+        (DATAQ, "20"),
+        *(pytest.param(*one, marks=pytest.mark.long) for one in MORE),
+    ],
+)
 def test_what_comes_late_is_no_gap(tmp_path: Path, name: str, speed: str) -> None:
     with rig(name, speed, tmp_path) as one:
         one.start()
@@ -197,7 +216,9 @@ def test_what_comes_later_than_the_limit_ends_the_test_as_stale(tmp_path: Path) 
         one.run()
         one.disturb("hold", 3.0 * LIMIT_TURNS)
         one.ready()
-        assert one.alarms() == ["stale_data"]
+        # While nothing comes no encoder sees the stop.
+        assert one.alarms()[0] == "stale_data"
+        assert set(one.alarms()) <= {"stale_data", "stop_unseen"}
         assert one.gaps() == []
 
 

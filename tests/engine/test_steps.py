@@ -282,6 +282,7 @@ def test_a_cable_that_is_pulled_in_a_rest_is_recovered_from_and_the_test_complet
     rig.source.lost = False
     rig.engine.connect()
     rig.engine.acknowledge(operator="Ada")
+    eventually(lambda: not any(one.active for one in rig.engine.status().alarms))
     rig.engine.reset("Ada")
     store = rig.store
     last = int(store.column("revolution")[-1])
