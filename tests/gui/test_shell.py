@@ -93,7 +93,7 @@ def test_every_tab_stands_in_a_place_and_calibration_under_rig(
 def test_a_calibration_stands_in_the_window_and_is_left_and_come_back_to(
     window: MainWindow, engine: Any, attach: Attach, qtbot: Any
 ) -> None:
-    engine.reply = Reply(ok=False, sentence="There are no signals.")
+    engine.reply = Reply(ok=True, result={"key": "of this session", "since": 1.0})
     engine.say(count=0, curves=False, state=RunState.READY, file="")
     attach()
     with qtbot.waitActive(window):
@@ -108,6 +108,7 @@ def test_a_calibration_stands_in_the_window_and_is_left_and_come_back_to(
         return window._calibration is not None
 
     qtbot.waitUntil(opened, timeout=PATIENCE_MS)
+    engine.reply = Reply(ok=False, sentence="There are no signals.")
     wizard = window._calibration
     assert wizard is not None
     qtbot.waitUntil(wizard.isVisible, timeout=PATIENCE_MS)

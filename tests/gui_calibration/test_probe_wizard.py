@@ -162,7 +162,6 @@ def test_whole_wizard_finds_both_probes_and_how_they_stand(
     qtbot.waitUntil(written, timeout=PATIENCE_MS)
     assert saved.with_suffix(".html").stat().st_size > 1000
     wizard.accept()
-    assert not probes.off
 
 
 def test_mistake_is_refused_rejected_and_put_right(wizard: CalibrationWizard, qtbot: Any) -> None:

@@ -171,6 +171,8 @@ class ScriptedSpindle:
         self.starts = 0
 
     def ask(self, verb: str, arguments: dict[str, Any]) -> Any:
+        if verb.startswith("calibration_"):
+            return {"key": "of this session", "since": 1.0}
         if self._looks == 0:
             raise Killed
         self._looks -= 1

@@ -70,7 +70,7 @@ def test_a_closed_terminal_ends_a_test_as_kill_does(running: Running, folder: Pa
     assert "SIGHUP" in found["reason"]
     assert "Traceback" not in running.complaint()
     left = {path.name for path in runtime_folder().iterdir()}
-    assert left <= {"last-tests", "queues"}, "nothing but what outlives an engine"
+    assert left <= {"last-tests", "queues", "calibrations"}, "nothing but what outlives an engine"
     assert list((folder / "temporary").glob("rigapp-sim-*")) == []
 
 
