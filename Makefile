@@ -23,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK = 1
 # Hundreds of programs that the tests start shall not compile the source again, each for itself.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: run test kernels lint hooks search bench long soak docs single lock pictures translations clean
+.PHONY: run test kernels lint audit hooks search bench long soak docs single lock pictures translations clean
 
 run: kernels
 	@$(BIN)/python -m rigapp.start
@@ -32,14 +32,25 @@ run: kernels
 # part of its own, so that most modules are tested by one worker, which makes their fixtures once; who
 # is done takes work from the others. One file or folder is quicker without workers and without the
 # checks of the whole source.
-test: $(if $(TESTS),$(TEST_READY),lint) kernels
+test: $(TEST_READY)
+	+@$(MAKE) --no-print-directory -j2 $(if $(TESTS),,lint) kernels
 	$(BIN)/python -m pytest $(or $(TESTS),-n 3 --dist worksteal) -m "not soak and not long"
 
-lint: $(TEST_READY)
+lint: audit $(TEST_READY)
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+
+# Known advisories of what is locked, where a source of them can be reached.
+audit:
+	@if ! command -v pip-audit > /dev/null; then \
+	echo "Advisories were not looked up: pip-audit is not installed (pipx install pip-audit)."; \
+	else said=$$(pip-audit --disable-pip --require-hashes -r constraints.txt 2>&1); status=$$?; \
+	echo "$$said"; case "$$said" in \
+	*onnection*|*HTTPError*|*ServiceError*|*imed\ out*) \
+	echo "Advisories were not looked up: no source of them answers.";; \
+	*) exit $$status;; esac; fi
 
 hooks: $(TEST_READY)
 	$(BIN)/pre-commit install

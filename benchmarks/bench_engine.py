@@ -134,7 +134,8 @@ def whole_path(folder: Path, samples: int) -> float:
     )
     section = CyclesSection("every", every_revolutions=KEEP)
     recorder = Recorder(store, History(section, REVOLUTIONS), kind, 0.0)
-    processor = Processor(kind, Path5(run, recorder), lambda: 380.0, real_time=False)
+    processor = Processor(kind, lambda: 380.0, real_time=False)
+    processor.monitor = Path5(run, recorder)
     processor.begin_test()
     templates = stream(samples)
     first = sequence = 0

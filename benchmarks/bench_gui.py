@@ -23,15 +23,15 @@ from budgets import measured, size
 from PySide6.QtWidgets import QApplication, QGridLayout, QWidget
 
 from rigapp.config.loading import read_test
-from rigapp.gui.data.comparison import CURVES
-from rigapp.gui.data.news import News
-from rigapp.gui.data.series import LiveData, MeasuredCycle, PredictedCycle
 from rigapp.gui.look.dress import apply_theme
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.trend import TrendPanel
+from rigapp.presentation.tokens import LIGHT
 from rigapp.schema.channels import BASE
 from rigapp.schema.columns import prediction_columns
+from rigapp.viewer.comparison import CURVES
+from rigapp.viewer.news import News
+from rigapp.viewer.series import LiveData, MeasuredCycle, PredictedCycle
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "quick.toml"
 FRAMES = size(25, 1)

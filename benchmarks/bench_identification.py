@@ -27,6 +27,7 @@ from budgets import measured, size
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "model" / "identification"))
 import virtual_tests as virtual
 
+from rigapp.twin.identifying import LifeAhead
 from rigapp_model.identification import (
     Bins,
     Consistency,
@@ -34,12 +35,10 @@ from rigapp_model.identification import (
     depth_life,
     identify,
     remaining,
-    worn_ahead,
 )
 from rigapp_model.identification.consistency import FINE
 from rigapp_model.parameters import Bushing, Joint, Material, Mechanism, Parameters
 from rigapp_model.wear.loads import constant_load
-from rigapp_model.wear.state import unworn_state
 
 LAST = 21377
 PARTS = (0.1, 0.3, 0.6)
@@ -56,17 +55,26 @@ WORN, AFTER = 60e-6, 20_000.0
 
 @cache
 def a_life() -> DepthLife:
-    """Return the life of the reference bushing, at a coefficient that wears WORN in AFTER."""
+    """Return the reference bushing's life as the twin makes it, that wears WORN in AFTER."""
     parameters = Parameters(
         Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871),
         Joint(0.0095, 0.010, 0.020, 0.0131),
         Bushing(Material(500e6, 0.38), 2200.0, COEFFICIENT),
         Material(206e9, 0.29),
     )
-    state = unworn_state(parameters, FORCE_N)
-    progress, depth = worn_ahead(state, constant_load(FORCE_N, 0.0095), 6.0 * WORN)
-    scale = AFTER / float(np.interp(WORN, depth, progress))
-    return depth_life(virtual.NOMINAL, scale * progress, depth)
+    ahead = LifeAhead(parameters, constant_load(FORCE_N, 0.0095))
+    while ahead.depth[-1] < 6.0 * WORN:
+        ahead.step()
+    life = ahead.life()
+    assert life is not None
+    scale = AFTER / float(np.interp(WORN, ahead.depth, ahead.progress))
+    return depth_life(
+        virtual.NOMINAL,
+        scale * np.array(ahead.progress),
+        ahead.depth,
+        life.relative_error,
+        life.elastic,
+    )
 
 
 def covered(seed: int) -> list[tuple[bool, bool, float, bool]]:
@@ -145,8 +153,8 @@ def doubled(seed: int) -> float:
     number, half = np.arange(1.0, LAST + 1.0), LAST // 2
     ratio = float(np.exp(random.normal(0.0, 0.3)))
     scaled = ratio * (np.minimum(number, half) + 2.0 * np.maximum(number - half, 0.0))
-    depth = life.stretches[0].at(scaled)[0]
-    clean, read = virtual.measured(random, depth)
+    depth = life.course.at(scaled)[0]
+    clean, read = virtual.measured(random, depth, life)
     departure = watched(virtual.Drawn(ratio * virtual.NOMINAL, scaled, clean, read)).departure
     if departure is None or departure.revolution < half:
         return float("inf")
@@ -159,10 +167,10 @@ def update_ms(rounds: int) -> tuple[float, float]:
     edges = np.unique(np.geomspace(1, LONG, 4000).astype(np.int64)).astype(float)
     random = np.random.default_rng(5)
     # Progress so slow that the life reaches LONG revolutions; bins as the stream closes them.
-    slow = life.stretches[0].progress[-1] / (2.0 * LONG)
+    slow = life.course.progress[-1] / (2.0 * LONG)
     bins = Bins()
     for number in edges:
-        depth = float(life.stretches[0].at(np.array([slow * number]))[0][0])
+        depth = float(life.course.at(np.array([slow * number]))[0][0])
         bins.add(number, slow * number, depth + random.normal(0.0, virtual.ERRORS.scatter))
     times, reading = [], []
     for _ in range(rounds):

@@ -18,10 +18,10 @@ import numpy as np
 from budgets import measured, size, skipped
 
 from rigapp_model.constraints import solve_imperfect, solve_perfect
+from rigapp_model.contact.impact import contact_cycle
+from rigapp_model.contact.impact_system import clearance_system
 from rigapp_model.dynamics import inverse_dynamics
 from rigapp_model.history import motion_from_history
-from rigapp_model.impact import contact_cycle
-from rigapp_model.impact_system import clearance_system
 from rigapp_model.parameters import Joint, Material, Mechanism, Spring
 
 MECHANISM = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871)
@@ -59,9 +59,7 @@ def exudyn_cycle(angles: int) -> Callable[[], np.ndarray] | None:
                     referenceCoordinates=[x, 0.0, 0.0], initialVelocities=[0.0, v, w]
                 )
             )
-            made = items.ObjectRigidBody2D(
-                physicsMass=mass, physicsInertia=max(inertia, 1e-6), nodeNumber=node
-            )
+            made = items.ObjectRigidBody2D(mass=mass, inertia=max(inertia, 1e-6), nodeNumber=node)
             return node, system.AddObject(made)
 
         def marker(number: int, x: float) -> int:
@@ -125,8 +123,8 @@ def exudyn_cycle(angles: int) -> Callable[[], np.ndarray] | None:
         settings.timeIntegration.numberOfSteps = angles
         settings.timeIntegration.endTime = period
         settings.timeIntegration.verboseMode = 0
-        settings.solutionSettings.writeSolutionToFile = False
-        settings.solutionSettings.sensorsWritePeriod = period / angles
+        settings.solution.file.write = False
+        settings.solution.sensors.writePeriod = period / angles
         system.SolveDynamic(settings)
         stored: np.ndarray = system.GetSensorStoredData(sensor)
         return stored

@@ -154,15 +154,15 @@ def revolution_ms(folder: Path) -> Followed:
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
-    from rigapp.gui.data.connection import EngineConnection
-    from rigapp.gui.data.showntest import ShownTest
     from rigapp.gui.look.dress import apply_theme
-    from rigapp.gui.look.tokens import LIGHT
     from rigapp.gui.window.app import LOADED_MS
     from rigapp.gui.window.window import MainWindow
+    from rigapp.presentation.tokens import LIGHT
     from rigapp.process.memory import end_of_loading
     from rigapp.schema.messages import RunState
     from rigapp.service.launch import attach
+    from rigapp.viewer.connection import EngineConnection
+    from rigapp.viewer.showntest import ShownTest
 
     text = (ROOT / "examples" / "simulated.toml").read_text(encoding="utf-8")
     rig = folder / "rig.toml"
@@ -185,7 +185,7 @@ def revolution_ms(folder: Path) -> Followed:
     ages = painted(application, window)
     stalls = {"in a test": (1000.0 * window.watchdog.worst_s, math.nan)}
     window.controls.send("stop", {"reason": "measured"})
-    wait_until(lambda: window.news.status.state is RunState.STOPPED)
+    wait_until(lambda: window.news.status.engine.state is RunState.STOPPED)
     wait_s(SETTLE_S)
     idle = idle_percent()
     pages = range(window.tabs.count())

@@ -114,7 +114,7 @@ def memory_trips() -> list[float]:
 def is_reset(engine: Engine) -> bool:
     """Try to go on after a trip; False while the overload is still seen."""
     connection = engine._connection
-    if connection is None or connection.processor.force_N > REST_N:
+    if connection is None or connection.rig.processor.force_N > REST_N:
         return False
     try:
         engine.acknowledge()

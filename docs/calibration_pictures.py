@@ -26,7 +26,7 @@ class Line:
     """Ask an engine of this process as the window's link does: a worker asks, the window hears."""
 
     def __init__(self, host: Any) -> None:
-        from rigapp.gui.data.tasks import TaskWorker
+        from rigapp.viewer.tasks import TaskWorker
 
         self._host = host
         self.worker = TaskWorker("pictures", bound=64)
@@ -49,7 +49,7 @@ def take_calibrations(folder: Path, rig: Path, images: Path) -> None:
 
     from rigapp.config.loading import read_rig
     from rigapp.gui.look.dress import apply_theme
-    from rigapp.gui.look.tokens import LIGHT
+    from rigapp.presentation.tokens import LIGHT
     from rigapp.service.host import EngineHost
 
     application = QApplication.instance() or QApplication([])
@@ -70,8 +70,8 @@ def take_calibrations(folder: Path, rig: Path, images: Path) -> None:
 def _opened(line: Line, folder: Path, rig: Path, application: Any, **more: Any) -> Iterator[Any]:
     """Yield a wizard on the screen, and what waits until something is so."""
     from rigapp.calibrating.session import Rig
-    from rigapp.gui.look.tokens import LIGHT
     from rigapp.gui.wizard.wizard import CalibrationWizard
+    from rigapp.presentation.tokens import LIGHT
 
     mine = Rig("Simulated slider-crank", True, "E. Sample", rig)
     wizard = CalibrationWizard(line, mine, LIGHT, folder, **more)

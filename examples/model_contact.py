@@ -9,10 +9,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from rigapp_model.contact.impact import contact_cycle
+from rigapp_model.contact.impact_system import clearance_system
 from rigapp_model.contact_law import ContactModel
 from rigapp_model.dynamics import inverse_dynamics
-from rigapp_model.impact import contact_cycle
-from rigapp_model.impact_system import clearance_system
 from rigapp_model.parameters import Joint, Material, Mechanism, Spring
 
 FREE = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871)

@@ -56,7 +56,7 @@ def test_of(life: DepthLife, coefficient: float, seed: int) -> Identification:
     """Return what a virtual test tells whose bushing wears by a coefficient, m^2/N."""
     random = np.random.default_rng(seed)
     number = np.arange(1.0, REVOLUTIONS + 1.0)
-    depth = life.stretches[0].at(coefficient / life.coefficient * number)[0]
+    depth = life.course.at(coefficient / life.coefficient * number)[0]
     seen = depth * (1.0 + random.normal(0.0, PROBES.sensitivity))
     seen += random.normal(0.0, PROBES.reference) + random.normal(0.0, PROBES.scatter, number.size)
     bins = Bins()

@@ -26,7 +26,7 @@ def open(path: str | os.PathLike[str], *, chunks: int | None = None) -> Recorded
     UnusableInput for a file that is no test, and where the packages of the extra `analysis` are
     not installed.
     """
-    from rigapp.config.extras import from_extra
+    from rigapp.config.errors import from_extra
 
     with from_extra("analysis", "rigapp.open"):
         from rigapp.analysis.recorded import RecordedTest
@@ -39,7 +39,7 @@ def open_many(paths: Paths, *, chunks: int | None = None) -> RecordedTests:
 
     chunks: as of ``open``.
     """
-    from rigapp.config.extras import from_extra
+    from rigapp.config.errors import from_extra
 
     with from_extra("analysis", "rigapp.open_many"):
         from rigapp.analysis.recorded import RecordedTests

@@ -22,8 +22,7 @@ from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty, for
 from rigapp_calibration.load_cell.readings import LoadCellReadings, parse_load_cell
 from rigapp_calibration.load_cell.settings import LoadCellSettings
 from rigapp_calibration.probes.calibrate import ProbeCalibration, calibrate_probe
-from rigapp_calibration.probes.readings import ProbeReadings, parse_probe
-from rigapp_calibration.probes.settings import ProbeSettings
+from rigapp_calibration.probes.readings import ProbeReadings, ProbeSettings, parse_probe
 from rigapp_calibration.records import Record, RecordError, unseal
 from rigapp_calibration.taking.readings import ReadingsError
 

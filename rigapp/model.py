@@ -15,12 +15,12 @@ from rigapp.report.testreport.identified import (
 )
 from rigapp_model.bushing.ring import Ring, pressure_distribution, ring_of
 from rigapp_model.constraints import solve_perfect
+from rigapp_model.contact.impact import contact_cycle
+from rigapp_model.contact.impact_system import clearance_system
 from rigapp_model.dynamics import MechanismMotion, inverse_dynamics
 from rigapp_model.errors import ModelError
 from rigapp_model.history import motion_from_history
 from rigapp_model.identification import CannotBeTold, Credible, Identification, identify
-from rigapp_model.impact import contact_cycle
-from rigapp_model.impact_system import clearance_system
 from rigapp_model.joints import ContinuousContact, continuous_contact, perfect_joint
 from rigapp_model.parameters import (
     Bushing,

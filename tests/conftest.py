@@ -18,6 +18,18 @@ settings.register_profile("search", deadline=None, database=None, max_examples=5
 settings.load_profile("rigapp")
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Leave all cases but the first of a sampled test to the long suite."""
+    seen: set[tuple[pytest.Item | pytest.Collector | None, str]] = set()
+    for item in items:
+        if item.get_closest_marker("sampled") is not None:
+            of = (item.parent, getattr(item, "originalname", item.name))
+            if of in seen:
+                item.add_marker(pytest.mark.long)
+            seen.add(of)
+
+
 @pytest.fixture(scope="session", autouse=True)
 def _settings_of_nobody(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Keep the developer's own settings and what the program keeps out of the tests."""

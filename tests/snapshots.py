@@ -6,7 +6,6 @@ import time
 from pathlib import Path
 from typing import Any
 
-import msgspec
 import numpy as np
 
 from rigapp.schema.channels import BASE
@@ -58,44 +57,48 @@ def crank_forces(
 def make_status(**changes: Any) -> Status:
     """Return the status of a running simulated test, with changes."""
     now = time.time()
-    base = Status(
-        state=RunState.RUNNING,
-        reason="",
-        rig="Simulated slider-crank",
-        test="The paper's wear test",
-        file="paper-20270101-080000.h5",
-        revolution=1234,
-        planned=21377,
-        committed=1233,
-        first_revolution=1,
-        target_rpm=30.0,
-        speed_rpm=30.02,
-        started_at=1.8e9,
-        expected_end_at=now + 40286.0,
-        data_age_s=0.1,
-        host_time=now,
-        simulated=True,
-        simulated_speed=20.0,
-        worst_margin_percent=43.0,
-        worst_margin="force_max to overload",
-        twin_revolution=1233,
-        twin_age_s=0.2,
-        residual_rms_N=1.7,
-        drive=DriveView(30.02, 30.0, 1.4, 48.0, 31.5, True, False, (), ()),
-        devices=(
-            DeviceView("daq", "gsv8", "socket://127.0.0.1:1", True, "GSV-8 1.44", 960.0, 0, 0, ""),
-            DeviceView("drive", "roboclaw", "/dev/pts/3", True, "RoboClaw 4.3", 50.0, 0, 0, ""),
-        ),
-        channels=(
-            ChannelView("force_1", -0.431, "mV/V", -86.2, "N", "rig file", 2.0),
-            ChannelView("force_2", 0.022, "mV/V", 4.4, "N", "rig file", 2.0),
-            ChannelView("probe_1", 1.21, "V", 121.0, "um", "rig file", None),
-            ChannelView("probe_2", -0.13, "V", -13.0, "um", "rig file", None),
-        ),
-        operator="E. Sample",
-        engine_pid=4711,
+    base = Status.of_flat(
+        {
+            "state": RunState.RUNNING,
+            "reason": "",
+            "rig": "Simulated slider-crank",
+            "test": "The paper's wear test",
+            "file": "paper-20270101-080000.h5",
+            "revolution": 1234,
+            "planned": 21377,
+            "committed": 1233,
+            "first_revolution": 1,
+            "target_rpm": 30.0,
+            "speed_rpm": 30.02,
+            "started_at": 1.8e9,
+            "expected_end_at": now + 40286.0,
+            "data_age_s": 0.1,
+            "host_time": now,
+            "simulated": True,
+            "simulated_speed": 20.0,
+            "worst_margin_percent": 43.0,
+            "worst_margin": "force_max to overload",
+            "twin_revolution": 1233,
+            "twin_age_s": 0.2,
+            "residual_rms_N": 1.7,
+            "drive": DriveView(30.02, 30.0, 1.4, 48.0, 31.5, True, False, (), ()),
+            "devices": (
+                DeviceView(
+                    "daq", "gsv8", "socket://127.0.0.1:1", True, "GSV-8 1.44", 960.0, 0, 0, ""
+                ),
+                DeviceView("drive", "roboclaw", "/dev/pts/3", True, "RoboClaw 4.3", 50.0, 0, 0, ""),
+            ),
+            "channels": (
+                ChannelView("force_1", -0.431, "mV/V", -86.2, "N", "rig file", 2.0),
+                ChannelView("force_2", 0.022, "mV/V", 4.4, "N", "rig file", 2.0),
+                ChannelView("probe_1", 1.21, "V", 121.0, "um", "rig file", None),
+                ChannelView("probe_2", -0.13, "V", -13.0, "um", "rig file", None),
+            ),
+            "operator": "E. Sample",
+            "engine_pid": 4711,
+        }
     )
-    return msgspec.structs.replace(base, **changes)
+    return Status.of_flat(base.flat() | dict(**changes))
 
 
 def make_rows(first: int, count: int) -> np.ndarray:

@@ -15,10 +15,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from rigapp.texts import SentenceError, say
+
 SCHEMA = 1
 BESIDE = ("digest", "number", "signature")
 """Keys of a record that are not of its content."""
-EVALUATION = 2
+EVALUATION = 4
 """Of the fits, checks and budgets: raised when the same readings give another result than before.
 
 A record of another evaluation is compared only in what every evaluation must give alike.
@@ -28,7 +30,7 @@ CLOCKS_S = 86400.0
 """A date is in the future when it is later by more than a day: two computers' clocks may differ."""
 
 
-class RecordError(ValueError):
+class RecordError(SentenceError, ValueError):
     """Say why a record cannot be used."""
 
 
@@ -88,12 +90,14 @@ def unseal(data: bytes) -> Record:
     try:
         sealed = json.loads(data)
     except (UnicodeDecodeError, json.JSONDecodeError) as error:
-        raise RecordError(f"it is not a calibration record ‹{error}›") from error
+        raise RecordError("it is not a calibration record ‹{}›", error) from error
     if not isinstance(sealed, dict) or "digest" not in sealed or "kind" not in sealed:
         raise RecordError("it is not a calibration record")
     if sealed.get("schema") != SCHEMA:
         raise RecordError(
-            f"its schema is {sealed.get('schema')!r}, this program reads {SCHEMA}; update rigapp"
+            "its schema is {}, this program reads {}; update rigapp",
+            repr(sealed.get("schema")),
+            SCHEMA,
         )
     body = {key: value for key, value in sealed.items() if key not in BESIDE}
     digest = _digest(body)
@@ -114,7 +118,7 @@ def in_future(record: Record, now: float) -> str:
     stated = str(record.content["calibrated_at"])
     if moment(stated) <= now + CLOCKS_S:
         return ""
-    return f"states that it was made on {stated[:10]}, which is in the future"
+    return say("states that it was made on {}, which is in the future", stated[:10])
 
 
 def moment(stamp: str) -> float:

@@ -12,6 +12,7 @@ from cryptography.exceptions import InvalidSignature, UnsupportedAlgorithm
 from cryptography.hazmat.primitives import serialization
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey, Ed25519PublicKey
 
+from rigapp.texts import SentenceError, say
 from rigapp_calibration.records import Record, Signature
 
 PREFIX = b"calibration record, SHA-256 "
@@ -20,7 +21,7 @@ FINGERPRINT = 32
 """Hexadecimal digits of a fingerprint: 128 bits, which nobody can hit with another key."""
 
 
-class UnusableKey(ValueError):
+class UnusableKey(SentenceError, ValueError):
     """Say why a key cannot be used."""
 
 
@@ -43,7 +44,7 @@ def sign(record: Record, private: bytes) -> Signature:
     try:
         key = serialization.load_pem_private_key(private, password=None)
     except (ValueError, TypeError, UnsupportedAlgorithm) as error:
-        raise UnusableKey(f"it is no private key in PEM without a passphrase ‹{error}›") from error
+        raise UnusableKey("it is no private key in PEM without a passphrase ‹{}›", error) from error
     if not isinstance(key, Ed25519PrivateKey):
         raise UnusableKey("it is not an Ed25519 key; make one with rigapp calibrate key")
     public = key.public_key().public_bytes_raw()
@@ -58,7 +59,7 @@ def signature_fault(record: Record) -> str:
         key = Ed25519PublicKey.from_public_bytes(bytes.fromhex(signature.public_key))
         key.verify(bytes.fromhex(signature.value), _message(record))
     except (InvalidSignature, ValueError):
-        return "Its signature does not hold: it was not made by the key that it names."
+        return say("Its signature does not hold: it was not made by the key that it names.")
     return ""
 
 
@@ -67,7 +68,7 @@ def public_key_of(pem: bytes) -> str:
     try:
         key = serialization.load_pem_public_key(pem)
     except (ValueError, UnsupportedAlgorithm) as error:
-        raise UnusableKey(f"it is no public key in PEM ‹{error}›") from error
+        raise UnusableKey("it is no public key in PEM ‹{}›", error) from error
     if not isinstance(key, Ed25519PublicKey):
         raise UnusableKey("it is not an Ed25519 key")
     return key.public_bytes_raw().hex()

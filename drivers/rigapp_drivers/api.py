@@ -20,12 +20,14 @@ from __future__ import annotations
 
 import enum
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Protocol, Self, runtime_checkable
+from typing import Any, Final, Protocol, Self, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
+
+from rigapp.texts import Sentence, SentenceError, say
 
 
 class Named(Protocol):
@@ -42,20 +44,23 @@ class Line(Protocol):
     port: str
 
 
-class DeviceError(Exception):
+class DeviceError(SentenceError):
     """Say in one sentence what failed, on which device and port, and what to do."""
 
-    def __init__(self, device: str, port: str, sentence: str) -> None:
-        super().__init__(f"{device} on {port}: {sentence}")
+    def __init__(self, device: str, port: str, template: str, *values: object) -> None:
+        sentence = Sentence(template, *values)
+        super().__init__(say("{} on {}: {}", device, port, sentence))
         self.device = device
         self.port = port
         self.sentence = sentence
+        self.each: tuple[DeviceError, ...] = (self,)
+        """One error a device, where several failed together."""
 
     @classmethod
-    def at(cls, who: Named | Line, sentence: str) -> Self:
+    def at(cls, who: Named | Line, template: str, *values: object) -> Self:
         """Return the error of a driver, or of the line on which it speaks."""
         name = getattr(who, "name", "") or getattr(who, "device", "")
-        return cls(str(name), who.port, sentence)
+        return cls(str(name), who.port, template, *values)
 
 
 class ConnectionFailed(DeviceError):
@@ -99,6 +104,27 @@ class DriverFailed(DeviceError):
 
 class DeviceFault(DeviceError):
     """The device reports a fault of its own."""
+
+
+HELP: Final[Mapping[type[DeviceError], str]] = {
+    ConnectionFailed: "nothing-answers",
+    WrongDevice: "another-device-answers",
+    SettingRefused: "a-setting-is-refused",
+    ReplyTimeout: "no-answer-or-a-late-one",
+    ProtocolError: "damaged-answers",
+    DeviceLost: "the-connection-broke",
+    SettingsLost: "the-device-has-restarted",
+    DataOverrun: "samples-were-dropped",
+    DriverFailed: "a-driver-failed",
+    DeviceFault: "the-device-reports-a-fault",
+}
+"""The section of docs/troubleshooting.md that an error leads to, by its kind."""
+
+
+def help_of(error: DeviceError) -> str:
+    """Return the section that helps with an error, "" where there is none."""
+    kinds = (HELP.get(kind, "") for kind in type(error).__mro__ if issubclass(kind, DeviceError))
+    return next(filter(None, kinds), "")
 
 
 class BytePort(Line, Protocol):
@@ -344,7 +370,9 @@ class DriveRequest:
     def __post_init__(self) -> None:
         """Raise ValueError for a gear that turns nothing."""
         if not (math.isfinite(self.gear_ratio) and self.gear_ratio > 0.0):
-            raise ValueError(f"gear_ratio is {self.gear_ratio}, must be a finite number above 0")
+            raise ValueError(
+                say("gear_ratio is {}, must be a finite number above 0", self.gear_ratio)
+            )
 
     @property
     def counts_per_crank_revolution(self) -> float:
@@ -458,7 +486,7 @@ def filled(specs: Mapping[str, SettingSpec], settings: Mapping[str, Any]) -> dic
     return {key: spec.default for key, spec in specs.items()} | dict(settings)
 
 
-class Unplannable(ValueError):
+class Unplannable(SentenceError, ValueError):
     """Say in one sentence what of a request no such device can do, and what to do."""
 
 
@@ -483,6 +511,16 @@ class Probe:
     baud_rates: tuple[int, ...] = (115200,)
 
 
+class WireDecoder(Protocol):
+    """Show what was said on a recorded line in words, piece by piece, in the order of time."""
+
+    def sent(self, data: bytes) -> Iterable[str]:
+        """Return what the program sent, a line each."""
+
+    def received(self, data: bytes) -> Iterable[str]:
+        """Return what the bytes from the device complete, a line each."""
+
+
 @dataclass(frozen=True, slots=True)
 class DriverInfo:
     """Describe a driver: the object that an entry point of ``rigapp.drivers`` names.
@@ -495,7 +533,9 @@ class DriverInfo:
     knows. quantities: what the device can tell of itself or of its surroundings beside the test's
     samples, each with its unit (``temperature_C``, ``humidity_percent``): of a slow source the keys
     of ``read``, of a spindle fields of ``DriveStatus``. Channels of a rig file name them as
-    ``source``. needed: quantity -> the setting without which it is not told.
+    ``source``. needed: quantity -> the setting without which it is not told. decoder: shows a
+    recorded line in words (``rigapp wire``); None: as bytes. protocol: what is recorded of it,
+    "bytes" of a serial line or "slcan" for the frames of a CAN bus.
     """
 
     name: str
@@ -509,3 +549,5 @@ class DriverInfo:
     check: Callable[[Any], object] | None = None
     quantities: tuple[str, ...] = ()
     needed: Mapping[str, str] = field(default_factory=dict)
+    decoder: Callable[[], WireDecoder] | None = None
+    protocol: str = "bytes"

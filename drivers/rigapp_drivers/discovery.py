@@ -15,6 +15,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from rigapp.texts import joined, say
 from rigapp_drivers.api import DeviceError, DriverFailed, DriverInfo, Identity
 from rigapp_drivers.edge import Edge
 from rigapp_drivers.transport import SerialPort
@@ -99,7 +100,7 @@ def ask(port: str, drivers: Iterable[DriverInfo], timeout_s: float = QUESTION_S)
             return Inquiry(port, None, tuple(asked), error.sentence)
         finally:
             line.close()
-    return Inquiry(port, None, tuple(asked), "; ".join(problems))
+    return Inquiry(port, None, tuple(asked), joined("; ", problems))
 
 
 def _rounds(
@@ -126,7 +127,7 @@ def _ask_one(
     line.read_some(1 << 16, 0.0)
     edge = Edge(info.probe, line.device, line.port, info.name)
     try:
-        with edge.calling("it was identified"):
+        with edge.calling(say("it was identified")):
             return info.probe.ask(line, timeout_s)
     except DriverFailed as error:  # must not end the search
         problems.append(error.sentence)

@@ -12,8 +12,10 @@ import contextlib
 import logging
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import asdict
 from typing import Any, TypeVar
 
+from rigapp.texts import say, sentence_of_error
 from rigapp_drivers.api import (
     Block,
     DataRequest,
@@ -27,24 +29,26 @@ from rigapp_drivers.api import (
     InputFault,
     SlowRequest,
     StreamSetup,
+    WrongDevice,
 )
+from rigapp_drivers.wire.recorder import recorder_of
 
 log = logging.getLogger(__name__)
 
 DOING = {
-    "open": "it was opened",
-    "configure": "it was set up",
-    "start": "it was started",
-    "read": "it was read",
-    "zero": "it was zeroed",
-    "stop": "it was stopped",
-    "close": "it was closed",
-    "set_speed": "it was given a speed",
-    "drive_off": "its power was taken off",
-    "reset_fault": "its fault was reset",
-    "status": "it was read",
-    "counters": "its counters were read",
-    "input_faults": "its inputs were read",
+    "open": say("it was opened"),
+    "configure": say("it was set up"),
+    "start": say("it was started"),
+    "read": say("it was read"),
+    "zero": say("it was zeroed"),
+    "stop": say("it was stopped"),
+    "close": say("it was closed"),
+    "set_speed": say("it was given a speed"),
+    "drive_off": say("its power was taken off"),
+    "reset_fault": say("its fault was reset"),
+    "status": say("it was read"),
+    "counters": say("its counters were read"),
+    "input_faults": say("its inputs were read"),
 }
 """Call of a driver -> what was being done, for the sentence."""
 
@@ -73,21 +77,23 @@ def foreign(convert: Callable[[BaseException], Exception]) -> Iterator[None]:
 def failure_words(error: BaseException) -> str:
     """Return what an error of others says, in one line of bounded length."""
     try:
-        said = " ".join(str(error).split())[:MOST_WORDS]
+        said = " ".join(sentence_of_error(error).split())[:MOST_WORDS]
     except Exception:  # of a library whose error has no words
         said = ""
-    return f"{type(error).__name__}: {said}" if said else type(error).__name__
+    return say("{}: {}", type(error).__name__, said) if said else type(error).__name__
 
 
 class Edge:
     """What every guarded driver has: whose it is, and the way in which it is called.
 
     driver: the one behind, for what only some drivers offer; call it inside ``calling``.
+    serial_number: what the device must say that it has; empty: any.
     """
 
     def __init__(self, driver: Any, name: str, port: str, kind: str) -> None:
         self.driver = driver
         self.name, self.port = name, port
+        self.serial_number = ""
         self._kind = kind
         self._logged: set[tuple[str, type[BaseException]]] = set()
 
@@ -106,7 +112,7 @@ class Edge:
             log.warning("%s on %s failed while %s (%s)", *who, failure_words(error))
             # For files: no traceback on a terminal.
             log.info("%s on %s failed while %s", *who, exc_info=error)
-        sentence = f"its driver {self._kind} failed while {doing}; the log has the details."
+        sentence = say("its driver {} failed while {}; the log has the details.", self._kind, doing)
         return DriverFailed(self.name, self.port, sentence)
 
     def _call(self, call: str, kind: type[Answer], *arguments: Any) -> Answer:
@@ -134,17 +140,46 @@ class Edge:
         with contextlib.suppress(DeviceError):
             self._call("close", object)
 
+    def _identified(self) -> Identity:
+        identity = self._call("open", Identity)
+        if not _same_number(self.serial_number, identity.serial_number):
+            self.close()
+            if not identity.serial_number:
+                raise WrongDevice.at(
+                    self,
+                    "the device tells no serial number, and {} is required; take serial_number"
+                    " out, and name its port by that of its USB cable (serial:NUMBER).",
+                    self.serial_number,
+                )
+            raise WrongDevice.at(
+                self,
+                "the device with the serial number {} answers, and {} is required; check the"
+                " ports, or correct serial_number in the rig file.",
+                identity.serial_number,
+                self.serial_number,
+            )
+        self._note(identity=asdict(identity))
+        return identity
+
+    def _note(self, **content: object) -> None:
+        """Put what was asked and answered beside the bytes, where the line is recorded."""
+        recorder = recorder_of(self.name, self.port)
+        if recorder is not None:
+            recorder.note(content)
+
 
 class GuardedSource(Edge):
     """A ``DataSource`` behind the edge, with ``InputSupervision``."""
 
     def open(self) -> Identity:
         """Open the port and identify the device; raise DeviceError."""
-        return self._call("open", Identity)
+        return self._identified()
 
     def configure(self, request: DataRequest) -> StreamSetup:
         """Set what differs, read everything back; raise DeviceError."""
-        return self._call("configure", StreamSetup, request)
+        setup = self._call("configure", StreamSetup, request)
+        self._note(request=asdict(request), readback=dict(setup.readback))
+        return setup
 
     def start(self) -> None:
         """Start streaming; raise DeviceError."""
@@ -176,12 +211,14 @@ class GuardedSpindle(Edge):
 
     def open(self) -> Identity:
         """Open the port and identify the drive; raise DeviceError."""
-        return self._call("open", Identity)
+        return self._identified()
 
     def configure(self, request: DriveRequest) -> Readback:
         """Set the watchdog and what else differs; raise DeviceError."""
         with self.calling(DOING["configure"]):
-            return dict(self.driver.configure(request))
+            readback = dict(self.driver.configure(request))
+        self._note(request=asdict(request), readback=readback)
+        return readback
 
     def set_speed(self, speed_rev_per_s: float, acceleration_rev_per_s2: float) -> None:
         """Ramp to a speed; raise DeviceError."""
@@ -205,17 +242,25 @@ class GuardedSlow(Edge):
 
     def open(self) -> Identity:
         """Open the port and identify the device; raise DeviceError."""
-        return self._call("open", Identity)
+        return self._identified()
 
     def configure(self, request: SlowRequest) -> Readback:
         """Check that the device tells these quantities; raise DeviceError."""
         with self.calling(DOING["configure"]):
-            return dict(self.driver.configure(request))
+            readback = dict(self.driver.configure(request))
+        self._note(request=asdict(request), readback=readback)
+        return readback
 
     def read(self) -> Mapping[str, float]:
         """Return the values now, by quantity, as numbers; raise DeviceError."""
         with self.calling(DOING["read"]):
             return {str(name): float(value) for name, value in self.driver.read().items()}
+
+
+def _same_number(required: str, told: str) -> bool:
+    """Tell whether a device has the required serial number; leading zeros are left out by some."""
+    number, other = (one.strip().casefold().lstrip("0") for one in (required, told))
+    return not required.strip() or number == other
 
 
 Guarded = GuardedSource | GuardedSpindle | GuardedSlow
@@ -227,9 +272,15 @@ GUARDS: Mapping[DriverKind, Callable[[Any, str, str, str], Guarded]] = {
 }
 
 
-def make_driver(info: DriverInfo, name: str, port: str, settings: Mapping[str, Any]) -> Guarded:
-    """Make a driver for a named device on a port, behind the edge; raise DeviceError."""
+def make_driver(
+    info: DriverInfo, name: str, port: str, settings: Mapping[str, Any], serial_number: str = ""
+) -> Guarded:
+    """Make a driver for a named device on a port, behind the edge; raise DeviceError.
+
+    serial_number: what the device must say when it is opened; empty: any.
+    """
     edge = GUARDS[info.kind](None, name, port, info.name)
-    with edge.calling("it was made"):
+    edge.serial_number = serial_number
+    with edge.calling(say("it was made")):
         edge.driver = info.factory(name, port, dict(settings))
     return edge

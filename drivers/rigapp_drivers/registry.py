@@ -14,6 +14,7 @@ from collections.abc import Iterable, Mapping
 from importlib.metadata import EntryPoint, entry_points
 from typing import Any
 
+from rigapp.texts import SentenceError, joined, say
 from rigapp_drivers.api import DriverInfo, SettingSpec
 from rigapp_drivers.edge import failure_words, foreign
 
@@ -22,20 +23,20 @@ FORMER_NAMES = ("drivers", "model", "calibration")
 """Names under which version 0.2 installed its packages; a driver may still import them."""
 
 _KIND_WORDS: dict[type, str] = {
-    bool: "true or false",
-    int: "a whole number",
-    float: "a number",
-    str: "a text in quotation marks",
-    list: "a list",
-    dict: "a table",
+    bool: say("true or false"),
+    int: say("a whole number"),
+    float: say("a number"),
+    str: say("a text in quotation marks"),
+    list: say("a list"),
+    dict: say("a table"),
 }
 
 
-class SettingsError(ValueError):
+class SettingsError(SentenceError, ValueError):
     """Say in one plain sentence which setting cannot be used, and what to do."""
 
 
-class DriverNotFound(LookupError):
+class DriverNotFound(SentenceError, LookupError):
     """Say which driver or simulator cannot be loaded, and what to do."""
 
 
@@ -58,19 +59,31 @@ def load_driver(name: str) -> DriverInfo:
     if entry is None:
         hint = _nearest(name, entries)
         raise DriverNotFound(
-            f'There is no driver "{name}"{hint}; installed are: {", ".join(sorted(entries))}.'
+            'There is no driver "{}"{}; installed are: {}.',
+            name,
+            hint,
+            joined(", ", sorted(entries)),
         )
     with foreign(
         lambda error: DriverBroken(
-            f'The driver "{name}" cannot be loaded ‹{entry.value}: {failure_words(error)}›; '
-            f"{_way_out(name, error)}."
+            say(
+                'The driver "{}" cannot be loaded ‹{}: {}›; {}.',
+                name,
+                entry.value,
+                failure_words(error),
+                _way_out(name, error),
+            )
         )
     ):
         info = entry.load()
     if not isinstance(info, DriverInfo):
         raise DriverBroken(
-            f'The driver "{name}" ({entry.value}) is a {type(info).__name__}, not a DriverInfo; '
-            f"report it to the author of the package {package_of(name)}."
+            'The driver "{}" ({}) is a {}, not a DriverInfo; report it to the author of'
+            " the package {}.",
+            name,
+            entry.value,
+            type(info).__name__,
+            package_of(name),
         )
     return info
 
@@ -79,11 +92,13 @@ def _way_out(driver: str, error: BaseException) -> str:
     """Return what to do about a driver whose import has failed."""
     former = str(getattr(error, "name", None) or "").partition(".")[0]
     if former in FORMER_NAMES:
-        return (
-            f'it was written for an older rigapp: "from {former} import ..." is "from '
-            f'rigapp.{former} import ..." now; install its newer version, or change that line'
+        return say(
+            'it was written for an older rigapp: "from {} import ..." is "from'
+            ' rigapp.{} import ..." now; install its newer version, or change that line',
+            former,
+            former,
         )
-    return f"reinstall or update the package {package_of(driver)}"
+    return say("reinstall or update the package {}", package_of(driver))
 
 
 def package_of(driver: str) -> str:
@@ -101,22 +116,30 @@ def load_simulator(info: DriverInfo) -> type[Any]:
     """
     if info.simulator is None:
         raise DriverNotFound(
-            f'The driver "{info.name}" has no simulator; give the device a real port.'
+            'The driver "{}" has no simulator; give the device a real port.', info.name
         )
     module_name, _, class_name = info.simulator.partition(":")
     package = package_of(info.name)
     with foreign(
         lambda error: DriverBroken(
-            f'The simulator of driver "{info.name}" cannot be loaded '
-            f"‹{info.simulator}: {failure_words(error)}›; "
-            f"reinstall or update the package {package}."
+            say(
+                'The simulator of driver "{}" cannot be loaded ‹{}: {}›; reinstall or'
+                " update the package {}.",
+                info.name,
+                info.simulator,
+                failure_words(error),
+                package,
+            )
         )
     ):
         simulator = getattr(importlib.import_module(module_name), class_name)
     if not isinstance(simulator, type):
         raise DriverBroken(
-            f'The simulator of driver "{info.name}" ({info.simulator}) is not a class; '
-            f"report it to the author of the package {package}."
+            'The simulator of driver "{}" ({}) is not a class; report it to the author'
+            " of the package {}.",
+            info.name,
+            info.simulator,
+            package,
         )
     return simulator
 
@@ -128,13 +151,17 @@ def check_settings(info: DriverInfo, settings: Mapping[str, Any], where: str) ->
     """
     for key in settings:
         if key not in info.settings:
-            known = ", ".join(sorted(info.settings)) or "none"
+            known = joined(", ", sorted(info.settings)) or "none"
             raise SettingsError(
-                f'{where}: driver "{info.name}" has no setting "{key}"'
-                f"{_nearest(key, info.settings)}; its settings are: {known}."
+                '{}: driver "{}" has no setting "{}"{}; its settings are: {}.',
+                where,
+                info.name,
+                key,
+                _nearest(key, info.settings),
+                known,
             )
     return {
-        key: _checked(settings[key], spec, f"{where} {key}")
+        key: _checked(settings[key], spec, say("{} {}", where, key))
         if key in settings
         else copy.deepcopy(spec.default)
         for key, spec in info.settings.items()
@@ -148,16 +175,16 @@ def _entries() -> dict[str, EntryPoint]:
 def _nearest(word: str, words: Iterable[str]) -> str:
     texts = [one for one in words if isinstance(one, str)]
     near = difflib.get_close_matches(word, texts, n=1, cutoff=0.5)
-    return f' (did you mean "{near[0]}"?)' if near else ""
+    return say(' (did you mean "{}"?)', near[0]) if near else ""
 
 
 def _checked(value: Any, spec: SettingSpec, where: str) -> Any:
     value = _converted(value, spec, where)
     if spec.choices and not any(_same(value, choice) for choice in spec.choices):
         hint = _nearest(value, spec.choices) if isinstance(value, str) else ""
-        allowed = ", ".join(_shown(choice) for choice in spec.choices)
+        allowed = joined(", ", (_shown(choice) for choice in spec.choices))
         raise SettingsError(
-            f"{where}: {_shown(value)} is not allowed{hint}; choose one of: {allowed}."
+            "{}: {} is not allowed{}; choose one of: {}.", where, _shown(value), hint, allowed
         )
     if isinstance(value, int | float) and not isinstance(value, bool):
         _check_range(value, spec, where)
@@ -180,20 +207,28 @@ def _converted(value: Any, spec: SettingSpec, where: str) -> Any:
         fits = False
     if not fits:
         wanted = _KIND_WORDS.get(spec.kind, spec.kind.__name__)
-        raise SettingsError(f"{where}: {_shown(value)} is not {wanted}. {spec.sentence}")
+        raise SettingsError("{}: {} is not {}. {}", where, _shown(value), wanted, spec.sentence)
     return value
 
 
 def _check_range(value: float, spec: SettingSpec, where: str) -> None:
     if not math.isfinite(value):
-        raise SettingsError(f"{where}: {value} is not a finite number. {spec.sentence}")
+        raise SettingsError("{}: {} is not a finite number. {}", where, value, spec.sentence)
     if spec.minimum is not None and value < spec.minimum:
         raise SettingsError(
-            f"{where}: {value:g} is below the smallest value {spec.minimum:g}. {spec.sentence}"
+            "{}: {:g} is below the smallest value {:g}. {}",
+            where,
+            value,
+            spec.minimum,
+            spec.sentence,
         )
     if spec.maximum is not None and value > spec.maximum:
         raise SettingsError(
-            f"{where}: {value:g} is above the largest value {spec.maximum:g}. {spec.sentence}"
+            "{}: {:g} is above the largest value {:g}. {}",
+            where,
+            value,
+            spec.maximum,
+            spec.sentence,
         )
 
 

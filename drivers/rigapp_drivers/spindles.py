@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
+from rigapp.texts import say, sentence_of_error
 from rigapp_drivers.api import DriveRequest, Line, Named, SettingRefused, SettingsLost, SettingSpec
 
 _log = logging.getLogger(__name__)
@@ -17,7 +18,9 @@ NEEDED: Final = {"torque_Nm": "torque_constant_Nm_per_A"}
 TORQUE_CONSTANT: Final = SettingSpec(
     float,
     0.0,
-    "Torque of the motor for 1 A, from its data sheet, for the channel torque_Nm; 0: not known.",
+    say(
+        "Torque of the motor for 1 A, from its data sheet, for the channel torque_Nm; 0: not known."
+    ),
     0.0,
     1e3,
 )
@@ -28,20 +31,23 @@ _ROUNDING: Final = 1e-9  # of a speed that is the maximum but for the digits of 
 
 def silenced(silence_s: float) -> str:
     """Say that the drive's supervision has fired; silence_s: how long the host was silent."""
-    return (
-        f"watchdog: the host was silent for {silence_s:.2f} s and the drive has stopped the motor"
+    return say(
+        "watchdog: the host was silent for {:.2f} s and the drive has stopped the motor", silence_s
     )
 
 
 def settings_lost(who: Named, watchdog_s: float, set_s: float) -> SettingsLost:
     """Return the error of a drive that is not set up as it was; watchdog_s: 0 when it has none."""
-    what = "speed unit, limits or heartbeat"
+    what = say("speed unit, limits or heartbeat")
     if watchdog_s != set_s:
-        what = f"watchdog {watchdog_s:g} s instead of {set_s:g} s"
+        what = say("watchdog {:g} s instead of {:g} s", watchdog_s, set_s)
     return SettingsLost.at(
         who,
-        f"the drive has lost its settings ({what}), as after a restart; check its supply, then "
-        "connect again.",
+        say(
+            "the drive has lost its settings ({}), as after a restart; check its supply,"
+            " then connect again.",
+            what,
+        ),
     )
 
 
@@ -63,21 +69,23 @@ def refuse_request(
     """
     refusal = ""
     if request.counts_per_revolution < 1:
-        refusal = f"{request.counts_per_revolution} counts per revolution are too few."
+        refusal = say("{} counts per revolution are too few.", request.counts_per_revolution)
     if request.direction not in (1, -1):
-        refusal = f"direction {request.direction} is neither 1 nor -1."
+        refusal = say("direction {} is neither 1 nor -1.", request.direction)
     for key, value in request.settings.items():
         if key in settings and settings[key] != value:
-            refusal = (
-                f"{key} = {value} differs from {settings[key]}, with which the port was opened; "
-                "open it again."
+            refusal = say(
+                "{} = {} differs from {}, with which the port was opened; open it again.",
+                key,
+                value,
+                settings[key],
             )
     if not refusal:
         try:
             check(request)
             return
         except ValueError as error:
-            refusal = str(error)
+            refusal = sentence_of_error(error)
     raise SettingRefused.at(who, refusal)
 
 
@@ -85,10 +93,10 @@ def refuse_speed(who: Named | Line, speed_rev_per_s: float, request: DriveReques
     """Raise SettingRefused for a speed that is none, or above the rig's maximum."""
     limit = request.maximum_speed_rev_per_s
     if not math.isfinite(speed_rev_per_s):
-        raise SettingRefused.at(who, f"a speed of {speed_rev_per_s} is not a number.")
+        raise SettingRefused.at(who, "a speed of {} is not a number.", speed_rev_per_s)
     if abs(speed_rev_per_s) > limit * (1 + _ROUNDING):
-        words = (
-            f"{speed_rev_per_s * 60:.1f} rpm is above the rig's maximum of {limit * 60:.1f} rpm."
+        words = say(
+            "{:.1f} rpm is above the rig's maximum of {:.1f} rpm.", speed_rev_per_s * 60, limit * 60
         )
         raise SettingRefused.at(who, words)
 
@@ -99,7 +107,7 @@ def whole_ramp(
     """Return an acceleration in the drive's steps, 1 to ``most``; raise SettingRefused for none."""
     ramp = acceleration_rev_per_s2 / step_rev_per_s2
     if not (math.isfinite(ramp) and ramp > 0):
-        words = f"an acceleration of {acceleration_rev_per_s2:g} rev/s2 is not possible."
+        words = say("an acceleration of {:g} rev/s2 is not possible.", acceleration_rev_per_s2)
         raise SettingRefused.at(who, words)
     return min(max(1, round(ramp)), most)
 

@@ -8,16 +8,21 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import os
 import select
 import sys
 import threading
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import serial
 
+from rigapp.texts import say, sentence_of_error
 from rigapp_drivers.api import BytePort, ConnectionFailed, DeviceLost, Identity
+from rigapp_drivers.wire.ports import RECORDED, PortNotFound, actual_port
+from rigapp_drivers.wire.recorder import WireRecorder, recorder_of
 
 _PORT_ERRORS: tuple[type[Exception], ...] = (OSError, ValueError)
 """What a port raises; pyserial's own error is an OSError."""
@@ -55,10 +60,11 @@ class SerialPort:
         self.port = port
         self.baud_rate = baud_rate
         self.write_timeout_s = write_timeout_s
-        self._frame = {"parity": _PARITIES[parity], "stopbits": stop_bits}
+        self.frame = (baud_rate, parity, stop_bits)
         self.low_latency = False
         self.bytes_received = 0
         self.bytes_sent = 0
+        self._recorder: WireRecorder | None = None
         self._serial: Any = None
         self._selectable = False
         self._closing = False
@@ -75,21 +81,26 @@ class SerialPort:
         if self._serial is not None:
             return
         try:
+            actual = actual_port(self.port)
             opened = serial.serial_for_url(
-                self.port,
+                actual,
                 baudrate=self.baud_rate,
                 timeout=0,
                 write_timeout=self.write_timeout_s,
                 exclusive=True,
-                **self._frame,
+                parity=_PARITIES[self.frame[1]],
+                stopbits=self.frame[2],
             )
+        except PortNotFound as error:
+            raise ConnectionFailed.at(self, sentence_of_error(error)) from error
         except _PORT_ERRORS as error:
-            sentence = _why_not_opened(error, self.port)
+            sentence = _why_not_opened(error, actual)
             raise ConnectionFailed.at(self, sentence) from error
         self.low_latency = _set_low_latency(opened)
         self._selectable = _can_select(opened)
         self._closing = False
         self.bytes_received = self.bytes_sent = 0
+        self._recorder = recorder_of(self.device, self.port)
         self._serial = opened
 
     def read_some(self, maximum: int, timeout_s: float) -> bytes:
@@ -104,7 +115,7 @@ class SerialPort:
                 # up for longer than the device.
                 left = deadline - time.monotonic()
                 wait = min(_SLICE_S, max(0.0, left))
-                opened = self._usable("reading")
+                opened = self._usable(say("reading"))
                 try:
                     if self._selectable:
                         data = _read_selectable(opened, maximum, wait)
@@ -113,13 +124,17 @@ class SerialPort:
                 except _PORT_ERRORS as error:
                     raise self._lost(error, "reading") from error
                 self.bytes_received += len(data)
+                if self._recorder is not None:
+                    self._recorder.received(data)
                 if data or left <= 0.0:
                     return data
 
     def write(self, data: bytes) -> None:
         """Send all bytes within the write time-out; raise DeviceLost."""
         with self._writing:
-            opened = self._usable("writing")
+            opened = self._usable(say("writing"))
+            if self._recorder is not None:
+                self._recorder.sent(data)
             try:
                 sent = opened.write(data)
             except _PORT_ERRORS as error:
@@ -127,7 +142,7 @@ class SerialPort:
             self.bytes_sent += len(data) if sent is None else sent
         if sent is not None and sent != len(data):
             raise DeviceLost.at(
-                self, f"a request could not be sent whole ‹{sent} of {len(data)} bytes›."
+                self, "a request could not be sent whole ‹{} of {} bytes›.", sent, len(data)
             )
 
     def drain(self) -> bytes:
@@ -162,12 +177,14 @@ class SerialPort:
         finally:
             for lock in held:
                 lock.release()
+            if self._recorder is not None:
+                self._recorder.close()
 
     def _usable(self, doing: str) -> Any:
         opened = self._serial
         if opened is None:
-            why = "was closed" if self._closing else "is not open"
-            raise DeviceLost.at(self, f"the port {why} ({doing}).")
+            why = say("was closed") if self._closing else say("is not open")
+            raise DeviceLost.at(self, "the port {} ({}).", why, doing)
         return opened
 
     def _lost(self, error: Exception, doing: str) -> DeviceLost:
@@ -249,25 +266,44 @@ def _close_quietly(opened: Any) -> None:
 
 def _why_not_opened(error: Exception, port: str) -> str:
     number = getattr(error, "errno", None)
-    text = str(error)
+    text = sentence_of_error(error)
     if number in (errno.EAGAIN, errno.EBUSY) or "exclusively lock" in text:
-        return "the port is in use by another program; close that program."
+        holder = holder_of(port)
+        if holder:
+            return say("the port is in use by another program, {}; close it.", holder)
+        return say("the port is in use by another program; close that program.")
     if number in (errno.EACCES, errno.EPERM):
-        return (
-            "this user may not open the port; add the user to the group that owns it "
-            "(often dialout or uucp) and log in again."
+        return say(
+            "this user may not open the port; add the user to the group that owns it"
+            " (often dialout or uucp) and log in again."
         )
+    if port.startswith(RECORDED):
+        return say("{} The recording is not played.", text)
     if port.startswith("socket://"):
-        return f"no connection ‹{text}›; check host, port number and that the server runs."
+        return say("no connection ‹{}›; check host, port number and that the server runs.", text)
     if number in (errno.ENOENT, errno.ENXIO, errno.ENODEV):
-        return "there is no such port; check the cable, the power and the port's name."
-    return f"the port cannot be opened ‹{text}›; check the port's name in the rig file."
+        return say("there is no such port; check the cable, the power and the port's name.")
+    return say("the port cannot be opened ‹{}›; check the port's name in the rig file.", text)
+
+
+def holder_of(port: str, processes: Path = Path("/proc")) -> str:
+    """Return the name and number of a process that has a port open, "" where none is seen.
+
+    Those of other users can only be seen by root.
+    """
+    real = os.path.realpath(port)
+    for one in processes.glob("[0-9]*"):
+        with contextlib.suppress(OSError):
+            if any(os.readlink(opened) == real for opened in (one / "fd").iterdir()):
+                name = (one / "comm").read_text("utf-8", "replace").strip()
+                return say("{} ‹process {}›", name, one.name)
+    return ""
 
 
 def _why_lost(error: Exception, doing: str) -> str:
     if isinstance(error, serial.SerialTimeoutException):
-        return (
-            "the device takes no more data (write time-out); check the cable and switch the "
-            "device off and on."
+        return say(
+            "the device takes no more data (write time-out); check the cable and switch"
+            " the device off and on."
         )
-    return f"the connection broke while {doing} ‹{error}›; check cable and power."
+    return say("the connection broke while {} ‹{}›; check cable and power.", doing, error)

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rigapp.texts import say
 from rigapp_model.errors import ModelError, require_positive
 from rigapp_model.parameters import Mechanism
 
@@ -101,7 +102,7 @@ def solve_imperfect(
     system = _imperfect_joint(mechanism, pin_radius, bushing_radius, turn)
     q, qd, qdd, multipliers, iterations = _solve(mechanism, system, start, rate, growth)
     if np.any(np.cos(q[:, PHI1] - q[:, PHI2] + q[:, ALPHA]) > 0.0):
-        raise ModelError("alpha", "on the wrong branch", "check the lengths and radii")
+        raise ModelError("alpha", say("on the wrong branch"), say("check the lengths and radii"))
     wrist = multipliers[:, 5:7].T
     return Solution(
         position=q,
@@ -121,7 +122,9 @@ def _cycle(angle: ArrayLike, speed: ArrayLike, growth: ArrayLike) -> tuple[Array
     arrays = [np.atleast_1d(np.asarray(a, dtype=np.float64)) for a in (angle, speed, growth)]
     for name, array in zip(("angle", "speed", "acceleration"), arrays, strict=True):
         if array.ndim != 1 or not np.isfinite(array).all():
-            raise ModelError(name, "not a row of finite numbers", "give an array of shape (n,)")
+            raise ModelError(
+                name, say("not a row of finite numbers"), say("give an array of shape (n,)")
+            )
     turn, rate, gain = np.broadcast_arrays(*arrays)
     return turn, rate, gain
 
@@ -228,7 +231,9 @@ def _solve(
         if np.abs(step).max() <= STALLED and iterations > ENOUGH_ITERATIONS:
             break
     else:
-        raise ModelError("Newton", "without convergence", "check that the crank can turn freely")
+        raise ModelError(
+            "Newton", say("without convergence"), say("check that the crank can turn freely")
+        )
     drive = np.zeros_like(q)
     drive[:, -1] = rate
     _, jacobian, _ = system(q, still)
@@ -261,5 +266,7 @@ def _linear(matrices: Array, rights: Array) -> Array:
     try:
         solution = np.linalg.solve(matrices, rights[..., None])[..., 0]
     except np.linalg.LinAlgError as problem:
-        raise ModelError("Jacobian", "singular", "the mechanism is at a dead point") from problem
+        raise ModelError(
+            "Jacobian", "singular", say("the mechanism is at a dead point")
+        ) from problem
     return np.asarray(solution, dtype=np.float64)

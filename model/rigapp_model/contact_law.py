@@ -3,35 +3,40 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from rigapp.texts import say
 from rigapp_model.errors import ModelError, require_finite, require_not_negative, require_positive
 from rigapp_model.parameters import Joint, Material
+from rigapp_model.restitution import (
+    CONTACT_LAWS,
+    DEFAULT_LAW,
+    MISSED,
+    check_law,
+    restitution_of,
+)
 
 Array = NDArray[np.float64]
 LARGEST_TOLERANCE = 0.1  # of a step or penetration: with more, impacts are missed
-Law = Literal["lankarani-nikravesh", "flores"]
 
 
 @dataclass(frozen=True, slots=True)
 class ContactModel:
     """Hold the settings of the contact force; all but the first two are numerical choices.
 
-    law and restitution: damping FN = K d^1.5 (1 + a d'/d0'), with a = 3 (1 - e^2) / 4 (Lankarani
-    and Nikravesh) or 8 (1 - e) / (5 e) (Flores and others, 2011).
+    law: one of ``CONTACT_LAWS``. restitution: normal speed after an impact over that before.
     friction_ramp: sliding speeds (m/s) at which Coulomb friction begins to act and acts in full.
     impact_speed_floor: least d0' (m/s): a contact that begins at rest would damp infinitely.
-    foundation: bear on the whole surface as an elastic foundation instead of one Hertzian point;
-    None does so for a worn surface only, where the pin fits closely and one point makes no sense.
-    stiffness: K in N/m^1.5 instead of the one from the materials and radii.
+    foundation: bear on the whole surface as an elastic foundation instead of one point; None does
+    so for a worn surface only, where the pin fits closely and one point makes no sense.
+    stiffness: K in N/m^1.5, for an elastic force K d^1.5 instead of the law's.
     tolerance: error of one step as part of the mean penetration.
     """
 
-    law: Law = "lankarani-nikravesh"
+    law: str = DEFAULT_LAW
     restitution: float = 0.9
     friction_ramp: tuple[float, float] = (1e-4, 1e-3)
     impact_speed_floor: float = 1e-3
@@ -40,29 +45,40 @@ class ContactModel:
     tolerance: float = 1e-8
 
     def __post_init__(self) -> None:
-        if self.law not in ("lankarani-nikravesh", "flores"):
-            raise ModelError("law", self.law, "choose lankarani-nikravesh or flores")
-        require_positive("restitution", self.restitution)
-        if self.restitution > 1.0:
-            raise ModelError("restitution", self.restitution, "it must not exceed 1")
+        check_law(self.law, self.restitution)
         start, end = self.friction_ramp
         require_not_negative("friction_ramp", start, "m/s")
         require_finite("friction_ramp", end, "m/s")
         if end <= start:
-            raise ModelError("friction_ramp", self.friction_ramp, "the end must exceed the start")
+            raise ModelError(
+                "friction_ramp", self.friction_ramp, say("the end must exceed the start")
+            )
         require_positive("impact_speed_floor", self.impact_speed_floor, "m/s")
         require_positive("tolerance", self.tolerance)
         if self.tolerance > LARGEST_TOLERANCE:
-            raise ModelError("tolerance", self.tolerance, f"it must not exceed {LARGEST_TOLERANCE}")
+            raise ModelError(
+                "tolerance", self.tolerance, say("it must not exceed {}", LARGEST_TOLERANCE)
+            )
         if self.stiffness is not None:
             require_positive("stiffness", self.stiffness, "N/m^1.5")
 
     @property
     def hysteresis(self) -> float:
         """Return the damping factor a of the law."""
-        if self.law == "flores":
-            return 8.0 * (1.0 - self.restitution) / (5.0 * self.restitution)
-        return 0.75 * (1.0 - self.restitution**2)
+        return CONTACT_LAWS[self.law].damping(self.restitution)
+
+    def sentence(self) -> str:
+        """Say by how much the law misses the restitution asked for; nothing when it does not."""
+        given = restitution_of(self.hysteresis)
+        if abs(given - self.restitution) <= MISSED:
+            return ""
+        return say(
+            "The contact law {} gives a restitution of {:.2f} where {:.2f} is asked for; choose"
+            " the law elements, which gives it.",
+            self.law,
+            given,
+            self.restitution,
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,13 +94,15 @@ class WornSurface:
 
     def __post_init__(self) -> None:
         if self.angle.ndim != 1 or self.angle.shape != self.depth.shape or len(self.angle) < 8:
-            shapes = f"{self.angle.shape} angles and {self.depth.shape} depths"
-            raise ModelError("profile", shapes, "give one depth for each of at least 8 angles")
+            shapes = say("{} angles and {} depths", self.angle.shape, self.depth.shape)
+            raise ModelError("profile", shapes, say("give one depth for each of at least 8 angles"))
         if not (np.isfinite(self.angle).all() and np.isfinite(self.depth).all()):
-            raise ModelError("profile", "not finite", "give finite numbers only")
+            raise ModelError("profile", say("not finite"), say("give finite numbers only"))
         turn = self.angle[-1] - self.angle[0]
         if np.any(np.diff(self.angle) <= 0.0) or turn > 2.0 * np.pi + 1e-9:
-            raise ModelError("profile", "out of order", "give increasing angles within one turn")
+            raise ModelError(
+                "profile", say("out of order"), say("give increasing angles within one turn")
+            )
 
     def resampled(self, count: int) -> CubicSpline:
         """Return a periodic spline of the depth on ``count`` equal steps from angle 0."""
@@ -108,7 +126,7 @@ def hertz_stiffness(joint: Joint, bushing: Material, pin: Material) -> float:
         raise ModelError(
             "clearance",
             joint.clearance,
-            "contact of separate bodies needs a bushing larger than its pin",
+            say("contact of separate bodies needs a bushing larger than its pin"),
             "m",
         )
     compliance = sum(

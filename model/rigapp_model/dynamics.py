@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rigapp.texts import joined, say
 from rigapp_model.errors import ModelError
 from rigapp_model.frames import into_frame
 from rigapp_model.parameters import Joint, Mechanism
@@ -189,21 +190,24 @@ def _broadcast(
     given = [np.asarray(a, dtype=np.float64) for a in (angle, speed, acceleration, clearance)]
     for name, array in zip(names, given, strict=True):
         if not np.isfinite(array).all():
-            raise ModelError(name, "not finite", "give finite numbers only")
+            raise ModelError(name, say("not finite"), say("give finite numbers only"))
     shortest = mechanism.follower_length + float(given[3].min(initial=0.0))
     if shortest <= mechanism.crank_radius:
         raise ModelError(
             "clearance",
             float(given[3].min()),
-            f"it leaves the follower {shortest:g} m long, too short for the crank radius of "
-            f"{mechanism.crank_radius:g} m",
+            say(
+                "it leaves the follower {:g} m long, too short for the crank radius of {:g} m",
+                shortest,
+                mechanism.crank_radius,
+            ),
             "m",
         )
     try:
         turn, rate, growth, gap = np.broadcast_arrays(*given)
     except ValueError as problem:
-        shapes = ", ".join(f"{n} {a.shape}" for n, a in zip(names, given, strict=True))
-        raise ModelError("shapes", shapes, "give arrays of one shape, or scalars") from problem
+        shapes = joined(", ", (say("{} {}", n, a.shape) for n, a in zip(names, given, strict=True)))
+        raise ModelError("shapes", shapes, say("give arrays of one shape, or scalars")) from problem
     return turn, rate, growth, gap
 
 
@@ -246,7 +250,7 @@ def _friction_moment(
         raise ModelError(
             "friction_coefficient",
             mu,
-            "the joint locks: the friction circle is larger than the follower's lever",
+            say("the joint locks: the friction circle is larger than the follower's lever"),
         )
     size = q * fy + np.sqrt((q * fy) ** 2 + remainder * (fx * fx + fy * fy))
     return sense * rho * size / remainder

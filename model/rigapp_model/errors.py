@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from rigapp.texts import say
+
 
 class ModelError(ValueError):
     """Name the quantity, its value and what to do, in one plain sentence.
@@ -17,27 +19,29 @@ class ModelError(ValueError):
         self.quantity = quantity
         self.value = value
         self.remedy = remedy
-        super().__init__(f"{quantity.replace('_', ' ')} is {shown}{unit and ' ' + unit}: {remedy}")
+        super().__init__(
+            say("{} is {}{}: {}", quantity.replace("_", " "), shown, unit and " " + unit, remedy)
+        )
 
 
 def require_finite(quantity: str, value: Any, unit: str = "") -> None:
     """Refuse what is not one finite number."""
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
-        raise ModelError(quantity, value, "give a finite number", unit)
+        raise ModelError(quantity, value, say("give a finite number"), unit)
 
 
 def require_positive(quantity: str, value: Any, unit: str = "") -> None:
     """Refuse what is not a finite number above zero."""
     require_finite(quantity, value, unit)
     if value <= 0.0:
-        raise ModelError(quantity, value, "it must be greater than 0", unit)
+        raise ModelError(quantity, value, say("it must be greater than 0"), unit)
 
 
 def require_not_negative(quantity: str, value: Any, unit: str = "") -> None:
     """Refuse what is not a finite number of at least zero."""
     require_finite(quantity, value, unit)
     if value < 0.0:
-        raise ModelError(quantity, value, "it must not be negative", unit)
+        raise ModelError(quantity, value, say("it must not be negative"), unit)
 
 
 class OutOfTime(Exception):

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rigapp.texts import say
 from rigapp_model.errors import ModelError
 from rigapp_model.history_kernel import evaluate, inverse, normal_equations
 
@@ -114,17 +115,20 @@ def _checked(time: ArrayLike, angle: ArrayLike) -> tuple[Array, Array]:
     """Return both as float64 arrays, the angle unwrapped."""
     moments, turned = np.asarray(time, dtype=np.float64), np.asarray(angle, dtype=np.float64)
     if moments.ndim != 1 or moments.shape != turned.shape:
-        shapes = f"{moments.shape} for {turned.shape} angles"
-        raise ModelError("time", shapes, "give one time for each angle")
+        shapes = say("{} for {} angles", moments.shape, turned.shape)
+        raise ModelError("time", shapes, say("give one time for each angle"))
     if len(moments) < FEWEST_SAMPLES:
-        raise ModelError("samples", len(moments), f"give at least {FEWEST_SAMPLES}")
+        raise ModelError("samples", len(moments), say("give at least {}", FEWEST_SAMPLES))
     if not (np.isfinite(moments).all() and np.isfinite(turned).all()):
-        raise ModelError("angle history", "not finite", "give finite numbers only")
+        raise ModelError(say("angle history"), say("not finite"), say("give finite numbers only"))
     steps = np.diff(moments)
     if steps.min() <= 0.0:
         where = int(steps.argmin()) + 1
         raise ModelError(
-            "time", float(moments[where]), f"sample {where} is not later than the one before", "s"
+            "time",
+            float(moments[where]),
+            say("sample {} is not later than the one before", where),
+            "s",
         )
     return moments, np.unwrap(turned)
 

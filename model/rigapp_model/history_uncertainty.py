@@ -11,14 +11,13 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.ndimage import maximum_filter1d, median_filter
+from scipy.ndimage import maximum_filter1d, median_filter, uniform_filter1d
 
 from rigapp_model.history import AngleHistory, quantum_of
+from rigapp_model.recurrent_motion import HIGHEST_ORDER, RecurrentMotion
 
 Array = NDArray[np.float64]
 
-HIGHEST_ORDER = 40
-"""Orders of the turn up to which motion is looked for, and may hide in the counts."""
 UNSEEN_COUNTS = 2.5
 """Counts of a history that a motion may change without being told from none."""
 STANDS_OUT, FAR = 10.0, 25.0
@@ -32,6 +31,10 @@ BETWEEN = 1.0 / np.sqrt(24.0)
 """RMS of a wave of any amplitude that has room in a span of one."""
 SPIKE = 3.0
 """Counts, or standard deviations, by which one sample is off its neighbours by a fault."""
+TOGETHER = 9
+"""Neighbours whose mean tells whether the fit is off: a hundredth of a turn."""
+COUNTED = 0.6
+"""Counts by which that mean is off where a steady turn beats slowly with the counts."""
 REACH = 3
 """A sudden change has orders beyond the highest; it is taken to reach so many times as far."""
 
@@ -41,25 +44,41 @@ class MotionUncertainty:
     """Hold standard uncertainties at each time: angle (rad), speed (rad/s), acceleration (rad/s^2).
 
     unfollowed: the largest acceleration (rad/s^2) that the angle shows beyond the fit; 0 when none
-    stands out of the noise.
+    stands out of the noise. recurrent: what comes again, this revolution among it.
     """
 
-    angle: float
+    angle: Array
     speed: Array
     acceleration: Array
     unfollowed: float
+    recurrent: RecurrentMotion
+
+
+NOTHING_YET = RecurrentMotion()
 
 
 def motion_uncertainty(
-    time: ArrayLike, angle: ArrayLike, history: AngleHistory
+    time: ArrayLike,
+    angle: ArrayLike,
+    history: AngleHistory,
+    before: RecurrentMotion = NOTHING_YET,
 ) -> MotionUncertainty:
-    """Return how uncertain a fitted history is; arguments as ``smooth_history`` took them."""
+    """Return how uncertain a fitted history is; arguments as ``smooth_history`` took them.
+
+    before: what came again in the revolutions before, which tells what the fit to one misses.
+    """
     moments = np.asarray(time, dtype=np.float64)
     turned = np.unwrap(np.asarray(angle, dtype=np.float64))
     quantum = quantum_of(turned)
     size = len(moments)
     even = np.linspace(moments[0], moments[-1], size)
-    left, slack = _beyond(turned, history.angle, quantum)
+    by_chance = max(quantum / np.sqrt(12.0), 0.0 if quantum else history.noise) ** 2 / size
+    recurrent, known = before.after(moments, turned, history.angle, by_chance)
+    smooth, slower, unpushed = history.angle, np.zeros(size), np.zeros(size)
+    if known is not None:
+        smooth, slower = known.angle, known.speed - history.speed
+        unpushed = known.acceleration - history.acceleration
+    left, slack = _beyond(turned, smooth, quantum)
     beyond = np.interp(even, moments, left)
     turns = max(abs(history.angle[-1] - history.angle[0]) / (2.0 * np.pi), 1e-9)
     rate = 2.0 * np.pi / (moments[-1] - moments[0])
@@ -68,16 +87,29 @@ def motion_uncertainty(
     top = min(len(power) // 3, max(2, round(HIGHEST_ORDER * turns)))
     least = (UNSEEN_COUNTS * quantum / size) ** 2
     noise = max(_noise_power(power[top:]), least, np.finfo(float).tiny)
-    seen = np.where(_stands_out(power / noise, top), spectrum, 0.0)
+    usual = np.full(len(power), noise)
+    if known is not None:
+        some = min(top, HIGHEST_ORDER)
+        usual[1 : some + 1] = np.maximum(noise, known.scatter[:some])
+    seen = np.where(_stands_out(power / usual, top), spectrum, 0.0)
     orders = rate * np.arange(1, top + 1)
-    speed, acceleration = (
-        np.hypot(
-            _envelope(_derived(seen, rate, size, times), top),
+    hidden = [
+        float(
             np.hypot(
                 np.sqrt(2.0 * noise * np.sum(orders ** (2 * times))),
                 slack * BETWEEN * np.sqrt(np.mean(orders ** (2 * times))),
-            ),
+            )
         )
+        for times in (1, 2)
+    ]
+    if known is not None:
+        many = known.hidden_speed, known.hidden_acceleration
+        hidden = [
+            min(one, float(np.hypot(np.sqrt(known.again) * one, other)))
+            for one, other in zip(hidden, many, strict=True)
+        ]
+    speed, acceleration = (
+        np.hypot(_envelope(_derived(seen, rate, size, times), top), hidden[times - 1])
         for times in (1, 2)
     )
     moved = np.abs(_derived(seen, rate, size, 2))
@@ -87,11 +119,24 @@ def motion_uncertainty(
         acceleration = np.hypot(acceleration, sudden)
         most = float(np.hypot(most, sudden.max()))
     return MotionUncertainty(
-        angle=max(history.noise, quantum / np.sqrt(12.0)),
-        speed=np.interp(moments, even, speed),
-        acceleration=np.interp(moments, even, acceleration),
+        angle=_of_angle(turned - history.angle, history.noise, quantum),
+        speed=np.hypot(np.interp(moments, even, speed), slower),
+        acceleration=np.hypot(np.interp(moments, even, acceleration), unpushed),
         unfollowed=most,
+        recurrent=recurrent,
     )
+
+
+def _of_angle(left: Array, noise: float, quantum: float) -> Array:
+    """Return the standard uncertainty of a fitted angle, rad, from what measured ones differ by.
+
+    Each measured angle is right to a count: where several together are off by more, at the seam of
+    a turn with a change of speed, the fit is off there.
+    """
+    known = max(noise, quantum / np.sqrt(12.0))
+    near = np.abs(uniform_filter1d(left, TOGETHER, mode="nearest"))
+    chance = max(COUNTED * quantum, 2.0 * noise / np.sqrt(TOGETHER))
+    return np.asarray(np.hypot(known, np.where(near > chance, near, 0.0)))
 
 
 def _stands_out(ratio: Array, top: int) -> NDArray[np.bool_]:

@@ -1,6 +1,6 @@
 """The joint of interest as perfect, or as imperfect in continuous contact (paper, section 3).
 
-The third technique, pin and bushing as separate bodies, is ``rigapp_model.impact``.
+The third technique, pin and bushing as separate bodies, is ``rigapp_model.contact.impact``.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rigapp.texts import joined, say
 from rigapp_model.dynamics import MechanismMotion, inverse_dynamics
 from rigapp_model.errors import require_not_negative
 from rigapp_model.parameters import Joint, Mechanism
@@ -47,19 +48,25 @@ class ContinuousContact:
         if self.assumption_holds:
             return ""
         if np.all(self.wall < 0.0):
-            return (
-                "The assumption of tension does not hold: the follower is in compression at all"
-                " crank angles. The pin bears on the wall away from the crank all the time; the"
-                " same equations with minus the clearance were solved."
+            return say(
+                "The assumption of tension does not hold: the follower is in"
+                " compression at all crank angles. The pin bears on the wall away from"
+                " the crank all the time; the same equations with minus the clearance"
+                " were solved."
             )
-        spans = " and ".join(
-            f"{np.degrees(start):.1f} to {np.degrees(end):.1f} deg"
-            for start, end in self.compression
+        spans = joined(
+            say(" and "),
+            (
+                say("{:.1f} to {:.1f} deg", np.degrees(start), np.degrees(end))
+                for start, end in self.compression
+            ),
         )
-        return (
-            f"Continuous contact does not hold: at crank angles {spans} the follower is in"
-            " compression, the pin crosses to the other wall of the bushing and contact is lost on"
-            " the way; use the contact joint, or a spring that keeps the follower in tension."
+        return say(
+            "Continuous contact does not hold: at crank angles {} the follower is in"
+            " compression, the pin crosses to the other wall of the bushing and contact"
+            " is lost on the way; use the contact joint, or a spring that keeps the"
+            " follower in tension.",
+            spans,
         )
 
 

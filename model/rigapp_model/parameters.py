@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rigapp.texts import say
 from rigapp_model.errors import ModelError, require_finite, require_not_negative, require_positive
+from rigapp_model.restitution import DEFAULT_LAW, check_law
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,16 +52,18 @@ class Mechanism:
             raise ModelError(
                 "follower_length",
                 self.follower_length,
-                f"it must be longer than the crank radius of {self.crank_radius:g} m, "
-                "or the crank cannot turn",
+                say(
+                    "it must be longer than the crank radius of {:g} m, or the crank cannot turn",
+                    self.crank_radius,
+                ),
                 "m",
             )
         for name in ("crank_mass", "follower_mass", "slider_mass", "added_mass"):
             require_not_negative(name, getattr(self, name), "kg")
         for name in ("crank_inertia", "follower_inertia"):
-            require_not_negative(name, getattr(self, name), "kg m^2")
+            require_not_negative(name, getattr(self, name), say("kg m^2"))
         if len(self.gravity) != 2:
-            raise ModelError("gravity", self.gravity, "give two components, along x and y")
+            raise ModelError("gravity", self.gravity, say("give two components, along x and y"))
         for component in self.gravity:
             require_finite("gravity", component, "m/s^2")
 
@@ -71,30 +75,37 @@ class Mechanism:
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """Hold the joint of interest: pin and bushing radii and width (m), Coulomb friction."""
+    """Hold the joint of interest: pin and bushing radii and width (m), Coulomb friction.
+
+    ``restitution`` and ``contact_law`` are those of pin and bushing as separate bodies; the laws
+    are in ``rigapp_model.contact_law``.
+    """
 
     pin_radius: float
     bushing_radius: float
     bushing_outer_radius: float
     bushing_width: float
     friction_coefficient: float = 0.0
+    restitution: float = 0.9
+    contact_law: str = DEFAULT_LAW
 
     def __post_init__(self) -> None:
         for name in ("pin_radius", "bushing_radius", "bushing_outer_radius", "bushing_width"):
             require_positive(name, getattr(self, name), "m")
         require_not_negative("friction_coefficient", self.friction_coefficient)
+        check_law(self.contact_law, self.restitution)
         if self.pin_radius > self.bushing_radius:
             raise ModelError(
                 "pin_radius",
                 self.pin_radius,
-                f"the pin must fit the bushing of radius {self.bushing_radius:g} m",
+                say("the pin must fit the bushing of radius {:g} m", self.bushing_radius),
                 "m",
             )
         if self.bushing_outer_radius <= self.bushing_radius:
             raise ModelError(
                 "bushing_outer_radius",
                 self.bushing_outer_radius,
-                f"it must be greater than the bushing radius of {self.bushing_radius:g} m",
+                say("it must be greater than the bushing radius of {:g} m", self.bushing_radius),
                 "m",
             )
 
@@ -123,7 +134,9 @@ class Material:
             raise ModelError(
                 "poissons_ratio",
                 self.poissons_ratio,
-                "it must be at least 0 and below 0.5 (0.5 is incompressible; 0.499 comes close)",
+                say(
+                    "it must be at least 0 and below 0.5 (0.5 is incompressible; 0.499 comes close)"
+                ),
             )
 
 
@@ -150,7 +163,9 @@ class WearLaw:
         for name in ("running_in", "exponent", "reference_pressure", "beyond"):
             require_positive(name, getattr(self, name))
         if not self.transition > 0.0:
-            raise ModelError("transition", self.transition, "it must be greater than 0", "W/m^2")
+            raise ModelError(
+                "transition", self.transition, say("it must be greater than 0"), "W/m^2"
+            )
 
 
 ARCHARD = WearLaw()

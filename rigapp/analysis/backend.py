@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-import msgspec
 import numpy as np
 import xarray
 from numpy.typing import NDArray
@@ -18,6 +17,7 @@ from xarray.backends import BackendArray, BackendEntrypoint
 from xarray.core import indexing
 
 from rigapp.config.errors import UnusableInput
+from rigapp.schema.wire import json_bytes
 from rigapp.storage import PROFILE_ANGLE, StoredVariable, TestReader, open_test
 
 ROWS = {
@@ -149,7 +149,7 @@ def _events(reader: TestReader, path: Path) -> xarray.Dataset:
     events = reader.events()
     attributes = reader.attributes("events")
     columns: Mapping[str, Callable[[Any], Any]] = {
-        "data": lambda one: msgspec.json.encode(one.data).decode() if one.data else "",
+        "data": lambda one: json_bytes(one.data).decode() if one.data else "",
     }
     names = ("time", "revolution", "kind", "source", "text", "before", "after", "key", "level")
     found = {}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -10,15 +10,18 @@ from typing import Any
 import numpy as np
 
 from rigapp.config.errors import UnusableInput
-from rigapp.report.paper.chapter import Chapter
-from rigapp.report.paper.pages import size_in
+from rigapp.report.page.figures import MODEL_LINE, STYLE, revolution_axis
+from rigapp.report.paper.pages import Chapter, size_in
 from rigapp.report.paper.recorded import extrema, force_of_a_cycle, profile
 from rigapp.report.testreport.envelope import envelope
 from rigapp.report.testreport.identified import identified_test
-from rigapp.report.testreport.identifiedplots import LEGEND, draw_depth
+from rigapp.report.testreport.identifiedsections import draw_depth
 from rigapp.report.testreport.model_facts import cycles_at
-from rigapp.report.testreport.plots import COLOURS, DEPTHS, MODEL_LINE, STYLE, revolution_axis
+from rigapp.report.testreport.plots import COLOURS, DEPTHS
 from rigapp.storage import TestReader, open_test
+
+BESIDE: Mapping[str, Any] = {"loc": "center left", "bbox_to_anchor": (1.0, 0.5)}
+"""Of a legend: right of the axes."""
 
 
 class Pictures:
@@ -68,7 +71,7 @@ class Pictures:
             axes.set_xlabel("crank angle (°)")
             axes.set_ylabel(f"{channel} ({units[channel]})")
             axes.set_xlim(0.0, 360.0)
-            axes.legend(title="revolution", **LEGEND)
+            axes.legend(title="revolution", **BESIDE)
         return figure
 
     def wear(self) -> Any:
@@ -87,7 +90,7 @@ class Pictures:
                 draw_depth(axes, known, known.known)
             axes.set_ylabel("wear depth (µm)")
             axes.set_title(known.said, loc="left", wrap=True)
-            axes.legend(**LEGEND)
+            axes.legend(**BESIDE)
             revolution_axis(axes)
         return figure
 

@@ -15,8 +15,7 @@ import xarray
 from numpy.typing import NDArray
 
 from rigapp.analysis.backend import ROWS, RigappBackend
-from rigapp.config.errors import UnusableInput
-from rigapp.config.extras import from_extra
+from rigapp.config.errors import UnusableInput, from_extra
 from rigapp.report.results import result_of
 from rigapp.schema.results import NOT_READABLE
 from rigapp.storage import open_test

@@ -46,12 +46,12 @@ def write_certificate(record: Path, to: Path, issued: datetime.date | None = Non
         sealed = unseal(data)
         subject_of(sealed.kind)
     except FileNotFoundError as error:
-        raise UnusableInput(f"{record}: there is no such record; check the name.") from error
+        raise UnusableInput("{}: there is no such record; check the name.", record) from error
     except (OSError, RecordError, UnusableInput) as error:
-        raise UnusableInput(f"{record}: the record cannot be used ‹{error}›.") from error
+        raise UnusableInput("{}: the record cannot be used ‹{}›.", record, error) from error
     found = verified(data)
     for one in filter(None, (in_future(sealed, time.time()), *found.differences)):
-        raise UnusableInput(f"{record}: there is no certificate of it: {one}")
+        raise UnusableInput("{}: there is no certificate of it: {}", record, one)
     _check_issue(sealed, issued)
     write_page(to, "certificate", lambda: certificate_of(sealed, found.unverified, issued))
     return mark_of(sealed)
@@ -104,10 +104,10 @@ def _check_issue(record: Record, issued: datetime.date | None) -> None:
         return
     if issued.isoformat() < str(record.content["calibrated_at"])[:10]:
         raise UnusableInput(
-            f"--issued {issued}: the calibration is of {record.content['calibrated_at'][:10]}."
+            "--issued {}: the calibration is of {}.", issued, record.content["calibrated_at"][:10]
         )
     if issued > datetime.datetime.now(tz=datetime.UTC).date() + datetime.timedelta(days=1):
-        raise UnusableInput(f"--issued {issued}: this is in the future.")
+        raise UnusableInput("--issued {}: this is in the future.", issued)
 
 
 def _item(content: Content) -> str:
@@ -136,7 +136,9 @@ def _identity(record: Record, issued: datetime.date | None) -> Table:
         ("Excitation, range, filter", _joined(paper["excitation"])),
         ("Date of calibration", content["calibrated_at"][:10]),
         ("Date of issue", day[:10]),
-        ("Due, as the laboratory and the customer agreed", content["due_at"][:10]),
+        # Nobody agreed on an interval (ISO/IEC 17025, 7.8.4.3): the program uses it no longer.
+        ("Used by the program until", content["due_at"][:10]),
+        ("As found", _as_found(content.get("as_found"))),
         ("Operator", _joined(paper["operator"] or str(taken.get("operator") or ""))),
         ("Reviewer", _joined(paper["reviewer"])),
         ("Signature of the record", _signer(record)),
@@ -144,6 +146,19 @@ def _identity(record: Record, issued: datetime.date | None) -> Table:
     if words := taken_words(content):
         rows.append(("Readings", words))
     return Table("Identification", tuple(rows))
+
+
+def _as_found(found: Content | None) -> str:
+    """Return what the calibration found of the record in use until then."""
+    if not found:
+        return "not compared with a calibration before"
+    changes = "; ".join(
+        f"{one['what']} {one['value']:+.2g} {one['unit']} ({one['allowed']:.2g} {one['unit']}"
+        f" allowed{', MORE than allowed' * one['beyond']})"
+        for one in found["changes"]
+    )
+    day = str(found["calibrated_at"])[:10]
+    return f"record {found['record']} of {day} told too much: {changes}"
 
 
 def _signer(record: Record) -> str:

@@ -8,13 +8,16 @@ from typing import Any
 from rigapp.calibrating.records import budget_result, problems_of
 from rigapp.calibrating.session import Outcome
 from rigapp.config.calibration_settings import ChannelFile
+from rigapp.texts import say
 from rigapp_calibration.channel import (
+    CHANNEL_COLUMNS,
     ChannelCalibration,
     ChannelSettings,
     calibrate_channel,
-    parse_channel,
+    channel_table,
     rule_of,
 )
+from rigapp_calibration.taking.readings import read_table
 
 Content = Mapping[str, Any]
 KIND = "channel"
@@ -26,7 +29,8 @@ def fit_channel(text: str, given: ChannelFile, where: str, which: str) -> Outcom
     settings = ChannelSettings(
         channel.method, channel.reference_standard_uncertainty, channel.resolution_V
     )
-    result = _result(calibrate_channel(parse_channel(text), settings), given)
+    rows = channel_table(read_table(text, CHANNEL_COLUMNS))
+    result = _result(calibrate_channel(rows, settings), given)
     return Outcome(KIND, result, tuple(_lines(result)))
 
 
@@ -51,7 +55,11 @@ def _lines(result: Content) -> list[str]:
     if result["expanded_uncertainty_value"] is None:
         return []
     return [
-        f"{rule_of(result)}.",
-        f"Expanded uncertainty of a value {result['expanded_uncertainty_value']:.3g}"
-        f" {result['unit']} (k = {result['coverage_factor']:.2f}).",
+        say("{}.", rule_of(result)),
+        say(
+            "Expanded uncertainty of a value {:.3g} {} (k = {:.2f}).",
+            result["expanded_uncertainty_value"],
+            result["unit"],
+            result["coverage_factor"],
+        ),
     ]

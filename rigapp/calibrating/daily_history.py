@@ -15,9 +15,13 @@ from typing import Any
 
 import numpy as np
 
+from rigapp.calibrating.certificates.parts import write_page
 from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.session import Rig
 from rigapp.config.errors import UnusableInput
+from rigapp.report.page.figures import WIDTH_IN, in_style, saved
+from rigapp.report.page.manuscript import Figure, Manuscript, Section, Table, Text
+from rigapp.texts import say
 from rigapp_calibration.load_cell.daily import DailyCheck
 from rigapp_calibration.taking.control_chart import Chart, ChartFinding, chart
 
@@ -36,12 +40,12 @@ class Charted:
 CHARTED: Mapping[str, Charted] = {
     "sensitivity_ratio": Charted("Sensitivity", 1.0),
     "cross_talk_ratio": Charted("Cross-talk"),
-    "gain_1_ratio": Charted("Gain of axis 1", 1.0),
-    "gain_2_ratio": Charted("Gain of axis 2", 1.0),
-    "cross_talk_1_by_2_ratio": Charted("Cross-talk of axis 1 by a force along 2"),
-    "cross_talk_2_by_1_ratio": Charted("Cross-talk of axis 2 by a force along 1"),
-    "zero_1_N": Charted("Zero of axis 1", of_zero=True),
-    "zero_2_N": Charted("Zero of axis 2", of_zero=True),
+    "gain_1_ratio": Charted(say("Gain of axis 1"), 1.0),
+    "gain_2_ratio": Charted(say("Gain of axis 2"), 1.0),
+    "cross_talk_1_by_2_ratio": Charted(say("Cross-talk of axis 1 by a force along 2")),
+    "cross_talk_2_by_1_ratio": Charted(say("Cross-talk of axis 2 by a force along 1")),
+    "zero_1_N": Charted(say("Zero of axis 1"), of_zero=True),
+    "zero_2_N": Charted(say("Zero of axis 2"), of_zero=True),
 }
 """Means over the angles first; files of before have only these."""
 
@@ -100,10 +104,20 @@ def entry_of(
         "sentence": check.sentence,
         "largest_N": check.largest,
         "allowed_N": check.allowed,
+        **judged_by(check),
         "weight_N": weight,
         "expanded_uncertainty_ratio": None if share is None else share / weight,
         "calibration": _digest(calibration)[:12],
         "source": source,
+    }
+
+
+def judged_by(check: DailyCheck) -> dict[str, Any]:
+    """Return by which rule a check was judged: U along, across and of the zero, N, and in words."""
+    names = ("along", "across", "zero")
+    return {
+        "expanded_uncertainty_N": dict(zip(names, check.expanded, strict=True)),
+        "decision_rule": check.rule,
     }
 
 
@@ -129,11 +143,11 @@ def read_history(store: Path, rig: str | None = None) -> DailyHistory:
             events = journal.read()
     _verify(store, events)
     if not events:
-        raise UnusableInput(f"{store}: there are no daily checks yet; take one first.")
+        raise UnusableInput("{}: there are no daily checks yet; take one first.", store)
     wanted = rig or events[-1]["rig"]
     mine = [one for one in events if one["rig"] == wanted]
     if not mine:
-        raise UnusableInput(f"{store}: there is no daily check of the rig {wanted!r}.")
+        raise UnusableInput("{}: there is no daily check of the rig {}.", store, repr(wanted))
     used = mine[-1]["calibration"]
     entries = tuple(takewhile(lambda one: one["calibration"] == used, reversed(mine)))[::-1]
     return DailyHistory(entries, len(mine) - len(entries), _charts(entries))
@@ -162,8 +176,10 @@ def _verify(store: Path, events: Sequence[Mapping[str, Any]]) -> str:
         body = {key: value for key, value in event.items() if key != "digest"}
         if event.get("previous") != previous or event.get("digest") != _digest(body):
             raise UnusableInput(
-                f"{store}: line {number} was changed or a line before it is missing; the store is"
-                " append-only. Begin another one, and keep this."
+                "{}: line {} was changed or a line before it is missing; the store is"
+                " append-only. Begin another one, and keep this.",
+                store,
+                number,
             )
         previous = str(event["digest"])
     return previous
@@ -207,7 +223,7 @@ def history_result(found: DailyHistory) -> dict[str, Any]:
 def history_lines(found: DailyHistory, most: int = 20) -> list[str]:
     """Return the newest checks as a table, and what the charts say."""
     return [
-        "when (UTC)         sensitivity  cross-talk   largest N  verdict  operator",
+        say("when (UTC)         sensitivity  cross-talk   largest N  verdict  operator"),
         *(
             f"{when(one)}   {one['sensitivity_ratio']:10.5f}  {one['cross_talk_ratio']:+10.5f}"
             f"  {one['largest_N']:10.2f}  {'passed' if one['passed'] else 'FAILED'}"
@@ -221,20 +237,24 @@ def history_lines(found: DailyHistory, most: int = 20) -> list[str]:
 def verdict_lines(found: DailyHistory) -> list[str]:
     """Return what the charts say, in sentences."""
     count = len(found.entries)
-    lines = [f"{name}: {one.sentence}" for name, one in found.findings]
+    lines: list[str] = [say("{}: {}", name, one.sentence) for name, one in found.findings]
     last = found.entries[-1]
     if not last["passed"]:
-        told = f"{last['largest_N']:.2f} N off, {last['allowed_N']:.2f} N are allowed."
-        lines.insert(0, f"The last check failed: {last.get('sentence', told)}")
+        told = say("{:.2f} N off, {:.2f} N are allowed.", last["largest_N"], last["allowed_N"])
+        lines.insert(0, say("The last check failed: {}", last.get("sentence", told)))
     if not lines:
-        checks = "1 check" if count == 1 else f"{count} checks"
-        lines = [f"{checks} with this calibration: in control."]
+        checks = say("1 check") if count == 1 else say("{} checks", count)
+        lines = [say("{} with this calibration: in control.", checks)]
+    if rule := last.get("decision_rule"):
+        lines.append(str(rule))
     limits = found.charts["sensitivity_ratio"].limits
     if limits is None:
-        lines.append("From the eighth check on the history has limits of its own.")
+        lines.append(say("From the eighth check on the history has limits of its own."))
     else:
         lines.append(
-            f"Limits of the history for the sensitivity: {limits[0]:.5f} to {limits[1]:.5f}."
+            say(
+                "Limits of the history for the sensitivity: {:.5f} to {:.5f}.", limits[0], limits[1]
+            )
         )
     return lines
 
@@ -243,3 +263,72 @@ def when(entry: Mapping[str, Any]) -> str:
     """Return the time of a check, UTC."""
     moment = float(entry["time"])
     return time.strftime("%Y-%m-%d %H:%M", time.gmtime(moment)) if math.isfinite(moment) else "?"
+
+
+BLUE, ORANGE, GREY = "#0072B2", "#D55E00", "#666666"
+
+
+def write_chart(found: DailyHistory, to: Path) -> None:
+    """Write the charts as .png, .html or .pdf; raise UnusableInput."""
+    write_page(to, "chart", lambda: document(found), {".png": lambda: draw(found).draw("png")})
+
+
+def document(found: DailyHistory) -> Manuscript:
+    """Compose the page: verdict, charts, table."""
+    rows = tuple(
+        (
+            when(one),
+            f"{one['sensitivity_ratio']:.5f}",
+            f"{one['cross_talk_ratio']:+.5f}",
+            f"{one['largest_N']:.2f}",
+            "passed" if one["passed"] else "failed",
+            str(one["operator"]),
+        )
+        for one in found.entries
+    )
+    head = ("when (UTC)", "sensitivity", "cross-talk", "largest N", "verdict", "operator")
+    words = tuple(Text(line) for line in verdict_lines(found))
+    return Manuscript(
+        title=f"Daily checks of {found.entries[-1]['rig']}",
+        footer="Control chart of the daily checks",
+        sections=(
+            Section("", words),
+            Section("Charts", (draw(found, words[0].text),)),
+            Section("Checks", (Table("Checks with the calibration in use", rows, head),)),
+        ),
+        closing="Sensitivity, gain: felt over applied force. Cross-talk: share felt across the"
+        " weight, or by one axis of a force along the other. Zero: less that of the calibration.",
+    )
+
+
+def draw(found: DailyHistory, words: str = "") -> Figure:
+    """Return the charts. words: for who cannot see them."""
+    from matplotlib.figure import Figure as Canvas
+    from matplotlib.ticker import MaxNLocator
+
+    columns = 2 if len(found.charts) > 2 else 1
+    rows = -(-len(found.charts) // columns)
+    with in_style():
+        canvas = Canvas(figsize=(WIDTH_IN, 2.2 * rows + 0.4), layout="constrained")
+    for place, (name, one) in enumerate(found.charts.items(), 1):
+        of_zero = CHARTED[name].of_zero
+        axes = canvas.add_subplot(rows, columns, place)
+        count = np.arange(1, len(one.values) + 1)
+        axes.plot(count, one.values, "-o", color=BLUE, ms=4, lw=1, label="checks")
+        if one.findings:
+            axes.plot(count[-1:], one.values[-1:], "s", color=ORANGE, ms=9, mfc="none",
+                      mew=1.8, label="see the words")  # fmt: skip
+        axes.axhline(one.promised, color=GREY, lw=1.0)
+        if one.expanded is not None:
+            words = "allowed" if of_zero else "U of the calibration"
+            axes.axhspan(one.promised - one.expanded, one.promised + one.expanded, color=GREY,
+                         alpha=0.15, label=words)  # fmt: skip
+        if one.limits is not None:
+            for limit in one.limits:
+                axes.axhline(limit, color=ORANGE, ls="--", lw=1.0)
+            axes.plot([], [], "--", color=ORANGE, label="limits of the history")
+        axes.set_title(CHARTED[name].words + (" (N)" if of_zero else ""), fontsize=9, loc="left")
+        axes.set_xlabel("check")
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+        axes.legend(fontsize=6, loc="best")
+    return saved(canvas, "Gains, cross-talk and zeros", words)

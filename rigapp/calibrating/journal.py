@@ -10,6 +10,7 @@ from typing import Any
 
 from rigapp.config.errors import UnusableInput
 from rigapp.storage import hold_writer_lock
+from rigapp.texts import say
 
 
 class Journal:
@@ -25,11 +26,11 @@ class Journal:
         try:
             self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o644)
         except OSError as error:
-            raise UnusableInput(f"{path}: the journal cannot be opened ‹{error}›.") from error
+            raise UnusableInput("{}: the journal cannot be opened ‹{}›.", path, error) from error
         if not hold_writer_lock(self._file):
             os.close(self._file)
             raise UnusableInput(
-                f"{path}: another calibration writes this journal; close it, or name another."
+                "{}: another calibration writes this journal; close it, or name another.", path
             )
 
     def read(self) -> list[dict[str, Any]]:
@@ -45,10 +46,13 @@ class Journal:
             try:
                 event = json.loads(line)
                 if not isinstance(event, dict):
-                    raise ValueError("no line of a journal")
+                    raise ValueError(say("no line of a journal"))
             except ValueError as error:
                 raise UnusableInput(
-                    f"{self.path}: line {number} is not an event ({error}); name another journal."
+                    "{}: line {} is not an event ({}); name another journal.",
+                    self.path,
+                    number,
+                    error,
                 ) from error
             events.append(event)
         return events
@@ -59,11 +63,13 @@ class Journal:
         try:
             written = os.write(self._file, line)
             if written < len(line):
-                raise OSError(f"only a part was written ‹{written} of {len(line)} bytes›")
+                raise OSError(say("only a part was written ‹{} of {} bytes›", written, len(line)))
             os.fsync(self._file)
         except OSError as error:
             raise UnusableInput(
-                f"{self.path}: the reading was not saved ‹{error}›; make room and record it again."
+                "{}: the reading was not saved ‹{}›; make room and record it again.",
+                self.path,
+                error,
             ) from error
 
     def close(self) -> None:

@@ -11,13 +11,16 @@ import numpy as np
 from rigapp.calibrating.records import budget_result, finite, problems_of
 from rigapp.calibrating.session import NumberTable, Outcome
 from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
+from rigapp.texts import joined, say
 from rigapp_calibration.load_cell.budget import LoadUncertainty, expanded_line
 from rigapp_calibration.load_cell.calibrate import LoadCellCalibration, calibrate_load_cell
-from rigapp_calibration.load_cell.characteristics import Creep, creep_words
+from rigapp_calibration.load_cell.characteristics import Creep, applied_force, creep_words
 from rigapp_calibration.load_cell.force_uncertainty import too_uncertain
-from rigapp_calibration.load_cell.readings import parse_load_cell
+from rigapp_calibration.load_cell.former import common_zero_fit
+from rigapp_calibration.load_cell.readings import load_cell_table
 from rigapp_calibration.load_cell.settings import LoadCellSettings
 from rigapp_calibration.problems import Problem, blocked
+from rigapp_calibration.taking.readings import Rows
 
 OF_A_FIT = (
     "matrix_N_per_unit", "zero", "residual_std_N", "expanded_uncertainty_N", "coverage_factor",
@@ -37,8 +40,9 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
     }
     if fit is None or traits is None or budget is None or zero is None:
         return {**result, **dict.fromkeys(OF_A_FIT)}
-    applied, covariance = found.applied, found.covariance
+    applied, covariance, residual = found.applied, found.covariance, found.residual
     assert applied is not None
+    assert residual is not None
     assert covariance is not None
     elements = found.elements
     zero_N = float(np.hypot(*(fit.matrix * [one.expanded for one in zero]).T).max())
@@ -51,6 +55,7 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
         "matrix_expanded_uncertainty_N_per_unit": _square([one.expanded for one in elements]),
         "matrix_effective_degrees_of_freedom": _square([finite(one.degrees) for one in elements]),
         "zero": fit.zero.tolist(),
+        **_pin_weight(found),
         "sensitivity_unit_per_N": fit.sensitivity.tolist(),
         "quadratic_unit_per_N2": None if fit.quadratic is None else fit.quadratic.tolist(),
         "residual_std_N": fit.residual_std,
@@ -79,7 +84,17 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
         "creep": _creep(found.creep),
         "zero_drift_N": traits.drift,
         "applied_N": applied.tolist(),
-        "residual_N": fit.residual.tolist(),
+        "residual_N": residual.tolist(),
+    }
+
+
+def _pin_weight(found: LoadCellCalibration) -> dict[str, Any]:
+    """Return the weight of what turns with the pin, as it acts where the loads hang."""
+    weight = found.pin_weight
+    assert weight is not None
+    return {
+        "pin_weight_N": weight.value,
+        "pin_weight_expanded_uncertainty_N": weight.expanded,
     }
 
 
@@ -115,8 +130,13 @@ def _too_uncertain(found: LoadCellCalibration, settings: LoadCellSettings) -> It
             largest = max(found.budget.contributions, key=lambda one: one.uncertainty)
             yield Problem(
                 "too_uncertain",
-                f"The result {against}. The largest part is {largest.name}"
-                f" (u = {largest.uncertainty:.3g} N): correct its setting, or measure it better.",
+                say(
+                    "The result {}. The largest part is {} (u = {:.3g} N): correct its"
+                    " setting, or measure it better.",
+                    against,
+                    largest.name,
+                    largest.uncertainty,
+                ),
             )
 
 
@@ -129,31 +149,68 @@ def _line(line: tuple[float, float]) -> dict[str, float]:
     return {"constant_N": line[0], "per_N": line[1]}
 
 
-def fit_load_cell(text: str, given: LoadCellFile, where: str, drift: bool | None = None) -> Outcome:
-    """Fit readings (CSV) by settings from ``where``: as it is shown, printed and kept.
+def _weight_words(found: LoadCellCalibration) -> Iterator[str]:
+    weight = found.pin_weight
+    if weight is not None:
+        yield say(
+            "Weight that turns with the pin: {:.3g} N, U = {:.2g} N.",
+            weight.value,
+            weight.expanded,
+        )
 
-    drift: as ``calibrate_load_cell`` has it. Raises ReadingsError and UnusableInput.
+
+def applied_by_former(rows: Rows, given: LoadCellFile, drift: bool | None) -> dict[str, Any]:
+    """Return what records of the evaluations 1 and 2 apply to samples: one zero for all series.
+
+    drift: whether that of the zero was fitted, None where the readings say it.
+    """
+    readings = load_cell_table(rows)
+    settings = load_cell_meaning(given, say("the record's settings"))
+    found = common_zero_fit(applied_force(readings, settings), readings.signal, drift)
+    return {
+        "matrix_N_per_unit": found.matrix.tolist(),
+        "zero": found.zero.tolist(),
+        "quadratic_unit_per_N2": None if found.quadratic is None else found.quadratic.tolist(),
+    }
+
+
+def fit_load_cell(rows: Rows, given: LoadCellFile, where: str) -> Outcome:
+    """Fit a table of readings by settings from ``where``: as it is shown, printed and kept.
+
+    Raises ReadingsError and UnusableInput.
     """
     settings = load_cell_meaning(given, where)
-    found = calibrate_load_cell(parse_load_cell(text), settings, drift)
+    found = calibrate_load_cell(load_cell_table(rows), settings)
     result = load_cell_result(found, settings)
     if found.fit is None or found.budget is None or found.expanded_line is None:
-        return Outcome("load cell", result, (found.classification,))
+        return Outcome(say("load cell"), result, (found.classification,))
     unit = settings.cell.signal_unit
-    rows = found.fit.matrix.tolist()
-    zero = ", ".join(f"{value:.6f}" for value in found.fit.zero)
+    matrix = found.fit.matrix.tolist()
+    zero = joined(", ", (f"{value:.6f}" for value in found.fit.zero))
     constant, slope = found.expanded_line
     lines = (
-        f"Force on the pin = matrix (signal - zero), pin frame; matrix in N per {unit}:",
-        *("    " + "  ".join(f"{value:12.5f}" for value in row) for row in rows),
-        f"Zero: {zero} {unit}.  Model: {found.terms}.",
-        f"Residual standard deviation: {found.fit.residual_std:.3f} N.",
-        f"Expanded uncertainty at {found.budget.value:g} N: {found.budget.expanded:.2f} N"
-        f" (k = {found.budget.coverage_factor:.2f}); U(F) = {constant:.2f} N + {slope:.5f} F.",
+        say("Force on the pin = matrix (signal - zero), pin frame; matrix in N per {}:", unit),
+        *("    " + "  ".join(f"{value:12.5f}" for value in row) for row in matrix),
+        say("Zero: {} {}.  Model: {}.", zero, unit, found.terms),
+        *_weight_words(found),
+        say("Residual standard deviation: {:.3f} N.", found.fit.residual_std),
+        say(
+            "Expanded uncertainty at {:g} N: {:.2f} N (k = {:.2f}); U(F) = {:.2f} N + {:.5f} F.",
+            found.budget.value,
+            found.budget.expanded,
+            found.budget.coverage_factor,
+            constant,
+            slope,
+        ),
         creep_words(found.creep, settings.use.creep),
         found.classification,
     )
-    header = ("", f"Signal 1 (N per {unit})", f"Signal 2 (N per {unit})", f"Zero ({unit})")
-    axes = zip(("Axis 1", "Axis 2"), rows, found.fit.zero.tolist(), strict=True)
+    header = (
+        "",
+        say("Signal 1 (N per {})", unit),
+        say("Signal 2 (N per {})", unit),
+        say("Zero ({})", unit),
+    )
+    axes = zip((say("Axis 1"), say("Axis 2")), matrix, found.fit.zero.tolist(), strict=True)
     shown = ((name, *(f"{one:.4f}" for one in row), f"{rest:.6f}") for name, row, rest in axes)
-    return Outcome("load cell", result, lines, NumberTable(header, tuple(shown), in_lines=4))
+    return Outcome(say("load cell"), result, lines, NumberTable(header, tuple(shown), in_lines=4))

@@ -10,11 +10,19 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from numpy.typing import ArrayLike
 
-from rigapp.calibrating.daily_history import DailyHistory, append_check, entry_of, read_history
+from rigapp.calibrating.daily_history import (
+    DailyHistory,
+    append_check,
+    entry_of,
+    judged_by,
+    read_history,
+)
 from rigapp.calibrating.load_cell_result import fit_load_cell
 from rigapp.calibrating.practice import LOAD_CELL_PRACTICE
-from rigapp.calibrating.records_in_use import with_records
+from rigapp.calibrating.records_in_use import LOAD_CELL as LOAD_CELL_RECORD
+from rigapp.calibrating.records_in_use import former_record, with_records
 from rigapp.calibrating.session import (
     NO_CURVES,
     LiveSession,
@@ -27,20 +35,27 @@ from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp.schema.channels import LOAD_CELL
+from rigapp.texts import joined, say, sentence_of_error
 from rigapp_calibration.load_cell.daily import daily_check
-from rigapp_calibration.load_cell.live import LoadCellWindow, assess_load
+from rigapp_calibration.load_cell.force_uncertainty import LARGEST_SHARE
 from rigapp_calibration.load_cell.plans import (
+    SIZES,
     WEIGHING,
+    LevelError,
+    LevelReading,
     LoadCellPlan,
+    LoadCellWindow,
     PlanKind,
+    assess_load,
     load_cell_readings,
+    reversed_level,
+    single,
 )
-from rigapp_calibration.load_cell.plausible import check_settings
-from rigapp_calibration.load_cell.readings import HUNG_COLUMN, LOAD_CELL_COLUMNS, parse_load_cell
-from rigapp_calibration.load_cell.settings import LoadCellSettings
+from rigapp_calibration.load_cell.readings import HUNG_COLUMN, LOAD_CELL_COLUMNS, load_cell_table
+from rigapp_calibration.load_cell.settings import LoadCellSettings, check_settings
 from rigapp_calibration.load_cell.two_axis import Terms, fit
-from rigapp_calibration.load_cell.weights import pin_force, weight_force
-from rigapp_calibration.taking.level import LevelError, LevelReading, reversed_level, single
+from rigapp_calibration.load_cell.weights import FEWEST_LOADS, pin_force, weight_force
+from rigapp_calibration.records import Record
 from rigapp_calibration.taking.procedure import Event, ProcedureError, Step, StepKind, TakenReading
 from rigapp_calibration.taking.signals import Readiness
 
@@ -50,6 +65,8 @@ SHARE_OF_FULL_SCALE = 0.99
 LARGEST_OFFSET = math.radians(20.0)
 """Further off than a coupling is set by eye: another flat, or a wrong index."""
 FEWEST_FOR_RESIDUALS = 4
+ALIKE = 0.01
+"""Relative, of the loads of a series: the hysteresis that is refused as too much."""
 LEAST_REACH_N = 2.0
 """The plot of the residuals shows at least so much: the resolution of the rig's own cell."""
 
@@ -69,11 +86,14 @@ def parse_pieces(text: str) -> tuple[float, ...]:
             many, value = int(count.strip() or "1"), float(mass)
         except ValueError as error:
             raise UnusableInput(
-                f"weights: {part.strip()!r} is not a mass; write for example 5x8, 2, 2, 1, 0.5"
-                " (eight pieces of 5 kg and four others)."
+                "weights: {} is not a mass; write for example 5x8, 2, 2, 1, 0.5 (eight"
+                " pieces of 5 kg and four others).",
+                repr(part.strip()),
             ) from error
         if not (1 <= many <= 64 and 0.0 < value <= 50.0):
-            raise UnusableInput(f"weights: {part.strip()!r}: give 1 to 64 pieces of up to 50 kg.")
+            raise UnusableInput(
+                "weights: {}: give 1 to 64 pieces of up to 50 kg.", repr(part.strip())
+            )
         pieces += [value] * many
     if not pieces:
         raise UnusableInput("weights: none are named; write for example 5x8, 2, 2, 1, 0.5.")
@@ -87,11 +107,24 @@ def load_cell_plan(asked: Mapping[str, Any], given: LoadCellFile) -> LoadCellPla
     """
     plan, settings = asked["plan"], load_cell_meaning(given, "settings")
     if plan not in PLANS:
-        raise UnusableInput(f"--plan {plan}: choose {', '.join(PLANS)}.")
+        raise UnusableInput("--plan {}: choose {}.", plan, joined(", ", PLANS))
     pieces = parse_pieces(asked["weights"])
     limit = SHARE_OF_FULL_SCALE * settings.cell.full_scale / settings.place.gravity
-    heaviest = min(sum(pieces), limit - settings.weights.hanger_mass)
-    return LoadCellPlan(PLANS[plan], heaviest, pieces)
+    on_pin = settings.weights.hanger_mass + settings.weights.at_zero
+    heaviest = min(sum(pieces), limit - on_pin)
+    wanted = LoadCellPlan(PLANS[plan], heaviest, pieces)
+    loads = [sum(one) for one in wanted.loads()]
+    if len(loads) < (1 if wanted.kind is PlanKind.DAILY else FEWEST_LOADS):
+        raise UnusableInput(
+            "weights: by adding one piece after the other these make {} load(s) up to {:.3g} kg"
+            " ({} kg), and {} are needed. Add pieces, for example of {:.2g} kg.",
+            len(loads),
+            heaviest,
+            joined(", ", (f"{one:g}" for one in loads)) or "0",
+            FEWEST_LOADS,
+            heaviest / SIZES[wanted.kind].loads,
+        )
+    return wanted
 
 
 class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
@@ -112,7 +145,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         """Raise UnusableInput for weights, gravity or air that cannot be."""
         for problem in check_settings(self.settings):
             if problem.blocks:
-                raise UnusableInput(f"settings: {problem.sentence}")
+                raise UnusableInput("settings: {}", problem.sentence)
 
     def window_of(self, view: Mapping[str, Any]) -> LoadCellWindow:
         """Return the window that the engine's answer to ``signals`` tells; SI, angle in rad."""
@@ -143,8 +176,8 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
 
     def describe(self, reading: TakenReading) -> str:
         """Return mass and angle of a reading in words."""
-        text = f"{reading.value:g} kg at {math.degrees(reading.place):.1f} degrees"
-        return f"{text}, {reading.hung:.0f} s after loading" if reading.hung else text
+        text = say("{:g} kg at {:.1f} degrees", reading.value, math.degrees(reading.place))
+        return say("{}, {:.0f} s after loading", text, reading.hung) if reading.hung else text
 
     def cells(self, reading: TakenReading) -> tuple[str, ...]:
         """Return mass and angle of a reading."""
@@ -154,18 +187,65 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         """Return signals, the force that is felt and the one that should hang."""
         one, two = found.steadiness.mean
         unit, procedure = self.given.cell.signal_unit, self.procedure
-        text = f"Signals {one:+.5f}, {two:+.5f} {unit}: the cell feels {found.felt:.1f} N"
+        text = say(
+            "Signals {:+.5f}, {:+.5f} {}: the cell feels {:.1f} N", one, two, unit, found.felt
+        )
         if not procedure.done and procedure.step.kind is not StepKind.SET_UP:
-            text += f"; what should hang weighs {self.expected():.1f} N"
-        return f"{text}."
+            text += say("; what should hang weighs {:.1f} N", self.expected())
+            if procedure.step.kind is StepKind.READING and found.ready:
+                text += self._doubt(procedure.step, procedure.taken, found.steadiness.mean)
+        return say("{}.", text)
+
+    def _doubt(self, step: Step, before: Sequence[TakenReading], signal: ArrayLike) -> str:
+        """Return a warning where what is felt is not what should hang at a step, else nothing.
+
+        Felt beyond the zero of the same series, since what turns with the pin is in both; by the
+        gain of the loads before it in the series, since the calibration in use may be another
+        cell's or none.
+        """
+        window, steps = self.newest, self.procedure.steps
+        here = [one for one in before if not one.rejected and steps[one.step].series == step.series]
+        zeros = [np.array(one.signal) for one in here if one.value == 0.0]
+        if window is None or step.value == 0.0 or not zeros:
+            return ""
+
+        settings = self.settings
+        expected = float(weight_force(step.value, settings.weights, settings.place))
+        per_kg, aside = expected / step.value, window.zero - zeros[-1]
+        gains = [
+            window.force(np.asarray(one.signal) + aside) / (per_kg * one.value)
+            for one in here
+            if one.value > 0.0
+        ]
+        gain, allowed = (float(np.median(gains)), ALIKE) if gains else (1.0, LARGEST_SHARE)
+        off = window.force(np.asarray(signal) + aside) / gain - expected
+        if abs(off) <= allowed * expected + settings.cell.resolution:
+            return ""
+        return say(
+            ". CHECK THE PIECES: the cell feels {:+.1f} N ({:+.2f} kg) beside what should hang",
+            off,
+            off / expected * step.value,
+        )
 
     def recorded(self, found: Readiness) -> str:
         """Return the signals in words."""
         one, two = found.steadiness.mean
         return (
-            f"{one:.5f}, {two:.5f} {self.given.cell.signal_unit}"
-            f" (the calibration in use makes {found.felt:.1f} N of it)"
+            say(
+                "{:.5f}, {:.5f} {} (the calibration in use makes {:.1f} N of it)",
+                one,
+                two,
+                self.given.cell.signal_unit,
+                found.felt,
+            )
+            + self._doubt_of_last()
         )
+
+    def _doubt_of_last(self) -> str:
+        taken = self.procedure.taken
+        if not taken:
+            return ""
+        return self._doubt(self.procedure.steps[taken[-1].step], taken[:-1], taken[-1].signal)
 
     def residuals(self) -> ResidualsSoFar:
         """Return what each reading differs from a fit of all so far, N, in the order taken."""
@@ -174,21 +254,26 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         force = pin_force(weight, readings.angle, self.angle_reference["offset"])
         try:
             if len(readings) < FEWEST_FOR_RESIDUALS:
-                raise np.linalg.LinAlgError("too few")
+                raise np.linalg.LinAlgError(say("too few"))
             residual = fit(force, readings.signal, Terms()).residual
         except np.linalg.LinAlgError:
-            words = "Residuals are shown when two pin angles are known."
+            words = say("Residuals are shown when two pin angles are known.")
             return ResidualsSoFar(NO_CURVES, (0.0, 12.0), LEAST_REACH_N, words)
         count = np.arange(1.0, len(residual) + 1.0)
         largest = np.abs(residual).max(axis=1)
         worst = int(largest.argmax())
-        last = ", ".join(f"{value:+.2f}" for value in residual[-1])
+        last = joined(", ", (f"{value:+.2f}" for value in residual[-1]))
         return ResidualsSoFar(
             curves=((count, residual[:, 0]), (count, residual[:, 1])),
             span=(0.0, max(12.0, len(count) + 1.0)),
             reach=max(LEAST_REACH_N, 1.2 * float(largest[worst])),
-            words=f"Circle: axis 1, triangle: axis 2. Last {last} N; largest"
-            f" {largest[worst]:.2f} N at reading {worst + 1} of those that stand.",
+            words=say(
+                "Circle: axis 1, triangle: axis 2. Last {} N; largest {:.2f} N at reading"
+                " {} of those that stand.",
+                last,
+                largest[worst],
+                worst + 1,
+            ),
         )
 
     # --- the angle reference ---------------------------------------------------------------------
@@ -210,7 +295,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         try:
             found = reversed_level(first, second, setting)
         except LevelError as error:
-            raise ProcedureError(str(error)) from error
+            raise ProcedureError(sentence_of_error(error)) from error
         self._refer(found, (first, second))
         return found
 
@@ -222,9 +307,10 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
     def _refer(self, found: LevelReading, shown: Sequence[float]) -> None:
         if abs(found.angle) > LARGEST_OFFSET:
             raise ProcedureError(
-                f"the encoder shows {math.degrees(found.angle):.1f} degrees with the crank level;"
-                " it should show about 0. Is it the right flat? Else correct"
-                " encoder.index_angle_deg in the rig file"
+                "the encoder shows {:.1f} degrees with the crank level; it should show"
+                " about 0. Is it the right flat? Else correct encoder.index_angle_deg"
+                " in the rig file",
+                math.degrees(found.angle),
             )
         self.adopt(self.procedure.reference(-found.angle, found.uncertainty, shown))
 
@@ -232,10 +318,10 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
 
     def fitted(self) -> Outcome:
         """Fit and check all readings, or compare those of a daily check with what hung."""
-        text, given = self.readings_csv(), self.used_settings()
+        rows, given = self.rows(), self.used_settings()
         if self.procedure.plan.kind is not PlanKind.DAILY:
-            return fit_load_cell(text, given, "settings")
-        readings, settings = parse_load_cell(text), load_cell_meaning(given, "settings")
+            return fit_load_cell(rows, given, "settings")
+        readings, settings = load_cell_table(rows), load_cell_meaning(given, "settings")
         used = self.newest
         if used is None:
             raise ProcedureError("the calibration in use is not known; is the engine running?")
@@ -248,8 +334,13 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
             "sensitivity_ratio": check.sensitivity,
             "cross_talk_ratio": check.cross_talk,
             "zero_N": check.zero.tolist(),
+            **judged_by(check),
         }
-        return Outcome("daily check", result, (check.sentence,), check=check)
+        return Outcome(say("daily check"), result, (check.sentence, check.rule), check=check)
+
+    def former(self) -> Record | None:
+        """Return the record of the load cell that the rig file names, None without one."""
+        return former_record(self.rig.file, LOAD_CELL_RECORD)
 
     def keep_check(self, outcome: Outcome, store: Path) -> DailyHistory:
         """Append a daily check to the store and return the history; raise UnusableInput.
@@ -285,13 +376,11 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
             self._kept, path = 0, self.journal.path
             path.rename(path.with_name(f"{path.name}.{time.strftime('%Y%m%d-%H%M%S')}.kept"))
 
-    def row(self, reading: TakenReading) -> str:
-        """Return a reading as a line of the CSV."""
+    def row(self, reading: TakenReading) -> tuple[str | float, ...]:
+        """Return a reading by the columns, in their units."""
         step = self.procedure.steps[reading.step]
-        return (
-            f"{step.series},{step.number},{reading.value!r},{math.degrees(reading.place)!r},"
-            f"{reading.signal[0]!r},{reading.signal[1]!r},{reading.hung or ''}"
-        )
+        angle = math.degrees(reading.place)
+        return step.series, step.number, reading.value, angle, *reading.signal, reading.hung or ""
 
     def facts(self) -> dict[str, Any]:
         """Return what the record tells of the plan."""

@@ -99,7 +99,7 @@ def _weigh(session: Any, mistake: WeighingMistake, since: int) -> Actions:
     if procedure.done:
         return ()
     step = procedure.step
-    turn = _hand("turn_pin", angle_deg=math.degrees(step.set_up or 0.0))
+    turn = _hand("turn_pin", angle_deg=math.degrees(step.set_up or 0.0) % 360.0)
     mass = 0.0
     if step.pieces:
         mass = step.value + settings.weights.hanger_mass

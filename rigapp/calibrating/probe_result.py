@@ -10,15 +10,17 @@ import numpy as np
 
 from rigapp.calibrating.records import budget_result, problems_of
 from rigapp.calibrating.session import Outcome
-from rigapp_calibration.probes.alignment import (
+from rigapp.texts import say
+from rigapp_calibration.probes.calibrate import (
     Alignment,
     PairCalibration,
+    ProbeCalibration,
     calibrate_pair,
+    calibrate_probe,
     split_pair,
 )
-from rigapp_calibration.probes.calibrate import ProbeCalibration, calibrate_probe
-from rigapp_calibration.probes.readings import parse_probe
-from rigapp_calibration.probes.settings import ProbeSettings
+from rigapp_calibration.probes.readings import ProbeSettings, probe_table
+from rigapp_calibration.taking.readings import Rows
 
 UM = 1e6
 
@@ -75,19 +77,23 @@ def probe_lines(found: ProbeCalibration) -> list[str]:
         return []
     backlash = found.hysteresis
     return [
-        f"Position = {UM * found.sensitivity:.4f} um/V (voltage {-found.offset:+.5f} V).",
-        f"Linearity {found.linearity:.3f} % of the range; expanded uncertainty"
-        f" {UM * found.expanded:.2f} um (k = {found.coverage_factor:.2f}).",
-        "Backlash is not known."
+        say("Position = {:.4f} um/V (voltage {:+.5f} V).", UM * found.sensitivity, -found.offset),
+        say(
+            "Linearity {:.3f} % of the range; expanded uncertainty {:.2f} um (k = {:.2f}).",
+            found.linearity,
+            UM * found.expanded,
+            found.coverage_factor,
+        ),
+        say("Backlash is not known.")
         if backlash is None
-        else f"Coming back reads {UM * backlash:+.3f} um against going out.",
+        else say("Coming back reads {:+.3f} um against going out.", UM * backlash),
     ]
 
 
 def pair_lines(found: PairCalibration) -> list[str]:
     """Return the result of both probes in words and numbers, a line each."""
-    lines = [
-        f"Probe {number}: {line}"
+    lines: list[str] = [
+        say("Probe {}: {}", number, line)
         for number, one in enumerate(found.probes, 1)
         for line in probe_lines(one)
     ]
@@ -97,22 +103,30 @@ def pair_lines(found: PairCalibration) -> list[str]:
     angles, spread = np.degrees(alignment.angle), np.degrees(alignment.angle_uncertainty)
     return [
         *lines,
-        f"Probe 1 stands {angles[0]:+.2f} degrees from the follower's axis, probe 2"
-        f" {angles[1]:+.2f} degrees from across it (u = {spread[0]:.2f} and {spread[1]:.2f}"
-        " degrees).",
-        f"The angle between them is {90.0 + math.degrees(alignment.orthogonality):.2f} degrees"
-        f" (u = {math.degrees(alignment.orthogonality_uncertainty):.2f}).",
+        say(
+            "Probe 1 stands {:+.2f} degrees from the follower's axis, probe 2 {:+.2f}"
+            " degrees from across it (u = {:.2f} and {:.2f} degrees).",
+            angles[0],
+            angles[1],
+            spread[0],
+            spread[1],
+        ),
+        say(
+            "The angle between them is {:.2f} degrees (u = {:.2f}).",
+            90.0 + math.degrees(alignment.orthogonality),
+            math.degrees(alignment.orthogonality_uncertainty),
+        ),
     ]
 
 
-def fit_probes(text: str, settings: Sequence[ProbeSettings]) -> Outcome:
-    """Fit the readings (CSV) of one probe, or of both where two are set (series 1.x and 2.x).
+def fit_probes(rows: Rows, settings: Sequence[ProbeSettings]) -> Outcome:
+    """Fit a table of readings of one probe, or of both where two are set (series 1.x and 2.x).
 
     Returns it as it is shown, printed and kept; raises ReadingsError.
     """
-    readings = parse_probe(text)
+    readings = probe_table(rows)
     if len(settings) == 1:
         found = calibrate_probe(readings, settings[0])
         return Outcome("probe", probe_result(found), tuple(probe_lines(found)))
     both = calibrate_pair(split_pair(readings), (settings[0], settings[1]))
-    return Outcome("probe pair", pair_result(both), tuple(pair_lines(both)))
+    return Outcome(say("probe pair"), pair_result(both), tuple(pair_lines(both)))

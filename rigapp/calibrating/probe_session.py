@@ -12,6 +12,8 @@ import numpy as np
 
 from rigapp.calibrating.practice import PROBE_PRACTICE
 from rigapp.calibrating.probe_result import fit_probes
+from rigapp.calibrating.records_in_use import PROBES as PROBE_RECORDS
+from rigapp.calibrating.records_in_use import former_record
 from rigapp.calibrating.session import (
     NO_CURVES,
     LiveSession,
@@ -23,11 +25,17 @@ from rigapp.calibrating.session import (
 from rigapp.config.calibration_settings import ProbeFile, probe_meaning
 from rigapp.config.errors import UnusableInput
 from rigapp.schema import channels
-from rigapp_calibration.probes.live import ProbeWindow, assess_probe
-from rigapp_calibration.probes.plans import MEASURING, ProbePlan, probe_readings
-from rigapp_calibration.probes.positions import robust_line
-from rigapp_calibration.probes.readings import OTHER_COLUMN, PROBE_COLUMNS
-from rigapp_calibration.probes.settings import ProbeSettings
+from rigapp.texts import joined, say
+from rigapp_calibration.probes.checks import robust_line
+from rigapp_calibration.probes.plans import (
+    MEASURING,
+    ProbePlan,
+    ProbeWindow,
+    assess_probe,
+    probe_readings,
+)
+from rigapp_calibration.probes.readings import OTHER_COLUMN, PROBE_COLUMNS, ProbeSettings
+from rigapp_calibration.records import Record
 from rigapp_calibration.taking.procedure import ProcedureError, Step, StepKind, TakenReading
 from rigapp_calibration.taking.signals import Readiness
 
@@ -60,9 +68,9 @@ def probe_plan(asked: Mapping[str, Any], given: ProbeFile) -> ProbePlan:
     """
     probe, plan, positions = asked["which"], asked["plan"], asked["positions"]
     if probe not in PROBES:
-        raise UnusableInput(f"--probe {probe}: choose {', '.join(PROBES)}.")
+        raise UnusableInput("--probe {}: choose {}.", probe, joined(", ", PROBES))
     if plan not in PROBE_PLANS:
-        raise UnusableInput(f"--plan {plan}: choose {', '.join(PROBE_PLANS)}.")
+        raise UnusableInput("--plan {}: choose {}.", plan, joined(", ", PROBE_PLANS))
     reach = asked["reach"]
     if reach is None:
         reach = usual_reach_um(asked["sensitivity"], given.probe.range_V, max(positions, 2))
@@ -70,7 +78,7 @@ def probe_plan(asked: Mapping[str, Any], given: ProbeFile) -> ProbePlan:
     try:
         wanted.steps()
     except ProcedureError as error:
-        raise UnusableInput(f"the plan is not possible: {error}.") from error
+        raise UnusableInput("the plan is not possible: {}.", error) from error
     return wanted
 
 
@@ -80,9 +88,13 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
     method = MEASURING
     columns = (*PROBE_COLUMNS, OTHER_COLUMN)
     practice = PROBE_PRACTICE
-    prompt = (
+    prompt = say(
         "Enter records at this position (or type the micrometer's own um), r rejects, q closes: "
     )
+
+    def former(self) -> Record | None:
+        """Return the record of this probe, or of the pair, that the rig file names."""
+        return former_record(self.rig.file, PROBE_RECORDS, self.procedure.plan.probes[0] - 1)
 
     def window_of(self, view: Mapping[str, Any]) -> ProbeWindow:
         """Return the window that the engine's answer to ``signals`` tells; SI."""
@@ -116,7 +128,7 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
     def describe(self, reading: TakenReading) -> str:
         """Return series and position of a reading in words."""
         series = self.procedure.steps[reading.step].series
-        return f"series {series}, {1e6 * reading.value:g} um"
+        return say("series {}, {:g} um", series, 1e6 * reading.value)
 
     def cells(self, reading: TakenReading) -> tuple[str, ...]:
         """Return the position of a reading."""
@@ -127,16 +139,22 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
         if self.procedure.done:
             return ""
         one, two = found.steadiness.mean
-        return (
-            f"Probe 1 {one:+.4f} V, probe 2 {two:+.4f} V. By the calibration in use probe"
-            f" {self.procedure.step.set_up:g} stands at {1e6 * found.felt:+.1f} µm."
+        return say(
+            "Probe 1 {:+.4f} V, probe 2 {:+.4f} V. By the calibration in use probe {:g}"
+            " stands at {:+.1f} µm.",
+            one,
+            two,
+            self.procedure.step.set_up,
+            1e6 * found.felt,
         )
 
     def recorded(self, found: Readiness) -> str:
         """Return the voltage of the probe in words."""
         reading = self.procedure.taken[-1]
         own = reading.signal[int(reading.place) - 1]
-        return f"{own:+.5f} V (the calibration in use makes {1e6 * found.felt:+.1f} um of it)"
+        return say(
+            "{:+.5f} V (the calibration in use makes {:+.1f} um of it)", own, 1e6 * found.felt
+        )
 
     def residuals(self) -> ResidualsSoFar:
         """Return how far each reading lies from the line of all of its probe so far, um."""
@@ -156,14 +174,20 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
                 worst, (float(um[at]), float(position[at]), probe), key=lambda one: abs(one[0])
             )
         if not worst[2]:
-            words = "Residuals are shown from the third position on."
+            words = say("Residuals are shown from the third position on.")
             return ResidualsSoFar(NO_CURVES, (-reach, reach), LEAST_REACH_UM, words)
         return ResidualsSoFar(
             curves=(curves[0], curves[1]),
             span=(-reach, reach),
             reach=max(LEAST_REACH_UM, 1.2 * abs(worst[0])),
-            words=f"Circle: probe 1, triangle: probe 2. Last {last:+.2f} µm; largest"
-            f" {worst[0]:+.2f} µm at {worst[1]:g} µm of probe {worst[2]}.",
+            words=say(
+                "Circle: probe 1, triangle: probe 2. Last {:+.2f} µm; largest {:+.2f} µm at"
+                " {:g} µm of probe {}.",
+                last,
+                worst[0],
+                worst[1],
+                worst[2],
+            ),
         )
 
     # --- the end ---------------------------------------------------------------------------------
@@ -178,14 +202,14 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
     def fitted(self) -> Outcome:
         """Fit and check all readings."""
         settings = [self.settings_of(probe) for probe in self.procedure.plan.probes]
-        return fit_probes(self.readings_csv(), settings)
+        return fit_probes(self.rows(), settings)
 
-    def row(self, reading: TakenReading) -> str:
-        """Return a reading as a line of the CSV."""
+    def row(self, reading: TakenReading) -> tuple[str | float, ...]:
+        """Return a reading by the columns, in their units."""
         step = self.procedure.steps[reading.step]
         probe = int(reading.place) - 1
         own, other = reading.signal[probe], reading.signal[1 - probe]
-        return f"{step.series},{step.number},{1e6 * reading.value!r},{own!r},{other!r}"
+        return step.series, step.number, 1e6 * reading.value, own, other
 
     def facts(self) -> dict[str, Any]:
         """Return what the record tells of the plan."""

@@ -14,11 +14,10 @@ from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import msgspec
-
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
+from rigapp.schema.wire import tree_of
 from rigapp_calibration.problems import Problem
 from rigapp_calibration.records import CLOCKS_S, EVALUATION, seal
 
@@ -59,9 +58,9 @@ def finite(degrees: float) -> float | None:
 def refuse_existing(to: Path, what: str = "records") -> None:
     """Refuse a file that exists or has no folder; what: such files are. Raise UnusableInput."""
     if os.path.lexists(to):
-        raise UnusableInput(f"{to}: exists; {what} are never overwritten, name another file.")
+        raise UnusableInput("{}: exists; {} are never overwritten, name another file.", to, what)
     if not to.parent.is_dir():
-        raise UnusableInput(f"{to}: the folder {to.parent} does not exist; make it first.")
+        raise UnusableInput("{}: the folder {} does not exist; make it first.", to, to.parent)
 
 
 def keep_record(
@@ -71,11 +70,12 @@ def keep_record(
     settings: CalibrationFile,
     result: Mapping[str, Any],
     taken: Mapping[str, Any] | None = None,
+    as_found: Mapping[str, Any] | None = None,
 ) -> None:
     """Write the record so that it is there whole or not at all, and read-only.
 
-    taken: how the readings were taken, for those that the program took itself. Raises UnusableInput
-    for a date of calibration in the future.
+    taken: how the readings were taken, for those that the program took itself. as_found: what they
+    say of the record that was in use. Raises UnusableInput for a date in the future.
     """
     now = int(time.time())
     day = settings.paperwork.calibrated_on
@@ -83,7 +83,7 @@ def keep_record(
     if taken is None and day is not None:
         done = calendar.timegm(day.timetuple())
     if done > now + CLOCKS_S:
-        raise UnusableInput(f"paperwork.calibrated_on = {day} is in the future; correct the date.")
+        raise UnusableInput("paperwork.calibrated_on = {} is in the future; correct the date.", day)
     content = {
         "kind": kind,
         "calibrated_at": _day(done),
@@ -91,12 +91,14 @@ def keep_record(
         "due_at": _day(done + 86400 * settings.paperwork.valid_days),
         "evaluation": EVALUATION,
         "software": f"rigapp {metadata.version('rigapp')}",
-        "settings": msgspec.to_builtins(settings),
+        "settings": tree_of(settings),
         "readings_csv": readings,
         "result": dict(result),
     }
     if taken is not None:
         content["taken"] = dict(taken)
+    if as_found:
+        content["as_found"] = dict(as_found)
     with whole_file(to, new=True, mode=0o444) as part:
         part.write_bytes(seal(content))
 

@@ -5,38 +5,30 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import msgspec
 
+from rigapp.calibrating.wiring import foreign
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import Document
+from rigapp.config.loading import Document, RigRecords
 from rigapp.config.reading import read_bytes
 from rigapp.config.rig import ChannelSection, LoadCellSection, ProbesSection, RigFile
+from rigapp.texts import joined, say
 from rigapp_calibration.load_cell.force_uncertainty import too_uncertain
 from rigapp_calibration.records import Record, RecordError, in_future, moment, unseal
 
 if TYPE_CHECKING:
     from rigapp.calibrating.verification import Verification
+import os
+
+from rigapp.config.loading import parse_rig, read_rig
+from rigapp.config.writing import whole_file
 
 Rig = Document[RigFile]
-
-
-@dataclass(frozen=True, slots=True)
-class RigRecords:
-    """A rig with the numbers of its records. texts: label -> the record as stored, sealed.
-
-    blocking: label -> why the record forbids a start (expired), empty when none does. remarks:
-    label -> the record's number and date, and what of it cannot be verified.
-    """
-
-    rig: Rig
-    texts: Mapping[str, str] = field(default_factory=dict)
-    blocking: Mapping[str, str] = field(default_factory=dict)
-    remarks: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +72,7 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
     blocking: dict[str, str] = {}
     remarks: dict[str, str] = {}
     now = time.time() if now is None else now
-    used = rig.record
+    used, trusted = rig.record, _trusted_keys(rig)
     for place in places_of(used):
         section = place.of(used)
         names = getattr(section, place.key)
@@ -98,18 +90,24 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
         for label, (text, record) in zip(labels, found * len(labels), strict=False):
             texts[label] = text
             found_again = verified(text.encode())
-            against = " and ".join(_faults(rig, record, found_again, now))
+            faults = [*_faults(rig, record, found_again, now), *_unsigned(record, trusted)]
+            against = joined(say(" and "), faults)
             if not against:
-                due = f"record {record.number}, due {str(record.content['due_at'])[:10]}"
-                remarks[label] = ". ".join((due, *found_again.unverified))
+                due = say("record {}, due {}", record.number, str(record.content["due_at"])[:10])
+                remarks[label] = joined(
+                    ". ", (joined(", ", (due, *_signer(record, trusted))), *found_again.unverified)
+                )
             elif override.strip():
-                remarks[label] = (
-                    f"record {record.number} {against}, used all the same: {override.strip()}"
+                remarks[label] = say(
+                    "record {} {}, used all the same: {}", record.number, against, override.strip()
                 )
             else:
-                blocking[label] = (
-                    f"the calibration record {record.number} of {label} {against};"
-                    f" calibrate again, or write calibration_override with the reason"
+                blocking[label] = say(
+                    "the calibration record {} of {} {}; calibrate again, or write"
+                    " calibration_override with the reason",
+                    record.number,
+                    label,
+                    against,
                 )
     return RigRecords(Document(rig.path, rig.text, used), texts, blocking, remarks)
 
@@ -123,47 +121,101 @@ def _read(rig: Rig, key: str, name: str, kinds: tuple[str, ...]) -> tuple[str, R
         data = read_bytes(path)
         record = unseal(data)
     except OSError as error:
-        raise UnusableInput(f"{where}: the record cannot be read ‹{error}›.") from error
+        raise UnusableInput("{}: the record cannot be read ‹{}›.", where, error) from error
     except RecordError as error:
-        raise UnusableInput(f"{where}: {error}.") from error
+        raise UnusableInput("{}: {}.", where, error) from error
     if record.kind not in kinds:
         raise UnusableInput(
-            f"{where}: this is the record of a {record.kind}, not of a {' or a '.join(kinds)}."
+            "{}: this is the record of a {}, not of a {}.", where, record.kind, " or a ".join(kinds)
         )
     return data.decode(), record
+
+
+def _trusted_keys(rig: Rig) -> dict[str, str]:
+    """Return the names of the keys that a rig file trusts by the raw keys; raise UnusableInput."""
+    found: dict[str, str] = {}
+    for name in rig.record.records.trusted_keys:
+        from rigapp_calibration.signatures import UnusableKey, public_key_of  # only where needed
+
+        path, where = rig.path.parent / name, f"{rig.path}: records.trusted_keys = {name!r}"
+        try:
+            found[public_key_of(read_bytes(path))] = Path(name).stem
+        except OSError as error:
+            raise UnusableInput("{}: the key cannot be read ‹{}›.", where, error) from error
+        except UnusableKey as error:
+            raise UnusableInput("{}: {}.", where, error) from error
+    return found
+
+
+def _unsigned(record: Record, trusted: Mapping[str, str]) -> Iterator[str]:
+    """Yield why a record is not one of the laboratories that a rig file trusts, if it names any.
+
+    That a signature holds is part of what is verified of every record.
+    """
+    if not trusted:
+        return
+    if record.signature is None:
+        yield say("is not signed, and the rig file names the keys that it trusts")
+    elif record.signature.public_key not in trusted:
+        yield say("is signed by a key that the rig file does not trust ({})", _mark(record))
+
+
+def _signer(record: Record, trusted: Mapping[str, str]) -> Iterator[str]:
+    """Yield who signed a record, if anybody did."""
+    if record.signature is not None:
+        name = trusted.get(record.signature.public_key, say("a key that nobody named"))
+        yield say("signed by {} ({})", name, _mark(record))
+
+
+def _mark(record: Record) -> str:
+    from rigapp_calibration.signatures import fingerprint  # only where needed
+
+    assert record.signature is not None
+    return fingerprint(record.signature.public_key)
 
 
 def _faults(rig: Rig, record: Record, again: Verification, now: float) -> list[str]:
     """Return what stands against the use of a record: untrue, expired, dated ahead, or foreign.
 
-    Untrue: its readings give something else. Foreign: taken on another rig, on a simulated one for
-    a real one or the reverse, or of a load cell of another full scale. Readings that came as a
+    Untrue: its readings give something else, are not there, or cannot be fitted by this version.
+    Foreign: taken on another rig, on a simulated one for a real one or the reverse, of a load cell
+    of another full scale or serial number, or by another line (``wiring``). Readings that came as a
     table do not say where they were taken.
     """
     content, here = record.content, rig.record
-    found = [f"does not follow from its readings ({one.rstrip('.')})" for one in again.differences]
+    found: list[str] = [
+        say("does not follow from its readings ({})", one.rstrip(".")) for one in again.differences
+    ]
+    if not again.compared and not again.differences:
+        found += [say("cannot be verified ({})", one.rstrip(".")) for one in again.unverified]
     ahead, due = in_future(record, now), str(content["due_at"])
     if ahead:
         found.append(ahead)
     if now > moment(due):
-        found.append(f"expired on {due[:10]}")
+        found.append(say("expired on {}", due[:10]))
     taken = content.get("taken") or {}
     where = str(taken.get("rig") or "")
     if where and where != here.name:
-        found.append(f"was taken on the rig {where!r}, this is {here.name!r}")
+        found.append(say("was taken on the rig {}, this is {}", repr(where), repr(here.name)))
     simulated = taken.get("simulated")
     if simulated is not None and bool(simulated) is not here.simulated:
-        kinds = ("a real rig", "a simulated rig")
-        found.append(f"was taken on {kinds[bool(simulated)]}, this is {kinds[not simulated]}")
+        kinds = (say("a real rig"), say("a simulated rig"))
+        found.append(
+            say("was taken on {}, this is {}", kinds[bool(simulated)], kinds[not simulated])
+        )
     line = content["result"].get("uncertainty_line_N")
     full = content["settings"].get("cell", {}).get("full_scale_N")
     if line is not None and full is not None:
         found += filter(None, [too_uncertain(line["constant_N"] + line["per_N"] * full, full)])
     if full is not None and abs(full / here.load_cell.full_scale_N - 1.0) > 1e-6:
         found.append(
-            f"is of a load cell of {full:g} N, the rig file says {here.load_cell.full_scale_N:g} N"
+            say(
+                "is of a load cell of {:g} N, the rig file says {:g} N",
+                full,
+                here.load_cell.full_scale_N,
+            )
         )
-    return found
+    return [*found, *foreign(record.kind, content, here)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -212,7 +264,10 @@ def _load_cell(
     unit = record.content["settings"]["cell"]["signal_unit"]
     if unit != "mV/V":
         raise UnusableInput(
-            f"{rig.path}: the record {record.number} is in N per {unit}; the rig measures mV/V."
+            "{}: the record {} is in N per {}; the rig measures mV/V.",
+            rig.path,
+            record.number,
+            unit,
         )
     line = result["uncertainty_line_N"]
     quadratic = result.get("quadratic_unit_per_N2")
@@ -222,6 +277,7 @@ def _load_cell(
         zero_mV_per_V=tuple(result["zero"]),
         quadratic_mV_per_V_per_N2=None if quadratic is None else _pairs(quadratic),
         uncertainty_N=(line["constant_N"], line["per_N"]),
+        pin_weight_N=float(result.get("pin_weight_N") or 0.0),
     )
     return used, ("load_cell",)
 
@@ -275,8 +331,13 @@ def _channel(
     result = record.content["result"]
     if result["unit"] != section.unit:
         raise UnusableInput(
-            f"{rig.path}: channels.{name}.unit = {section.unit!r}, and the record {record.number}"
-            f" is in {result['unit']}; write its unit, or name another record."
+            "{}: channels.{}.unit = {}, and the record {} is in {}; write its unit, or"
+            " name another record.",
+            rig.path,
+            name,
+            repr(section.unit),
+            record.number,
+            result["unit"],
         )
     used = msgspec.structs.replace(
         section,
@@ -295,13 +356,13 @@ def _pairs(rows: Sequence[Sequence[float]]) -> tuple[tuple[float, ...], ...]:
 def _number(rig: Rig, result: Mapping[str, Any], record: Record, key: str) -> float:
     value = result.get(key)
     if not isinstance(value, int | float):
-        raise UnusableInput(f"{rig.path}: the record {record.number} has no {key}.")
+        raise UnusableInput("{}: the record {} has no {}.", rig.path, record.number, key)
     return float(value)
 
 
-LOAD_CELL = RecordPlace("load_cell", "calibration", ("load cell",), _load_cell)
-PROBES = RecordPlace("probes", "calibration", ("probe", "probe pair"), _probes)
-RUN_OUT = RecordPlace("probes", "run_out", ("run-out map",), _run_out)
+LOAD_CELL = RecordPlace("load_cell", "calibration", (say("load cell"),), _load_cell)
+PROBES = RecordPlace("probes", "calibration", ("probe", say("probe pair")), _probes)
+RUN_OUT = RecordPlace("probes", "run_out", (say("run-out map"),), _run_out)
 PLACES = (LOAD_CELL, PROBES, RUN_OUT)
 """Where every rig file names records, in the order in which they are put to use."""
 
@@ -311,3 +372,75 @@ def places_of(rig: RigFile) -> Iterator[RecordPlace]:
     yield from PLACES
     for name in rig.channels:
         yield RecordPlace(f"channels.{name}", "calibration", ("channel",), partial(_channel, name))
+
+
+def former_record(path: Path | None, place: RecordPlace, which: int = 0) -> Record | None:
+    """Return the record that a rig file names in a place, or one of two; None without one.
+
+    An expired or foreign one too: whoever compares with it, does not use it.
+    """
+    if path is None:
+        return None
+    rig = read_rig(path)
+    names = getattr(place.of(rig.record), place.key)
+    listed = (names,) if isinstance(names, str) else names
+    name = listed[min(which, len(listed) - 1)]
+    try:
+        return _read(rig, place.key, name, place.kinds)[1] if name else None
+    except UnusableInput:
+        return None
+
+
+def only_records_differ(one: RigFile, other: RigFile) -> bool:
+    """Tell whether two rig files say the same but for the records that they name."""
+
+    def bare(rig: RigFile) -> RigFile:
+        for place in places_of(rig):
+            names = {place.key: "", f"{place.key}_override": ""}
+            rig = place.put(rig, msgspec.structs.replace(place.of(rig), **names))
+        return rig
+
+    return bare(one) == bare(other)
+
+
+def name_record(rig: Path, record: Path, place: RecordPlace = LOAD_CELL) -> Path:
+    """Let a place of a rig file name a record; return the copy of the old file.
+
+    The name is relative to the rig file. An override of the place goes: its reason was the former
+    record's. Everything else stays, comments included. Nothing is changed when the rig would not be
+    usable with the record. Raises UnusableInput.
+    """
+    import tomlkit
+
+    before = read_rig(rig)
+    document = tomlkit.parse(before.text)
+    table = document[place.section]
+    table[place.key] = os.path.relpath(record.resolve(), rig.resolve().parent)
+    table.pop(f"{place.key}_override", None)
+    text = tomlkit.dumps(document)
+    with_records(Document(rig, text, parse_rig(text, str(rig))))
+    copy = _copy(rig, before.text)
+    with whole_file(rig) as part:
+        part.write_text(text, encoding="utf-8", newline="")
+    return copy
+
+
+def _copy(rig: Path, text: str) -> Path:
+    """Write the old text beside the rig file under a name that is free."""
+    stamp = time.strftime("%Y%m%d-%H%M%S")
+    for count in range(100):
+        more = f"-{count}" if count else ""
+        copy = rig.with_name(f"{rig.stem}.before-{stamp}{more}{rig.suffix}")
+        try:
+            with copy.open("x", encoding="utf-8", newline="") as stream:
+                stream.write(text)
+        except FileExistsError:
+            continue
+        except OSError as error:
+            raise UnusableInput(
+                "{}: the copy of the rig file cannot be written ‹{}›; nothing is changed.",
+                copy,
+                error,
+            ) from error
+        return copy
+    raise UnusableInput("{}: there are too many copies beside it; remove some.", rig)

@@ -29,6 +29,7 @@ from rigapp.config.recipe import (
     TestFile,
 )
 from rigapp.config.rig import RigFile
+from rigapp.texts import say
 from rigapp_calibration.taking.procedure import ProcedureError
 from rigapp_calibration.turning.run_out import FASTEST
 
@@ -50,14 +51,14 @@ def roll_test(
     """
     return TestFile(
         schema=1,
-        title=f"Slow roll at {rpm:g} rpm for the run-out map",
+        title=say("Slow roll at {:g} rpm for the run-out map", rpm),
         run=RunSection(
             revolutions=revolutions + ROLL_RAMP,
             speed_rpm=rpm,
             acceleration_rpm_per_s=max(1.0, rpm),
         ),
         model=base.model,
-        metadata=MetadataSection(operator=operator, notes="slow roll of the pin"),
+        metadata=MetadataSection(operator=operator, notes=say("slow roll of the pin")),
         cycles=CyclesSection(schedule="every", every_revolutions=1),
         limits=LimitsSection(
             overload_N=min(base.limits.overload_N, 0.95 * rig.load_cell.full_scale_N),
@@ -96,8 +97,9 @@ def rolls_of(
     """Return the rolls of a plan, their files beside ``stem``; raise UnusableInput."""
     if "run_out" in with_records(rig).blocking:
         raise UnusableInput(
-            f"{rig.path}: the map in use has expired, and an expired record forbids a start: take"
-            " run_out out of [probes] for the roll."
+            "{}: the map in use has expired, and an expired record forbids a start:"
+            " take run_out out of [probes] for the roll.",
+            rig.path,
         )
     runs = [
         SpindleRun(
@@ -107,7 +109,7 @@ def rolls_of(
         )
         for rpm in plan.speeds
     ]
-    return SpindleRuns(runs, "slow roll")
+    return SpindleRuns(runs, say("slow roll"))
 
 
 def save_map(
@@ -131,7 +133,7 @@ class RollSession:
     """
 
     practice: ClassVar[Practice] = NO_PRACTICE
-    refused: ClassVar[str] = (
+    refused: ClassVar[str] = say(
         "Nothing is saved. The rolls stay as they are; begin a new map when the cause is removed."
     )
 
@@ -147,8 +149,8 @@ class RollSession:
         """Begin, or take up what the journal tells; raise UnusableInput."""
         if rig.file is None or rig.test is None:
             raise UnusableInput(
-                "a roll needs a rig file and a test file, whose mechanism tells the elastic motion:"
-                " name the test file."
+                "a roll needs a rig file and a test file, whose mechanism tells the"
+                " elastic motion: name the test file."
             )
         self.given, self.rig = given, rig
         self.journal = Journal(journal)
@@ -169,7 +171,9 @@ class RollSession:
                 told = events[0]["plan"]
                 return RollPlan(tuple(told["speeds"]), told["revolutions"], told["orders"])
             except (KeyError, TypeError) as error:
-                raise UnusableInput(f"{self.journal.path}: it tells no rolls ‹{error}›.") from error
+                raise UnusableInput(
+                    "{}: it tells no rolls ‹{}›.", self.journal.path, error
+                ) from error
         if plan is None:
             raise UnusableInput("there are no rolls to take up; begin a map.")
         self.journal.append({"event": "begin", "rig": self.rig.name, "plan": asdict(plan)})
@@ -198,7 +202,7 @@ class RollSession:
         angle = np.arange(0.0, 360.0, GRID_DEG)
         one, two = (np.array(values) for values in result["map_um"])
         reach = 1.2 * float(max(np.abs(one).max(), np.abs(two).max(), 0.1))
-        words = "Circle: probe 1, triangle: probe 2."
+        words = say("Circle: probe 1, triangle: probe 2.")
         return ResidualsSoFar(((angle, one), (angle, two)), (0.0, 360.0), reach, words)
 
     def close(self) -> None:

@@ -18,6 +18,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
 from rigapp.config.parameters import ParameterFile
 from rigapp.schema.messages import Flag
+from rigapp.texts import say
 from rigapp_calibration.arrays import Array
 from rigapp_calibration.taking.readings import numbers, read_table
 from rigapp_calibration.turning.run_out import (
@@ -50,8 +51,8 @@ def map_of(files: Sequence[Path], orders: int) -> tuple[Outcome, str, list[dict[
     try:
         found = make_map([roll for roll, _ in rolls], orders, elastic_doubts=DOUBTS)
     except RunOutError as error:
-        raise UnusableInput(f"run-out: {error}.") from error
-    outcome = Outcome("run-out map", run_out_result(found), tuple(run_out_lines(found)))
+        raise UnusableInput("run-out: {}.", error) from error
+    outcome = Outcome(say("run-out map"), run_out_result(found), tuple(run_out_lines(found)))
     return outcome, harmonics_csv(found), [facts for _, facts in rolls]
 
 
@@ -69,7 +70,7 @@ def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
         quality = dict(zip(numbers, reader.column("quality").tolist(), strict=True))
         speed = dict(zip(numbers, reader.column("speed").tolist(), strict=True))
         probes = reader.calibration().get("probes", {})
-        test = parse_test(reader.configuration()["test"], f"{path} (its test)", recorded=True)
+        test = parse_test(reader.configuration()["test"], say("{} (its test)", path), recorded=True)
         turns, forces, rpm = [], [], []
         digest = hashlib.sha256()
         for cycle in reader.cycles():
@@ -111,13 +112,15 @@ def _with_elastic(
     from rigapp.twin.predict import Unpredictable
     from rigapp_model.errors import ModelError
 
-    parameters = to_parameters(model, f"{path} (its test)", "model")
+    parameters = to_parameters(model, say("{} (its test)", path), "model")
     try:
         motions = elastic_motions(parameters, [turn.angle for turn in turns], forces)
     except (ModelError, Unpredictable) as error:
         raise UnusableInput(
-            f"{path}: the elastic motion of the pin cannot be taken off: {error}; roll again with"
-            " --test and the test file of this bushing."
+            "{}: the elastic motion of the pin cannot be taken off: {}; roll again with"
+            " --test and the test file of this bushing.",
+            path,
+            error,
         ) from error
     matrix = _alignment(probes)
     return [
@@ -220,24 +223,36 @@ def run_out_lines(found: RunOutMap) -> list[str]:
     """Return the result in words and numbers, a line each."""
     if found.peak is None or found.expanded is None or found.drift is None:
         return []
-    lines = [
-        f"Probe {probe + 1}: run-out {UM * found.peak[probe]:.2f} um from lowest to highest,"
-        f" expanded uncertainty {UM * found.expanded[probe]:.2f} um"
-        f" (k = {found.coverage_factor:.2f})."
+    lines: list[str] = [
+        say(
+            "Probe {}: run-out {:.2f} um from lowest to highest, expanded uncertainty"
+            " {:.2f} um (k = {:.2f}).",
+            probe + 1,
+            UM * found.peak[probe],
+            UM * found.expanded[probe],
+            found.coverage_factor,
+        )
         for probe in range(2)
     ]
     if found.inertia is None:
         lines.append(
-            "One speed only: what inertia adds to it is not known. A second, other speed tells."
+            say(
+                "One speed only: what inertia adds to it is not known. A second, other speed tells."
+            )
         )
     else:
         lines.append(
-            f"Motion with the speed, taken off the slowest roll: up to"
-            f" {UM * found.inertia.max():.2f} um."
+            say(
+                "Motion with the speed, taken off the slowest roll: up to {:.2f} um.",
+                UM * found.inertia.max(),
+            )
         )
     if found.elastic is not None:
         lines.append(
-            "Elastic motion of the pin with the force, by the model of the unworn bushing, taken"
-            f" off: up to {UM * found.elastic.max():.2f} um about its mean."
+            say(
+                "Elastic motion of the pin with the force, by the model of the unworn"
+                " bushing, taken off: up to {:.2f} um about its mean.",
+                UM * found.elastic.max(),
+            )
         )
     return lines

@@ -14,6 +14,7 @@ from rigapp.calibrating.session import Outcome
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
 from rigapp.schema.messages import Flag
+from rigapp.texts import say
 from rigapp_calibration.taking.readings import numbers, read_table
 from rigapp_calibration.turning.running_check import Known, RunningCheck, SpeedRun, running_check
 
@@ -32,7 +33,7 @@ def check_of(files: Sequence[Path], speeds: Sequence[float], known: Known) -> tu
     found = running_check(runs, known)
     result, lines = running_result(found, known, runs), (*running_lines(found), found.sentence)
     # What a check shows is told always.
-    return Outcome("running check", result, lines, told_always=True), runs_csv(runs)
+    return Outcome(say("running check"), result, lines, told_always=True), runs_csv(runs)
 
 
 def check_again(content: Mapping[str, Any]) -> dict[str, Any]:
@@ -63,7 +64,8 @@ def known_term(rig: RigFile, mass_kg: float | None, radius_mm: float | None) -> 
     if not (mass > 0.0 and radius > 0.0):
         raise UnusableInput(
             "the mass of the pin outboard of its gauges is not known; write"
-            " load_cell.outboard_mass_kg and outboard_radius_mm, or give --mass-kg and --radius-mm."
+            " load_cell.outboard_mass_kg and outboard_radius_mm, or give --mass-kg and"
+            " --radius-mm."
         )
     per_force = FORCE_UNCERTAINTY if cell.uncertainty_N is None else cell.uncertainty_N[1] / 2.0
     return Known(mass * radius * 1e-3, MASS_UNCERTAINTY, cell.resolution_N, per_force)
@@ -77,7 +79,10 @@ def read_run(path: Path, rpm: float) -> SpeedRun:
         summary = reader.summary()
         if summary["status"] != "complete":
             raise UnusableInput(
-                f"the run at {rpm:g} rpm was not completed: {summary['reason']} {path} holds it."
+                "the run at {:g} rpm was not completed: {} {} holds it.",
+                rpm,
+                summary["reason"],
+                path,
             )
         names = ("speed", "quality", "force_1_mean", "force_2_mean", "force_1_rms", "force_2_rms")
         speed, quality, one, two, rms_1, rms_2 = (reader.column(name) for name in names)
@@ -133,7 +138,7 @@ def running_lines(found: RunningCheck) -> list[str]:
     if not found.comparisons:
         return []
     return [
-        "   rpm   known N   force_1 N   force_2 N   U (k = 2) N",
+        say("   rpm   known N   force_1 N   force_2 N   U (k = 2) N"),
         *(
             f"{one.speed * 30.0 / math.pi:6.1f} {one.known[0]:+9.2f} {one.measured[0]:+11.2f}"
             f" {one.measured[1]:+11.2f} {one.expanded:13.2f}"

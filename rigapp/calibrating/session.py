@@ -20,12 +20,17 @@ import numpy as np
 from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.practice import Practice
 from rigapp.calibrating.records import keep_record, refuse_existing
+from rigapp.calibrating.wiring import wiring_of
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_rig
 from rigapp.schema.channels import BASE
+from rigapp.texts import say
 from rigapp_calibration.arrays import Array
+from rigapp_calibration.load_cell.as_found import as_found
 from rigapp_calibration.load_cell.characteristics import CREEP_TIMES
 from rigapp_calibration.load_cell.daily import DailyCheck
+from rigapp_calibration.records import Record
 from rigapp_calibration.taking.procedure import (
     Event,
     Method,
@@ -38,6 +43,7 @@ from rigapp_calibration.taking.procedure import (
     begin,
     take_up,
 )
+from rigapp_calibration.taking.readings import Row
 from rigapp_calibration.taking.signals import Readiness, SignalState, SignalWindow
 
 
@@ -70,6 +76,7 @@ class Outcome:
 
     kind: of the record. result: as ``--json`` prints it and the record keeps it. lines: the same in
     words and numbers. check: the daily check, which makes no record. saved: the record, if any.
+    as_found: what it finds of the record in use until now, plain values and sentences.
     """
 
     kind: str
@@ -79,6 +86,21 @@ class Outcome:
     told_always: bool = False
     check: DailyCheck | None = None
     saved: Path | None = None
+    as_found: tuple[Mapping[str, Any], tuple[str, ...]] = ({}, ())
+
+    def against(self, former: Record | None) -> Outcome:
+        """Return it with what it finds of a former record, where both can be compared."""
+        if former is None or not self.makes_record or former.kind != self.kind:
+            return self
+        try:
+            return replace(self, as_found=as_found(self.kind, former, self.result))
+        except (KeyError, TypeError, ValueError, np.linalg.LinAlgError):
+            return self  # a record of before that lacks numbers says nothing of itself
+
+    @property
+    def changed(self) -> bool:
+        """Tell whether the former record told more too much than is allowed."""
+        return any(one["beyond"] for one in self.as_found[0].get("changes", ()))
 
     @property
     def accepted(self) -> bool:
@@ -118,10 +140,11 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
     method: ClassVar[Method[Any]]
     columns: ClassVar[tuple[str, ...]]
     practice: ClassVar[Practice]
-    prompt: ClassVar[str] = "Enter records, r rejects, q closes: "
-    refused: ClassVar[str] = (
-        "Nothing is saved. Go back, select a reading of the series that is wrong, reject it with"
-        " the reason, and take that series again. All readings so far stay in the journal."
+    prompt: ClassVar[str] = say("Enter records, r rejects, q closes: ")
+    refused: ClassVar[str] = say(
+        "Nothing is saved. Go back, select a reading of the series that is wrong,"
+        " reject it with the reason, and take that series again. All readings so far"
+        " stay in the journal."
     )
 
     def __init__(
@@ -149,7 +172,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
             self.procedure: Procedure[PlanType] = self._open(plan)
         except (UnusableInput, ValueError) as error:
             self.journal.close()
-            raise UnusableInput(f"{journal}: {error}") from error
+            raise UnusableInput("{}: {}", journal, error) from error
 
     def _open(self, plan: PlanType | None) -> Procedure[PlanType]:
         events = self.journal.read()
@@ -157,8 +180,9 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
             first = events[0]
             if (first.get("rig"), first.get("simulated")) != (self.rig.name, self.rig.simulated):
                 raise UnusableInput(
-                    f"these readings come from the rig {first.get('rig')!r}, this is"
-                    f" {self.rig.name!r}; name another journal."
+                    "these readings come from the rig {}, this is {}; name another journal.",
+                    repr(first.get("rig")),
+                    repr(self.rig.name),
                 )
             return take_up(self.method, events)
         if plan is None:
@@ -190,8 +214,8 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         return None
 
     @abstractmethod
-    def row(self, reading: TakenReading) -> str:
-        """Return a reading as a line of the CSV of this calibration."""
+    def row(self, reading: TakenReading) -> tuple[str | float, ...]:
+        """Return a reading by the columns of this calibration, in their units."""
 
     @abstractmethod
     def used_settings(self) -> FileType:
@@ -287,7 +311,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         """
         readiness = self.look(window)
         if not readiness.ready:
-            raise ProcedureError(f"it cannot be recorded now: {readiness.words}")
+            raise ProcedureError("it cannot be recorded now: {}", readiness.words)
         procedure, found, place = self.procedure, readiness.steadiness, self.place_of(window)
         now, kind = round(time.time(), 3), procedure.step.kind
         match kind:
@@ -320,10 +344,11 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         hung = round(newest - self._preloaded, 1) if due and self._patient else due
         if hung <= due * (1.0 + CREEP_TIMES):
             return hung
-        self.adopt(self.procedure.again(f"read after {hung:.0f} s"))
+        self.adopt(self.procedure.again(say("read after {:.0f} s", hung)))
         raise ProcedureError(
-            f"the load hangs for {hung:.0f} s, {due:g} s were wanted: take it off, the creep begins"
-            " again"
+            "the load hangs for {:.0f} s, {:g} s were wanted: take it off, the creep begins again",
+            hung,
+            due,
         )
 
     def reject(self, index: int, reason: str) -> None:
@@ -346,8 +371,12 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
     def judge(self) -> Outcome:
         """Fit and check all readings; nothing is saved. Raises ProcedureError before the end."""
         if not self.procedure.done:
-            raise ProcedureError(f"readings are missing: {self.procedure.progress}")
-        return self.fitted()
+            raise ProcedureError("readings are missing: {}", self.procedure.progress)
+        return self.fitted().against(self.former())
+
+    def former(self) -> Record | None:
+        """Return the record that the rig file names for what is calibrated, None without one."""
+        return None
 
     def save(self, outcome: Outcome, to: Path) -> Outcome:
         """Seal an accepted outcome in a record; raise UnusableInput."""
@@ -356,16 +385,30 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         refuse_existing(to)
         events = [dict(event) for event in self.procedure.events]
         taken = {**self._source(), **self.facts(), "events": events}
+        if self.rig.file is not None:
+            taken["wiring"] = wiring_of(read_rig(self.rig.file).record)
         text, given = self.readings_csv(), self.used_settings()
-        keep_record(to, outcome.kind, text, given, outcome.result, taken)
+        found = outcome.as_found[0]
+        keep_record(to, outcome.kind, text, given, outcome.result, taken, found)
         return replace(outcome, saved=to)
 
+    def rows(self) -> list[Row]:
+        """Return the readings that stand, as ``read_table`` returns them from the record's CSV.
+
+        The values are those of the CSV, so that the sealed readings give the same result again.
+        """
+        return [
+            (line, dict(zip(self.columns, self.row(one), strict=True)))
+            for line, one in enumerate(self.procedure.taken, 2)
+            if not one.rejected
+        ]
+
     def readings_csv(self) -> str:
-        """Return all readings as the CSV of this calibration, rejected ones as comments."""
+        """Return all readings as the CSV that is sealed, rejected ones as comments."""
         lines = [",".join(self.columns)]
         for one in self.procedure.taken:
-            reason = " ".join(one.rejected.split())
-            lines.append(f"# rejected ({reason}): {self.row(one)}" if reason else self.row(one))
+            row, reason = ",".join(map(str, self.row(one))), " ".join(one.rejected.split())
+            lines.append(f"# rejected ({reason}): {row}" if reason else row)
         return "\n".join(lines) + "\n"
 
     def _write(self, event: Event) -> None:

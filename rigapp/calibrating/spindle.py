@@ -19,6 +19,7 @@ from rigapp.config.recipe import TestFile
 from rigapp.config.toml import toml_text
 from rigapp.schema.messages import AT_REST, RunState
 from rigapp.schema.states import ENDED
+from rigapp.texts import say
 
 IDLE = frozenset(state.value for state in (*ENDED, *AT_REST, RunState.CALIBRATING))
 SLOWEST_RPM = 0.5
@@ -67,7 +68,7 @@ class SpindleRuns:
             for path in (run.recipe, run.out):
                 if path.exists() and not known:
                     raise UnusableInput(
-                        f"{path}: exists and is not overwritten; name another record."
+                        "{}: exists and is not overwritten; name another record.", path
                     )
 
     @property
@@ -109,28 +110,34 @@ class SpindleRuns:
         idle = status["state"] in IDLE
         if not idle and str(status["file"]) == str(run.out.resolve()):
             self._begun, self._now = True, done
-            self.words = f"{run.rpm:g} rpm: revolution {done} of {planned}"
+            self.words = say("{:g} rpm: revolution {} of {}", run.rpm, done, planned)
             return None
         if self._begun:
             self.forget()
             if done < planned or status["state"] == RunState.FAULT.value:
                 raise UnusableInput(
-                    f"the {self.what} ended after {done} of {planned} revolutions:"
-                    f" {status['reason']}; {run.out} holds what was recorded."
+                    "the {} ended after {} of {} revolutions: {}; {} holds what was recorded.",
+                    self.what,
+                    done,
+                    planned,
+                    status["reason"],
+                    run.out,
                 )
             self.position += 1
             return None
         if _is_whole(run.out):
-            self.words = (
-                f"{run.out} holds the {self.what} at {run.rpm:g} rpm already; for a new one name"
-                " another record."
+            self.words = say(
+                "{} holds the {} at {:g} rpm already; for a new one name another record.",
+                run.out,
+                self.what,
+                run.rpm,
             )
             self.position += 1
             return None
         for one in self.runs[self.position :]:
             one.recipe.write_text(toml_text(one.test), encoding="utf-8")
         self._begun = True
-        self.words = f"{run.rpm:g} rpm for {planned} revolutions; {run.out} records it."
+        self.words = say("{:g} rpm for {} revolutions; {} records it.", run.rpm, planned, run.out)
         return Action("start", {"test": str(run.recipe.resolve()), "out": str(run.out.resolve())})
 
     def compress(self) -> None:
@@ -154,7 +161,7 @@ def _is_whole(out: Path) -> bool:
     if status == "complete":
         return True
     if status == "running":
-        raise UnusableInput(f"{out}: another program records this run; let it end first.")
+        raise UnusableInput("{}: another program records this run; let it end first.", out)
     names = (out.with_name(f"{out.stem}.cut-off-{number}{out.suffix}") for number in count(1))
     out.rename(next(name for name in names if not name.exists()))
     return False
@@ -165,11 +172,15 @@ def speeds_of(option: str, text: str, least: float, most: float, fewest: int) ->
     try:
         speeds = [float(word) for word in text.replace(";", ",").split(",") if word.strip()]
     except ValueError as error:
-        raise UnusableInput(f"{option} {text}: write speeds in rpm, such as 3,6.") from error
+        raise UnusableInput("{} {}: write speeds in rpm, such as 3,6.", option, text) from error
     different = len(set(speeds)) == len(speeds) >= fewest
     if not different or not all(least <= one <= most for one in speeds):
         raise UnusableInput(
-            f"{option} {text}: give {fewest} or more different speeds from {least:g} to {most:g}"
-            " rpm."
+            "{} {}: give {} or more different speeds from {:g} to {:g} rpm.",
+            option,
+            text,
+            fewest,
+            least,
+            most,
         )
     return speeds

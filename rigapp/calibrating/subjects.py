@@ -39,9 +39,11 @@ from rigapp.config.calibration_settings import (
     probe_meaning,
 )
 from rigapp.config.errors import UnusableInput
+from rigapp.texts import joined, say
 from rigapp_calibration.channel import CHANNEL_COLUMNS
 from rigapp_calibration.load_cell.readings import LOAD_CELL_COLUMNS
 from rigapp_calibration.probes.readings import PROBE_COLUMNS
+from rigapp_calibration.taking.readings import read_table
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,11 +71,16 @@ class Subject:
     fastest_rpm: float = 0.0
 
 
+def _fit_load_cell(text: str, given: LoadCellFile, where: str, which: str) -> Outcome:
+    return fit_load_cell(read_table(text, LOAD_CELL_COLUMNS), given, where)
+
+
 def _fit_probes(text: str, given: ProbeFile, where: str, which: str) -> Outcome:
     """Fit one probe (the readings do not tell which), or a pair, whose series are 1.x and 2.x."""
     if which not in WHICH_PROBES:
-        raise UnusableInput(f"--probe {which}: choose {', '.join(WHICH_PROBES)}.")
-    return fit_probes(text, [probe_meaning(given)] * len(WHICH_PROBES[which]))
+        raise UnusableInput("--probe {}: choose {}.", which, joined(", ", WHICH_PROBES))
+    rows = read_table(text, PROBE_COLUMNS)
+    return fit_probes(rows, [probe_meaning(given)] * len(WHICH_PROBES[which]))
 
 
 SUBJECTS: Mapping[str, Subject] = {
@@ -85,7 +92,7 @@ SUBJECTS: Mapping[str, Subject] = {
             columns=LOAD_CELL_COLUMNS,
             settings=LoadCellFile,
             certificate=load_cell_parts,
-            fit=lambda text, given, where, _: fit_load_cell(text, given, where),
+            fit=_fit_load_cell,
             session=LoadCellSession,
             plan=load_cell_plan,
             place=LOAD_CELL,
@@ -123,7 +130,7 @@ SUBJECTS: Mapping[str, Subject] = {
         ),
         Subject(
             name="running check",
-            kinds=("running check",),
+            kinds=(say("running check"),),
             columns=RUNNING_COLUMNS,
             settings=LoadCellFile,
             certificate=running_parts,
@@ -137,7 +144,9 @@ def subject_of(kind: str) -> Subject:
     known = {one: subject for subject in SUBJECTS.values() for one in subject.kinds}
     if kind not in known:
         raise UnusableInput(
-            f"the record is of the kind {kind!r}, and this version knows only {', '.join(known)};"
-            " a newer one may have made it"
+            "the record is of the kind {}, and this version knows only {}; a newer one"
+            " may have made it",
+            repr(kind),
+            joined(", ", known),
         )
     return known[kind]

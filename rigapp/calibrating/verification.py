@@ -15,7 +15,7 @@ from typing import Any
 import msgspec
 
 from rigapp.calibrating.channel import fit_channel
-from rigapp.calibrating.load_cell_result import fit_load_cell
+from rigapp.calibrating.load_cell_result import applied_by_former, fit_load_cell
 from rigapp.calibrating.probe_result import fit_probes
 from rigapp.calibrating.run_out import map_again
 from rigapp.calibrating.running_check import check_again
@@ -26,13 +26,18 @@ from rigapp.config.calibration_settings import (
     probe_meaning,
 )
 from rigapp.config.errors import UnusableInput
+from rigapp.texts import say
+from rigapp_calibration.load_cell.readings import LOAD_CELL_COLUMNS
+from rigapp_calibration.probes.readings import PROBE_COLUMNS
 from rigapp_calibration.records import EVALUATION, Record, unseal
-from rigapp_calibration.taking.readings import ReadingsError
+from rigapp_calibration.taking.readings import ReadingsError, read_table
 
 SAME = 1e-6
 """Relative: a fit repeats to rounding, some 1e-12 on any computer; a certificate prints 1e-5."""
 NOTHING = 1e-12
 """What is smaller than this in its unit is rounding: quadratic terms that matter are above 1e-8."""
+ZEROS_BY_SERIES = 3
+"""The evaluation from which on each series of the load cell has its own zero."""
 ALIKE = 1e-3
 """Relative, between evaluations: a tenth of what the best class of ISO 376 in reach (1) allows."""
 
@@ -68,15 +73,20 @@ class _Kind:
 
 def _load_cell(content: Content) -> Result:
     given = msgspec.convert(content["settings"], LoadCellFile)
+    rows = read_table(content["readings_csv"], LOAD_CELL_COLUMNS)
+    again = fit_load_cell(rows, given, say("the record's settings")).result
+    if content.get("evaluation", 1) >= ZEROS_BY_SERIES:
+        return again
     # Of the first evaluation the words alone say whether the drift was fitted.
     told = "drift" in content["result"].get("terms", "") if "evaluation" not in content else None
-    return fit_load_cell(content["readings_csv"], given, "the record's settings", told).result
+    return {**again, **applied_by_former(rows, given, told)}
 
 
 def _probes(content: Content) -> Result:
     settings = probe_meaning(msgspec.convert(content["settings"], ProbeFile))
     count = 2 if content["kind"] == "probe pair" else 1
-    return fit_probes(content["readings_csv"], [settings] * count).result
+    rows = read_table(content["readings_csv"], PROBE_COLUMNS)
+    return fit_probes(rows, [settings] * count).result
 
 
 def _channel(content: Content) -> Result:
@@ -85,7 +95,9 @@ def _channel(content: Content) -> Result:
 
 
 KINDS: Mapping[str, _Kind] = {
-    "load cell": _Kind(_load_cell, ("matrix_N_per_unit", "zero", "quadratic_unit_per_N2")),
+    "load cell": _Kind(
+        _load_cell, ("matrix_N_per_unit", "zero", "quadratic_unit_per_N2", "pin_weight_N")
+    ),
     "probe": _Kind(_probes, ("sensitivity_um_per_V", "offset_V")),
     "probe pair": _Kind(_probes, ("sensitivity_um_per_V", "offset_V", "matrix")),
     "run-out map": _Kind(map_again, ("cos_um", "sin_um"), ("rest_um",)),
@@ -114,12 +126,12 @@ def verify(record: Record) -> Verification:
     """Fit the readings of a record again and compare with what it states."""
     content, kind = record.content, KINDS.get(record.kind)
     if kind is None or not content.get("readings_csv"):
-        missing = "holds no readings" if kind else f"is of a {record.kind}"
-        return Verification(0, (), (f"The record {missing}: its result cannot be verified.",))
+        missing = say("holds no readings") if kind else say("is of a {}", record.kind)
+        return Verification(0, (), (say("The record {}: its result cannot be verified.", missing),))
     try:
         again = kind.fit(content)
     except (ReadingsError, UnusableInput, msgspec.ValidationError, KeyError) as error:
-        words = (f"Its readings cannot be fitted by this version ‹{error!r}›.",)
+        words = (say("Its readings cannot be fitted by this version ‹{}›.", repr(error)),)
         newer = record.evaluation > EVALUATION
         return Verification(0, (), words) if newer else Verification(0, words)
     same = record.evaluation == EVALUATION
@@ -130,7 +142,7 @@ def verify(record: Record) -> Verification:
     differences = tuple(_differences(keys, stated, found, within))
     refused = tuple(one["sentence"] for one in again["problems"] if one["blocks"])
     if same:
-        differences += tuple(f"Its readings are refused: {one}" for one in refused)
+        differences += tuple(say("Its readings are refused: {}", one) for one in refused)
         return Verification(len(keys), differences)
     return Verification(len(keys), differences, tuple(_of_another(record, again, refused)))
 
@@ -171,30 +183,39 @@ def _differences(
 ) -> Iterator[str]:
     for key in keys:
         if key not in found:
-            yield f"{key}: its readings do not give this number."
+            yield say("{}: its readings do not give this number.", key)
             continue
         one, other = stated[key], found[key]
         if len(one) != len(other):
-            yield f"{key}: the record states {len(one)} numbers, its readings give {len(other)}."
+            yield say(
+                "{}: the record states {} numbers, its readings give {}.", key, len(one), len(other)
+            )
             continue
         size = max(map(abs, (*one, *other)), default=0.0)
         off = [abs(a - b) for a, b in zip(one, other, strict=True)]
         if off and max(off) > within * size + NOTHING:
             at = off.index(max(off))
-            yield f"{key}: the record states {one[at]:.9g}, its readings give {other[at]:.9g}."
+            yield say(
+                "{}: the record states {:.9g}, its readings give {:.9g}.", key, one[at], other[at]
+            )
 
 
 def _of_another(record: Record, again: Result, refused: Sequence[str]) -> Iterator[str]:
     result = record.content["result"]
-    words = "; what is applied to the samples was compared, the uncertainty cannot be verified"
+    words = say("; what is applied to the samples was compared, the uncertainty cannot be verified")
     for key, unit in (("expanded_uncertainty_N", "N"), ("expanded_uncertainty_um", "um")):
         before, now = result.get(key), again.get(key)
         if before is not None and now is not None:
-            words = (
-                "; what is applied to the samples was compared, the uncertainty cannot be"
-                f" verified: it states U = {before:.3g} {unit}, this evaluation gives"
-                f" {now:.3g} {unit}"
+            words = say(
+                "; what is applied to the samples was compared, the uncertainty cannot"
+                " be verified: it states U = {:.3g} {}, this evaluation gives {:.3g} {}",
+                before,
+                unit,
+                now,
+                unit,
             )
-    yield f"It was made by evaluation {record.evaluation}, this program has {EVALUATION}{words}."
+    yield say(
+        "It was made by evaluation {}, this program has {}{}.", record.evaluation, EVALUATION, words
+    )
     for one in refused:
-        yield f"Today's checks would refuse its readings: {one}"
+        yield say("Today's checks would refuse its readings: {}", one)

@@ -22,6 +22,9 @@ JournalOption = Annotated[
 PractiseOption = Annotated[
     bool, option("--practise", "Simulated rig: simulated hands do the work.")
 ]
+FormerOption = Annotated[
+    Path | None, option("--former", "Record in use until now, compared; with --rig that it names.")
+]
 
 
 @calibrate_verbs.command("load-cell")
@@ -37,6 +40,7 @@ def calibrate_load_cell(
     ] = "5x8,2,2,1,0.5",
     journal: JournalOption = None,
     practise: PractiseOption = False,
+    former: FormerOption = None,
 ) -> int:
     """Calibrate the load cell from a CSV of readings or live; a bad fit is refused, not saved."""
     from rigapp.commands.live.terminal import calibrate
@@ -44,8 +48,23 @@ def calibrate_load_cell(
     asked = {"plan": plan, "weights": weights}
     return calibrate(
         "load cell", asked, settings, to, readings, rig,
-        journal=journal, practise=practise, as_json=json,
+        journal=journal, practise=practise, as_json=json, former=former,
     )  # fmt: skip
+
+
+@calibrate_verbs.command("worksheet")
+def calibrate_worksheet(
+    settings: SettingsOption,
+    to: Annotated[Path, file_option("--to", "FILE.pdf, .html, or .csv to be typed in.")],
+    plan: Annotated[str, option("--plan", "routine or full.")] = "routine",
+    weights: Annotated[
+        str, option("--weights", "Pieces in kg; 5x8: eight pieces of 5 kg.")
+    ] = "5x8,2,2,1,0.5",
+) -> int:
+    """Write the plan of a load-cell calibration for paper, or as a table of readings to fill in."""
+    from rigapp.commands.calibrate import make_worksheet
+
+    return make_worksheet(settings, to, plan, weights)
 
 
 @calibrate_verbs.command("probes")
@@ -65,6 +84,7 @@ def calibrate_probes(
     ] = None,
     journal: JournalOption = None,
     practise: PractiseOption = False,
+    former: FormerOption = None,
 ) -> int:
     """Calibrate probes by micrometer steps, from a CSV or live; a bad fit is refused, not saved."""
     from rigapp.commands.live.terminal import calibrate
@@ -72,7 +92,7 @@ def calibrate_probes(
     asked = {"which": probe, "plan": plan, "reach": reach_um, "positions": positions}
     return calibrate(
         "probes", asked, settings, to, readings, rig,
-        journal=journal, practise=practise, as_json=json,
+        journal=journal, practise=practise, as_json=json, former=former,
     )  # fmt: skip
 
 
@@ -194,6 +214,17 @@ def calibrate_history(
     from rigapp.commands.calibrate import show_history
 
     return show_history(store, to, rig, as_json=json)
+
+
+@calibrate_verbs.command("trend")
+def calibrate_trend(
+    folder: Annotated[Path, typer.Argument(help="Folder of calibration records.")] = Path(),
+    json: JsonOption = False,
+) -> int:
+    """Show records, oldest first, each against the one before; status 1 for a change beyond U."""
+    from rigapp.commands.calibrate import show_trend
+
+    return show_trend(folder, as_json=json)
 
 
 @calibrate_verbs.command("certificate")

@@ -16,6 +16,12 @@ study_verbs = group()
 ParametersArgument = Annotated[Path, typer.Argument(metavar="PARAMS.toml", help="Parameters.")]
 RpmOption = Annotated[float, option("--rpm", "Crank speed, rpm.")]
 JointOption = Annotated[str, option("--joint", f"{listed()} (paper: 3.1, 3.2).")]
+ContactLawOption = Annotated[
+    str | None, option("--contact-law", "Joint contact: law instead of the file's; see docs.")
+]
+RestitutionOption = Annotated[
+    float | None, option("--restitution", "Joint contact: restitution instead of the file's.")
+]
 TimeLimitOption = Annotated[
     float | None, option("--time-limit-s", "Write what was reached by then and end with status 1.")
 ]
@@ -37,13 +43,15 @@ def model_forces(
     tolerance: Annotated[
         float | None, option("--tolerance", "Joint contact: error of a step, of the penetration.")
     ] = None,
+    contact_law: ContactLawOption = None,
+    restitution: RestitutionOption = None,
     time_limit_s: TimeLimitOption = None,
 ) -> int:
     """Write motion and forces over one cycle of the mechanism as CSV."""
     from rigapp.commands.model.forces import write_forces
     from rigapp.commands.model.impacts import Impacting
 
-    impacting = Impacting(revolutions, tolerance, time_limit_s)
+    impacting = Impacting(revolutions, tolerance, time_limit_s, contact_law, restitution)
     return write_forces(params, rpm, joint, clearance_mm, points, to, impacting)
 
 
@@ -77,12 +85,14 @@ def model_wear(
     profile: Annotated[
         Path | None, file_option("--profile", "CSV of the worn profile at the end.")
     ] = None,
+    contact_law: ContactLawOption = None,
+    restitution: RestitutionOption = None,
     time_limit_s: TimeLimitOption = None,
 ) -> int:
     """Write the life of the bushing as CSV."""
     from rigapp.commands.model.wear import Scheme, write_wear
 
-    scheme = Scheme(method, extrapolation, contact)
+    scheme = Scheme(method, extrapolation, contact, contact_law, restitution)
     return write_wear(
         params, rpm, cycles, joint, force_n, tolerance, to, profile, time_limit_s, scheme
     )

@@ -22,6 +22,7 @@ from rigapp.cli.options import (
     group,
     option,
 )
+from rigapp.config.errors import UnusableInput
 
 verbs = group()
 
@@ -52,6 +53,10 @@ def run(
     progress: ProgressOption = None,
     speed: SpeedOption = None,
     bind: BindOption = None,
+    record_wire: Annotated[
+        Path | None,
+        option("--record-wire", "Keep all bytes of each device: FILE with its name added."),
+    ] = None,
 ) -> int:
     """Run one test without a window."""
     from rigapp.service.registry import starting
@@ -60,7 +65,7 @@ def run(
     with starting(rig):
         from rigapp.commands.run import run_test
 
-        return run_test(test, rig, out, revolutions, progress, speed, bind)
+        return run_test(test, rig, out, revolutions, progress, speed, bind, record_wire)
 
 
 @verbs.command()
@@ -89,11 +94,35 @@ def resume(
 @verbs.command()
 def init(
     folder: Annotated[Path, typer.Argument(help="Folder to make or to fill.")] = Path(),
+    real: Annotated[
+        bool, option("--real", "For real devices: asked for, or by the options below.")
+    ] = False,
+    daq: Annotated[str, option("--daq", "Driver of the data acquisition.", metavar="DRIVER")] = "",
+    daq_port: Annotated[str, option("--daq-port", "Its port; else searched for.")] = "",
+    drive: Annotated[str, option("--drive", "Driver of the drive.", metavar="DRIVER")] = "",
+    drive_port: Annotated[str, option("--drive-port", "Its port; else searched for.")] = "",
 ) -> int:
     """Make rig, test and calibration files to start from; overwrites nothing."""
-    from rigapp.commands.init import prepare_folder
+    named = {"daq": (daq, daq_port), "drive": (drive, drive_port)}
+    if real:
+        from rigapp.commands.init.real_rig import prepare_real_folder
+
+        return prepare_real_folder(folder, named)
+    if any(named["daq"] + named["drive"]):
+        raise UnusableInput("--daq, --drive and their ports are of real devices; add --real.")
+    from rigapp.commands.init.folder import prepare_folder
 
     return prepare_folder(folder)
+
+
+@verbs.command()
+def schema(
+    kind: Annotated[str, typer.Argument(help="rig or test.", metavar="rig|test")],
+) -> int:
+    """Print the JSON Schema of a rig or test file, for editors that complete and check it."""
+    from rigapp.commands.init.schema import print_schema
+
+    return print_schema(kind)
 
 
 @verbs.command()
@@ -111,7 +140,7 @@ def check(
 @verbs.command()
 def reset(rig: RigArgument) -> int:
     """Release a drive that holds its emergency stop or a fault, once its cause is removed."""
-    from rigapp.commands.reset import reset_drive
+    from rigapp.commands.status import reset_drive
 
     return reset_drive(rig)
 
@@ -125,16 +154,30 @@ def sim(context: typer.Context, rig: RigArgument) -> int:
 
 
 @verbs.command()
+def wire(
+    file: Annotated[Path, typer.Argument(help="Recorded line of a device.")],
+    raw: Annotated[bool, option("--bytes", "Show the bytes instead of their meaning.")] = False,
+) -> int:
+    """Show what a device and the program said on a recorded line, decoded by its driver."""
+    from rigapp.commands.wire import show_line
+
+    return show_line(file, raw=raw)
+
+
+@verbs.command()
 def doctor(
     port: Annotated[
         str | None, option("--port", "Ask only this port who is there.", metavar="URL")
     ] = None,
     json: JsonOption = False,
+    rules: Annotated[
+        bool, option("--rules", "Print udev rules for the ports of a rig, and nothing else.")
+    ] = False,
 ) -> int:
     """Show versions, ports with the devices on them, permissions; test the window's libraries."""
-    from rigapp.commands.doctor import examine
+    from rigapp.commands.doctor import examine, print_rules
 
-    return examine(port, as_json=json)
+    return print_rules() if rules else examine(port, as_json=json)
 
 
 @verbs.command()
@@ -208,6 +251,6 @@ def engine(
     from rigapp.service.registry import starting
 
     with starting(rig):
-        from rigapp.service.host import serve
+        from rigapp.commands.engine import serve
 
         return serve(rig, speed, bind, stay=stay)

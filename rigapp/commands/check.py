@@ -3,41 +3,47 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
 import msgspec
 
-from rigapp.calibrating.records_in_use import RigRecords, with_records
+from rigapp.calibrating.records_in_use import with_records
+from rigapp.checks.check import Check, CheckVerdict, blocked
+from rigapp.checks.start import preflight
 from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import Document, read_rig, read_test
+from rigapp.config.loading import Document, RigRecords, read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.config.rules import check_rules
 from rigapp.engine.devices import LoadDriver, make_devices, plan_devices
 from rigapp.notify.ways import inspected, ways_of
+from rigapp.process.awake import kept_awake
 from rigapp.schema.details import indented
 from rigapp.schema.messages import Status
-from rigapp.service.preflight import Check, Checked, blocked, disk_facts, preflight
+from rigapp.service.preflight import disk_facts
 from rigapp.simulation.handle import SimulationFailed
-from rigapp_drivers.api import DeviceError
+from rigapp.texts import say
+from rigapp_drivers.api import DeviceError, help_of
 from rigapp_drivers.registry import load_driver
 
 FIRST_DATA_S = 10.0  # a device that has been set sends within a block
 PIPE_WIDTH = 200  # where no terminal tells its width, no line is broken
-MARKS = {Checked.GOOD: "ok", Checked.ATTENTION: "note", Checked.BLOCKS: "BLOCKS"}
+APT_SETTINGS = Path("/etc/apt/apt.conf.d")
+_RESTARTS = re.compile(r'^\s*Unattended-Upgrade::Automatic-Reboot\s+"true"', re.MULTILINE)
+MARKS = {CheckVerdict.GOOD: "ok", CheckVerdict.ATTENTION: "note", CheckVerdict.BLOCKS: "BLOCKS"}
 
 
 def check_rig(rig_path: Path, test_path: Path, *, as_json: bool = False) -> int:
     """Print the pre-flight table; status 1 when anything blocks a start."""
     checks = _all_checks(rig_path, test_path)
     if as_json:
-        found = [asdict(check) for check in checks]
+        found = [check.tree() for check in checks]
         print(json.dumps({"blocked": blocked(checks), "checks": found}, indent=2))
     else:
         _print_table(checks)
@@ -55,8 +61,9 @@ def _all_checks(rig_path: Path, test_path: Path) -> list[Check]:
     disk = disk_facts(test, rate, Path.cwd(), channels) if rate else None
     checks = preflight(test, records, disk, status)
     if status is None:
-        checks = [check for check in checks if check.what != "Engine"]
-    return [*checks, *found, *message_checks(records.rig)]
+        checks = [check for check in checks if check.name != "Engine"]
+    computer = () if records.rig.record.simulated_samples else computer_checks()
+    return [*checks, *found, *message_checks(records.rig), *computer]
 
 
 def _print_table(checks: Sequence[Check]) -> None:
@@ -65,9 +72,9 @@ def _print_table(checks: Sequence[Check]) -> None:
 
     table = Table(show_header=False, box=None, pad_edge=False)
     for check in checks:
-        text = f"{check.finding}. {check.action}" if check.action else check.finding
+        text = f"{check.sentence}. {check.advice}" if check.advice else check.sentence
         text = indented(text)
-        table.add_row(MARKS[check.verdict], check.what, text)
+        table.add_row(MARKS[check.verdict], check.name, text)
     Console(width=None if sys.stdout.isatty() else PIPE_WIDTH).print(table)
 
 
@@ -76,11 +83,45 @@ def message_checks(rig: Document[RigFile]) -> list[Check]:
     ways = ways_of(rig)
     if not ways:
         return []
-    wrong = [Check("Messages", Checked.BLOCKS, sentence) for sentence in inspected(ways)]
+    wrong = [Check("Messages", CheckVerdict.BLOCKS, sentence) for sentence in inspected(ways)]
     names = ", ".join([*(way.name for way in ways.ways), *(["ping"] if ways.ping else [])])
     return wrong or [
-        Check("Messages", Checked.GOOD, f"set up by {names}; try: rigapp notify --test")
+        Check("Messages", CheckVerdict.GOOD, f"set up by {names}; try: rigapp notify --test")
     ]
+
+
+def computer_checks(settings: Path = APT_SETTINGS) -> Iterator[Check]:
+    """Judge whether the computer may sleep, or be restarted by updates, while a test runs."""
+    kept = kept_awake()
+    if not kept:
+        yield Check(
+            say("Sleep"),
+            CheckVerdict.ATTENTION,
+            say("nothing keeps this computer awake while a test runs"),
+            say("Switch sleep and the lid's switch off in its settings"),
+        )
+    elif "lid" in kept:
+        yield Check(
+            say("Sleep"), CheckVerdict.GOOD, say("held off while a test runs, lid included")
+        )
+    else:
+        yield Check(
+            say("Sleep"),
+            CheckVerdict.GOOD,
+            say("held off while a test runs, but not the lid's switch"),
+            say("Leave the lid of a laptop open"),
+        )
+    try:
+        texts = [one.read_text("utf-8") for one in sorted(settings.glob("*"))]
+    except (OSError, UnicodeDecodeError):
+        return
+    if any(_RESTARTS.search(text) for text in texts):
+        yield Check(
+            say("Updates"),
+            CheckVerdict.ATTENTION,
+            say("may restart this computer by themselves"),
+            say("Switch Unattended-Upgrade::Automatic-Reboot off"),
+        )
 
 
 def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check]]:
@@ -93,19 +134,28 @@ def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check
     from rigapp.service.launch import find_engine
 
     entry = find_engine(records.rig.path)
+    rig = records.rig.record
+    needed = (rig.encoder.device, rig.spindle.device)  # a test runs without a slow source
     try:
         if entry is None:
             return _look_alone(records, test)
         client = Client(entry, look=False)
         try:
-            return msgspec.convert(client.request("status").result, Status).shown(), []
+            return Status.of_tree(client.request("status").result).shown(), []
         finally:
             client.close()
     except DeviceError as error:
-        found = f"{error.port}: {error.sentence.rstrip('.')}"
-        return None, [Check(f"Device {error.device}", Checked.BLOCKS, found)]
+        return None, [
+            Check(
+                f"Device {one.device}",
+                CheckVerdict.BLOCKS if one.device in needed else CheckVerdict.ATTENTION,
+                f"{one.port}: {one.sentence.rstrip('.')}",
+                say("See troubleshooting.md#{}", help_of(one)),
+            )
+            for one in error.each
+        ]
     except (UnusableInput, SimulationFailed, EngineUnreachable) as error:
-        return None, [Check("Devices", Checked.BLOCKS, str(error))]
+        return None, [Check("Devices", CheckVerdict.BLOCKS, str(error))]
 
 
 def _look_alone(records: RigRecords, test: TestFile) -> tuple[Status, list[Check]]:
@@ -116,17 +166,18 @@ def _look_alone(records: RigRecords, test: TestFile) -> tuple[Status, list[Check
     simulated = SimulatedDevices(records.rig, parse_speed(None, records.rig))
     try:
         ports = simulated.ports(test.model)
-        checks = list(self_check(records.rig.record, ports))
+        checks = list(self_check(records.rig.record, ports, folder=records.rig.path.parent))
         engine = Engine(records.rig, ports=ports, records=records.texts)
         try:
             engine.connect()
             deadline = time.monotonic() + FIRST_DATA_S
-            while not engine.status().channels and time.monotonic() < deadline:
+            while not engine.status().rig.channels and time.monotonic() < deadline:
                 time.sleep(0.05)
             kept = kept_calibration(records.rig.path)
             calibration = kept.shown if kept is not None else None
-            status = msgspec.structs.replace(engine.status(), calibration=calibration)
-            return status.shown(), checks
+            status = engine.status()
+            occupied = msgspec.structs.replace(status.engine, calibration=calibration)
+            return msgspec.structs.replace(status, engine=occupied).shown(), checks
         finally:
             engine.shutdown()
     finally:
@@ -142,13 +193,16 @@ class SelfChecking(Protocol):
 
 
 def self_check(
-    rig: RigFile, ports: Mapping[str, str], load: LoadDriver = load_driver
+    rig: RigFile,
+    ports: Mapping[str, str],
+    load: LoadDriver = load_driver,
+    folder: Path = Path(),
 ) -> Iterator[Check]:
     """Yield what the data source's test value shows, where it has one; raise what opening raises.
 
     The way from the amplifier to the program is checked: scales and order of the channels.
     """
-    devices = make_devices(rig, ports, load)
+    devices = make_devices(rig, ports, load, folder=folder)
     try:
         devices.open()
         source = devices.source
@@ -160,7 +214,7 @@ def self_check(
             with source.calling("its test value was read"):
                 results = driver.half_scale()
         except DeviceError as error:
-            yield Check(what, Checked.ATTENTION, f"not possible: {error.sentence}")
+            yield Check(what, CheckVerdict.ATTENTION, f"not possible: {error.sentence}")
             return
         wrong = [one for one in results if not one.right]
         if wrong:
@@ -169,16 +223,16 @@ def self_check(
                 for one in wrong
             )
             action = "Compare scales and order of the device's channels with the rig file"
-            yield Check(what, Checked.BLOCKS, found, action)
+            yield Check(what, CheckVerdict.BLOCKS, found, action)
         else:
             names = ", ".join(one.name for one in results)
-            yield Check(what, Checked.GOOD, f"half of the range arrives on {names}")
+            yield Check(what, CheckVerdict.GOOD, f"half of the range arrives on {names}")
     finally:
         devices.close()
 
 
 def _rate(status: Status | None) -> float:
-    devices = status.devices if status is not None else ()
+    devices = status.rig.devices if status is not None else ()
     return max((device.sample_rate_Hz for device in devices), default=0.0)
 
 

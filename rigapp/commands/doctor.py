@@ -38,16 +38,36 @@ CAN_LISTEN_S = 1.0  # heartbeats come several times a second
 NETWORKS = Path("/sys/class/net")
 USB_SERIAL = Path("/sys/bus/usb-serial/devices")
 _CAN_NETWORK = "280"
+NO_PERMISSION, IN_USE = "the-port-may-not-be-opened", "the-port-is-in-use"
+SILENT = "nothing-answers"
+RULES_NAME = "60-rigapp.rules"
+RULES_FOLDERS = (Path("/etc/udev/rules.d"), Path("/usr/lib/udev/rules.d"))
+INSTALL_RULES = (
+    f"rigapp doctor --rules | sudo tee {RULES_FOLDERS[0] / RULES_NAME}, then "
+    "sudo udevadm control --reload, then plug the boxes in again"
+)
+PORT_RULES = """\
+# {name}: serial ports of a test rig, by rigapp.
+# The user at the computer may open them. ModemManager leaves them alone: it would send text to each
+# new one, which a motor controller may take for a speed. Delete its lines where a modem is needed.
+# An FTDI adapter gives short replies at once, not after 16 ms.
+ACTION=="remove", GOTO="rigapp_end"
+{known}SUBSYSTEM=="tty", KERNEL=="ttyACM[0-9]*|ttyUSB[0-9]*", TAG+="uaccess"
+SUBSYSTEM=="tty", KERNEL=="ttyACM[0-9]*|ttyUSB[0-9]*", ENV{{ID_MM_PORT_IGNORE}}="1"
+SUBSYSTEM=="usb-serial", DRIVER=="ftdi_sio", ATTR{{latency_timer}}="1"
+LABEL="rigapp_end"
+"""
 _SUBJECT_WIDTH = 19
 
 
 @dataclass(frozen=True, slots=True)
 class Observation:
-    """One line of the examination: good, or what to do."""
+    """One line of the examination: good, or what to do; help: a section of troubleshooting.md."""
 
     subject: str
     text: str
     good: bool = True
+    help: str = ""
 
 
 def examine(port: str | None = None, *, as_json: bool = False) -> int:
@@ -69,9 +89,19 @@ def _all() -> Iterator[Observation]:
         yield Observation("Window", "not installed; to have one: pip install 'rigapp[gui]'")
 
 
+def print_rules() -> int:
+    """Print the udev rules. Exit status."""
+    print(port_rules(installed_drivers([])), end="")
+    return 0
+
+
 def _as_json(findings: Sequence[Observation]) -> int:
     good = all(finding.good for finding in findings)
-    print(json.dumps({"good": good, "findings": [asdict(one) for one in findings]}, indent=2))
+    told = [
+        {key: value for key, value in asdict(one).items() if key != "help" or value}
+        for one in findings
+    ]
+    print(json.dumps({"good": good, "findings": told}, indent=2))
     return 0 if good else 1
 
 
@@ -81,7 +111,8 @@ def _report(findings: Iterable[Observation]) -> int:
     for finding in findings:
         good &= finding.good
         mark = "ok" if finding.good else "ACT"
-        print(f"{mark:<3}  {finding.subject:<{_SUBJECT_WIDTH}}  {finding.text}", flush=True)
+        see = f" (troubleshooting.md#{finding.help})" if finding.help else ""
+        print(f"{mark:<3}  {finding.subject:<{_SUBJECT_WIDTH}}  {finding.text}{see}", flush=True)
     return 0 if good else 1
 
 
@@ -147,10 +178,18 @@ def ports() -> Iterator[Observation]:
     drivers = installed_drivers(broken)
     yield Observation("Drivers", ", ".join(f"{info.name} ({info.title})" for info in drivers))
     yield from broken
+    from rigapp_drivers.wire.ports import stable_name
+
     found = sorted(list_ports.comports())
-    if not found:
+    if found:
+        yield from rules_advice()
+    else:
         yield Observation("Serial ports", "none found; simulated rigs need none")
     for port in found:
+        stable = stable_name(port.device)
+        if stable:
+            number = f', or port = "serial:{port.serial_number}"' if port.serial_number else ""
+            yield Observation(stable, f"is {port.device} now; for a rig file: this name{number}")
         yield from _port(port, drivers)
 
 
@@ -161,7 +200,8 @@ def _port(port: Any, drivers: Sequence[DriverInfo]) -> Iterator[Observation]:
     described = "" if port.description in (None, "n/a") else port.description
     label = " / ".join(info.title for info in known) or described or "serial port"
     if not os.access(port.device, os.R_OK | os.W_OK):
-        yield Observation(port.device, f"{label}: {permission_advice(port.device)}", False)
+        advice = f"{label}: {permission_advice(port.device)}"
+        yield Observation(port.device, advice, False, NO_PERMISSION)
     elif may_be_asked(port.device, known):
         others = [info for info in drivers if info not in known]
         yield from _inquiry_finding(ask(port.device, [*known, *others]), label, bool(known))
@@ -180,13 +220,15 @@ def _inquiry_finding(inquiry: Inquiry, label: str, known: bool) -> Iterator[Obse
         yield Observation(inquiry.port, identity_words(inquiry))
     elif inquiry.problem:
         in_use = "in use" in inquiry.problem
-        yield Observation(inquiry.port, f"{label}: {inquiry.problem}", in_use or not known)
+        text = f"{label}: {inquiry.problem}"
+        yield Observation(inquiry.port, text, in_use or not known, IN_USE if in_use else SILENT)
     elif known:
         yield Observation(
             inquiry.port,
             f"{label} by its USB id, but it does not answer; switch it off and on, and check its "
             "mode (DATAQ: CDC, yellow; RoboClaw: packet serial).",
             False,
+            SILENT,
         )
     else:
         yield Observation(inquiry.port, f"{label}: none of the known devices answers")
@@ -200,20 +242,22 @@ def ask_port(port: str) -> Iterator[Observation]:
     drivers = installed_drivers(broken)
     yield from broken
     if port.startswith("/") and os.path.exists(port) and not os.access(port, os.R_OK | os.W_OK):
-        yield Observation(port, permission_advice(port), False)
+        yield Observation(port, permission_advice(port), False, NO_PERMISSION)
         return
     inquiry = ask(port, drivers)
     if inquiry.answer is not None:
         yield Observation(port, identity_words(inquiry))
         yield Observation("In the rig file", f'driver = "{inquiry.answer.driver}", port = "{port}"')
     elif inquiry.problem:
-        yield Observation(port, inquiry.problem, False)
+        in_use = "in use" in inquiry.problem
+        yield Observation(port, inquiry.problem, False, IN_USE if in_use else SILENT)
     else:
         yield Observation(
             port,
             f"nothing that is known answers (asked for: {', '.join(inquiry.asked)}); check power, "
             "cable and, on a UART, the device's baud rate.",
             False,
+            SILENT,
         )
     yield from latency_timer(Path(port).name)
 
@@ -259,6 +303,34 @@ def latency_timer(name: str, folder: Path = USB_SERIAL) -> Iterator[Observation]
         f"mode when it opens the port; if replies stay late: echo 1 | sudo tee {timer}"
     )
     yield Observation(f"{name} latency timer", f"{milliseconds} ms{advice}")
+
+
+# --- rules for ports ---------------------------------------------------------------------------
+
+
+def port_rules(drivers: Iterable[DriverInfo]) -> str:
+    """Return udev rules by which the user at the computer, and no modem's program, opens the ports.
+
+    The known devices are those that the drivers name by their USB id.
+    """
+    known = "".join(
+        f'SUBSYSTEM=="usb", ENV{{DEVTYPE}}=="usb_device", ATTR{{idVendor}}=="{vendor:04x}", '
+        f'ENV{{ID_MM_DEVICE_IGNORE}}="1"\n'
+        for vendor in sorted({vendor for info in drivers for vendor, _ in info.usb_ids})
+    )
+    return PORT_RULES.format(name=RULES_NAME, known=known)
+
+
+def rules_advice(folders: Sequence[Path] = RULES_FOLDERS) -> Iterator[Observation]:
+    """Say how the udev rules are installed, where there is udev and they are not."""
+    if any((folder / RULES_NAME).exists() for folder in folders):
+        yield Observation("Rules for ports", "installed")
+    elif folders[0].is_dir():
+        yield Observation(
+            "Rules for ports",
+            "not installed: ModemManager may write to a box, and its port may be closed to you; "
+            f"{INSTALL_RULES}",
+        )
 
 
 # --- CAN --------------------------------------------------------------------------------------

@@ -40,7 +40,7 @@ def identify_tests(
 
 
 def _tree(found: Any) -> dict[str, Any]:
-    from rigapp.report.testreport.identifiedtables import as_tree
+    from rigapp.report.testreport.identifiedtree import as_tree
 
     return as_tree(found)
 
@@ -50,23 +50,23 @@ def _json(found: Any) -> bytes:
 
 
 def _csv(found: Any) -> bytes:
-    from rigapp.report.testreport.identifiedtables import as_csv
+    from rigapp.report.testreport.identifiedtree import as_csv
 
     return as_csv(found)
 
 
 def _html(found: Any) -> bytes:
-    from rigapp.report.page.html import as_html
+    from rigapp.report.page.manuscript import as_html
     from rigapp.report.testreport.identifiedsections import identified_document
 
-    return as_html(identified_document(found, vector=True))
+    return as_html(identified_document(found))
 
 
 def _pdf(found: Any) -> bytes:
     from rigapp.report.page.pdf import as_pdf
     from rigapp.report.testreport.identifiedsections import identified_document
 
-    return as_pdf(identified_document(found, vector=False))
+    return as_pdf(identified_document(found))
 
 
 FORMS: dict[str, Callable[[Any], bytes]] = {
@@ -113,7 +113,7 @@ def _say(found: Any) -> None:
 def _prior_lines(prior: Any) -> str:
     """Return a prior as the section of a test file."""
     from rigapp.config.recipe import PriorSection
-    from rigapp.report.testreport.identifiedtables import PER_UNIT
+    from rigapp.report.testreport.identifiedtree import PER_UNIT
 
     coefficient, spread = float(f"{PER_UNIT * prior.coefficient:.4g}"), float(f"{prior.spread:.3g}")
     return (

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from rigapp.config.extras import from_extra
+from rigapp.config.errors import from_extra
 from rigapp.process.ending import ending_as_interrupt
 from rigapp.schema.details import indented
 

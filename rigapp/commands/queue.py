@@ -14,6 +14,7 @@ from rigapp.config.loading import read_rig
 from rigapp.queue.items import Queue, halted, line, removed
 from rigapp.queue.store import QueueStore
 from rigapp.schema.queue import ItemState
+from rigapp.schema.wire import json_bytes
 
 CONNECTING_S = 90.0
 LOOK_EVERY_S = 0.2
@@ -35,7 +36,7 @@ def show(rig: Path, *, as_json: bool) -> int:
     """Print a rig's queue; raise UnusableInput. Exit status."""
     queue = _store(rig).read()
     if as_json:
-        print(msgspec.json.format(msgspec.json.encode(queue)).decode())
+        print(msgspec.json.format(json_bytes(queue)).decode())
         return 0
     return _shown(queue)
 

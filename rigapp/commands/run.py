@@ -10,8 +10,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Protocol
 
-import msgspec
-
+from rigapp.commands.engine import close_host
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.recipe import TestFile
@@ -20,11 +19,12 @@ from rigapp.schema.details import indented
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.notices import Committed, Finished, Notice, StateChanged
 from rigapp.schema.states import ACTIVE, Ending, InFault, Refused
-from rigapp.service.host import EngineHost, close_host
+from rigapp.schema.wire import json_bytes
+from rigapp.service.host import EngineHost
 from rigapp.service.recorded import (
-    compress_complete,
     end_whole_test,
     recorded_test,
+    settle,
     with_revolutions,
 )
 from rigapp.service.registry import withdraw
@@ -68,10 +68,16 @@ def run_test(
     progress: str | None,
     speed: str | None,
     bind: str | None = None,
+    record_wire: Path | None = None,
 ) -> int:
-    """Run one test into a new file; return the exit status."""
+    """Run one test into a new file; return the exit status.
+
+    record_wire: where the lines of the devices are recorded.
+    """
     document = with_revolutions(read_test(test), revolutions)
-    return _conduct(document, rig, out, progress, speed, bind, resume=False)
+    return _conduct(
+        document, rig, out, progress, speed, bind, resume=False, record_wire=record_wire
+    )
 
 
 def resume_test(
@@ -121,6 +127,7 @@ def _conduct(
     *,
     resume: bool,
     reason: str = "",
+    record_wire: Path | None = None,
 ) -> int:
     if progress not in (None, "json"):
         raise UnusableInput(f"--progress {progress}: only json is known; or leave it out.")
@@ -128,8 +135,14 @@ def _conduct(
     chosen = parse_speed(speed, rig_document)
     if not resume:
         _refuse_bad_target(out)
+    if record_wire is not None and not record_wire.parent.is_dir():
+        raise UnusableInput(
+            f"{record_wire}: the folder {record_wire.parent} does not exist; create it first."
+        )
     with asked_to_end() as asked:
-        host = EngineHost(rig_document, chosen, parse_bind(bind) if bind else None)
+        host = EngineHost(
+            rig_document, chosen, parse_bind(bind) if bind else None, record_wire=record_wire
+        )
         shown: Progress = _Json() if progress == "json" else _bar(test.record)
         operator = test.record.metadata.operator
         try:
@@ -153,7 +166,7 @@ def _conduct(
             shown.close()
             close_host(host, asked)
             if host.engine.outcome is not None:
-                compress_complete(host.engine.outcome)
+                settle(host.engine.outcome)
 
 
 def show_resumption(found: Resumption) -> None:
@@ -289,7 +302,7 @@ class _Json:
 
     def notice(self, notice: Notice) -> None:
         try:
-            print(msgspec.json.encode(notice).decode(), flush=True)
+            print(json_bytes(notice).decode(), flush=True)
         except OSError:
             # Nobody listens any more, which is no reason to end a test.
             sys.stdout = open(os.devnull, "w")  # noqa: SIM115 - to the end of the process

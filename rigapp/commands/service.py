@@ -16,6 +16,7 @@ from pathlib import Path
 
 import platformdirs
 
+from rigapp.commands.doctor import rules_advice
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp.process.children import module_command
@@ -123,6 +124,8 @@ def install(units: Sequence[SystemdUnit]) -> int:
     if not _asked("daemon-reload") or not _asked("enable", "--now", *names):
         return 1
     print(f"Started, and started with the computer: {', '.join(names)}")
+    for one in rules_advice():
+        print(f"{one.subject}: {one.text}")
     if not _lingers():
         print(
             "They start when you log in and end when you log out; to have them from the start of"

@@ -6,6 +6,13 @@ import json
 from pathlib import Path
 from typing import Any
 
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_rig
+from rigapp.engine.devices import LoadDriver, make_devices
+from rigapp.service.launch import find_engine
+from rigapp_drivers.api import DriveStatus
+from rigapp_drivers.registry import load_driver
+
 ANSWER_S = 5.0  # far longer than an engine that runs takes
 
 
@@ -76,12 +83,10 @@ def _asked(entry: Any) -> dict[str, Any]:
 
 def _told(result: Any) -> dict[str, str]:
     """Return the state of a status in a word and in a line, as the window says them."""
-    import msgspec
-
     from rigapp.presentation.states import state_details, state_line, state_word
     from rigapp.schema.messages import Status
 
-    status = msgspec.convert(result, Status)
+    status = Status.of_tree(result)
     told = {"state_word": state_word, "state_line": state_line, "state_details": state_details}
     return {name: tell(status) for name, tell in told.items()}
 
@@ -115,3 +120,33 @@ def _lines(one: dict[str, Any]) -> list[str]:
     for alarm in one["alarms"]:
         lines += _indented(f"{alarm['severity']}, {alarm['state']}: {alarm['cause']}")
     return lines
+
+
+def reset_drive(rig_path: Path, load: LoadDriver = load_driver) -> int:
+    """Acknowledge what the drive holds, after its cause is removed; return the exit status.
+
+    The motor stays without power. Raises UnusableInput while an engine has the drive, DeviceError
+    when the drive does not answer or keeps its fault.
+    """
+    if find_engine(rig_path) is not None:
+        raise UnusableInput(f"{rig_path}: an engine runs this rig; reset there, in its window.")
+    rig = read_rig(rig_path)
+    devices = make_devices(rig.record, {}, load, str(rig_path), folder=rig_path.parent)
+    spindle = devices.spindle
+    try:
+        spindle.open()
+        spindle.configure(devices.drive_request)
+        held = _held(spindle.status())
+        if held:
+            spindle.reset_fault()
+    finally:
+        spindle.close()
+    where = f"{spindle.name} on {spindle.port}"
+    print(f"{where}: {held} was reset; the motor has no power." if held else f"{where}: ready.")
+    return 0
+
+
+def _held(status: DriveStatus) -> str:
+    """Return what keeps a drive from turning, in words; empty when nothing does."""
+    stop = ("the emergency stop",) if status.emergency_stop else ()
+    return ", ".join((*stop, *status.faults))

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rigapp.commands.progress import bar
-from rigapp.config.extras import from_extra
+from rigapp.config.errors import from_extra
 
 if TYPE_CHECKING:
     from rigapp.study.running import StudyEnd
@@ -43,5 +43,9 @@ def _say(end: StudyEnd) -> None:
     print(f"{end.done:,} of {end.points:,} points are done, {good:,} with a result.")
     if end.failed:
         print(f"{end.failed:,} have none; the column `problem` says why.")
+    if end.noted:
+        print(f"{end.noted:,} have notes that belong to the result; the column `notes` has them.")
+    for sentence in end.unresolved:
+        print(f"{sentence}.")
     for path in end.files:
         print(path)

@@ -1,8 +1,7 @@
-"""`rigapp gui`, `rigapp replay` and `rigapp picture`: everything that needs Qt."""
+"""`rigapp gui` and `rigapp replay`: everything that needs Qt."""
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -73,23 +72,15 @@ def _tests(rig: Path, test: Path | None) -> list[Path]:
 def replay_file(path: Path) -> int:
     """Show a recorded test in the same window; return the exit status."""
     from rigapp.replay.client import ReplayClient, read_recording
-    from rigapp.storage import open_test
+    from rigapp.storage import blocks, open_test
 
     with open_test(path) as test:  # a damaged file is refused before there is a window
         read_recording(test)
+        # What the first page draws; the other columns are read when they are looked at.
+        for _ in blocks(test, ("force_max", "force_min", "force_rms", "speed")):
+            pass
     from rigapp.gui.window.app import main
 
     return main(
         lambda: ReplayClient(path), rig_path=path, tests=[], results_folder=path.resolve().parent
     )
-
-
-def draw_picture(path: Path, target: Path) -> int:
-    """Draw a recorded test without a display; return the exit status."""
-    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-    # The offscreen platform warns of what no picture needs.
-    os.environ.setdefault("QT_LOGGING_RULES", "default.warning=false")
-    from rigapp.gui.window.picture import save_picture
-
-    save_picture(path, target)
-    return 0

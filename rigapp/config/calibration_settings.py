@@ -12,7 +12,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.numbers import TURN_DEG, within
 from rigapp_calibration.load_cell.settings import CellSettings, LoadCellSettings, Use
 from rigapp_calibration.load_cell.weights import Place, WeightSet, normal_gravity
-from rigapp_calibration.probes.settings import ProbeSettings
+from rigapp_calibration.probes.readings import ProbeSettings
 
 WEIGHTS_UNCERTAINTY = 5e-5
 """Relative standard uncertainty of weights of which nothing is stated: of class M1 (OIML R 111)."""
@@ -20,16 +20,25 @@ LATITUDE_GRAVITY_UNCERTAINTY = 5e-5
 STATED_GRAVITY_UNCERTAINTY = 1e-5
 """Relative: of a value from latitude and height, and of a stated local value."""
 WITH_THE_READINGS = within(-math.inf, math.inf)
-"""Any number: ``rigapp_calibration.load_cell.plausible`` judges it, where the readings are."""
+"""Any number: ``rigapp_calibration.load_cell.settings`` judges it, where the readings are."""
 
 
 class CellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[cell]: the load cell."""
+    """[cell]: the load cell.
+
+    rated_output_mV_per_V: at full scale, by its data sheet, with its tolerance; a result that
+    differs by more is refused. decision_rule: of a daily check (JCGM 106), whether U is taken off
+    what is allowed ("guard band") or not ("simple acceptance").
+    """
 
     name: str
     full_scale_N: Annotated[float, within(1.0, 1e6)] = 400.0
     resolution_N: Annotated[float, within(1e-6, 1000.0)] = 2.0
     signal_unit: str = "mV/V"
+    serial_number: str = ""
+    rated_output_mV_per_V: Annotated[float | None, within(0.01, 100.0)] = None
+    rated_output_tolerance_percent: Annotated[float, within(0.0, 50.0)] = 1.0
+    decision_rule: Literal["guard band", "simple acceptance"] = "guard band"
 
 
 class WeightPiece(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -45,7 +54,8 @@ class WeightPiece(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class WeightsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[weights]: how their mass is stated, density, uncertainty, hanger, and every piece.
 
-    relative_standard_uncertainty: of all; without it the largest of the pieces.
+    relative_standard_uncertainty: of all; without it the largest of the pieces. hanger_at_zero_kg:
+    what stays on the pin at the zeros as well; it is in no load.
     """
 
     mass_kind: Literal["conventional", "true"] = "conventional"
@@ -53,6 +63,7 @@ class WeightsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     density_standard_uncertainty_kg_per_m3: Annotated[float, within(0.0, 3000.0)] = 100.0
     relative_standard_uncertainty: Annotated[float | None, within(0.0, 0.01)] = None
     hanger_mass_kg: Annotated[float, within(0.0, 100.0)] = 0.0
+    hanger_at_zero_kg: Annotated[float, within(0.0, 100.0)] = 0.0
     piece: tuple[WeightPiece, ...] = ()
 
     @property
@@ -107,6 +118,11 @@ class UseSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     The defaults are those of a good strain-gauge cell in a room that is not air-conditioned; 0
     leaves a part out. temperature_difference_K: to the calibration's, for the zero to when it was
     taken last. creep_percent: of the load, between seconds and minutes under it.
+    load_introduction_percent: of the load, between one adapter and another. angle_deg: of the pin
+    in use, as of an eccentric encoder. zero_before_test: the zero is taken before each test, that
+    of the record is not used. What a calibration does not show, per cent of full scale at full
+    scale: cross_terms_percent of each bridge, where the pin angles do not determine f1 f2;
+    bend_percent, beyond the largest load; loop_percent, where no falling loads were read.
     """
 
     temperature_difference_K: Annotated[float, within(0.0, 100.0)] = 5.0
@@ -114,6 +130,12 @@ class UseSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     zero_percent_of_full_scale_per_K: Annotated[float, within(0.0, 1.0)] = 0.01
     creep_percent: Annotated[float, within(0.0, 5.0)] = 0.05
     gain_change_percent_per_year: Annotated[float, within(0.0, 10.0)] = 0.1
+    load_introduction_percent: Annotated[float, within(0.0, 10.0)] = 0.0
+    angle_deg: Annotated[float, within(0.0, 10.0)] = 0.0
+    zero_before_test: bool = False
+    cross_terms_percent: Annotated[float, within(0.0, 10.0)] = 1.25
+    bend_percent: Annotated[float, within(0.0, 10.0)] = 0.5
+    loop_percent: Annotated[float, within(0.0, 10.0)] = 0.5
 
 
 class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -234,8 +256,9 @@ def load_cell_meaning(given: LoadCellFile, where: str) -> LoadCellSettings:
     gravity = place.gravity_m_s2 if place.gravity_m_s2 is not None else expected
     if gravity is None:
         raise UnusableInput(
-            f"{where}: place.gravity_m_s2 is missing; write the local gravity, or latitude_deg and"
-            " height_m."
+            "{}: place.gravity_m_s2 is missing; write the local gravity, or"
+            " latitude_deg and height_m.",
+            where,
         )
     relative = place.gravity_relative_standard_uncertainty
     if relative is None:
@@ -248,6 +271,9 @@ def load_cell_meaning(given: LoadCellFile, where: str) -> LoadCellSettings:
             given.cell.full_scale_N,
             given.cell.resolution_N,
             given.cell.signal_unit,
+            given.cell.rated_output_mV_per_V,
+            0.01 * given.cell.rated_output_tolerance_percent,
+            given.cell.decision_rule == "guard band",
         ),
         weights=WeightSet(
             weights.mass_kind,
@@ -255,6 +281,7 @@ def load_cell_meaning(given: LoadCellFile, where: str) -> LoadCellSettings:
             weights.density_standard_uncertainty_kg_per_m3,
             weights.relative_uncertainty,
             weights.hanger_mass_kg,
+            weights.hanger_at_zero_kg,
         ),
         place=Place(
             gravity,
@@ -279,6 +306,12 @@ def _use(given: UseSection, valid_days: int) -> Use:
         zero_per_kelvin=0.01 * given.zero_percent_of_full_scale_per_K,
         creep=0.01 * given.creep_percent,
         change=0.01 * given.gain_change_percent_per_year * valid_days / 365.0,
+        introduction=0.01 * given.load_introduction_percent,
+        angle=math.radians(given.angle_deg),
+        zeroed=given.zero_before_test,
+        cross_terms=0.01 * given.cross_terms_percent,
+        bend=0.01 * given.bend_percent,
+        loop=0.01 * given.loop_percent,
     )
 
 

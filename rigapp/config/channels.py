@@ -11,6 +11,7 @@ from rigapp.config.rig import ChannelSection, RigFile
 from rigapp.config.rules import NAME
 from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind, taken_names
 from rigapp.schema.columns import prediction_columns
+from rigapp.texts import joined, say
 
 LONGEST_NAME = 40
 """Characters of a channel's name: its columns stay readable as headings."""
@@ -73,8 +74,17 @@ def _channel(name: str, section: ChannelSection) -> Channel:
         )
     device, quantity = section.slow_source
     unit = unit_of(f"_{quantity}")
-    sentence = f"{words}, {quantity} of {device}"
-    return Channel(name, section.unit or unit, sentence, Kind.SLOW, "", "", device, quantity, unit)
+    sentence = say("{}, {} of {}", words, quantity, device)
+    return Channel(
+        name,
+        section.unit or unit,
+        sentence,
+        Kind.SLOW,
+        device=device,
+        input=quantity,
+        signal_unit=unit,
+        averaged=True,
+    )
 
 
 def input_keys(rig: RigFile) -> dict[str, str]:
@@ -95,26 +105,32 @@ def input_keys(rig: RigFile) -> dict[str, str]:
 def channel_faults(rig: RigFile) -> Iterator[str]:
     """Yield what is wrong with the free channels, each with its key."""
     known = {one.name for one in prediction_columns()} | RESERVED
-    taken = dict.fromkeys(known | taken_names(BASE.channels), "has it already")
-    taken |= dict.fromkeys((one.name for one in BASE.channels), "is a channel of every rig")
+    taken = dict.fromkeys(known | taken_names(BASE.channels), say("has it already"))
+    taken |= dict.fromkeys((one.name for one in BASE.channels), say("is a channel of every rig"))
     for name, section in rig.channels.items():
         key = f"channels.{name}"
         wrong = _of_name(name, key, section, taken)
         yield from [wrong] if wrong else _of_section(rig, key, section)
-        taken |= dict.fromkeys((name, *taken_names([_channel(name, section)])), f"is of {key}")
+        taken |= dict.fromkeys(
+            (name, *taken_names([_channel(name, section)])), say("is of {}", key)
+        )
 
 
 def _of_name(name: str, key: str, section: ChannelSection, taken: Mapping[str, str]) -> str:
     if not NAME.fullmatch(name) or len(name) > LONGEST_NAME or name.startswith("raw_"):
-        return (
-            f"{key} is no name for a channel; write at most {LONGEST_NAME} lower-case letters,"
-            " digits and _, a letter first and not raw_, for example bushing_temperature"
+        return say(
+            "{} is no name for a channel; write at most {} lower-case letters, digits"
+            " and _, a letter first and not raw_, for example bushing_temperature",
+            key,
+            LONGEST_NAME,
         )
     own = {one.name for one in _channel(name, section).columns} | {name, f"raw_{name}"}
     clash = sorted(own & taken.keys(), key=lambda one: (one != name, one))
     if not clash:
         return ""
-    return f"{key} cannot be called so: its column {clash[0]!r} exists; choose another name"
+    return say(
+        "{} cannot be called so: its column {} exists; choose another name", key, repr(clash[0])
+    )
 
 
 def _of_section(rig: RigFile, key: str, section: ChannelSection) -> Iterator[str]:
@@ -122,48 +138,84 @@ def _of_section(rig: RigFile, key: str, section: ChannelSection) -> Iterator[str
         given = [one for one in _OF_INPUT if getattr(section, one) != getattr(_PLAIN, one)]
         if given:
             yield (
-                f"{key}.{given[0]} means nothing beside {key}.source; take one of them out, a"
-                " channel is either an input or a source"
+                say(
+                    "{}.{} means nothing beside {}.source; take one of them out, a channel"
+                    " is either an input or a source",
+                    key,
+                    given[0],
+                    key,
+                )
             )
         yield from _of_source(rig, key, section)
         return
     source = rig.encoder.device
     for name, example in (("device", source), ("input", "analog_5"), ("unit", "degC")):
         if not getattr(section, name).strip():
-            yield f'{key}.{name} is missing; write {name} = "{example}" or the like'
+            yield say('{}.{} is missing; write {} = "{}" or the like', key, name, name, example)
     if section.device != source:
         yield (
-            f"{key}.device = {section.device!r} must be {source!r}, the device of the encoder:"
-            " inputs are sampled together with the crank angle; what another device tells comes"
-            f' with {key}.source = "DEVICE.QUANTITY"'
+            say(
+                "{}.device = {} must be {}, the device of the encoder: inputs are sampled"
+                " together with the crank angle; what another device tells comes with"
+                ' {}.source = "DEVICE.QUANTITY"',
+                key,
+                repr(section.device),
+                repr(source),
+                key,
+            )
         )
     if section.table and (section.scale, section.offset_V) != (_PLAIN.scale, _PLAIN.offset_V):
-        yield f"{key}.table stands beside scale or offset_V; keep either the table or these"
+        yield say("{}.table stands beside scale or offset_V; keep either the table or these", key)
     elif not section.table and section.scale == 0.0:
-        yield f"{key}.scale = 0 makes the same value of every voltage; write the unit per V"
+        yield say("{}.scale = 0 makes the same value of every voltage; write the unit per V", key)
     if len(section.table) == 1:
-        yield f"{key}.table has one point; give two or more as [[voltage in V, value], ...]"
+        yield say("{}.table has one point; give two or more as [[voltage in V, value], ...]", key)
     for place, ((low, one), (high, other)) in enumerate(pairwise(section.table), 2):
         if high <= low:
-            yield f"{key}.table {place}: voltage {high:g} V is not above {low:g} V before; sort it"
+            yield say(
+                "{}.table {}: voltage {:g} V is not above {:g} V before; sort it",
+                key,
+                place,
+                high,
+                low,
+            )
         elif one == other:
-            yield f"{key}.table {place}: value {other:g} is that of the row before; take one out"
+            yield say(
+                "{}.table {}: value {:g} is that of the row before; take one out", key, place, other
+            )
     rising = [two[1] > one[1] for one, two in pairwise(section.table)]
     if any(rising) and not all(rising):
-        yield f"{key}.table rises and falls; a voltage must mean one value and a value one voltage"
+        yield say(
+            "{}.table rises and falls; a voltage must mean one value and a value one voltage", key
+        )
 
 
 def _of_source(rig: RigFile, key: str, section: ChannelSection) -> Iterator[str]:
     device, quantity = section.slow_source
     if not (device and quantity):
-        yield f'{key}.source = {section.source!r} is not readable; write "DEVICE.QUANTITY"'
+        yield say(
+            '{}.source = {} is not readable; write "DEVICE.QUANTITY"', key, repr(section.source)
+        )
     elif device not in rig.devices:
-        known = ", ".join(rig.devices) or "none"
-        yield f"{key}.source = {section.source!r}: {device} is not among the devices ({known})"
+        known = joined(", ", rig.devices) or "none"
+        yield say(
+            "{}.source = {}: {} is not among the devices ({})",
+            key,
+            repr(section.source),
+            device,
+            known,
+        )
     elif device == rig.encoder.device:
         yield (
-            f"{key}.source = {section.source!r}: {device} is the data source; give {key}.device"
-            f" and {key}.input for one of its inputs"
+            say(
+                "{}.source = {}: {} is the data source; give {}.device and {}.input for one"
+                " of its inputs",
+                key,
+                repr(section.source),
+                device,
+                key,
+                key,
+            )
         )
 
 

@@ -13,11 +13,12 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.notify import NotifyFile, notify_faults
 from rigapp.config.parameters import ParameterFile, to_parameters
 from rigapp.config.ranges import refusals
-from rigapp.config.recipe import MOST_STEPS, TestFile
+from rigapp.config.recipe import MOST_STEPS, LimitsSection, TestFile
 from rigapp.config.rig import Matrix, RigFile
 from rigapp.config.rules import check_rules
 from rigapp.config.sequence import Sequence
 from rigapp.schema.criteria import CRITERIA
+from rigapp.texts import joined, say, sentence_of_error
 
 SECTIONS = ("spindle", "encoder", "load_cell", "probes")
 CELL_CONDITION = 1e6
@@ -48,38 +49,48 @@ def _of_texts(value: object, key: str) -> Iterator[str]:
             yield from _of_texts(getattr(value, name), f"{key}.{name}".lstrip("."))
     elif isinstance(value, tuple):
         for place, one in enumerate(value, 1):
-            yield from _of_texts(one, f"{key} {place}")
+            yield from _of_texts(one, say("{} {}", key, place))
     elif isinstance(value, str):
         control = next((one for one in value if one < " " and one not in "\n\t"), "")
         if control:
-            yield f"{key} holds the control character \\u{ord(control):04x}; take it out"
+            yield say(
+                "{} holds the control character \\u{}; take it out", key, f"{ord(control):04x}"
+            )
 
 
 def _of_rig(rig: RigFile) -> Iterator[str]:
     for section in SECTIONS:
         device = getattr(rig, section).device
         if device not in rig.devices:
-            known = ", ".join(rig.devices) or "none"
-            yield f"{section}.device = {device!r} is not among the devices ({known})"
+            known = joined(", ", rig.devices) or "none"
+            yield say("{}.device = {} is not among the devices ({})", section, repr(device), known)
     sources = {rig.encoder.device, rig.load_cell.device, rig.probes.device}
     if len(sources) > 1:
         yield (
-            "encoder, load_cell and probes must come from one device, so that their samples are"
-            f" taken together; they name {', '.join(sorted(sources))}"
+            say(
+                "encoder, load_cell and probes must come from one device, so that their"
+                " samples are taken together; they name {}",
+                joined(", ", sorted(sources)),
+            )
         )
     for name, device in rig.devices.items():
         if not device.port.strip():
-            yield f"devices.{name}.port is empty; name the port"
+            yield say("devices.{}.port is empty; name the port", name)
     if rig.simulation is None:
         for name in rig.simulated_devices:
             yield (
-                f"devices.{name}.port is 'simulated' but there is no [simulation]; name the"
-                " port or add the section"
+                say(
+                    "devices.{}.port is 'simulated' but there is no [simulation]; name the"
+                    " port or add the section",
+                    name,
+                )
             )
     elif not rig.simulated_devices:
         yield (
-            "[simulation] stands in the file of a real rig, where no device has port = 'simulated';"
-            " remove the line [simulation] and the keys below it"
+            say(
+                "[simulation] stands in the file of a real rig, where no device has port ="
+                " 'simulated'; remove the line [simulation] and the keys below it"
+            )
         )
     yield from channel_faults(rig)
     yield from _of_inputs(rig)
@@ -90,8 +101,8 @@ def _of_inputs(rig: RigFile) -> Iterator[str]:
     named = input_keys(rig)
     for one, count in Counter(named.values()).items():
         if count > 1:
-            keys = " and ".join(key for key, value in named.items() if value == one)
-            yield f"{keys} both name {one!r}; each needs an input of its own"
+            keys = joined(say(" and "), (key for key, value in named.items() if value == one))
+            yield say("{} both name {}; each needs an input of its own", keys, repr(one))
 
 
 def number_faults(rig: RigFile) -> Iterator[str]:
@@ -107,28 +118,48 @@ def _of_numbers(rig: RigFile) -> Iterator[str]:
         ("probes.alignment", probes.alignment, ALIGNMENT_CONDITION),
     ):
         if not _condition(matrix) <= most:
-            yield f"{key} = {_listed(matrix)} cannot be inverted; two rows say the same, or nothing"
+            yield say(
+                "{} = {} cannot be inverted; two rows say the same, or nothing",
+                key,
+                _listed(matrix),
+            )
     for place, zero in enumerate(cell.zero_mV_per_V, 1):
         if abs(zero) >= cell.range_mV_per_V:
             yield (
-                f"load_cell.zero_mV_per_V {place} = {zero:g} is not within"
-                f" load_cell.range_mV_per_V = {cell.range_mV_per_V:g}"
+                say(
+                    "load_cell.zero_mV_per_V {} = {:g} is not within"
+                    " load_cell.range_mV_per_V = {:g}",
+                    place,
+                    zero,
+                    cell.range_mV_per_V,
+                )
             )
     if cell.resolution_N >= cell.full_scale_N:
         yield (
-            f"load_cell.resolution_N = {cell.resolution_N:g} is not below load_cell.full_scale_N"
-            f" = {cell.full_scale_N:g}"
+            say(
+                "load_cell.resolution_N = {:g} is not below load_cell.full_scale_N = {:g}",
+                cell.resolution_N,
+                cell.full_scale_N,
+            )
         )
     for place, (cosines, sines) in enumerate(
         zip(probes.run_out_cos_um, probes.run_out_sin_um, strict=True), 1
     ):
         if len(cosines) != len(sines):
             yield (
-                f"probes.run_out_cos_um {place} has {len(cosines)} orders and"
-                f" probes.run_out_sin_um {place} has {len(sines)}; give as many"
+                say(
+                    "probes.run_out_cos_um {} has {} orders and probes.run_out_sin_um {}"
+                    " has {}; give as many",
+                    place,
+                    len(cosines),
+                    place,
+                    len(sines),
+                )
             )
     if len({len(orders) for orders in probes.run_out_cos_um}) > 1:
-        yield "probes.run_out_cos_um has other orders for one probe than the other; give as many"
+        yield say(
+            "probes.run_out_cos_um has other orders for one probe than the other; give as many"
+        )
 
 
 def _condition(matrix: Matrix) -> float:
@@ -148,60 +179,83 @@ def _listed(matrix: Matrix) -> str:
 def _of_test(test: TestFile) -> Iterator[str]:
     wrong = list(_of_sequence(test))
     yield from wrong
-    fastest, where = test.run.speed_rpm, "run.speed_rpm"
-    if not wrong:
-        sequence = Sequence(test.run)
-        fastest, where = sequence.fastest_rpm, sequence.fastest_key
-    if test.limits.overspeed_rpm <= fastest:
-        yield (
-            f"limits.overspeed_rpm = {test.limits.overspeed_rpm:g} is not above {where} ="
-            f" {fastest:g}; the test would trip at once"
-        )
+    # Steps that contradict themselves have no fastest one; the speed of [run] is judged then.
+    run = msgspec.structs.replace(test.run, step=()) if wrong else test.run
+    yield from overspeed_faults(test.limits, Sequence(run))
     stop, limits = test.stop, test.limits
     if stop.force_N is not None and stop.force_N >= limits.overload_N:
         yield (
-            f"stop.force_N = {stop.force_N:g} can never be met, because limits.overload_N ="
-            f" {limits.overload_N:g} switches the drive off before; lower stop.force_N"
+            say(
+                "stop.force_N = {:g} can never be met, because limits.overload_N = {:g}"
+                " switches the drive off before; lower stop.force_N",
+                stop.force_N,
+                limits.overload_N,
+            )
         )
     for name, criterion in CRITERIA.items():
         blind = criterion.model and not test.prediction.enabled
         if blind and getattr(stop, name) is not None:
             yield (
-                f"stop.{name} {criterion.model}, but prediction.enabled is false; enable the"
-                " prediction or leave the criterion out"
+                say(
+                    "stop.{} {}, but prediction.enabled is false; enable the prediction or"
+                    " leave the criterion out",
+                    name,
+                    criterion.model,
+                )
             )
     if stop.remaining_revolutions is not None and stop.wear_depth_um is None:
-        yield "stop.remaining_revolutions needs stop.wear_depth_um, the depth to which they remain"
+        yield say(
+            "stop.remaining_revolutions needs stop.wear_depth_um, the depth to which they remain"
+        )
     try:
         check_rules(limits.rule)
     except UnusableInput as error:
-        yield str(error)
+        yield sentence_of_error(error)
     yield from _of_parameters(test.model, "model")
+
+
+def overspeed_faults(limits: LimitsSection, sequence: Sequence) -> Iterator[str]:
+    """Yield that the overspeed limit is not above the fastest speed of a test."""
+    if limits.overspeed_rpm <= sequence.fastest_rpm:
+        yield say(
+            "limits.overspeed_rpm = {:g} is not above {} = {:g}; the test would trip at once",
+            limits.overspeed_rpm,
+            sequence.fastest_key,
+            sequence.fastest_rpm,
+        )
 
 
 def _of_sequence(test: TestFile) -> Iterator[str]:
     run, count = test.run, len(test.run.step)
     if count > MOST_STEPS:
-        yield f"run.step stands {count} times; {MOST_STEPS} are possible, and they can be repeated"
+        yield say(
+            "run.step stands {} times; {} are possible, and they can be repeated", count, MOST_STEPS
+        )
     for number, step in enumerate(run.step, start=1):
         if (step.revolutions is None) == (step.duration_s is None):
-            yield f"run.step {number}: give revolutions or duration_s, one of the two"
+            yield say("run.step {}: give revolutions or duration_s, one of the two", number)
     if run.repeat_from_step > max(1, count):
-        yield f"run.repeat_from_step = {run.repeat_from_step}, but run.step stands {count} times"
+        yield say(
+            "run.repeat_from_step = {}, but run.step stands {} times", run.repeat_from_step, count
+        )
     for rule in test.limits.rule:
         for number in rule.steps:
             if not 1 <= number <= count:
                 yield (
-                    f"limits.rule ({rule.quantity}): steps names step {number}, but run.step"
-                    f" stands {count} times"
+                    say(
+                        "limits.rule ({}): steps names step {}, but run.step stands {} times",
+                        rule.quantity,
+                        number,
+                        count,
+                    )
                 )
 
 
 def _of_parameters(parameters: ParameterFile, section: str) -> Iterator[str]:
     if parameters.schema != 1:
         key = f"{section}.schema" if section else "schema"
-        yield f"{key} = {parameters.schema} is not readable; write 1"
+        yield say("{} = {} is not readable; write 1", key, parameters.schema)
     try:
         to_parameters(parameters, section=section)
     except UnusableInput as error:
-        yield str(error).rstrip(".")
+        yield sentence_of_error(error).rstrip(".")

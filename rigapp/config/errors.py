@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Literal
+
+from rigapp.texts import Sentence, SentenceError, joined, say
 
 
-class UnusableInput(Exception):
+class UnusableInput(SentenceError):
     """Say which file and key cannot be used, and what to do; exit status 2."""
 
 
 _WORDS = {
-    "float": "a number",
-    "int": "a whole number",
-    "str": "text",
-    "bool": "true or false",
-    "null": "nothing",
-    "object": "a table",
-    "array": "a list",
+    "float": say("a number"),
+    "int": say("a whole number"),
+    "str": say("text"),
+    "bool": say("true or false"),
+    "null": say("nothing"),
+    "object": say("a table"),
+    "array": say("a list"),
 }
 
 
@@ -29,11 +34,37 @@ def in_words(error: Exception) -> tuple[str, str]:
     where = where.rstrip("`").lstrip(".")
     missing = re.fullmatch(r"Object missing required field `(.+)`", message)
     if missing:
-        return f"{where}.{missing[1]}" if where else missing[1], "is missing"
+        return f"{where}.{missing[1]}" if where else missing[1], say("is missing")
 
-    def plain(kinds: re.Match[str]) -> str:
-        names = kinds[1].removesuffix(" | null").split(" | ")
-        return " or ".join(_WORDS.get(name, f"`{name}`") for name in names)
+    message = message[:1].lower() + message[1:]
+    values = [_kind(found[1]) if found[1] else found[0] for found in _VALUES.finditer(message)]
+    return where, Sentence(_VALUES.sub("{}", message), *values)
 
-    message = re.sub(r"`([a-z| ]+)`", plain, message)
-    return where, message[:1].lower() + message[1:]
+
+_VALUES = re.compile(r"`([a-z| ]+)`|'[^']*'|(?<= )-?[\d.]+(?:e[-+]?\d+)?\b")
+"""What a message of msgspec says of one case: kinds of values, and values."""
+
+
+def _kind(names: str) -> str:
+    known = names.removesuffix(" | null").split(" | ")
+    return joined(say(" or "), (_WORDS.get(name, f"`{name}`") for name in known))
+
+
+Extra = Literal["analysis", "page", "publish", "studies"]
+
+
+@contextmanager
+def from_extra(extra: Extra, what: str) -> Iterator[None]:
+    """Import inside it what an extra brings; raise UnusableInput with the way to get it.
+
+    what: who needs it, the beginning of the sentence.
+    """
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        raise UnusableInput(
+            "{} needs packages that are missing ‹{}›; install them: pip install 'rigapp[{}]'.",
+            what,
+            error,
+            extra,
+        ) from error

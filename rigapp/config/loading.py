@@ -6,7 +6,7 @@ import difflib
 import itertools
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -19,8 +19,10 @@ from rigapp.config.parameters import ParameterFile, to_parameters
 from rigapp.config.ranges import keys_of, refusals
 from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
+from rigapp.config.report import ReportFile
 from rigapp.config.rig import RigFile
 from rigapp.config.toml import toml_tree
+from rigapp.texts import joined, say, sentence_of_error
 
 if TYPE_CHECKING:
     from rigapp_model.parameters import Parameters
@@ -40,6 +42,20 @@ class Document(Generic[Record]):
     record: Record
 
 
+@dataclass(frozen=True, slots=True)
+class RigRecords:
+    """A rig with the numbers of its records. texts: label -> the record as stored, sealed.
+
+    blocking: label -> why the record forbids a start (expired), empty when none does. remarks:
+    label -> the record's number and date, and what of it cannot be verified.
+    """
+
+    rig: Document[RigFile]
+    texts: Mapping[str, str] = field(default_factory=dict)
+    blocking: Mapping[str, str] = field(default_factory=dict)
+    remarks: Mapping[str, str] = field(default_factory=dict)
+
+
 def read_rig(path: Path) -> Document[RigFile]:
     """Read a rig file; raise UnusableInput."""
     return read_document(path, RigFile)
@@ -53,6 +69,11 @@ def read_test(path: Path) -> Document[TestFile]:
 def read_notify(path: Path) -> Document[NotifyFile]:
     """Read a user's file of ways to be told; raise UnusableInput."""
     return read_document(path, NotifyFile)
+
+
+def read_report_settings(path: Path) -> Document[ReportFile]:
+    """Read the settings of reports; raise UnusableInput."""
+    return read_document(path, ReportFile)
 
 
 def read_parameter_file(path: Path) -> Document[ParameterFile]:
@@ -84,7 +105,7 @@ def judged_test(tree: Mapping[str, Any]) -> tuple[TestFile | None, list[str]]:
     try:
         record = _decode(Path("test"), tree, TestFile)
     except UnusableInput as error:
-        return None, [str(error).removeprefix("test: ")]
+        return None, [sentence_of_error(error)]
     wrong = [*refusals(record), *faults(record)]
     return None if wrong else record, wrong
 
@@ -106,30 +127,37 @@ def _record(
     record = _decode(path, tree, kind)
     if not recorded:
         for wrong in itertools.chain(refusals(record), faults(record)):
-            raise UnusableInput(f"{path}: {wrong.rstrip('.')}.")
+            raise UnusableInput("{}: {}.", path, wrong.rstrip("."))
     return record
 
 
 def _decode(path: Path, tree: Mapping[str, Any], record: type[Record]) -> Record:
     _check_schema(path, tree)
     for where, key, allowed in _unknown_keys(tree, _known(record)):
-        raise UnusableInput(f"{path}: {where}{key} is not a known key{_nearest(key, allowed)}.")
+        raise UnusableInput(
+            "{}: {}{} is not a known key{}.", path, where, key, _nearest(key, allowed)
+        )
     try:
         return msgspec.convert(tree, record)
     except msgspec.ValidationError as error:
-        raise UnusableInput(f"{path}: {_sentence(error, record)}.") from error
+        raise UnusableInput("{}: {}.", path, _sentence(error, record)) from error
 
 
 def _check_schema(path: Path, tree: Mapping[str, Any]) -> None:
     schema = tree.get("schema")
     if schema is None:
-        raise UnusableInput(f"{path}: schema is missing; write schema = {SCHEMA} at the top.")
+        raise UnusableInput("{}: schema is missing; write schema = {} at the top.", path, SCHEMA)
     if isinstance(schema, int) and schema > SCHEMA:
         raise UnusableInput(
-            f"{path}: schema = {schema} is newer than this program reads ({SCHEMA}); update rigapp."
+            "{}: schema = {} is newer than this program reads ({}); update rigapp.",
+            path,
+            schema,
+            SCHEMA,
         )
     if schema != SCHEMA:
-        raise UnusableInput(f"{path}: schema = {schema!r} is not readable; write {SCHEMA}.")
+        raise UnusableInput(
+            "{}: schema = {} is not readable; write {}.", path, repr(schema), SCHEMA
+        )
 
 
 def _known(kind: type[msgspec.Struct]) -> dict[str, list[str]]:
@@ -167,16 +195,16 @@ def _nearest(key: str, allowed: list[str]) -> str:
     close = [name for name in allowed if name.rsplit("_", 1)[0] == stem]
     close += difflib.get_close_matches(key, allowed, n=1)
     if close:
-        return f"; did you mean {close[0]}"
-    return "; known here: " + ", ".join(allowed)
+        return say("; did you mean {}", close[0])
+    return say("; known here: ") + joined(", ", allowed)
 
 
 def _sentence(error: msgspec.ValidationError, record: type[msgspec.Struct]) -> str:
     where, message = in_words(error)
     if message == "is missing":
-        return f"{where} is missing"
+        return say("{} is missing", where)
     if message.startswith("invalid enum value"):
         path = re.sub(r"\[\d+]", "", where).replace("[...]", ".*")
         choices = next(key.choices for key in keys_of(record) if key.path == path)
-        message = f"{message}, allowed are {', '.join(choices)}"
-    return f"{where}: {message}" if where else message
+        message = say("{}, allowed are {}", message, joined(", ", choices))
+    return say("{}: {}", where, message) if where else message

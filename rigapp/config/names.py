@@ -7,6 +7,8 @@ import time
 from getpass import getuser
 from pathlib import Path
 
+from rigapp.texts import say
+
 LONGEST_NAME_BYTES = 239
 """Most file systems keep names of 255 bytes; files under way have up to 16 more than their own."""
 
@@ -17,21 +19,29 @@ LONGEST_PATH_BYTES = 4000
 def name_refusal(path: Path) -> str:
     """Return why a file of that name cannot be made, without a full stop; empty when it can."""
     if path.name in ("", ".."):
-        return f"{str(path)!r} names no file; give the name of a file"
+        return say("{} names no file; give the name of a file", repr(str(path)))
     control = next((one for one in path.name if not one.isprintable()), "")
     if control:
-        return f"the file name {path.name!r} holds the character {control!r}; take it out"
+        return say(
+            "the file name {} holds the character {}; take it out", repr(path.name), repr(control)
+        )
     length = len(os.fsencode(path.absolute()))
     if length > LONGEST_PATH_BYTES:
-        return (
-            f"the path that ends with {path.name[-40:]} has {length} bytes, {LONGEST_PATH_BYTES} at"
-            " most; choose a folder nearer to the root"
+        return say(
+            "the path that ends with {} has {} bytes, {} at most; choose a folder"
+            " nearer to the root",
+            path.name[-40:],
+            length,
+            LONGEST_PATH_BYTES,
         )
     length = len(os.fsencode(path.name))
     if length > LONGEST_NAME_BYTES:
         start = path.name[:40]
-        return (
-            f"the file name {start}... has {length} bytes, {LONGEST_NAME_BYTES} at most; shorten it"
+        return say(
+            "the file name {}... has {} bytes, {} at most; shorten it",
+            start,
+            length,
+            LONGEST_NAME_BYTES,
         )
     return ""
 

@@ -11,6 +11,7 @@ from urllib.parse import urlsplit
 import msgspec
 
 from rigapp.config.numbers import within
+from rigapp.texts import joined, say
 
 When = Literal["critical", "warning", "end", "pause", "criterion", "silence", "disk", "daily"]
 
@@ -63,15 +64,15 @@ class NotifyFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 def notify_faults(ways: Sequence[NotifySection], ping: PingSection | None) -> Iterator[str]:
     """Yield what is wrong with ways and ping, each as a sentence that repeats no URL."""
     for number, way in enumerate(ways, 1):
-        yield from (f"notify {number} {fault}" for fault in _of_way(way))
+        yield from (say("notify {} {}", number, fault) for fault in _of_way(way))
     for name, count in Counter(way.name for way in ways if way.name).items():
         if count > 1:
-            yield f"notify.name = {name!r} stands {count} times; each way needs its own"
+            yield say("notify.name = {} stands {} times; each way needs its own", repr(name), count)
     if ping is not None and not REFERENCE.fullmatch(ping.url):
         if urlsplit(ping.url).scheme not in ("http", "https"):
-            yield "ping.url begins neither with http:// nor with https://"
+            yield say("ping.url begins neither with http:// nor with https://")
         elif _password_in(ping.url):
-            yield f"ping.url holds a password; {_ELSEWHERE}"
+            yield say("ping.url holds a password; {}", _ELSEWHERE)
 
 
 _ELSEWHERE = (
@@ -81,20 +82,20 @@ _ELSEWHERE = (
 
 def _of_way(way: NotifySection) -> Iterator[str]:
     if bool(way.url) == bool(way.command):
-        yield "needs either url or command"
+        yield say("needs either url or command")
     if way.url and not REFERENCE.fullmatch(way.url):
         if not re.match(r"[A-Za-z][A-Za-z0-9+.-]*://", way.url):
-            yield "url begins with no scheme, as in mailtos:// or json://"
+            yield say("url begins with no scheme, as in mailtos:// or json://")
         elif _password_in(way.url):
-            yield f"url holds a password; {_ELSEWHERE}"
+            yield say("url holds a password; {}", _ELSEWHERE)
     if way.command and not way.command[0].strip():
-        yield "command names no program"
+        yield say("command names no program")
     if not way.when:
-        yield f"when is empty; choose of {', '.join(get_args(When))}"
+        yield say("when is empty; choose of {}", joined(", ", get_args(When)))
     if way.name and not WAY_NAME.fullmatch(way.name):
-        yield "name may hold letters, digits, blanks and . _ - only, 40 at most"
+        yield say("name may hold letters, digits, blanks and . _ - only, 40 at most")
     if not CLOCK.fullmatch(way.daily_at):
-        yield f"daily_at = {way.daily_at!r} is no time of the day; write it as 07:00"
+        yield say("daily_at = {} is no time of the day; write it as 07:00", repr(way.daily_at))
 
 
 def _password_in(url: str) -> bool:

@@ -12,6 +12,8 @@ from typing import Final
 
 import msgspec
 
+from rigapp.texts import Sentence, say
+
 
 @dataclass(frozen=True, slots=True)
 class Range:
@@ -33,8 +35,9 @@ class Range:
 
     def words(self, unit: str) -> str:
         """Return the range as a sentence says it."""
-        sign = ", of either sign" if self.size else ""
-        return f"{self.low:.9g} to {self.high:.9g} {unit}".rstrip() + sign
+        range_ = say("{:.9g} to {:.9g}", self.low, self.high)
+        range_ = say("{} {}", range_, Sentence(unit)) if unit else range_
+        return range_ + say(", of either sign") if self.size else range_
 
     def counted(self) -> Range:
         """Return the range of whole numbers only."""

@@ -18,17 +18,24 @@ from rigapp.config.numbers import (
     within,
 )
 from rigapp.schema.units import stem_of, unit_of_key
+from rigapp.texts import say, sentence_of_error
+from rigapp_model.restitution import CONTACT_LAWS
 from rigapp_model.wear.laws import LAWS
 
 if TYPE_CHECKING:
     from rigapp_model.parameters import Parameters, WearLaw
 
     WearLawName = str
+    ContactLawName = str
 else:
     WearLawName = Literal[tuple(LAWS)]
+    ContactLawName = Literal[tuple(CONTACT_LAWS)]
 
 LAW_WORDS = msgspec.Meta(
     description="; ".join(f"{one.name}: {one.sentence}" for one in LAWS.values())
+)
+CONTACT_LAW_WORDS = msgspec.Meta(
+    description="; ".join(f"{one.name}: {one.sentence}" for one in CONTACT_LAWS.values())
 )
 
 MM = 1e-3
@@ -64,6 +71,8 @@ class JointSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     bushing_outer_radius_mm: Annotated[float, within(1.0, 1000.0)]
     bushing_width_mm: Annotated[float, within(0.5, 1000.0)]
     friction_coefficient: Annotated[float, within(0.0, 2.0)] = 0.0
+    restitution: Annotated[float, within(0.01, 1.0)] = 0.9
+    contact_law: Annotated[ContactLawName, CONTACT_LAW_WORDS] = "elements"
 
 
 class BushingSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -132,7 +141,7 @@ def to_parameters(file: ParameterFile, source: str = "", section: str = "") -> P
     """
     from rigapp_model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
 
-    prefix = (f"{source}: " if source else "") + (f"{section}." if section else "")
+    prefix = (say("{}: ", source) if source else "") + (f"{section}." if section else "")
 
     def build(kind: Any, table: str, record: msgspec.Struct, **more: Any) -> Any:
         """Build the model's record of a table; a key less its unit is the field."""
@@ -142,7 +151,7 @@ def to_parameters(file: ParameterFile, source: str = "", section: str = "") -> P
             return kind(**{name: _in_si(record, key) for name, key in own.items()}, **more)
         except ValueError as error:
             quantity = getattr(error, "quantity", "")
-            remedy = getattr(error, "remedy", str(error))
+            remedy = getattr(error, "remedy", sentence_of_error(error))
             key = own.get(quantity, quantity)
             value = getattr(record, key, None)
             raise UnusableInput(f"{prefix}{table}.{key} = {value}: {remedy}.") from error
@@ -168,20 +177,25 @@ def _law(wear: WearSection | None, coefficient: float, where: str) -> WearLaw:
         given = getattr(wear, key) is not None
         if given and key not in needs:
             raise UnusableInput(
-                f"{where}.{key} means nothing with law = {wear.law!r}; take it out or choose the"
-                " law that reads it"
+                "{}.{} means nothing with law = {}; take it out or choose the law that reads it",
+                where,
+                key,
+                repr(wear.law),
             )
         if not given and key in needs:
-            raise UnusableInput(f"{where}.{key} is missing; the law {wear.law!r} needs it")
+            raise UnusableInput("{}.{} is missing; the law {} needs it", where, key, repr(wear.law))
     if needs and not coefficient > 0.0:
         raise UnusableInput(
-            f"{where}.law = {wear.law!r} needs bushing.wear_coefficient_mm3_per_Nm above 0"
+            "{}.law = {} needs bushing.wear_coefficient_mm3_per_Nm above 0", where, repr(wear.law)
         )
     first = wear.initial_wear_coefficient_mm3_per_Nm
     if first is not None and first < coefficient:
         raise UnusableInput(
-            f"{where}.initial_wear_coefficient_mm3_per_Nm = {first:g} is below"
-            f" bushing.wear_coefficient_mm3_per_Nm = {coefficient:g}, to which it falls"
+            "{}.initial_wear_coefficient_mm3_per_Nm = {:g} is below"
+            " bushing.wear_coefficient_mm3_per_Nm = {:g}, to which it falls",
+            where,
+            first,
+            coefficient,
         )
     found = {
         "excess": (first, 1.0 / (coefficient or 1.0), -1.0),
@@ -195,7 +209,7 @@ def _law(wear: WearSection | None, coefficient: float, where: str) -> WearLaw:
     try:
         return WearLaw(wear.law, **numbers)
     except ValueError as error:
-        raise UnusableInput(f"{where}, law {wear.law!r}: {error}") from error
+        raise UnusableInput("{}, law {}: {}", where, repr(wear.law), error) from error
 
 
 def _in_si(record: msgspec.Struct, key: str) -> Any:

@@ -22,6 +22,7 @@ from rigapp.config.parameters import ParameterFile
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.schema.units import MISTAKEN, unit_of_key
+from rigapp.texts import Sentence, say
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,17 +137,23 @@ def refusal(key: str, value: Any, allowed: Range | None = None, unit: str | None
     allowed = RANGES.get(key, ANY) if allowed is None else allowed
     unit = unit_of(key, allowed) if unit is None else unit
     bounded = math.isfinite(allowed.low)
-    range_words = f"; allowed is {allowed.words(unit)}" if bounded else ""
+    range_words = say("; allowed is {}", allowed.words(unit)) if bounded else ""
     if isinstance(value, bool) or not isinstance(value, int | float):
         shown = str(value).lower() if isinstance(value, bool) else repr(value)
-        return f"{key} = {shown} is not a number{range_words}"
+        return say("{} = {} is not a number{}", key, shown, range_words)
     if isinstance(value, float) and not math.isfinite(value):
-        return f"{key} = {value} is not a finite number{range_words}"
+        return say("{} = {} is not a finite number{}", key, value, range_words)
     if allowed.whole and not isinstance(value, int):
-        return f"{key} = {value} is not a whole number{range_words}"
+        return say("{} = {} is not a whole number{}", key, value, range_words)
     if allowed.holds(value):
         return ""
-    return f"{key} = {_shown(value)} is outside {allowed.words(unit)}{_meant(value, allowed, unit)}"
+    return say(
+        "{} = {} is outside {}{}",
+        key,
+        _shown(value),
+        allowed.words(unit),
+        _meant(value, allowed, unit),
+    )
 
 
 def refusals(record: msgspec.Struct) -> Iterator[str]:
@@ -166,11 +173,12 @@ def _of_value(key: str, shown: str, value: Any, ranges: Mapping[str, Range]) -> 
                 yield from _of_value(f"{key}.*", f"{shown}.{name}", one, ranges)
     elif isinstance(value, tuple):
         for place, one in enumerate(value, 1):
-            yield from _of_value(key, f"{shown} {place}", one, ranges)
+            yield from _of_value(key, say("{} {}", shown, place), one, ranges)
     elif isinstance(value, int | float) and not isinstance(value, bool):
-        found = refusal(key, value, ranges.get(key, ANY))
+        allowed = ranges.get(key, ANY)
+        found = refusal(shown, value, allowed, unit_of(key, allowed))
         if found:
-            yield shown + found.removeprefix(key)
+            yield found
 
 
 LONGEST_SHOWN: Final = 1e15
@@ -183,7 +191,7 @@ def _shown(value: float) -> str:
             return f"{value:.0f}"
         return f"{value:.9g}"
     except OverflowError:
-        return f"a number of {len(str(abs(value)))} digits"
+        return say("a number of {} digits", len(str(abs(value))))
 
 
 def _meant(value: float, allowed: Range, unit: str) -> str:
@@ -193,5 +201,5 @@ def _meant(value: float, allowed: Range, unit: str) -> str:
         except OverflowError:
             continue
         if meant and allowed.holds(meant):
-            return f"; did you mean {other}? Then write {meant:.6g}"
+            return say("; did you mean {}? Then write {:.6g}", Sentence(other), meant)
     return ""

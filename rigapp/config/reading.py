@@ -12,6 +12,7 @@ import time
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
+from rigapp.texts import say
 
 LARGEST_BYTES = 16 << 20  # far beyond a file that a person writes
 PATIENCE_S = 5.0  # a network folder that hangs answers later or never
@@ -39,11 +40,11 @@ def read_text(path: Path, largest: int = LARGEST_BYTES) -> str:
     try:
         text = read_bytes(path, largest).decode("utf-8-sig")
     except FileNotFoundError as error:
-        raise UnusableInput(f"{path}: there is no such file; check the name.") from error
+        raise UnusableInput("{}: there is no such file; check the name.", path) from error
     except (OSError, ValueError) as error:
         if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
             raise
-        raise UnusableInput(f"{path}: cannot be read as text ‹{error}›.") from error
+        raise UnusableInput("{}: cannot be read as text ‹{}›.", path, error) from error
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
@@ -60,13 +61,13 @@ def _in_time(path: Path, largest: int) -> bytes:
             _hanging.release()
 
     if not _hanging.acquire(timeout=PATIENCE_S):
-        raise UnusableInput(f"{path}: cannot be read now, {HANGING_READS} other files hang.")
+        raise UnusableInput("{}: cannot be read now, {} other files hang.", path, HANGING_READS)
     thread = threading.Thread(target=run, name="read file", daemon=True)
     thread.start()
     thread.join(2.0 * PATIENCE_S)
     if not found:
         raise UnusableInput(
-            f"{path}: could not be read within {2.0 * PATIENCE_S:g} s; is its folder reachable?"
+            "{}: could not be read within {:g} s; is its folder reachable?", path, 2.0 * PATIENCE_S
         )
     if isinstance(found[0], BaseException):
         raise found[0]
@@ -79,9 +80,9 @@ def _read(path: Path, largest: int) -> bytes:
     try:
         mode = os.fstat(descriptor).st_mode
         if stat.S_ISDIR(mode):
-            raise IsADirectoryError(f"{path} is a folder")
+            raise IsADirectoryError(say("{} is a folder", path))
         if not (stat.S_ISREG(mode) or stat.S_ISFIFO(mode)):
-            raise UnusableInput(f"{path}: is a device or a socket; name a file.")
+            raise UnusableInput("{}: is a device or a socket; name a file.", path)
         return _all_of(path, descriptor, largest, pipe=stat.S_ISFIFO(mode))
     finally:
         os.close(descriptor)
@@ -94,13 +95,17 @@ def _all_of(path: Path, descriptor: int, largest: int, *, pipe: bool) -> bytes:
         left = deadline - time.monotonic()
         if pipe and (left <= 0.0 or not _something_comes(descriptor, left)):
             raise UnusableInput(
-                f"{path}: is a pipe into which nobody wrote within {PATIENCE_S:g} s; name a file."
+                "{}: is a pipe into which nobody wrote within {:g} s; name a file.",
+                path,
+                PATIENCE_S,
             )
         part = os.read(descriptor, _PIECE)
         if not part:
             return bytes(data)
         data += part
-    raise UnusableInput(f"{path}: is larger than {largest / 1e6:.0f} MB; name another file.")
+    raise UnusableInput(
+        "{}: is larger than {:.0f} MB; name another file.", path, largest / 1000000.0
+    )
 
 
 def _something_comes(descriptor: int, seconds: float) -> bool:

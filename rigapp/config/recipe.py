@@ -8,6 +8,7 @@ import msgspec
 
 from rigapp.config.numbers import FORCE_N, IN_A_ROW, LEVEL, MOST, within
 from rigapp.config.parameters import ParameterFile
+from rigapp.texts import say
 from rigapp_model.wear.techniques import SOLVABLE, TECHNIQUES
 
 if TYPE_CHECKING:
@@ -143,7 +144,7 @@ class PriorSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     wear_coefficient_mm3_per_Nm: Annotated[float, within(1e-12, 1.0)]
     spread_ln: Annotated[float, within(0.001, 10.0)]
-    source: str = "the test file"
+    source: str = say("the test file")
 
 
 class PredictionSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

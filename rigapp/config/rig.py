@@ -25,7 +25,14 @@ class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     with the depth, by the factor e in each running_in_depth_um. wear_change_factor: what it is
     multiplied by beyond wear_change_depth_um. By depth, so that a resumed test goes on the same.
     bushing_heating_K_per_W: what the friction's power warms the bushing by in the end, with
-    bushing_time_constant_s. The room's temperature and humidity swing about their means once a day.
+    bushing_time_constant_s. The room's temperature and humidity swing about their means, once in
+    room_swing_hours. What follows wear_change_depth_um is off by default: examples/harsh.toml has
+    all of it. probe_wander_um: standard deviation of what both probes wander by, each for itself,
+    and within how many revolutions they forget it. touched_probe_um: a step of the first probe at
+    touched_at_revolution. cell_creep_percent: what the cell adds to a lasting load, in
+    cell_creep_time_s but for 1/e. bushing_creep_um_per_decade: what the bushing yields without
+    wear, in each decade of time after the first minute. pin_mass_kg: of the pin outboard of the
+    gauges, whose weight turns about the cell once a revolution.
     """
 
     slider_mass_factor: Annotated[float, FACTOR] = 1.01
@@ -54,6 +61,19 @@ class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     running_in_depth_um: Annotated[float, within(0.1, 10_000.0)] = 5.0
     wear_change_factor: Annotated[float, within(0.0, 1000.0)] = 1.0
     wear_change_depth_um: Annotated[float, within(0.0, 10_000.0)] = 20.0
+    follower_mass_factor: Annotated[float, FACTOR] = 1.0
+    clearance_error_um: Annotated[float, within(-1000.0, 1000.0)] = 0.0
+    cell_gain_error_percent: Annotated[float, within(-50.0, 100.0)] = 0.0
+    cell_creep_percent: Annotated[float, within(0.0, 10.0)] = 0.0
+    cell_creep_time_s: Annotated[float, within(1.0, 1e6)] = 600.0
+    pin_mass_kg: Annotated[float, within(0.0, 10.0)] = 0.0
+    probe_wander_um: Annotated[float, within(0.0, 1000.0)] = 0.0
+    probe_wander_revolutions: Annotated[float, within(1.0, 1e6)] = 200.0
+    probe_temperature_um_per_K: Annotated[Pair, within(-100.0, 100.0)] = (0.0, 0.0)
+    touched_probe_um: Annotated[float, within(-1000.0, 1000.0)] = 0.0
+    touched_at_revolution: Annotated[float, within(0.0, 1e9)] = 100.0
+    bushing_creep_um_per_decade: Annotated[float, within(0.0, 1000.0)] = 0.0
+    room_swing_hours: Annotated[float, within(0.01, 10_000.0)] = 24.0
 
 
 class SimulationSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -65,11 +85,19 @@ class SimulationSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
 
 
 class DeviceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[devices.NAME]: driver, port ("simulated", a path or a pyserial URL) and its settings."""
+    """[devices.NAME]: driver, port and its settings.
+
+    port: "simulated", a path, a pyserial URL, "serial:NUMBER" (the port of the USB device with that
+    serial number) or "wire:FILE" (a recorded line). record: keep all bytes of the line in a file in
+    the folder ``wire`` beside the rig file. serial_number: what the device itself must say that it
+    has, empty for any.
+    """
 
     driver: str
     port: str
     settings: dict[str, Any] = {}
+    record: bool = False
+    serial_number: str = ""
 
     @property
     def simulated(self) -> bool:
@@ -111,8 +139,10 @@ class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     inverse(matrix) f + quadratic (f1^2, f1 f2, f2^2), f the force on the pin.
     uncertainty_N: expanded uncertainty U(F) = first + second F. calibration: a record that takes
     the place of matrix, zero, quadratic and uncertainty; calibration_override: why it is used
-    though expired. outboard_mass_kg, outboard_radius_mm: the pin outboard of the gauges and the
-    distance of its centre of mass from the crank's axis; force_1 holds - mass radius speed^2 of it.
+    though it forbids a start. serial_number: of the cell; a record must be of the same one.
+    outboard_mass_kg, outboard_radius_mm: the pin outboard of the gauges and the distance of its
+    centre of mass from the crank's axis; force_1 holds - mass radius speed^2 of it. pin_weight_N:
+    what turns with the pin weighs, as a record states it; it is taken off by the angle.
     """
 
     device: str
@@ -128,8 +158,10 @@ class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     uncertainty_N: Annotated[Pair | None, within(0.0, 10_000.0)] = None
     outboard_mass_kg: Annotated[float, within(0.0, 100.0)] = 0.0
     outboard_radius_mm: Annotated[float, within(0.1, 1000.0)] = 76.2
+    pin_weight_N: Annotated[float, within(-10_000.0, 10_000.0)] = 0.0
     calibration: str = ""
     calibration_override: str = ""
+    serial_number: str = ""
 
 
 class ProbesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -194,6 +226,16 @@ class ChannelSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return device, quantity
 
 
+class RecordsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[records]: whose calibration records are used.
+
+    trusted_keys: files of public keys (PEM), relative to the rig file; a record that none of them
+    signed then blocks a start. Empty: records need no signature.
+    """
+
+    trusted_keys: tuple[str, ...] = ()
+
+
 class RigFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A rig file."""
 
@@ -205,6 +247,7 @@ class RigFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     load_cell: LoadCellSection
     probes: ProbesSection
     channels: dict[str, ChannelSection] = {}
+    records: RecordsSection = RecordsSection()
     simulation: SimulationSection | None = None
     notify: tuple[NotifySection, ...] = ()
     ping: PingSection | None = None

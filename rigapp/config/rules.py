@@ -5,13 +5,16 @@ from __future__ import annotations
 import difflib
 import functools
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Final, NamedTuple
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.ranges import LEVELS, OTHER_LEVEL, RANGES, refusal
-from rigapp.config.recipe import LimitRule
+from rigapp.config.ranges import LEVELS, OTHER_LEVEL, RANGES, refusal, unit_of
+from rigapp.config.recipe import LimitRule, StopSection
 from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.schema.columns import prediction_columns
+from rigapp.schema.criteria import CRITERIA
+from rigapp.texts import joined, say
 
 NAME = re.compile(r"[a-z][a-z0-9_]*")
 """What a channel may be called, and so what its columns look like."""
@@ -42,7 +45,7 @@ def check_rules(
     """
     for number, rule in enumerate(rules, start=1):
         for fault in rule_faults(rule, table):
-            raise UnusableInput(f"{where}limits.rule {number} ({rule.quantity}): {fault}")
+            raise UnusableInput("{}limits.rule {} ({}): {}", where, number, rule.quantity, fault)
 
 
 def level_refusal(
@@ -54,8 +57,43 @@ def level_refusal(
     return refusal(level, value, allowed, "" if unit == "1" else unit)
 
 
-ALWAYS = ("overload_N", "overspeed_rpm", "stale_data_s")
-"""What is always watched, beside the rules."""
+class AlwaysLimit(NamedTuple):
+    """A limit that every test has; the drive goes off above it.
+
+    alarm: key of its alarm. columns: of a row, in which it can be reached, the extreme first;
+    none: it is no value of a revolution.
+    """
+
+    sentence: str
+    title: str
+    unit: str
+    alarm: str
+    columns: tuple[str, ...] = ()
+
+
+ALWAYS: Final[Mapping[str, AlwaysLimit]] = {
+    "overload_N": AlwaysLimit(
+        say("Switch the drive off when any |F| sample is above"),
+        say("|F|, any sample"),
+        "N",
+        "overload",
+        ("force_max", "force_rms", "force_mean", "force_min"),
+    ),
+    "overspeed_rpm": AlwaysLimit(
+        say("Switch the drive off when the speed is above"),
+        say("Speed"),
+        "rpm",
+        "overspeed",
+        ("speed_max", "speed", "speed_min", "speed_rms"),
+    ),
+    "stale_data_s": AlwaysLimit(
+        say("Switch the drive off when the newest data are older than"),
+        say("Age of the data"),
+        "s",
+        "stale_data",
+    ),
+}
+"""What is always watched, beside the rules, by its key in ``[limits]``."""
 
 
 def limit_refusal(name: str, value: object, table: ChannelTable | None = None) -> str:
@@ -64,7 +102,7 @@ def limit_refusal(name: str, value: object, table: ChannelTable | None = None) -
         return refusal(f"limits.{name}", value)
     quantity, _, level = name.partition(".")
     wrong = level_refusal(quantity, level, value, table)
-    return f"{quantity}.{wrong}" if wrong else ""
+    return say("{}.{}", quantity, wrong) if wrong else ""
 
 
 def rule_faults(rule: LimitRule, table: ChannelTable | None) -> Iterator[str]:
@@ -74,10 +112,10 @@ def rule_faults(rule: LimitRule, table: ChannelTable | None) -> Iterator[str]:
         table is not None or rule.quantity in BASE.names or not NAME.fullmatch(rule.quantity)
     ):
         near = difflib.get_close_matches(rule.quantity, known, n=1, cutoff=0.0)
-        yield f"there is no such quantity; did you mean {near[0]}?"
+        yield say("there is no such quantity; did you mean {}?", near[0])
     bounds = {name: value for name in BOUNDS if (value := getattr(rule, name)) is not None}
     if not bounds:
-        yield f"no level is given; give one of {', '.join(BOUNDS)}"
+        yield say("no level is given; give one of {}", joined(", ", BOUNDS))
     for name, value in bounds.items():
         yield from filter(None, [level_refusal(rule.quantity, name, value, table)])
     for name in ("hysteresis", "delay_revolutions"):
@@ -88,16 +126,35 @@ def rule_faults(rule: LimitRule, table: ChannelTable | None) -> Iterator[str]:
     lows = [v for v in (rule.warning_below, rule.critical_below) if v is not None]
     highs = [v for v in (rule.warning_above, rule.critical_above) if v is not None]
     if lows and highs and max(lows) >= min(highs):
-        yield f"no value lies above {max(lows):g} and below {min(highs):g}"
+        yield say("no value lies above {:g} and below {:g}", max(lows), min(highs))
     critical = [name for name in bounds if name.startswith("critical")]
     if critical and rule.action_critical == "none":
         yield (
-            f"action_critical = 'none' would do nothing at {critical[0]} ="
-            f" {bounds[critical[0]]:g}; choose warn, pause, stop or drive_off, or give a warning"
-            " level in its place"
+            say(
+                "action_critical = 'none' would do nothing at {} = {:g}; choose warn,"
+                " pause, stop or drive_off, or give a warning level in its place",
+                critical[0],
+                bounds[critical[0]],
+            )
         )
 
 
 def _disorder(side: str, warning: float | None, critical: float | None, sign: int) -> Iterator[str]:
     if warning is not None and critical is not None and sign * (critical - warning) <= 0:
-        yield f"critical_{side} = {critical:g} must lie beyond warning_{side} = {warning:g}"
+        yield say(
+            "critical_{} = {:g} must lie beyond warning_{} = {:g}", side, critical, side, warning
+        )
+
+
+def levels(stop: StopSection) -> dict[str, float]:
+    """Return the levels of the criteria that are set, by key, in the order of the table."""
+    found = {key: getattr(stop, key) for key in CRITERIA}
+    return {key: level for key, level in found.items() if level is not None}
+
+
+def described(stop: StopSection) -> list[str]:
+    """Return the criteria that are set, in words, for a check or a report."""
+    return [
+        say("{} {:g} {}", CRITERIA[key].title, level, unit_of("stop." + key))
+        for key, level in levels(stop).items()
+    ]

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from itertools import accumulate
 
 from rigapp.config.recipe import RunSection, RunStep
+from rigapp.texts import say
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +36,7 @@ class StepPlace:
     def words(self) -> str:
         """Return its number and name."""
         named = f" ({self.name})" if self.name else ""
-        return f"step {self.step}{named}" if self.step else "the test"
+        return say("step {}{}", self.step, named) if self.step else say("the test")
 
 
 class Sequence:
@@ -83,7 +84,7 @@ class Sequence:
         """Return the key that says the highest speed, as a sentence names it."""
         step = max(self._steps, key=self._speed)
         own = self._numbered and step.speed_rpm is not None
-        return f"run.step {self._steps.index(step) + 1} speed_rpm" if own else "run.speed_rpm"
+        return say("run.step {} speed_rpm", self._steps.index(step) + 1) if own else "run.speed_rpm"
 
     @property
     def slowest_rpm(self) -> float:

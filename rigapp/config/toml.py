@@ -9,6 +9,8 @@ from typing import Any, Final
 import msgspec
 
 from rigapp.config.errors import UnusableInput
+from rigapp.schema.wire import tree_of
+from rigapp.texts import Sentence, say
 
 DEEPEST: Final = 32
 """Tables within tables, and parts of a key; no file of this program has more than five."""
@@ -23,21 +25,51 @@ def toml_tree(text: str, where: str | Path) -> dict[str, Any]:
     depth = _depth(text)
     if depth > DEEPEST:
         raise UnusableInput(
-            f"{where}: tables, lists or keys lie {depth} deep, {DEEPEST} at most; check the"
-            " brackets and the dots."
+            "{}: tables, lists or keys lie {} deep, {} at most; check the brackets and the dots.",
+            where,
+            depth,
+            DEEPEST,
         )
     try:
         tree: dict[str, Any] = msgspec.toml.decode(text)
     except (msgspec.DecodeError, ValueError) as error:
-        raise UnusableInput(f"{where}: not valid TOML: {error}.") from error
+        raise UnusableInput(
+            "{}: not valid TOML: {}.{}", where, _in_words(error), _likely_cause(text)
+        ) from error
     return tree
+
+
+_DECIMAL_COMMA: Final = re.compile(r"^[^#=]*=\s*[+-]?\d+,\d+\s*(#.*)?$")
+_TYPOGRAPHIC: Final = re.compile("[\u201c\u201d\u201e\u2018\u2019\u201a\u00ab\u00bb]")
+
+
+def _likely_cause(text: str) -> Sentence | str:
+    """Return what in a text that cannot be read a word processor or a habit has put there."""
+    for number, line in enumerate(text.splitlines(), 1):
+        if _DECIMAL_COMMA.match(line):
+            return say(" Line {} has a decimal comma; write a point.", number)
+        bare = _TEXTS.sub("", line)
+        if _TYPOGRAPHIC.search(bare):
+            return say(' Line {} has typographic quotation marks; write straight ones (").', number)
+    return ""
+
+
+def _in_words(error: Exception) -> Sentence:
+    """Return what the reader of TOML says, with the place that it names as values."""
+    at = re.fullmatch(r"(.+) \(at line (\d+), column (\d+)\)", str(error))
+    if at:
+        return say("{} (at line {}, column {})", Sentence(at[1]), at[2], at[3])
+    words = str(error).removesuffix(" (at end of document)")
+    return (
+        say("{} (at end of document)", Sentence(words)) if words != str(error) else Sentence(words)
+    )
 
 
 def toml_text(record: Any) -> str:
     """Return a record, or nested tables, as TOML; what is None is left out."""
     import tomlkit
 
-    return tomlkit.dumps(_stated(msgspec.to_builtins(record)))
+    return tomlkit.dumps(_stated(tree_of(record)))
 
 
 def _stated(tree: Any) -> Any:

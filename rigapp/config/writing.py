@@ -3,11 +3,28 @@
 from __future__ import annotations
 
 import os
+import secrets
+import stat
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
+
+_OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH
+
+
+def part_name(name: str) -> str:
+    """Return the hidden name of a file that is being written, which nobody can lay a link at."""
+    return f".{name}.part-{os.getpid()}-{secrets.token_hex(4)}"
+
+
+def place_of(target: Path) -> Path:
+    """Return where a file is written: through a link, unless others could have laid it there."""
+    folder = target.parent.resolve()
+    if os.name == "posix" and folder.is_dir() and folder.stat().st_mode & _OTHERS_WRITE:
+        return folder / target.name
+    return target.resolve()
 
 
 @contextmanager
@@ -16,17 +33,18 @@ def whole_file(
 ) -> Iterator[Path]:
     """Yield the name of a hidden file beside the target that takes its place once it is written.
 
-    It is on the disk before it gets the name. name: how a sentence calls the target. new: a target
+    It is on the disk before it gets the name. A link is followed, in a folder that others can write
+    it is replaced. name: how a sentence calls the target. new: a target
     that is there is not replaced. mode: permissions, by default those of a file that is replaced.
     Raises UnusableInput naming the target, which is then as it was.
     """
-    place = target.resolve()
-    part = place.with_name(f".{place.name}.part-{os.getpid()}")
+    place = place_of(target)
+    part = place.with_name(part_name(place.name))
     try:
         yield part
         with part.open("r+b") as stream:
             os.fsync(stream.fileno())
-        if mode is None and place.exists():
+        if mode is None and place.exists() and not place.is_symlink():
             mode = place.stat().st_mode & 0o777
         if mode is not None:
             part.chmod(mode)
@@ -36,8 +54,13 @@ def whole_file(
             part.replace(place)
     except OSError as error:
         raise UnusableInput(
-            f"{name or target}: cannot be written ({error.strerror}) ‹{error}›."
+            "{}: cannot be written ({}) ‹{}›.", name or target, error.strerror, error
         ) from error
     finally:
         with suppress(OSError):
             part.unlink(missing_ok=True)
+
+
+def harmless(text: str) -> str:
+    """Return a text as a cell that a spreadsheet shows: what begins as a formula gets a quote."""
+    return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t", "\r") and text else text

@@ -25,7 +25,8 @@ from rigapp.engine.judging.alarms import AlarmBook
 from rigapp.engine.judging.testrun import Row
 from rigapp.engine.publish import Publisher
 from rigapp.engine.recording.recorder import cycle_message, measured_history
-from rigapp.schema.alarms import Cause, because, kind_of
+from rigapp.process.awake import StayAwake
+from rigapp.schema.alarms import Cause, kind_of, make_alarm
 from rigapp.schema.details import error_text
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import (
@@ -40,6 +41,8 @@ from rigapp.schema.messages import (
 )
 from rigapp.schema.notices import AlarmChanged, Committed, Finished, StateChanged
 from rigapp.schema.states import ACTIVE, Ending, Refused, Trigger, allowed, transition
+from rigapp.schema.wire import tree_of
+from rigapp.texts import joined, say
 
 log = logging.getLogger(__name__)
 
@@ -55,7 +58,7 @@ BETWEEN_STEPS = ACTIVE - {RunState.STOPPING}
 TRIGGERS = frozenset({"limit", "note"})
 """Kinds of events around which whole cycles are kept, beside every alarm that rises."""
 
-NO_FILE = "No revolution was made, so no file is left."
+NO_FILE = say("No revolution was made, so no file is left.")
 """Told at the end of a test that failed at its start."""
 
 TOGETHER_NS = 10_000_000
@@ -68,7 +71,7 @@ UNTRUE = Flag.PAUSED | Flag.PARTIAL | Flag.TIME_JUMP
 class Core:
     """The shared heart of the engine; any thread may call it.
 
-    on_measured: told of every sound revolution; must return at once.
+    on_measured: told of every sound revolution; must return at once. awake: see ``Engine``.
     """
 
     def __init__(
@@ -76,8 +79,10 @@ class Core:
         rig: Document[RigFile],
         timing: Timing,
         on_measured: Callable[[RevolutionMeasured], None] | None = None,
+        awake: StayAwake | None = None,
     ) -> None:
         self.rig = rig
+        self.awake = awake
         self.timing = timing
         self.alarms = AlarmBook(time.time, self._alarm_changed, time.monotonic)
         self.table = channel_table(rig.record)
@@ -127,10 +132,14 @@ class Core:
         wanted = frozenset(until)
         with self._changed:
             if not self._changed.wait_for(lambda: self._state in wanted, timeout_s):
-                names = " or ".join(sorted(wanted))
+                names = joined(say(" or "), sorted(wanted))
                 raise TimeoutError(
-                    f"the engine is still {self._state.value} after {timeout_s:g} s of waiting "
-                    f"for {names}"
+                    say(
+                        "the engine is still {} after {:g} s of waiting for {}",
+                        self._state,
+                        timeout_s,
+                        names,
+                    )
                 )
             return self._state
 
@@ -148,7 +157,7 @@ class Core:
         resting = self.test is not None and self.test.resting is not None
         self.publisher.notice(StateChanged(state, reason, resting))
         if self.test is None or self.test.logs_steps or state not in BETWEEN_STEPS:
-            self.event("state", "engine", reason or f"the run is {state.value}", after=state.value)
+            self.event("state", "engine", reason or say("the run is {}", state), after=state.value)
 
     # --- events and alarms -----------------------------------------------------------------------
 
@@ -179,7 +188,7 @@ class Core:
         key: what the line is about. level: how bad it is. data: what programs read of it. False
         when the log has no room for it.
         """
-        details = msgspec.to_builtins(data) if data is not None else {}
+        details = tree_of(data) if data is not None else {}
         return self._write(
             Event(
                 time.time(), self.revolution, kind, source, text, before, after,
@@ -266,38 +275,38 @@ class Core:
 
     def storage_failed(self, error: BaseException) -> None:
         """End the test because its file cannot be written."""
-        name = str(self.test.path) if self.test is not None else "the file"
+        name = str(self.test.path) if self.test is not None else say("the file")
         if not self.alarms.is_active("storage"):
-            why = error_text(error, "it cannot be written")
-            sentence = why if name in why else f"{name}: {why}"
-            self.act_on(because("storage", sentence=sentence))
+            why = error_text(error, say("it cannot be written"))
+            sentence = why if name in why else say("{}: {}", name, why)
+            self.act_on(make_alarm("storage", sentence=sentence))
 
     def stood(self, witnesses: str, how: str) -> None:
         """Take note that the spindle stands; the file can be finished."""
         if self.test is not None and not self.test.stood:
-            how = f"the spindle stands {how}; seen by {witnesses}"
+            how = say("the spindle stands {}; seen by {}", how, witnesses)
             self.event("stopped", "drive", how)
             self.test.stood = True
 
     def stop_without_effect(self, drive: str) -> None:
         """Take note that the crank turns on although the drive has confirmed the power-off."""
-        sentence = (
-            f"{drive} confirmed the power-off, but the crank turns on. It is left to its watchdog."
+        sentence = say(
+            "{} confirmed the power-off, but the crank turns on. It is left to its watchdog.", drive
         )
-        self.warn(because("will_not_stop", sentence=sentence))
+        self.warn(make_alarm("will_not_stop", sentence=sentence))
         if self.test is not None and not self.test.stood:
             self.test.fault_sentence = self.test.fault_sentence or sentence
 
     def stop_unseen(self, drive: str) -> None:
         """Take note that only the drive says that the spindle stands."""
-        cause = because("stop_unseen", drive=drive)
+        cause = make_alarm("stop_unseen", drive=drive)
         self.warn(cause)
         if self.test is not None and not self.test.stood:
             self.test.fault_sentence = self.test.fault_sentence or cause.sentence
 
     def will_not_stop(self, sentence: str) -> None:
         """Take note that the spindle could not be shown to stand."""
-        self.warn(because("will_not_stop", sentence=sentence))
+        self.warn(make_alarm("will_not_stop", sentence=sentence))
         if self.test is not None and not self.test.stood:
             self.test.fault_sentence = self.test.fault_sentence or sentence
             self.test.stood = True
@@ -332,7 +341,7 @@ class Core:
         try:
             self._on_measured(measured_history(row.number, row.measured))
         except Exception as error:
-            self.event("twin", "engine", f"the prediction was not asked ‹{error!r}›")
+            self.event("twin", "engine", say("the prediction was not asked ‹{}›", repr(error)))
             self._on_measured = None
 
     def _store(self, test: ActiveTest, row: Row) -> None:
@@ -342,7 +351,9 @@ class Core:
         test.revolution_at = time.monotonic()
         if revolution.flags & Flag.GAP_BEFORE:
             lost = revolution.lost_samples
-            self._gap(test, f"samples are missing before revolution {row.number}: {lost} lost")
+            self._gap(
+                test, say("samples are missing before revolution {}: {} lost", row.number, lost)
+            )
 
     def gap(self, text: str) -> None:
         """Write an interruption of the data to the file, and count it."""
@@ -376,15 +387,17 @@ class Core:
             refused = test.recorder.cycles_refused
             if refused != test.cycles_refused:
                 test.cycles_refused = refused
-                self.warn(because("cycles_refused", number=refused))
+                self.warn(make_alarm("cycles_refused", number=refused))
             triggers = test.recorder.triggers_refused
             if triggers and not test.triggers_refused:
                 self.event(
                     "cycles",
                     "engine",
-                    "the room for whole cycles around alarms, limits and notes is used up: from "
-                    "here on only those of the schedule are kept, and those around critical alarms "
-                    "while room lasts",
+                    say(
+                        "the room for whole cycles around alarms, limits and notes is used"
+                        " up: from here on only those of the schedule are kept, and those"
+                        " around critical alarms while room lasts"
+                    ),
                 )
             test.triggers_refused = triggers
 
@@ -401,7 +414,7 @@ class Core:
             found = test.recorder.look_after(self._file_moved)
             test.path = test.recorder.path
             if found is not None and not found.saved:
-                self.warn(because("file_unsaved", sentence=found.sentence))
+                self.warn(make_alarm("file_unsaved", sentence=found.sentence))
                 return
             self.alarms.clear("file_unsaved")
             if found is not None:
@@ -409,17 +422,17 @@ class Core:
             self.alarms.clear("file_moved")
 
     def _file_moved(self, sentence: str) -> None:
-        self.warn(because("file_moved", sentence=sentence))
+        self.warn(make_alarm("file_moved", sentence=sentence))
 
     def disk_slow(self, seconds: float) -> None:
         """Warn of a disk that takes long over a commit."""
         self._quick_commits = 0
-        self.warn(because("disk_slow", seconds=seconds))
+        self.warn(make_alarm("disk_slow", seconds=seconds))
 
     def _look_at_disk(self, took: float) -> None:
         if took > SLOW_DISK_S:
             self.disk_slow(took)
-            self.event("disk", "engine", f"the disk took {took:.1f} s over a commit")
+            self.event("disk", "engine", say("the disk took {:.1f} s over a commit", took))
             return
         self._quick_commits += 1
         if self._quick_commits == CALM_COMMITS:
@@ -438,10 +451,10 @@ class Core:
         with test.finishing:
             if test.finished:
                 return
-            ending = test.ending or Ending(FinishReason.INTERNAL, "the test ended by itself")
+            ending = test.ending or Ending(FinishReason.INTERNAL, say("the test ended by itself"))
             then = test.fault_sentence
             if then and then not in ending.sentence:
-                ending = replace(ending, sentence=f"{ending.sentence} Then: {then}")
+                ending = replace(ending, sentence=say("{} Then: {}", ending.sentence, then))
             self.look_after_file()
             ending = self._close_file(test, ending)
             test.path = test.recorder.path
@@ -451,6 +464,7 @@ class Core:
             outcome = Finished(ending.code, ending.sentence, ending.status, rows, str(test.path))
             test.outcome = outcome
         self.settle()
+        self.sleep_again()
         self.fault_code = ending.code
         self.fire_if(Trigger.FAILED if fault else Trigger.ENDED, ending.sentence)
         self.publisher.notice(outcome)
@@ -469,12 +483,17 @@ class Core:
             recorder.abandon()
             if ending.code is FinishReason.STORAGE:
                 return ending
-            sentence = f"{ending.sentence} The file could not be finished ‹{error}›."
-            self.warn(because("storage", sentence=sentence))
+            sentence = say("{} The file could not be finished ‹{}›.", ending.sentence, error)
+            self.warn(make_alarm("storage", sentence=sentence))
             return Ending(FinishReason.STORAGE, sentence)
         if kept:
             return ending
-        return replace(ending, sentence=f"{ending.sentence} {NO_FILE}")
+        return replace(ending, sentence=say("{} {}", ending.sentence, NO_FILE))
+
+    def sleep_again(self) -> None:
+        """Let the computer sleep, as before the test."""
+        if self.awake is not None:
+            self.awake.end()
 
     def settle(self) -> None:
         """Clear alarms whose condition is over because the test is."""

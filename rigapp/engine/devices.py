@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import Any, NoReturn, cast
 
 from rigapp.config.channels import channel_table, input_keys
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
+from rigapp.engine.identifying import stranger, together, told_by
+from rigapp.engine.wirerecording import WireRecording
+from rigapp.texts import joined, say, sentence_of_error
 from rigapp_drivers.api import (
     ConnectionFailed,
     DataRequest,
@@ -19,7 +23,9 @@ from rigapp_drivers.api import (
     Identity,
     SlowRequest,
     StreamSetup,
+    WrongDevice,
 )
+from rigapp_drivers.discovery import has_speed
 from rigapp_drivers.edge import (
     Guarded,
     GuardedSlow,
@@ -37,6 +43,7 @@ from rigapp_drivers.registry import (
     load_driver,
     package_of,
 )
+from rigapp_drivers.wire.ports import beside
 
 LoadDriver = Callable[[str], DriverInfo]
 
@@ -48,7 +55,8 @@ KINDS = {"mV/V": "bridge", "V": "voltage"}
 class Devices:
     """The devices of a rig: one source of samples, one spindle, slow sources with their requests.
 
-    A slow source is opened and asked by a thread of its own (``samples.slow``).
+    A slow source is opened and asked by a thread of its own (``samples.slow``). explain: adds to an
+    error of opening who answers in the place of the device.
     """
 
     source: GuardedSource
@@ -59,20 +67,44 @@ class Devices:
     slow: tuple[tuple[GuardedSlow, SlowRequest], ...] = ()
     identities: dict[str, Identity] = field(default_factory=dict)
     readback: dict[str, Mapping[str, str | float | int]] = field(default_factory=dict)
+    explain: Callable[[DeviceError, Guarded], DeviceError] = lambda error, device: error
 
     def open(self) -> StreamSetup:
         """Open and configure source and spindle; raise DeviceError. On failure both are closed."""
         try:
-            self.identities[self.spindle.name] = self.spindle.open()
-            self.identities[self.source.name] = self.source.open()
+            self._identify()
             setup = self.source.configure(self.data_request)
-            self.readback[self.source.name] = setup.readback
+            self._note(self.source, setup.readback)
             # Last: from here on the drive's watchdog runs, and many inputs take long to set up.
-            self.readback[self.spindle.name] = self.spindle.configure(self.drive_request)
+            self._note(self.spindle, self.spindle.configure(self.drive_request))
         except BaseException:
             self.close()
             raise
         return setup
+
+    def _identify(self) -> None:
+        """Open source and spindle; the error names all that fail, slow sources as well."""
+        errors = []
+        for device in (self.spindle, self.source):
+            try:
+                self.identities[device.name] = device.open()
+            except DeviceError as error:
+                errors.append(self.explain(error, device))
+        if errors:
+            raise together([*errors, *self._silent_slow()])
+
+    def _silent_slow(self) -> Iterator[DeviceError]:
+        """Yield why slow sources do not open; each is looked at and released again."""
+        for device, _ in self.slow:
+            try:
+                device.open()
+            except DeviceError as error:
+                yield self.explain(error, device)
+            finally:
+                device.close()
+
+    def _note(self, device: Guarded, readback: Mapping[str, str | float | int]) -> None:
+        self.readback[device.name] = {**told_by(self.identities[device.name]), **readback}
 
     def close(self) -> None:
         """Stop and release all of them; the drive first, since closing it stops the motor."""
@@ -94,7 +126,7 @@ class DevicePlan:
 
 
 def plan_devices(
-    rig: RigFile, where: str = "rig file", load: LoadDriver = load_driver
+    rig: RigFile, where: str = say("rig file"), load: LoadDriver = load_driver
 ) -> DevicePlan:
     """Return what the devices will be asked for; raise UnusableInput where one cannot do it.
 
@@ -102,16 +134,18 @@ def plan_devices(
     """
     sources = {key: getattr(rig, key).device for key in ("encoder", "load_cell", "probes")}
     if len(set(sources.values())) != 1:
-        named = ", ".join(f"{key}.device = {name!r}" for key, name in sources.items())
+        named = joined(
+            ", ", (say("{}.device = {}", key, repr(name)) for key, name in sources.items())
+        )
         raise UnusableInput(
-            f"{where}: {named}; all three must name one device, whose samples are simultaneous"
+            "{}: {}; all three must name one device, whose samples are simultaneous", where, named
         )
     name, drive = rig.encoder.device, rig.spindle.device
     info, settings = _driver(rig, name, DriverKind.DATA_SOURCE, where, load)
     rate = settings.get("sample_rate_Hz")
     if not isinstance(rate, int | float):
         raise UnusableInput(
-            f"{where}: devices.{name}.settings.sample_rate_Hz is missing; give the sample rate"
+            "{}: devices.{}.settings.sample_rate_Hz is missing; give the sample rate", where, name
         )
     drive_info, drive_settings = _driver(rig, drive, DriverKind.SPINDLE, where, load)
     data = DataRequest(float(rate), _inputs(rig), settings)
@@ -126,7 +160,7 @@ def plan_devices(
     _check_inputs(rig, info, data, where)
     wrong = _objection(drive_info, wanted)
     if wrong:
-        raise UnusableInput(f"{where}: [spindle] on devices.{drive}: {wrong}")
+        raise UnusableInput("{}: [spindle] on devices.{}: {}", where, drive, wrong)
     _check_drive_quantities(rig, drive_info, drive_settings, where)
     slow = dict(_slow_requests(rig, where, load))
     return DevicePlan(name, info, data, drive, drive_info, wanted, slow)
@@ -141,13 +175,19 @@ def _check_drive_quantities(
             continue
         needed = info.needed.get(one.input, "")
         if one.input not in info.quantities:
-            wrong = f"a {info.title} tells {', '.join(info.quantities) or 'nothing of itself'}"
+            wrong = say(
+                "a {} tells {}",
+                info.title,
+                joined(", ", info.quantities) or say("nothing of itself"),
+            )
         elif needed and not settings[needed]:
-            wrong = f"give devices.{one.device}.settings.{needed}, without which none is told"
+            wrong = say(
+                "give devices.{}.settings.{}, without which none is told", one.device, needed
+            )
         else:
             continue
-        source = f"channels.{one.name}.source = '{one.device}.{one.input}'"
-        raise UnusableInput(f"{where}: {source}: {wrong}")
+        source = say("channels.{}.source = '{}.{}'", one.name, one.device, one.input)
+        raise UnusableInput("{}: {}: {}", where, source, wrong)
 
 
 def _slow_requests(
@@ -168,7 +208,7 @@ def _slow_requests(
             wrong = _objection(info, replace(request, quantities=(one.input,)))
             if wrong:
                 raise UnusableInput(
-                    f"{where}: channels.{one.name}.source = '{name}.{one.input}': {wrong}"
+                    "{}: channels.{}.source = '{}.{}': {}", where, one.name, name, one.input, wrong
                 )
         yield name, (info, request)
 
@@ -196,7 +236,7 @@ def _check_inputs(rig: RigFile, info: DriverInfo, request: DataRequest, where: s
     if 0 < len(faulty) < len(alone):
         name = faulty[0]
         raise UnusableInput(f"{where}: {keys[name]} = {name!r}: {alone[name]}")
-    raise UnusableInput(f"{where}: [devices.{rig.encoder.device}.settings]: {wrong}")
+    raise UnusableInput("{}: [devices.{}.settings]: {}", where, rig.encoder.device, wrong)
 
 
 def _objection(info: DriverInfo, request: DataRequest | DriveRequest | SlowRequest) -> str:
@@ -207,14 +247,19 @@ def _objection(info: DriverInfo, request: DataRequest | DriveRequest | SlowReque
         try:
             info.check(request)
         except ValueError as error:
-            return str(error)
+            return sentence_of_error(error)
     return ""
 
 
 def _no_objection(info: DriverInfo, error: BaseException) -> UnusableInput:
     return UnusableInput(
-        f"the driver {info.name} failed to check its request ‹{failure_words(error)}›; report it to"
-        f" the author of the package {package_of(info.name)}"
+        say(
+            "the driver {} failed to check its request ‹{}›; report it to the author of the"
+            " package {}",
+            info.name,
+            failure_words(error),
+            package_of(info.name),
+        )
     )
 
 
@@ -222,17 +267,19 @@ def make_devices(
     rig: RigFile,
     ports: Mapping[str, str],
     load: LoadDriver = load_driver,
-    where: str = "rig file",
+    where: str = say("rig file"),
+    record: WireRecording | None = None,
+    folder: Path = Path(),
 ) -> Devices:
     """Make the drivers of a rig file without touching a port; raise UnusableInput, DeviceError.
 
-    ports: device name -> port, in place of the rig file's.
+    ports: device name -> port, in place of the rig file's. record: keeps the lines that are
+    recorded. folder: of the rig file, where nothing keeps lines.
     """
     plan = plan_devices(rig, where, load)
-    source = _made(rig, plan.source, plan.source_driver, plan.data_request.settings, ports, where)
-    spindle = _made(
-        rig, plan.spindle, plan.spindle_driver, plan.drive_request.settings, ports, where
-    )
+    making = Making(rig, ports, where, record or WireRecording(folder))
+    source = making.driver(plan.source, plan.source_driver, plan.data_request.settings)
+    spindle = making.driver(plan.spindle, plan.spindle_driver, plan.drive_request.settings)
     return Devices(
         source=cast(GuardedSource, source),
         spindle=cast(GuardedSpindle, spindle),
@@ -242,9 +289,10 @@ def make_devices(
             name: rig.devices[name].driver for name in (plan.source, plan.spindle, *plan.slow)
         },
         slow=tuple(
-            (_slow_source(rig, name, info, request.settings, ports, where), request)
+            (_slow_source(making, name, info, request.settings), request)
             for name, (info, request) in plan.slow.items()
         ),
+        explain=making.explain,
     )
 
 
@@ -263,9 +311,11 @@ class Unusable:
         """Do nothing: nothing was opened."""
 
 
-def _slow_source(rig: RigFile, name: str, info: DriverInfo, *made: Any) -> GuardedSlow:
+def _slow_source(
+    making: Making, name: str, info: DriverInfo, settings: Mapping[str, Any]
+) -> GuardedSlow:
     try:
-        return cast(GuardedSlow, _made(rig, name, info, *made))
+        return cast(GuardedSlow, making.driver(name, info, settings))
     except DeviceError as error:
         return GuardedSlow(Unusable(error), name, error.port, info.name)
 
@@ -274,7 +324,7 @@ def _broken(driver: str, error: DriverBroken) -> DriverInfo:
     """Return what stands for the driver of a slow source whose package cannot be loaded."""
 
     def fails(name: str, port: str, settings: Mapping[str, Any]) -> NoReturn:
-        raise ConnectionFailed(name, port, str(error)) from error
+        raise ConnectionFailed(name, port, sentence_of_error(error)) from error
 
     return DriverInfo(driver, driver, DriverKind.SLOW_SOURCE, fails)
 
@@ -284,34 +334,57 @@ def _driver(
 ) -> tuple[DriverInfo, dict[str, Any]]:
     section = rig.devices.get(name)
     if section is None:
-        known = ", ".join(rig.devices) or "none"
-        raise UnusableInput(f"{where}: there is no device {name!r}; there are: {known}")
+        known = joined(", ", rig.devices) or "none"
+        raise UnusableInput("{}: there is no device {}; there are: {}", where, repr(name), known)
     try:
         info = load(section.driver)
-        settings = check_settings(info, section.settings, f"{where}: [devices.{name}.settings]")
+        settings = check_settings(
+            info, section.settings, say("{}: [devices.{}.settings]", where, name)
+        )
     except DriverNotFound as error:
-        raise UnusableInput(f"{where}: devices.{name}.driver: {error}") from error
+        raise UnusableInput("{}: devices.{}.driver: {}", where, name, error) from error
     except SettingsError as error:
-        raise UnusableInput(str(error)) from error
+        raise UnusableInput(sentence_of_error(error)) from error
     if info.kind is not kind:
         raise UnusableInput(
-            f"{where}: devices.{name}.driver = {section.driver!r} is a {info.kind.value}, "
-            f"a {kind.value} is needed"
+            "{}: devices.{}.driver = {} is a {}, a {} is needed",
+            where,
+            name,
+            repr(section.driver),
+            info.kind.value,
+            kind.value,
         )
     return info, settings
 
 
-def _made(
-    rig: RigFile,
-    name: str,
-    info: DriverInfo,
-    settings: Mapping[str, Any],
-    ports: Mapping[str, str],
-    where: str,
-) -> Guarded:
-    port = ports.get(name, rig.devices[name].port)
-    if port == "simulated":
-        raise UnusableInput(
-            f"{where}: devices.{name}.port is 'simulated', and no simulated device runs for it"
-        )
-    return make_driver(info, name, port, settings)
+@dataclass(frozen=True, slots=True)
+class Making:
+    """Make drivers of a rig file's devices."""
+
+    rig: RigFile
+    ports: Mapping[str, str]
+    where: str
+    record: WireRecording
+
+    def driver(self, name: str, info: DriverInfo, settings: Mapping[str, Any]) -> Guarded:
+        """Return the driver of a device, behind the edge; raise UnusableInput, DeviceError."""
+        device = self.rig.devices[name]
+        port = beside(self.record.folder, self.ports.get(name, device.port))
+        if port == "simulated":
+            raise UnusableInput(
+                "{}: devices.{}.port is 'simulated', and no simulated device runs for it",
+                self.where,
+                name,
+            )
+        self.record.attach(name, port, device.record, info, settings)
+        return make_driver(info, name, port, settings, device.serial_number)
+
+    def explain(self, error: DeviceError, device: Guarded) -> DeviceError:
+        """Return the error of opening a device, or that another one answers on its port.
+
+        A UART adapter's port is not asked: a motor controller takes any byte for a speed.
+        """
+        missing = isinstance(error, ConnectionFailed | WrongDevice)
+        if device.name in self.ports or not missing or has_speed(device.port):
+            return error
+        return stranger(device, self.rig.devices[device.name].driver) or error

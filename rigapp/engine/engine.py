@@ -12,27 +12,35 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from rigapp.checks.check import refuse_blocked
+from rigapp.checks.fit import overload_check
+from rigapp.config.consistency import overspeed_faults
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
+from rigapp.engine.connectedrig import ConnectedRig
 from rigapp.engine.connection import Connection, lost_device
 from rigapp.engine.core import NO_FILE, Core
 from rigapp.engine.devices import Devices, LoadDriver, make_devices
 from rigapp.engine.drive.driving import Ramp
 from rigapp.engine.drive.timing import Timing
+from rigapp.engine.identifying import identity_words
 from rigapp.engine.judging.limits import changed_limits
 from rigapp.engine.listening import SignalView, hear
 from rigapp.engine.publish import Subscription
 from rigapp.engine.recording.store import OpenRequest, OpenStore, open_file
 from rigapp.engine.resting import note_rest, signals_at_rest, take_zero
-from rigapp.engine.starting import check_overload, check_start, open_test
+from rigapp.engine.starting import check_start, open_test
 from rigapp.engine.supervisor import Supervisor
 from rigapp.engine.values.calibrate import Calibration, calibration_of
 from rigapp.engine.views import build_status, next_step
+from rigapp.engine.wirerecording import WireRecording
+from rigapp.process.awake import StayAwake
+from rigapp.process.memory import give_back
 from rigapp.process.threads import OneAtATime
-from rigapp.schema.alarms import Cause, because
+from rigapp.schema.alarms import Cause, make_alarm
 from rigapp.schema.details import error_text
 from rigapp.schema.loglines import LIMIT_CHANGED, SPECIMEN, LimitChange, RestSignals, SpecimenWear
 from rigapp.schema.messages import (
@@ -56,6 +64,7 @@ from rigapp.schema.states import (
     refuse_long,
     transition,
 )
+from rigapp.texts import Sentence, capitalised, joined, say
 from rigapp_drivers.api import DeviceError, DeviceFault
 from rigapp_drivers.registry import load_driver
 
@@ -90,7 +99,9 @@ class Engine:
 
     rig: the rig file as read. ports: device name -> port in place of the rig file's (the simulated
     rig's). load: finds drivers by name. open_store: makes the test file. on_measured: told of every
-    sound revolution, in the processing thread; must return at once. ``subscribe`` and ``watch`` are
+    sound revolution, in the processing thread; must return at once. record_wire: where every
+    device's line is recorded, see ``WireRecording``. awake: keeps the computer awake while a test
+    runs, None where it need not be. ``subscribe`` and ``watch`` are
     the publisher's.
     """
 
@@ -104,9 +115,12 @@ class Engine:
         timing: Timing | None = None,
         on_measured: Callable[[RevolutionMeasured], None] | None = None,
         records: Mapping[str, str] | None = None,
+        record_wire: Path | None = None,
+        awake: StayAwake | None = None,
     ) -> None:
         self._records = dict(records or {})
-        self._core = Core(rig, timing or Timing(), on_measured)
+        self._wires = WireRecording(rig.path.parent, record_wire)
+        self._core = Core(rig, timing or Timing(), on_measured, awake)
         self._ports = dict(ports or {})
         self._load = load
         self._open_store = open_store
@@ -138,7 +152,7 @@ class Engine:
                     self._ports = dict(ports())
                 self._connection = self._open()
             except BaseException as error:
-                why = error_text(error, "The devices could not be connected.")
+                why = error_text(error, say("The devices could not be connected."))
                 self._core.fire_if(Trigger.FAILED, why)
                 if isinstance(error, DeviceError):
                     self._core.warn(lost_device(error))
@@ -156,14 +170,15 @@ class Engine:
         for alarm in alarms:
             if connection is not None and alarm.active and alarm.ends is Ends.DRIVE:
                 spindle = connection.devices.spindle
-                raise DeviceFault(spindle.name, spindle.port, f"{alarm.cause} {alarm.action}")
+                raise DeviceFault(spindle.name, spindle.port, "{} {}", alarm.cause, alarm.action)
         then = next((alarm.action for alarm in alarms if alarm.cause == core.reason), "")
         then = then or next_step(core, connection).sentence
-        raise InFault(f"{core.reason} {then}".strip(), core.fault_code)
+        raise InFault(say("{} {}", core.reason, then).strip(), core.fault_code)
 
     def _open(self) -> Connection:
         core = self._core
-        devices = make_devices(core.rig.record, self._ports, self._load, str(core.rig.path))
+        where = str(core.rig.path)
+        devices = make_devices(core.rig.record, self._ports, self._load, where, self._wires)
         self._opening = devices
         try:
             setup = devices.open()
@@ -189,27 +204,28 @@ class Engine:
         if connection is None:
             return
         hanging = connection.close()
+        give_back()  # threads come and go with a connection, and the C library keeps what they had
         self._core.control = None
         for name in hanging:
-            self._core.warn(because("thread", name, sentence="it does not end"))
+            self._core.warn(make_alarm("thread", name, sentence=say("it does not end")))
 
     def shutdown(self, timeout_s: float = 60.0) -> None:
         """Stop a test under way, finish its file, release the devices. Safe to call twice."""
         if self._core.state in ACTIVE:
             self._core.trip(
-                Ending(FinishReason.OPERATOR, "The engine was shut down during the test.")
+                Ending(FinishReason.OPERATOR, say("The engine was shut down during the test."))
             )
             try:
                 self._core.wait(ENDED, timeout_s)
             except TimeoutError as error:
-                self._core.will_not_stop(f"The engine was shut down, but {error}.")
+                self._core.will_not_stop(say("The engine was shut down, but {}.", error))
                 self._core.finish()
         try:
             with self._command:
                 self._release()
                 self._core.fire_if(Trigger.DISCONNECT)
         except Refused as error:
-            self._core.event("device", "engine", f"the devices are not released: {error}")
+            self._core.event("device", "engine", say("the devices are not released: {}", error))
 
     # --- a test ----------------------------------------------------------------------------------
 
@@ -251,14 +267,17 @@ class Engine:
         transition(core.state, Trigger.START)
         if connection is None:
             raise Refused("no devices are connected; connect first")
+        give_back()  # what the test before had: the crank stands, and a pause harms nothing
         self._operator = operator
-        monitor = check_start(core, connection, test)
-        rest = signals_at_rest(core, connection)
+        processor = connection.rig.processor
+        processor.use(processor.calibration.under(test.record.model.mechanism.gravity_m_s2))
+        monitor = check_start(core, connection.rig, test)
+        rest = signals_at_rest(core, connection.rig)
         request = OpenRequest(
             path=path,
             rig=core.rig,
             test=test,
-            calibration=connection.processor.calibration,
+            calibration=processor.calibration,
             devices=dict(connection.devices.readback),
             records=self._records,
             operator=operator,
@@ -266,31 +285,38 @@ class Engine:
             rest=rest,
             worn=worn,
         )
-        active = open_test(core, connection, request, monitor, self._open_store)
+        active = open_test(core, connection.rig, request, monitor, self._open_store)
         core.publisher.restart(active.recorder.rows)
         core.test = active
-        connection.control.arm(Ramp(active.target_rpm, active.ramp_rpm_per_s))
+        if core.awake is not None:
+            core.awake.begin()
+        connection.rig.control.arm(Ramp(active.target_rpm, active.ramp_rpm_per_s))
         try:
-            core.fire(Trigger.START, f"started by {operator}" if operator else "")
+            core.fire(Trigger.START, say("started by {}", operator) if operator else "")
         except Refused as error:
             active.finished = True
-            sentence = f"The test did not start: {core.reason or error}"
+            sentence = say("The test did not start: {}", core.reason or error)
             if not active.recorder.finish(
                 "fault", core.fault_code.value, sentence, keep_empty=resume
             ):
-                sentence = f"{sentence} {NO_FILE}"
+                sentence = say("{} {}", sentence, NO_FILE)
             active.outcome = Finished(core.fault_code, sentence, "fault", 0, str(path))
+            core.sleep_again()
             raise
+        for name, readback in connection.devices.readback.items():
+            core.event("device", name, identity_words(readback))
         for remark in remarks:
             core.event(remark.kind, remark.who, remark.text, remark.before, remark.after)
         if worn is not None:
-            words = f"worn by {worn.depth_um:.1f} +/- {worn.uncertainty_um:.1f} um"
-            where = f"revolution {worn.revolution} of {worn.file}"
-            core.event(SPECIMEN, "engine", f"the specimen is {words} since {where}", data=worn)
+            words = say("worn by {:.1f} +/- {:.1f} um", worn.depth_um, worn.uncertainty_um)
+            where = say("revolution {} of {}", worn.revolution, worn.file)
+            core.event(
+                SPECIMEN, "engine", say("the specimen is {} since {}", words, where), data=worn
+            )
         note_rest(core, rest)
-        connection.begin_test()
-        with connection.turning():
-            connection.control.run()
+        connection.motion.begin_test()
+        with connection.motion.turning():
+            connection.rig.control.run()
 
     def pause(self, operator: str = "", reason: str = "") -> None:
         """Slow down and come to rest at the safe angle; the drive holds the crank there.
@@ -303,7 +329,9 @@ class Engine:
                 transition(self._core.state, Trigger.PAUSE)
             assert self._connection is not None
             self._note_command("pause", operator, reason)
-            self._connection.pause(reason or f"pausing for {operator or 'the operator'}")
+            self._connection.motion.pause(
+                reason or say("pausing for {}", operator or say("the operator"))
+            )
 
     def resume(self, operator: str = "") -> None:
         """Go on after a pause; raises DeviceError when the drive refuses."""
@@ -314,7 +342,7 @@ class Engine:
             assert connection is not None
             assert active is not None
             self._note_command("resume", operator, "")
-            connection.resume(active)
+            connection.motion.resume(active)
 
     def stop(self, operator: str = "", reason: str = "") -> None:
         """End the test with a controlled stop; raise Refused when none is under way."""
@@ -330,7 +358,7 @@ class Engine:
             connection = self._connection
             if connection is None:
                 raise Refused("no drive is connected")
-            connection.control.stop_now(off=True)
+            connection.rig.control.stop_now(off=True)
             self._note_command("drive_off", operator, reason)
             return
         self._end(operator, reason, off=True)
@@ -338,10 +366,7 @@ class Engine:
     def _end(self, operator: str, reason: str, off: bool) -> None:
         if self._core.state not in ACTIVE:
             transition(self._core.state, Trigger.STOP)
-        who = operator or "the operator"
-        what = "switched the drive off" if off else "stopped the test"
-        sentence = f"{who} {what}{_why(reason) or '.'}"
-        sentence = sentence[0].upper() + sentence[1:]
+        sentence = ended_by(operator, reason, off=off)
         active = self._core.test
         waits = active is not None and active.finishing.acquire(blocking=False)
         # The drive first: the log may have to wait for the disk. The file is not finished before.
@@ -373,19 +398,19 @@ class Engine:
             if not at_rest:
                 return
             if connection is not None and connection.sound:
-                core.fire(Trigger.RESET, f"reset by {operator}" if operator else "")
+                core.fire(Trigger.RESET, say("reset by {}", operator) if operator else "")
             elif not waiting:
                 raise Refused("the connection to the devices is broken; connect first")
 
     def _reset_drive(self, connection: Connection) -> None:
         """Acknowledge the drive's own faults, so that the alarm they raised can go."""
-        status = connection.control.status
+        status = connection.rig.control.status
         if status is None or not (status.faults or status.emergency_stop):
             return
         try:
             connection.drive_watch.reset()
         except DeviceError as error:
-            raise Refused(f"the drive keeps its fault: {error.sentence}") from error
+            raise Refused("the drive keeps its fault: {}", error.sentence) from error
 
     # --- alarms, notes, limits, zero -------------------------------------------------------------
 
@@ -413,19 +438,19 @@ class Engine:
 
     def service_failed(self, sentence: str) -> None:
         """Warn that viewers cannot be served."""
-        self._core.act_on(because("service", sentence=sentence))
+        self._core.act_on(make_alarm("service", sentence=sentence))
 
     def messages_failed(self, sentence: str) -> None:
         """Warn that somebody who is away may not be told; without a sentence that is over."""
-        self._warned(because("messages", sentence=sentence))
+        self._warned(make_alarm("messages", sentence=sentence))
 
     def test_cut_off(self, sentence: str) -> None:
         """Warn that nobody ended the rig's last test; without a sentence that is over."""
-        self._warned(because("cut_off", sentence=sentence))
+        self._warned(make_alarm("cut_off", sentence=sentence))
 
     def queue_stopped(self, sentence: str) -> None:
         """Warn that the queue begins no other test; without a sentence that is over."""
-        self._warned(because("queue", sentence=sentence))
+        self._warned(make_alarm("queue", sentence=sentence))
 
     def _warned(self, cause: Cause) -> None:
         if cause.sentence:
@@ -444,19 +469,15 @@ class Engine:
             if active is None or self._core.state not in ACTIVE:
                 raise Refused("limits are changed in the test file while no test is under way")
             before, limits = changed_limits(active.limits, name, value, self._core.table)
-            fastest = active.sequence.fastest_rpm
-            if limits.overspeed_rpm <= fastest:
-                raise UnusableInput(
-                    f"overspeed_rpm = {limits.overspeed_rpm:g} must be above the set speed "
-                    f"{fastest:g} rpm"
-                )
-            check_overload(self._core.rig.record, limits.overload_N)
+            for fault in overspeed_faults(limits, active.sequence):
+                raise UnusableInput(fault)
+            refuse_blocked([overload_check(limits.overload_N, self._core.rig.record)])
             active.run.monitor.replace(limits.rule)
             active.limits = limits
             self._core.event(
                 LIMIT_CHANGED,
                 operator or "operator",
-                f"limit {name} changed{_why(reason)}",
+                say("limit {} changed{}", name, _why(reason)),
                 before=f"{before:g}" if before is not None else "none",
                 after=f"{value:g}",
                 key=name,
@@ -479,13 +500,16 @@ class Engine:
                 raise UnusableInput(wrong)
             core.require(
                 revolutions > run.number + 1,
-                f"revolution {run.number} is made already; the test can end after a later one than"
-                f" {run.number + 1}",
+                say(
+                    "revolution {} is made already; the test can end after a later one than {}",
+                    run.number,
+                    run.number + 1,
+                ),
             )
             before = run.planned
             active.recorder.extend(revolutions)
             run.planned = revolutions
-            text = f"the test shall end after {revolutions} revolutions{_why(reason)}"
+            text = say("the test shall end after {} revolutions{}", revolutions, _why(reason))
             core.event("command", operator or "operator", text, str(before), str(revolutions))
 
     def zero(
@@ -499,9 +523,9 @@ class Engine:
         """
         unknown = [one for one in what if one != "load_cell"]
         if unknown:
-            raise Refused(f"only the load_cell can be zeroed, not {', '.join(unknown)}")
+            raise Refused("only the load_cell can be zeroed, not {}", joined(", ", unknown))
         with self._command:
-            tare = take_zero(self._core, self._connection, operator, reason)
+            tare = take_zero(self._core, self._rig, operator, reason)
             return {"load_cell": (float(tare[0]), float(tare[1]))}
 
     def use_records(self, rig: Document[RigFile], records: Mapping[str, str]) -> None:
@@ -515,17 +539,21 @@ class Engine:
             if core.state in ACTIVE:
                 raise Refused("a test is under way; stop it first")
             if connection is not None:
-                before = connection.processor.calibration
-                calibration = calibration_of(rig.record, connection.setup)
+                before = connection.rig.processor.calibration
+                calibration = calibration_of(rig.record, connection.rig.setup)
                 if rig.record.load_cell == core.rig.record.load_cell:
-                    calibration = calibration.with_tare(before.load_cell.tare.tolist())
-                connection.processor.use(calibration)
+                    cell = before.load_cell
+                    calibration = calibration.with_tare(cell.tare.tolist(), cell.tare_angle)
+                connection.rig.processor.use(calibration)
             core.rig, self._records = rig, dict(records)
 
-    def set_tare(self, tare: Sequence[float]) -> None:
-        """Use the tare of an earlier part of a test (mV/V); only while no test is under way."""
+    def set_tare(self, tare: Sequence[float], angle: float | None = None) -> None:
+        """Use the tare of an earlier part of a test (mV/V); only while no test is under way.
+
+        angle: of the crank where it was taken, rad, None where it is not known.
+        """
         with self._command:
-            self._before_a_test("the tare is set").processor.set_tare(tare)
+            self._before_a_test(say("the tare is set")).processor.set_tare(tare, angle)
 
     def rest(self) -> RigAtRest:
         """Return calibration, device settings and the load cell's signals as they are now.
@@ -533,15 +561,19 @@ class Engine:
         Raises Refused without devices and while a test is under way.
         """
         with self._command:
-            connection = self._before_a_test("this is looked at")
-            signals = signals_at_rest(self._core, connection)
-            return RigAtRest(connection.processor.calibration, connection.devices.readback, signals)
+            rig = self._before_a_test(say("this is looked at"))
+            signals = signals_at_rest(self._core, rig)
+            return RigAtRest(rig.processor.calibration, rig.devices.readback, signals)
 
-    def _before_a_test(self, what: str) -> Connection:
-        """Return the connection while no test is under way; raise Refused."""
-        if self._connection is None or self._core.state in ACTIVE:
-            raise Refused(f"{what} before a test, with the devices connected")
-        return self._connection
+    @property
+    def _rig(self) -> ConnectedRig | None:
+        return self._connection.rig if self._connection is not None else None
+
+    def _before_a_test(self, what: str) -> ConnectedRig:
+        """Return the connected rig while no test is under way; raise Refused."""
+        if self._rig is None or self._core.state in ACTIVE:
+            raise Refused("{} before a test, with the devices connected", what)
+        return self._rig
 
     def hear(self, window_s: float) -> SignalView:
         """Return the electrical signals of the last seconds and the angle, for a calibration.
@@ -549,16 +581,16 @@ class Engine:
         Only while no test is under way; raises Refused.
         """
         simulated = self._core.rig.record.simulated
-        return hear(self._connection, self._core.state, window_s, simulated=simulated)
+        return hear(self._rig, self._core.state, window_s, simulated=simulated)
 
     @property
     def samples_processed(self) -> int:
         """Return the device sample that comes next, 0 without a connection."""
         connection = self._connection
-        return connection.processor.next_sample if connection is not None else 0
+        return connection.rig.processor.next_sample if connection is not None else 0
 
     def _note_command(self, verb: str, operator: str, reason: str) -> None:
-        self._core.event("command", operator or "operator", f"{verb} {reason}".strip())
+        self._core.event("command", operator or "operator", say("{} {}", verb, reason).strip())
 
     # --- what is going on ------------------------------------------------------------------------
 
@@ -602,6 +634,13 @@ class Engine:
             self._connection.guard.predicted(active, values)
 
 
+def ended_by(operator: str, reason: str, *, off: bool) -> Sentence:
+    """Return that somebody ended a test; reason: in their own words, never translated."""
+    who = capitalised(operator) or say("The operator")
+    done = say("{} switched the drive off", who) if off else say("{} stopped the test", who)
+    return done + (_why(reason) or ".")
+
+
 def _why(reason: str) -> str:
     """Return a reason as it follows what was done; empty without one."""
-    return f": {reason.strip()}" if reason.strip() else ""
+    return say(": {}", reason.strip()) if reason.strip() else ""

@@ -7,7 +7,7 @@ import math
 import msgspec
 import numpy as np
 
-from rigapp.engine.connection import Connection
+from rigapp.engine.connectedrig import ConnectedRig
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import Refused
@@ -42,19 +42,20 @@ class SignalView(msgspec.Struct, frozen=True):
 
 
 def hear(
-    connection: Connection | None, state: RunState, window_s: float, *, simulated: bool
+    rig: ConnectedRig | None, state: RunState, window_s: float, *, simulated: bool
 ) -> SignalView:
     """Return the signals of the last window_s (device time); raise Refused while a test runs.
 
     The first call begins to keep them and returns an empty window.
     """
-    if connection is None or state not in PERMITTED:
+    if rig is None or state not in PERMITTED:
         raise Refused(
-            f"readings are taken while the rig is ready and no test is under way, not while {state}"
+            "readings are taken while the rig is ready and no test is under way, not while {}",
+            state,
         )
     if not 0.0 < window_s < math.inf:
         raise Refused("the window is a number of seconds above 0")
-    processor = connection.processor
+    processor = rig.processor
     means = processor.listen(window_s)
     calibration = processor.calibration
     encoder = calibration.encoder
@@ -64,9 +65,9 @@ def hear(
         samples_per_mean=means.samples_per_mean,
         sample_rate_Hz=means.sample_rate_Hz,
         units={one.channel.name: one.unit for one in calibration.wires},
-        angle_deg=_angle_deg(connection) if processor.index_seen else None,
+        angle_deg=_angle_deg(rig) if processor.index_seen else None,
         count_deg=360.0 / encoder.counts_per_revolution,
-        stands=connection.stands(),
+        stands=rig.is_stationary(),
         simulated=simulated,
         matrix=calibration.load_cell.matrix.tolist(),
         zero=calibration.load_cell.zero.tolist(),
@@ -84,13 +85,13 @@ def _quadratic(calibration: Calibration) -> list[list[float]] | None:
     return quadratic
 
 
-def _angle_deg(connection: Connection) -> float | None:
+def _angle_deg(rig: ConnectedRig) -> float | None:
     """Return the crank angle from the counter itself where it restarts at the index.
 
     The count says where a standing crank is; the tracked phase, which serves a running one, may be
     withheld after a hand has turned the crank faster than a spindle can.
     """
-    processor = connection.processor
+    processor = rig.processor
     calibration, live = processor.calibration, processor.live
     encoder = calibration.encoder
     if live is None:

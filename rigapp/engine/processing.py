@@ -22,7 +22,7 @@ from rigapp.schema.channels import LOAD_CELL, PROBES
 from rigapp_drivers.api import Block, SampleClock
 
 
-class Judge(Protocol):
+class SampleMonitor(Protocol):
     """Act on what the samples show; called in the processing thread."""
 
     def begun(self, sample: int) -> None:
@@ -107,18 +107,19 @@ class Live:
 class Processor:
     """Process the Blocks of one connection; ``handle`` belongs to the processing thread.
 
-    next_sample: the device sample that is expected next; saturated_until: the same behind the last
+    monitor: acts on what the samples show; set before the first block. next_sample: the device
+    sample that is expected next; saturated_until: the same behind the last
     block with a saturated sample.
     """
+
+    monitor: SampleMonitor
 
     def __init__(
         self,
         calibration: Calibration,
-        judge: Judge,
         overload_N: Callable[[], float],
         real_time: bool,
     ) -> None:
-        self._judge = judge
         self._overload_N = overload_N
         by_encoder = calibration.counter.clock is SampleClock.ENCODER
         self._clock = (
@@ -174,10 +175,13 @@ class Processor:
             return None
         newest = block.values[:, -1:]
         raw = newest[calibration.rows].astype(np.float64)
-        values, host_s = calibration.engineering(raw)[:, 0], block.host_time_ns * 1e-9
+        host_s, angle = block.host_time_ns * 1e-9, None
+        if self._peak.needs_angle or calibration.probes.correction is not None:
+            angle = self.motion.angle_deg(host_s)
+        counts = None if angle is None else calibration.counts_at(math.radians(angle))
+        values = calibration.engineering(raw, counts)[:, 0]
         correction, pair = calibration.probes.correction, calibration.place(PROBES)
         if correction is not None:
-            angle = self.motion.angle_deg(host_s)
             values[pair] = correction.at(
                 None if angle is None else math.radians(angle),
                 calibration.index_angle_rad,
@@ -197,9 +201,12 @@ class Processor:
         """Use another calibration of the same inputs from the next block on; as ``set_tare``."""
         self._set(calibration)
 
-    def set_tare(self, tare: Sequence[float]) -> None:
-        """Use another tare from the next block on; not while a test is recorded."""
-        self._set(self.calibration.with_tare(tare))
+    def set_tare(self, tare: Sequence[float], angle: float | None = None) -> None:
+        """Use another tare from the next block on; not while a test is recorded.
+
+        angle: of the crank where it was taken, rad, None where it is not known.
+        """
+        self._set(self.calibration.with_tare(tare, angle))
 
     def begin_test(self) -> None:
         """Let the next revolution begin at the next index, as of the next block."""
@@ -251,17 +258,17 @@ class Processor:
         if self._discard.is_set():
             self._discard.clear()
             self.assembler.discard()
-            self._judge.begun(block.first_sample if ticks is None else int(ticks[0]))
+            self.monitor.begun(block.first_sample if ticks is None else int(ticks[0]))
         assembler = self.assembler
         revolutions = assembler.push(block, ticks)
         self.next_sample = block.first_sample + n
         if assembler.motion.gap:
             self.motion.gap()
             gap_s = max(0, assembler.motion.gap) / self.calibration.sample_rate_Hz
-            self._judge.lost(assembler.lost_samples, gap_s)
+            self.monitor.lost(assembler.lost_samples, gap_s)
         self._look(block, n, ticks)
         for revolution in revolutions:
-            self._judge.revolution(revolution)
+            self.monitor.revolution(revolution)
 
     def _look_for_overload(self, block: Block, ticks: NDArray[np.int64] | None) -> bool:
         """Look at every force first; one that a saturated input shows is no measured one.
@@ -269,28 +276,43 @@ class Processor:
         Returns whether a sample is flagged as saturated.
         """
         full = full_samples(block, self.calibration)
-        peak, limit_N = self._peak.of(block.values), self._overload_N()
+        turning = self._turning() if self._peak.needs_angle else None
+        peak, limit_N = self._peak.of(block.values, turning), self._overload_N()
         over = not peak <= limit_N
         pair = self.calibration.place(LOAD_CELL)
         cut = full[pair] if full is not None else None
         measured = peak
         if over and cut is not None:
-            measured = self._peak.of(block.values.compress(~cut.any(axis=0), axis=1))
+            left = block.values.compress(~cut.any(axis=0), axis=1)
+            measured = self._peak.of(left, turning)
         if not measured <= limit_N:
             known = measured if math.isnan(measured) else peak
-            self._judge.overload(known, beyond_range=known > measured)
+            self.monitor.overload(known, beyond_range=known > measured)
         elif over and cut is not None:
             names = [self.calibration.names[i] for i in pair]
             inputs = frozenset(names[i] for i in np.flatnonzero(cut.any(axis=1)))
             slowed = self._slowed(block, int(np.argmax(cut.any(axis=0))), ticks)
-            if self._judge.cut_off(inputs, peak, slowed):
+            if self.monitor.cut_off(inputs, peak, slowed):
                 self._saturation.mark(inputs)
         elif self._over:
-            self._judge.calm()
+            self.monitor.calm()
         self._over = over
         if self._saturation.look(full, block.values.shape[1]):
-            self._judge.saturated(self._saturation.inputs)
+            self.monitor.saturated(self._saturation.inputs)
         return full is not None
+
+    def _turning(self) -> tuple[float, float] | None:
+        """Return the count of the next sample and the counts a sample; None before the index.
+
+        From the speed of before: what the pin weighs is small, and samples are judged as they come.
+        """
+        last = self.motion.newest()
+        if last is None or last.phase is None:
+            return None
+        step = 1.0
+        if self._clock is None:
+            step = self.motion.counts_in(1.0, BEFORE_S)
+        return last.phase + step, step
 
     def _slowed(self, block: Block, sample: int, ticks: NDArray[np.int64] | None) -> bool:
         """Return whether the crank lost speed from the sample before ``sample`` to the block's end.
@@ -318,7 +340,7 @@ class Processor:
         if last is None or tick > last.sample:
             phase = last.phase if last is not None else None
             self.motion.add(None, Point(tick, count, host_s, phase))
-        self._judge.motion(self.motion.speed_rpm())
+        self.monitor.motion(self.motion.speed_rpm())
 
     def _look(self, block: Block, n: int, ticks: NDArray[np.int64] | None) -> None:
         host_s = block.host_time_ns * 1e-9
@@ -341,4 +363,4 @@ class Processor:
             averaging.add(self.calibration.signals(block.values))
             if averaging.done.is_set():
                 self._averaging = None
-        self._judge.motion(self.motion.speed_rpm())
+        self.monitor.motion(self.motion.speed_rpm())

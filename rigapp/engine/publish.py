@@ -112,8 +112,10 @@ class Subscription:
             self._rows.clear()
             self._predictions.clear()
             self._cycle = self._prediction = self._profile = None
+        now = status()
+        engine = msgspec.structs.replace(now.engine, rows_dropped=self.rows_dropped)
         return Snapshot(
-            status=msgspec.structs.replace(status(), rows_dropped=self.rows_dropped),
+            status=msgspec.structs.replace(now, engine=engine),
             first_row=first,
             rows=np.array(rows, "<f8").tobytes(),
             predictions=np.array(predictions, "<f8").tobytes(),

@@ -12,11 +12,12 @@ from pathlib import PurePath
 from typing import Final
 
 from rigapp.schema.messages import Alarm, Ends, Recovery, Remedy, RunState, Severity
+from rigapp.texts import say
 
 WAITING: Final = {
-    RunState.CONNECTING: "Wait: the devices are being connected.",
-    RunState.STOPPING: "Wait: the spindle is brought to a stand and the file is finished.",
-    RunState.PAUSING: "Wait: the crank comes to rest at the pause angle.",
+    RunState.CONNECTING: say("Wait: the devices are being connected."),
+    RunState.STOPPING: say("Wait: the spindle is brought to a stand and the file is finished."),
+    RunState.PAUSING: say("Wait: the crank comes to rest at the pause angle."),
 }
 """States that pass by themselves, and what is told meanwhile."""
 
@@ -51,7 +52,7 @@ def recovery(now: Situation) -> Recovery:
     if now.state in WAITING:
         return Recovery(sentence=WAITING[now.state])
     if now.state is RunState.PAUSED:
-        return Recovery(Remedy.GO_ON, "resume", "Resume the paused test.", (Remedy.GO_ON,))
+        return Recovery(Remedy.GO_ON, "resume", say("Resume the paused test."), (Remedy.GO_ON,))
     if now.state not in AT_REST:
         return Recovery()
     lost = now.critical(Ends.CONNECTION)
@@ -71,7 +72,7 @@ def recovery(now: Situation) -> Recovery:
     watched = bool(seen) and not needed[Remedy.CONNECT]
     step = next(one for one in left if one is not Remedy.CAUSE or watched)
     if step is Remedy.GO_ON and now.not_yet:
-        return Recovery(sentence=f"Wait: {now.not_yet}.", left=left)
+        return Recovery(sentence=say("Wait: {}.", now.not_yet), left=left)
     about = {
         Remedy.CAUSE: seen,
         Remedy.CONNECT: lost,
@@ -103,13 +104,13 @@ def _sentence(step: Remedy, about: Sequence[Alarm], now: Situation) -> str:
     if step is Remedy.GO_ON:
         if now.unfinished:
             name = PurePath(now.unfinished).name
-            return f"Go on with the test in {name}, or start another one."
-        return "Start a test."
+            return say("Go on with the test in {}, or start another one.", name)
+        return say("Start a test.")
     if step is Remedy.ACKNOWLEDGE:
-        more = f" and {len(about) - 1} more" if len(about) > 1 else ""
-        return f'Acknowledge "{about[0].title}"{more}: say that you have seen it.'
+        more = say(" and {} more", len(about) - 1) if len(about) > 1 else ""
+        return say('Acknowledge "{}"{}: say that you have seen it.', about[0].title, more)
     if about and about[0].active and about[0].ends is not Ends.TEST:
         return about[0].action
     if step is Remedy.CONNECT:
-        return "Remove the cause, then connect the devices." if now.reason else "Connect."
-    return "Reset: the deliberate step before another start. Nothing moves."
+        return say("Remove the cause, then connect the devices.") if now.reason else say("Connect.")
+    return say("Reset: the deliberate step before another start. Nothing moves.")

@@ -11,9 +11,10 @@ from rigapp.engine.connection import Connection, silent_thread
 from rigapp.engine.core import SLOW_DISK_S, Core
 from rigapp.engine.resting import begin_rest, end_rest
 from rigapp.process.threads import OVERSLEPT_S
-from rigapp.schema.alarms import because
+from rigapp.schema.alarms import make_alarm
 from rigapp.schema.messages import Ends, RunState
 from rigapp.schema.states import ACTIVE
+from rigapp.texts import say
 
 ANCHOR_S = 60.0  # drift alone parts two clocks by milliseconds in that time
 FILE_S = 1.0  # so long may a file be without its name unseen
@@ -43,7 +44,7 @@ class Supervisor:
 
     def step(self) -> None:
         """Look once at everything."""
-        self._connection.lateness.tick(time.monotonic(), time.thread_time(), self._waited_s)
+        self._connection.rig.lateness.tick(time.monotonic(), time.thread_time(), self._waited_s)
         self._waited_s = 0.0
         for look in (
             self._look_at_threads,
@@ -105,10 +106,14 @@ class Supervisor:
         if age <= core.limits.stale_data_s:
             core.alarms.clear("stale_data")
             return
-        if connection.reader.ended or connection.backed_up or core.alarms.is_active("stale_data"):
+        if (
+            connection.reader.ended
+            or connection.rig.backed_up
+            or core.alarms.is_active("stale_data")
+        ):
             return
         name, port = connection.source.name, connection.source.port
-        core.act_on(because("stale_data", device=name, port=port, age_s=age))
+        core.act_on(make_alarm("stale_data", device=name, port=port, age_s=age))
 
     def _look_at_start(self) -> None:
         core, test = self._core, self._core.test
@@ -117,12 +122,12 @@ class Supervisor:
             return
         self._slow_since = None
         if time.monotonic() > test.deadline_s:
-            rpm = self._connection.processor.motion.speed_rpm()
-            core.act_on(because("start_failed", speed_rpm=rpm, target_rpm=test.target_rpm))
+            rpm = self._connection.rig.processor.motion.speed_rpm()
+            core.act_on(make_alarm("start_failed", speed_rpm=rpm, target_rpm=test.target_rpm))
 
     def _look_at_speed(self) -> None:
         core, test, connection = self._core, self._core.test, self._connection
-        rpm = connection.processor.motion.speed_rpm(0.2)
+        rpm = connection.rig.processor.motion.speed_rpm(0.2)
         if (
             test is None
             or core.state is not RunState.RUNNING
@@ -133,8 +138,8 @@ class Supervisor:
         now = time.monotonic()
         if self._slow_since is None:
             self._slow_since = now
-        elif now - self._slow_since > SPEED_LOST_S * connection.slow():
-            core.act_on(because("speed_lost", speed_rpm=rpm, target_rpm=test.target_rpm))
+        elif now - self._slow_since > SPEED_LOST_S * connection.rig.slow():
+            core.act_on(make_alarm("speed_lost", speed_rpm=rpm, target_rpm=test.target_rpm))
 
     def _look_at_rest(self) -> None:
         """Begin the rest between two steps when the crank stands, and go on at its end."""
@@ -144,8 +149,8 @@ class Supervisor:
             return
         if rest.since_s is None:
             rest.since_s = time.monotonic()
-            self._help("rest", partial(begin_rest, core, self._connection, test, rest))
-        elif rest.left_s(self._connection.pace()) == 0.0:
+            self._help("rest", partial(begin_rest, core, self._connection.rig, test, rest))
+        elif rest.left_s(self._connection.rig.pace()) == 0.0:
             self._help("rest", partial(end_rest, core, self._connection, test, rest))
 
     def _look_at_stop(self) -> None:
@@ -154,7 +159,7 @@ class Supervisor:
         if core.state not in ACTIVE:
             alarms = core.alarms.alarms()
             waiting = any(one.active and one.ends is Ends.STAND for one in alarms)
-            seen = connection.control.seen() if waiting else None
+            seen = connection.rig.control.seen() if waiting else None
             if seen is not None and seen.stands and seen.encoder_stands:
                 core.alarms.clear_ended_by(Ends.STAND)
             return
@@ -162,14 +167,14 @@ class Supervisor:
             return
         if not connection.drive.well and not test.stood:
             self._help("stop", self._stop_in_place_of_the_drive_thread)
-        elif connection.control.ramp_unanswered:
-            self._help("power off", partial(connection.control.stop_now, True))
+        elif connection.rig.control.ramp_unanswered:
+            self._help("power off", partial(connection.rig.control.stop_now, True))
         steps = test.sequence
-        ramp = 1.5 * steps.fastest_rpm / steps.gentlest_rpm_per_s * connection.slow()
+        ramp = 1.5 * steps.fastest_rpm / steps.gentlest_rpm_per_s * connection.rig.slow()
         longest = ramp + timing.stop_margin + timing.coast + 4 * timing.make_safe
-        longest += connection.control.approach_s
+        longest += connection.rig.control.approach_s
         if not test.stood and time.monotonic() - test.stopping_since > longest:
-            core.will_not_stop("The stop was commanded, but the drive could not be asked.")
+            core.will_not_stop(say("The stop was commanded, but the drive could not be asked."))
         if core.finish_due and not connection.commit.well:
             self._help("finish", core.finish)
 
@@ -179,11 +184,11 @@ class Supervisor:
         It ends when the drive's thread runs again: two that ask would feed the watchdog in turn.
         """
         connection = self._connection
-        connection.control.stop_now(off=True)
+        connection.rig.control.stop_now(off=True)
         while not (connection.drive.well or connection.supervise.halting):
-            if not connection.control.quiet:
-                connection.control.poll()
-            connection.follow(connection.control.step())
+            if not connection.rig.control.quiet:
+                connection.rig.control.poll()
+            connection.motion.follow(connection.rig.control.step())
             test = self._core.test
             if test is None or test.stood:
                 return
@@ -211,7 +216,9 @@ class Supervisor:
         self._anchored_s = now
         self._core.anchor_time()
         if jumped:
-            self._core.event("clock", "engine", f"this computer's UTC clock jumped by {jump:.1f} s")
+            self._core.event(
+                "clock", "engine", say("this computer's UTC clock jumped by {:.1f} s", jump)
+            )
 
     def _help(self, name: str, work: Callable[[], object]) -> None:
         """Do something that may block in a thread of its own, once at a time."""

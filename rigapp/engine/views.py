@@ -20,21 +20,25 @@ from rigapp.schema.messages import (
     ChannelView,
     DeviceView,
     DriveView,
+    EngineStatus,
     HowEnded,
     Recovery,
+    RigStatus,
     RunState,
     Status,
+    TestStatus,
     as_array,
 )
 from rigapp.schema.results import how_ended
 from rigapp.schema.states import ACTIVE
+from rigapp.texts import say
 from rigapp_calibration.load_cell.force_uncertainty import stated_uncertainty
 from rigapp_drivers.edge import Guarded
 
-RIG_FILE = "rig file"
+RIG_FILE = say("rig file")
 """What is told in place of a calibration record where there is none."""
 
-RIG_LINE = "by its line in the rig file"
+RIG_LINE = say("by its line in the rig file")
 """The same of a free channel."""
 
 
@@ -42,89 +46,82 @@ def build_status(
     core: Core, connection: Connection | None, operator: str, opening: Devices | None = None
 ) -> Status:
     """Return the status; opening: devices that are just being connected."""
-    active = core.test
-    rig = core.rig.record
-    margin, margin_name = _margin(core, connection, active)
-    left, criterion = _criterion(core, active)
-    prediction = active.prediction if active is not None else None
-    predicted = {}
-    if prediction is not None:
-        predicted = by_name(prediction_columns(), as_array(prediction.values, "<f8"))
+    active, rig = core.test, core.rig.record
+    live = connection.rig if connection is not None else None
     return Status(
-        state=core.state,
-        reason=core.reason,
-        rig=rig.name,
-        test=active.document.record.title if active is not None else "",
-        file=str(active.path) if active is not None else "",
-        revolution=core.revolution,
-        planned=active.run.planned if active is not None else 0,
-        step=_step(active),
-        steps=active.sequence.count if active is not None else 0,
-        resting=active is not None and active.resting is not None,
-        rest_left_s=_rest_left_s(connection, active),
-        outcome=_outcome(active),
-        coasting=connection is not None and connection.coasting,
-        committed=max(0, active.committed) if active is not None else 0,
-        first_revolution=active.run.first if active is not None else 0,
-        target_rpm=active.target_rpm if active is not None else 0.0,
-        speed_rpm=connection.processor.motion.speed_rpm() if connection is not None else None,
-        started_at=active.started_at if active is not None else 0.0,
-        expected_end_at=_expected_end(core, connection, active),
-        data_age_s=connection.data_age_s() if connection is not None else None,
-        host_time=time.time(),
-        simulated=rig.simulated,
-        worst_margin_percent=margin,
-        worst_margin=margin_name,
-        twin_revolution=prediction.revolution if prediction is not None else 0,
-        twin_age_s=(
-            time.monotonic() - active.prediction_at
-            if active is not None and prediction is not None
-            else None
+        EngineStatus(
+            core.state, core.reason, os.getpid(), host_time=time.time(), operator=operator
         ),
-        residual_rms_N=predicted.get("residual_rms"),
-        alarms=core.alarms.alarms(),
-        drive=_drive(connection),
-        devices=_devices(connection) if opening is None else _being_opened(opening),
-        channels=_channels(core, connection),
-        operator=operator,
-        engine_pid=os.getpid(),
-        recovery=next_step(core, connection),
-        criterion_percent=left,
-        criterion=criterion,
-        revolution_age_s=(
-            time.monotonic() - active.revolution_at
-            if active is not None and active.revolution_at is not None
-            else None
+        _test(core, connection, active) if active is not None else None,
+        RigStatus(
+            rig.name,
+            rig.simulated,
+            speed_rpm=live.processor.motion.speed_rpm() if live is not None else None,
+            data_age_s=live.data_age_s() if live is not None else None,
+            coasting=live is not None and live.coasting,
+            drive=_drive(connection),
+            devices=_devices(connection) if opening is None else _being_opened(opening),
+            channels=_channels(core, connection),
         ),
+        core.alarms.alarms(),
+        next_step(core, connection),
     )
 
 
-def _step(active: ActiveTest | None) -> int:
-    """Return the step under way; a rest belongs to the step before it."""
-    if active is None:
-        return 0
-    return active.resting.step if active.resting is not None else active.stage.step
+def _test(core: Core, connection: Connection | None, active: ActiveTest) -> TestStatus:
+    now, run, prediction = time.monotonic(), active.run, active.prediction
+    margin, margin_name = _margin(core, connection, active)
+    left, criterion = _criterion(core, active)
+    predicted, predicted_at = dict[str, float](), 0.0
+    if prediction is not None:
+        predicted = by_name(prediction_columns(), as_array(prediction.values, "<f8"))
+        predicted_at = active.prediction_at
+    return TestStatus(
+        title=active.document.record.title,
+        file=str(active.path),
+        revolution=core.revolution,
+        planned=run.planned,
+        committed=max(0, active.committed),
+        first_revolution=run.first,
+        target_rpm=active.target_rpm,
+        started_at=active.started_at,
+        expected_end_at=_expected_end(core, connection, active),
+        revolution_age_s=now - active.revolution_at if active.revolution_at is not None else None,
+        worst_margin_percent=margin,
+        worst_margin=margin_name,
+        criterion_percent=left,
+        criterion=criterion,
+        twin_revolution=prediction.revolution if prediction is not None else 0,
+        twin_age_s=now - predicted_at if prediction is not None else None,
+        residual_rms_N=predicted.get("residual_rms"),
+        # A rest belongs to the step before it.
+        step=active.resting.step if active.resting is not None else active.stage.step,
+        steps=active.sequence.count,
+        resting=active.resting is not None,
+        rest_left_s=_rest_left_s(connection, active),
+        outcome=_outcome(active),
+    )
 
 
-def _rest_left_s(connection: Connection | None, active: ActiveTest | None) -> float:
+def _rest_left_s(connection: Connection | None, active: ActiveTest) -> float:
     """Return the time until a test resumes after a rest, s by this computer; 0 without a rest."""
-    if connection is None or active is None or (rest := active.resting) is None:
+    if connection is None or (rest := active.resting) is None:
         return 0.0
-    pace = connection.pace()
+    pace = connection.rig.pace()
     return rest.left_s(pace) / pace
 
 
-def _outcome(active: ActiveTest | None) -> HowEnded | None:
-    ended = active.outcome if active is not None else None
+def _outcome(active: ActiveTest) -> HowEnded | None:
+    ended = active.outcome
     return how_ended(ended.status, ended.reason) if ended is not None else None
 
 
-def _criterion(core: Core, active: ActiveTest | None) -> tuple[float | None, str]:
+def _criterion(core: Core, active: ActiveTest) -> tuple[float | None, str]:
     """Return how far before its nearest end a test is, in percent of it, and which end that is."""
-    if active is None or core.state not in ACTIVE:
+    if core.state not in ACTIVE:
         return None, ""
     run = active.run
-    last = (100.0 * (run.planned - run.number) / run.planned, "the last revolution")
+    last = (100.0 * (run.planned - run.number) / run.planned, say("the last revolution"))
     return min(last, run.stops.nearest())
 
 
@@ -134,7 +131,7 @@ def next_step(core: Core, connection: Connection | None) -> Recovery:
     outcome = active.outcome if active is not None else None
     left = active is not None and active.run.number < active.run.planned
     if core.state is RunState.PAUSED and active is not None and active.resting is not None:
-        return Recovery(sentence="Wait: the test resumes by itself after the rest.")
+        return Recovery(sentence=say("Wait: the test resumes by itself after the rest."))
     resumable = outcome is not None and outcome.revolutions > 0 and outcome.status != "complete"
     return recovery(
         Situation(
@@ -143,22 +140,24 @@ def next_step(core: Core, connection: Connection | None) -> Recovery:
             connected=connection is not None and connection.sound,
             alarms=core.alarms.alarms(),
             unfinished=outcome.file if outcome is not None and resumable and left else "",
-            not_yet=connection.not_yet(core.limits.stale_data_s) if connection is not None else "",
+            not_yet=connection.rig.not_yet(core.limits.stale_data_s)
+            if connection is not None
+            else "",
         )
     )
 
 
 def _margin(
-    core: Core, connection: Connection | None, active: ActiveTest | None
+    core: Core, connection: Connection | None, active: ActiveTest
 ) -> tuple[float | None, str]:
     """Return the least distance to a limit in percent, and which; of what is judged now alone.
 
     Revolutions are judged at the set speed, the age of the data while a test is open.
     """
-    if active is None or connection is None or core.state not in ACTIVE:
+    if connection is None or core.state not in ACTIVE:
         return None, ""
     limits, judged = active.limits, active.run.judged
-    margin = margin_to(limits.stale_data_s, connection.data_age_s(), "stale data")
+    margin = margin_to(limits.stale_data_s, connection.rig.data_age_s(), say("stale data"))
     if core.state is RunState.RUNNING and judged is not None:
         values = judged.named
         step = active.run.step(judged.number)
@@ -166,10 +165,10 @@ def _margin(
     return margin if math.isfinite(margin[0]) else (None, "")
 
 
-def _expected_end(core: Core, connection: Connection | None, active: ActiveTest | None) -> float:
-    if active is None or connection is None or core.state not in ACTIVE:
+def _expected_end(core: Core, connection: Connection | None, active: ActiveTest) -> float:
+    if connection is None or core.state not in ACTIVE:
         return 0.0
-    pace = connection.pace()
+    pace = connection.rig.pace()
     rest_s = active.resting.left_s(pace) if active.resting is not None else 0.0
     return time.time() + (_seconds_left(active) + rest_s) / pace
 
@@ -187,7 +186,7 @@ def _seconds_left(active: ActiveTest) -> float:
 
 
 def _drive(connection: Connection | None) -> DriveView | None:
-    status = connection.control.status if connection is not None else None
+    status = connection.rig.control.status if connection is not None else None
     if status is None:
         return None
     return DriveView(
@@ -207,12 +206,12 @@ def _drive(connection: Connection | None) -> DriveView | None:
 def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
     if connection is None:
         return ()
-    source, control = connection.devices.source, connection.control
+    source, control = connection.devices.source, connection.rig.control
     sampling = DeviceView(
         **_named(connection.devices, source),
         connected=not connection.reader.ended,
-        sample_rate_Hz=connection.setup.sample_rate_Hz,
-        lost_samples=connection.processor.assembler.lost_samples,
+        sample_rate_Hz=connection.rig.setup.sample_rate_Hz,
+        lost_samples=connection.rig.processor.assembler.lost_samples,
         errors=connection.source_errors,
         last_error=connection.last_source_error,
     )
@@ -231,7 +230,7 @@ def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
             last_error=one.last_error,
             needed=False,
         )
-        for one in connection.slow_channels.devices.values()
+        for one in connection.rig.slow_channels.devices.values()
     )
     return (sampling, drive, *slow)
 
@@ -260,10 +259,10 @@ def _named(devices: Devices, device: Guarded) -> dict[str, Any]:
 
 
 def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, ...]:
-    live = connection.processor.live if connection is not None else None
+    live = connection.rig.processor.live if connection is not None else None
     if connection is None or live is None:
         return ()
-    calibration = connection.processor.calibration
+    calibration = connection.rig.processor.calibration
     said = {
         LOAD_CELL: calibration.load_cell.record or RIG_FILE,
         PROBES: calibration.probes.record or RIG_FILE,
@@ -282,19 +281,19 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
                 channel.unit,
                 said[channel.instrument or channel.name]
                 if channel.kind is Kind.SAMPLED
-                else "from force_1 and force_2",
+                else say("from force_1 and force_2"),
                 _uncertainty(core, calibration, channel, live.values["force"]),
             )
         )
     for channel in calibration.table.slow:
-        value, age_s = connection.slow_channels.at(channel, time.monotonic())
-        words = f"told by {channel.device}"
+        value, age_s = connection.rig.slow_channels.at(channel, time.monotonic())
+        words = say("told by {}", channel.device)
         views.append(
             ChannelView(
                 channel.name, value, channel.signal_unit, value, channel.unit, words, age_s=age_s
             )
         )
-    angle = connection.processor.motion.angle_deg(live.host_s)
+    angle = connection.rig.processor.motion.angle_deg(live.host_s)
     shown = angle if angle is not None else math.nan
     views.append(ChannelView("crank_angle", live.count, "count", shown, "deg", "encoder"))
     # One without a value is left out: viewers of before expect a number.

@@ -14,11 +14,11 @@ from typing import Any, Protocol, TypeVar, runtime_checkable
 
 from PySide6.QtWidgets import QWidget
 
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.recording import StoredRevolution
-from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.look.tokens import Theme
 from rigapp.gui.results.shelf import ResultShelf
+from rigapp.presentation.tokens import Theme
+from rigapp.viewer.news import News, Takes
+from rigapp.viewer.recording import StoredRevolution
+from rigapp.viewer.tasks import TaskWorker
 
 
 class Panel(Protocol):

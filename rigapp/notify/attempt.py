@@ -23,6 +23,7 @@ import msgspec
 from rigapp.config.errors import UnusableInput
 from rigapp.config.notify import REFERENCE
 from rigapp.notify.secrets import filled, looked_up, names_in, redacted
+from rigapp.schema.wire import json_bytes
 
 ANSWER_S = 15.0
 """A server of the ping may take so long between two signs of life."""
@@ -147,7 +148,7 @@ def main() -> int:
     os.dup2(2, 1)  # what a library prints is no answer
     request = msgspec.json.decode(sys.stdin.buffer.read(), type=AttemptRequest)
     with answers:
-        answers.write(msgspec.json.encode(attempted(request)))
+        answers.write(json_bytes(attempted(request)))
     return 0
 
 

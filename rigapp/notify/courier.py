@@ -1,25 +1,23 @@
-"""The courier's process: hears of the rig, judges what is to be told, and sees to it that it is.
+"""The courier's process: receives facts on the rig, decides what is reported, and delivers it.
 
-Started by ``rigapp.notify.link`` as ``python -m rigapp.notify.courier ADDRESS ENGINE_PID``. It does
-not end with its engine: it tells that the engine is gone, and what waits, for ``LINGER_S``; what
-waits longer is sent by the courier of the next engine of the rig.
+Started by ``rigapp.notify.link``. It does not end with its engine: it reports that the engine is
+gone, and what waits, for ``LINGER_S``; what waits longer is sent by the courier of the next engine
+of the rig.
 """
 
 from __future__ import annotations
 
 import datetime
 import logging
-import os
 import shutil
 import sys
 import time
 from collections.abc import Sequence
-from contextlib import ExitStack, suppress
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
 import msgspec
-import zmq
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.notify import NotifySection
@@ -30,7 +28,7 @@ from rigapp.notify.facts import (
     DiskSeen,
     Fact,
     Farewell,
-    SignOfLife,
+    Heartbeat,
     Silence,
 )
 from rigapp.notify.message import Message, clock
@@ -47,21 +45,21 @@ from rigapp.notify.store import (
     write_state,
 )
 from rigapp.notify.ways import address, attempt, tell
+from rigapp.process.children import Parent
 from rigapp.process.ending import Background
-from rigapp.process.link import connect_link
 from rigapp.process.logs import in_file
-from rigapp.schema.messages import RunState, Severity
+from rigapp.schema.messages import RunState, Severity, Status
 
 log = logging.getLogger("rigapp.notify.courier")  # its process calls the module __main__
 
-LOOK_MS = 200
+LOOK_S = 0.2
 LINGER_S = 3600.0
 """An engine that has ended leaves its courier so long for what waits."""
 LOCK_S = 300.0
 """A courier waits so long for the one before it, which may be in the midst of an attempt."""
 DISK_EVERY_S = 60.0
 WELL_S = 30.0
-"""All is well only where the newest sign of life is younger; one comes every few seconds."""
+"""All is well only where the newest heartbeat is younger; one comes every few seconds."""
 FAILING_S = 300.0
 """A way that fails for so long is an alarm of the rig: somebody counts on it."""
 STANDSTILL_S = 5.0
@@ -85,8 +83,8 @@ class Courier:
         self._file = state_file(Path(setup.folder), setup.rig)
         self._ways = {identity(way): way for way in setup.ways}
         self._going: dict[str, _OnItsWay] = {}
-        self._sign: SignOfLife | None = None
-        self._sign_at = self._passed_at = time.monotonic()
+        self._status: Status | None = None
+        self._heartbeat_at = self._passed_at = time.monotonic()
         self._disk: Background[int] | None = None
         self._ping: Background[AttemptResult] | None = None
         self._disk_at = self._ping_at = -1e9
@@ -145,8 +143,8 @@ class Courier:
     # --- what is seen ----------------------------------------------------------------------------
 
     def _hear(self, fact: Fact) -> None:
-        if isinstance(fact.seen, SignOfLife):
-            self._sign, self._sign_at = fact.seen, time.monotonic()
+        if isinstance(fact.seen, Heartbeat):
+            self._status, self._heartbeat_at = fact.seen.status, time.monotonic()
         self.farewell |= isinstance(fact.seen, Farewell)
         for name, way in self._ways.items():
             one = self.state.ways[name]
@@ -167,9 +165,9 @@ class Courier:
         """Return what the courier sees by itself: silence of the engine, room on the disk."""
         passed, self._passed_at = time.monotonic() - self._passed_at, time.monotonic()
         if passed > STANDSTILL_S:
-            self._sign_at += passed
+            self._heartbeat_at += passed
         facts = []
-        silent = time.monotonic() - self._sign_at
+        silent = time.monotonic() - self._heartbeat_at
         if not self.farewell and (gone or silent > 1.0):
             facts.append(Fact(now, Silence(silent, gone)))
         free = self._disk_seen()
@@ -177,9 +175,10 @@ class Courier:
 
     def _disk_seen(self) -> DiskSeen | None:
         """Return the room where the test's file is, looked at in the background: it may hang."""
-        if self._sign is None or not self._sign.file:
+        test = self._status.test if self._status is not None else None
+        if test is None or not test.file:
             return None
-        folder = Path(self._sign.file).absolute().parent
+        folder = Path(test.file).absolute().parent
         wanted = any("disk" in way.when for way in self._ways.values())
         if self._disk is None:
             if wanted and time.monotonic() - self._disk_at > DISK_EVERY_S:
@@ -247,12 +246,12 @@ class Courier:
             self._ping = Background(lambda: attempt(request), "ping")
 
     def _well(self) -> bool:
-        sign = self._sign
+        status = self._status
         return (
-            sign is not None
-            and time.monotonic() - self._sign_at < WELL_S
-            and sign.state is not RunState.FAULT
-            and not any(one.severity is Severity.CRITICAL for one in sign.alarms)
+            status is not None
+            and time.monotonic() - self._heartbeat_at < WELL_S
+            and status.engine.state is not RunState.FAULT
+            and not any(a.active and a.severity is Severity.CRITICAL for a in status.alarms)
         )
 
     def _note_ping(self, result: AttemptResult, where: str) -> None:
@@ -302,7 +301,7 @@ def _lost(number: int, now: float) -> Message:
     return Message("lost", "told", "warning", "Messages lost", text, now)
 
 
-def serve(socket: zmq.Socket[bytes], setup: CourierSetup, engine: int) -> None:
+def serve(engine: Parent, setup: CourierSetup) -> None:
     """Deliver while the engine lives, and for a while after it."""
     file = state_file(Path(setup.folder), setup.rig)
     with ExitStack() as holding:
@@ -311,17 +310,15 @@ def serve(socket: zmq.Socket[bytes], setup: CourierSetup, engine: int) -> None:
             holding.pop_all().close()
             if time.monotonic() > deadline:
                 return
-            time.sleep(LOOK_MS / 1e3)
+            time.sleep(LOOK_S)
         courier = Courier(setup)
-        while os.getppid() == engine and not courier.farewell:
-            facts = _received(socket)
-            answer = courier.step(facts)
+        while engine.alive and not courier.farewell:
+            answer = courier.step(_received(engine, LOOK_S))
             if answer is not None:
-                with suppress(zmq.ZMQError):  # of an engine that has just gone
-                    socket.send(msgspec.msgpack.encode(answer))
-        courier.step(_left(socket), gone=not courier.farewell)
+                engine.send(answer)
+        courier.step(_received(engine), gone=not courier.farewell)
         while courier.busy:
-            time.sleep(LOOK_MS / 1e3)
+            time.sleep(LOOK_S)
             courier.step((), gone=not courier.farewell)
     _linger(courier, file)
 
@@ -336,40 +333,31 @@ def _linger(courier: Courier, file: Path) -> None:
             courier.take_up()
             courier.step(())
             while courier.busy:
-                time.sleep(LOOK_MS / 1e3)
+                time.sleep(LOOK_S)
                 courier.step(())
         time.sleep(1.0)
 
 
-def _received(socket: zmq.Socket[bytes]) -> list[Fact]:
+def _received(engine: Parent, timeout_s: float = 0.0) -> list[Fact]:
     """Return the facts that have come, after a wait for the first."""
-    return _left(socket) if socket.poll(LOOK_MS) else []
-
-
-def _left(socket: zmq.Socket[bytes]) -> list[Fact]:
-    found = []
-    while socket.poll(0):
-        found.append(msgspec.msgpack.decode(socket.recv(), type=Fact))
-    return found
+    facts = []
+    fact = engine.receive(Fact, timeout_s)
+    while fact is not None:
+        facts.append(fact)
+        fact = engine.receive(Fact)
+    return facts
 
 
 def main(arguments: list[str]) -> int:
     """Serve one engine."""
-    context = zmq.Context()
-    socket = context.socket(zmq.PAIR)
-    socket.setsockopt(zmq.LINGER, 0)
-    socket.setsockopt(zmq.SNDTIMEO, 1000)
-    connect_link(socket, arguments[0])
-    engine = int(arguments[1])
+    engine = Parent(arguments)
     try:
-        while not socket.poll(LOOK_MS):
-            if os.getppid() != engine:
-                return 0
-        setup = msgspec.msgpack.decode(socket.recv(), type=CourierSetup)
-        with in_file(Path(setup.folder) / "messages.log"):
-            serve(socket, setup, engine)
+        setup = engine.wait_for(CourierSetup)
+        if setup is not None:
+            with in_file(Path(setup.folder) / "messages.log"):
+                serve(engine, setup)
     finally:
-        context.destroy(linger=0)
+        engine.close()
     return 0
 
 

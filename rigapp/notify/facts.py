@@ -8,29 +8,14 @@ from __future__ import annotations
 import msgspec
 
 from rigapp.config.notify import NotifySection, PingSection
-from rigapp.schema.messages import Alarm, RunState
+from rigapp.schema.messages import Status
 from rigapp.schema.notices import AlarmChanged, Finished, StateChanged
 
 
-class SignOfLife(msgspec.Struct, frozen=True, tag_field="event", tag="sign"):
-    """A sign of life of the engine, with the rig at that moment.
+class Heartbeat(msgspec.Struct, frozen=True, tag_field="event", tag="sign"):
+    """The engine lives, and this is its status."""
 
-    criterion_percent: how far the nearest planned end or stop criterion is, in percent of it; None
-    where nothing is known. alarms: those whose condition holds.
-    """
-
-    rig: str
-    state: RunState
-    test: str = ""
-    file: str = ""
-    revolution: int = 0
-    planned: int = 0
-    expected_end_at: float = 0.0
-    worst_margin_percent: float | None = None
-    worst_margin: str = ""
-    criterion_percent: float | None = None
-    criterion: str = ""
-    alarms: tuple[Alarm, ...] = ()
+    status: Status
 
 
 class Farewell(msgspec.Struct, frozen=True, tag_field="event", tag="farewell"):
@@ -45,13 +30,13 @@ class DiskSeen(msgspec.Struct, frozen=True, tag_field="event", tag="disk"):
 
 
 class Silence(msgspec.Struct, frozen=True, tag_field="event", tag="silence"):
-    """The engine has given no sign of life. gone: its process is there no more."""
+    """The engine has sent no heartbeat. gone: its process is there no more."""
 
     silent_s: float
     gone: bool
 
 
-Seen = StateChanged | AlarmChanged | Finished | SignOfLife | Farewell | DiskSeen | Silence
+Seen = StateChanged | AlarmChanged | Finished | Heartbeat | Farewell | DiskSeen | Silence
 
 
 class Fact(msgspec.Struct, frozen=True):

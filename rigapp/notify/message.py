@@ -8,9 +8,8 @@ from typing import Literal
 
 import msgspec
 
-from rigapp.notify.facts import SignOfLife
 from rigapp.schema.details import sentence_of
-from rigapp.schema.messages import Alarm
+from rigapp.schema.messages import NO_TEST, Alarm, Status
 from rigapp.schema.notices import Finished
 
 Turn = Literal["raised", "recovered", "told"]
@@ -44,22 +43,23 @@ def finished_message(end: Finished) -> tuple[str, str]:
     return f"Test {end.status}", text
 
 
-def summary_message(sign: SignOfLife, made: int) -> tuple[str, str]:
+def summary_message(status: Status, made: int) -> tuple[str, str]:
     """Return title and text of the daily summary; made: revolutions since the last one."""
-    lines = [f"State: {sign.state.value}."]
-    if sign.test:
-        lines.append(f"Test: {sign.test}, in {sign.file}.")
+    test = status.test or NO_TEST
+    lines = [f"State: {status.engine.state.value}."]
+    if test.title:
+        lines.append(f"Test: {test.title}, in {test.file}.")
         lines.append(
-            f"Revolution {sign.revolution:,} of {sign.planned:,}; {max(0, made):,} since the last"
-            " summary."
+            f"Revolution {test.revolution:,} of {test.planned:,};"
+            f" {max(0, made):,} since the last summary."
         )
-    if sign.expected_end_at > 0.0:
-        lines.append(f"Expected end: {clock(sign.expected_end_at)}.")
-    if sign.criterion:
-        lines.append(f"Nearest end: {sign.criterion}, {sign.criterion_percent:.3g} % before it.")
-    if sign.worst_margin:
-        lines.append(f"Least margin: {sign.worst_margin_percent:.3g} % to {sign.worst_margin}.")
-    names = ", ".join(alarm.title for alarm in sign.alarms)
+    if test.expected_end_at > 0.0:
+        lines.append(f"Expected end: {clock(test.expected_end_at)}.")
+    if test.criterion:
+        lines.append(f"Nearest end: {test.criterion}, {test.criterion_percent:.3g} % before it.")
+    if test.worst_margin:
+        lines.append(f"Least margin: {test.worst_margin_percent:.3g} % to {test.worst_margin}.")
+    names = ", ".join(alarm.title for alarm in status.alarms if alarm.active)
     lines.append(f"Alarms: {names or 'none'}.")
     return "Daily summary", "\n".join(lines)
 

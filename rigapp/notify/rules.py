@@ -14,7 +14,7 @@ from typing import assert_never
 import msgspec
 
 from rigapp.config.notify import NotifySection
-from rigapp.notify.facts import DiskSeen, Fact, Farewell, SignOfLife, Silence
+from rigapp.notify.facts import DiskSeen, Fact, Farewell, Heartbeat, Silence
 from rigapp.notify.message import (
     Level,
     Message,
@@ -23,7 +23,7 @@ from rigapp.notify.message import (
     finished_message,
     summary_message,
 )
-from rigapp.schema.messages import Alarm, FinishReason, RunState, Severity
+from rigapp.schema.messages import NO_TEST, Alarm, FinishReason, RunState, Severity, Status
 from rigapp.schema.notices import AlarmChanged, Finished, StateChanged
 from rigapp.schema.states import ACTIVE
 
@@ -57,7 +57,7 @@ class Book(msgspec.Struct, frozen=True):
     open: Mapping[str, Raised] = {}
     summary_on: str = ""
     summary_revolution: int = 0
-    sign: SignOfLife | None = None
+    status: Status | None = None
 
 
 Step = tuple[Book, tuple[Message, ...]]
@@ -74,8 +74,8 @@ def hear(way: NotifySection, book: Book, fact: Fact) -> Step:
             told += messages
         else:
             book = _went(book, change, fact.at)
-    if isinstance(fact.seen, SignOfLife):
-        book = msgspec.structs.replace(book, sign=fact.seen)
+    if isinstance(fact.seen, Heartbeat):
+        book = msgspec.structs.replace(book, status=fact.seen.status)
     return book, tuple(told)
 
 
@@ -88,12 +88,13 @@ def pass_time(way: NotifySection, book: Book, now: float, local: datetime.dateti
             told.append(Message(key, "recovered", one.level, one.title, text, now))
             book = _without(book, key)
     if "daily" in way.when and _summary_due(way, book, local):
-        sign = book.sign
-        if sign is not None:
-            title, text = summary_message(sign, sign.revolution - book.summary_revolution)
+        status = book.status
+        if status is not None:
+            revolution = (status.test or NO_TEST).revolution
+            title, text = summary_message(status, revolution - book.summary_revolution)
             told.append(Message("daily", "told", "information", title, text, now))
             book = msgspec.structs.replace(
-                book, summary_on=local.date().isoformat(), summary_revolution=sign.revolution
+                book, summary_on=local.date().isoformat(), summary_revolution=revolution
             )
     return book, tuple(told)
 
@@ -128,8 +129,8 @@ def _changes(way: NotifySection, book: Book, fact: Fact) -> Iterator[_Change]:
                 meant = seen.status == "complete" or seen.reason is FinishReason.OPERATOR
                 level: Level = "information" if meant else "critical"
                 yield Message("end", "told", level, title, text, fact.at)
-        case SignOfLife():
-            yield from _of_sign(way, book, seen)
+        case Heartbeat():
+            yield from _of_status(way, book, seen.status)
         case DiskSeen():
             yield from _of_disk(way, seen)
         case Silence():
@@ -165,27 +166,29 @@ def _of_state(way: NotifySection, seen: StateChanged) -> Iterator[_Change]:
         yield _Went("pause", untold=True)
 
 
-def _of_sign(way: NotifySection, book: Book, sign: SignOfLife) -> Iterator[_Change]:
+def _of_status(way: NotifySection, book: Book, status: Status) -> Iterator[_Change]:
     yield _Went("silence", "The engine is heard again")
-    if sign.state in KNOWING:
+    if status.engine.state in KNOWING:
         # What neither rises nor clears before our ears, as we were not there, shows in the list.
-        listed = {f"alarm:{alarm.key}" for alarm in sign.alarms}
-        for alarm in sign.alarms:
+        active = [alarm for alarm in status.alarms if alarm.active]
+        listed = {f"alarm:{alarm.key}" for alarm in active}
+        for alarm in active:
             yield from _of_alarm(way, alarm)
         for key in book.open:
             if key.startswith("alarm:") and key not in listed:
                 yield _Went(key, "The engine sees it no more")
-    yield from _of_criterion(way, sign)
+    yield from _of_criterion(way, status)
 
 
-def _of_criterion(way: NotifySection, sign: SignOfLife) -> Iterator[_Change]:
-    left = sign.criterion_percent
-    if sign.state not in ACTIVE or left is None:
+def _of_criterion(way: NotifySection, status: Status) -> Iterator[_Change]:
+    test = status.test or NO_TEST
+    left = test.criterion_percent
+    if status.engine.state not in ACTIVE or left is None:
         return
     if "criterion" in way.when and left <= way.near_percent:
-        text = f"{left:.3g} % are left to: {sign.criterion}. Revolution {sign.revolution:,}."
-        if sign.expected_end_at > 0.0:
-            text += f" Expected end: {clock(sign.expected_end_at)}."
+        text = f"{left:.3g} % are left to: {test.criterion}. Revolution {test.revolution:,}."
+        if test.expected_end_at > 0.0:
+            text += f" Expected end: {clock(test.expected_end_at)}."
         yield _Came("criterion", "information", "The end of the test is near", text)
     elif left > FAR_AGAIN * way.near_percent:
         yield _Went("criterion", "The end is further away again")
@@ -203,11 +206,14 @@ def _of_disk(way: NotifySection, seen: DiskSeen) -> Iterator[_Change]:
 def _of_silence(way: NotifySection, book: Book, seen: Silence) -> Iterator[_Change]:
     if "silence" not in way.when or not (seen.gone or seen.silent_s >= way.silent_after_s):
         return
-    last, what = book.sign, "The engine's process has ended without a word."
+    last, what = book.status, "The engine's process has ended without a word."
     if not seen.gone:
         what = f"The engine has given no sign of life for {seen.silent_s:.0f} s."
     if last is not None and last.test:
-        what += f" It was {last.state.value}, {last.test} at revolution {last.revolution:,}."
+        test = last.test
+        what += (
+            f" It was {last.engine.state.value}, {test.title} at revolution {test.revolution:,}."
+        )
     yield _Came(
         "silence",
         "critical",

@@ -48,29 +48,31 @@ def read_secrets(file: Path) -> dict[str, str]:
     except FileNotFoundError:
         return {}
     except OSError as error:
-        raise UnusableInput(f"{file}: cannot be read ({error.strerror}).") from None
+        raise UnusableInput("{}: cannot be read ({}).", file, error.strerror) from None
     try:
         _require_private(file, os.fstat(descriptor))
         text = os.read(descriptor, SMALL_BYTES).decode()
         tree = tomllib.loads(text)
     except ValueError:
-        raise UnusableInput(f'{file}: is no TOML of lines like name = "secret".') from None
+        raise UnusableInput('{}: is no TOML of lines like name = "secret".', file) from None
     finally:
         os.close(descriptor)
     if not all(isinstance(value, str) and value for value in tree.values()):
-        raise UnusableInput(f"{file}: every secret is a text in quotes, and not empty.")
+        raise UnusableInput("{}: every secret is a text in quotes, and not empty.", file)
     return tree
 
 
 def _require_private(file: Path, found: os.stat_result) -> None:
     if not stat.S_ISREG(found.st_mode) or found.st_size > SMALL_BYTES:
-        raise UnusableInput(f"{file}: is no small file; write the secrets into one.")
+        raise UnusableInput("{}: is no small file; write the secrets into one.", file)
     if not is_ours(found):
-        raise UnusableInput(f"{file}: belongs to somebody else; make it yours.")
+        raise UnusableInput("{}: belongs to somebody else; make it yours.", file)
     if open_to_others(found):
         raise UnusableInput(
-            f"{file}: others can read it (mode {stat.S_IMODE(found.st_mode):04o}); chmod 600"
-            " it, and change the secrets where others are on this computer."
+            "{}: others can read it (mode {}); chmod 600 it, and change the secrets"
+            " where others are on this computer.",
+            file,
+            f"{stat.S_IMODE(found.st_mode):04o}",
         )
 
 
@@ -86,8 +88,13 @@ def _of_keyring(name: str, file: Path) -> str:
         secret, why = None, f"no keyring can be asked ‹{type(error).__name__}›"
     if not secret:
         raise UnusableInput(
-            f"the secret {name} is not in {file}, and {why}; write it into that file, mode 0600, or"
-            f" give it by: keyring set {KEYRING_SERVICE} {name}"
+            "the secret {} is not in {}, and {}; write it into that file, mode 0600, or"
+            " give it by: keyring set {} {}",
+            name,
+            file,
+            why,
+            KEYRING_SERVICE,
+            name,
         )
     return secret
 

@@ -17,6 +17,7 @@ from rigapp.config.writing import whole_file
 from rigapp.notify.outbox import Outbox
 from rigapp.notify.rules import Book
 from rigapp.process.locks import taken
+from rigapp.schema.wire import decode, encode
 
 
 class WayState(msgspec.Struct, frozen=True):
@@ -48,7 +49,7 @@ def identity(way: NotifySection) -> str:
 def read_state(file: Path) -> CourierState:
     """Return the state in a file, a fresh one without it; one that is unreadable is set aside."""
     try:
-        return msgspec.msgpack.decode(file.read_bytes(), type=CourierState)
+        return decode(file.read_bytes(), CourierState)
     except FileNotFoundError:
         return CourierState()
     except (OSError, ValueError):
@@ -60,13 +61,13 @@ def read_state(file: Path) -> CourierState:
 def write_state(file: Path, state: CourierState) -> None:
     """Put a state in the place of the former one, mode 0600; raise UnusableInput."""
     with whole_file(file, mode=0o600) as part:
-        part.write_bytes(msgspec.msgpack.encode(state))
+        part.write_bytes(encode(state))
 
 
 def settled(state: CourierState) -> CourierState:
-    """Return what of a state is worth keeping: the last sign of life of a rig is not."""
+    """Return what of a state is worth keeping: the last status of a rig is not."""
     ways = {
-        name: msgspec.structs.replace(one, book=msgspec.structs.replace(one.book, sign=None))
+        name: msgspec.structs.replace(one, book=msgspec.structs.replace(one.book, status=None))
         for name, one in state.ways.items()
     }
     return msgspec.structs.replace(state, ways=ways)

@@ -25,6 +25,7 @@ from rigapp.config.rig import RigFile
 from rigapp.notify.attempt import AttemptRequest, AttemptResult
 from rigapp.notify.message import Message, worded, worst_level
 from rigapp.process.children import module_command
+from rigapp.schema.wire import json_bytes, tree_of
 
 ATTEMPT_S = 120.0
 """An attempt that takes longer is ended: a healthy server answers within seconds, and a computer
@@ -61,7 +62,9 @@ def ways_of(rig: Document[RigFile] | None) -> Ways:
     names = [way.name for way in named]
     for name in names:
         if names.count(name) > 1:
-            raise UnusableInput(f"{own}: notify.name = {name!r} stands in the rig file, too.")
+            raise UnusableInput(
+                "{}: notify.name = {} stands in the rig file, too.", own, repr(name)
+            )
     ping = rig.record.ping if rig is not None and rig.record.ping is not None else None
     return Ways(named, ping or (user.ping if user else None), user_folder() / "secrets.toml")
 
@@ -112,7 +115,7 @@ def tell(way: NotifySection, secrets: Path, rig: str, batch: Sequence[Message]) 
         "title": title,
         "text": text,
         "level": level,
-        "messages": msgspec.to_builtins(batch),
+        "messages": tree_of(batch),
     }
     try:
         status, _ = _bounded(way.command, json.dumps(told).encode(), keep=False)
@@ -127,7 +130,7 @@ def attempt(request: AttemptRequest) -> AttemptResult:
     """Let a process of its own make an attempt, and end it when it takes too long."""
     argv = module_command("rigapp.notify.attempt")
     try:
-        status, answer = _bounded(argv, msgspec.json.encode(request), keep=True)
+        status, answer = _bounded(argv, json_bytes(request), keep=True)
         if status is None:
             return AttemptResult(False, f"no answer within {ATTEMPT_S:g} s")
         return msgspec.json.decode(answer, type=AttemptResult)

@@ -9,14 +9,13 @@ from __future__ import annotations
 
 import asyncio
 import socket
-import struct
 from typing import Any
 
 import h11
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
-MOST_CONNECTIONS = 128
-"""Each holds at most SEND_BYTES twice; the system allows 1024 open files by default."""
+from rigapp.page.gate import Gate, reset
+
 REQUEST_S = 10.0  # a telephone at the edge of its network takes three
 READ_S = 15.0  # a screen that was locked for a moment goes on where it was
 LOOK_S = 1.0
@@ -24,31 +23,32 @@ SEND_BYTES = 1 << 17
 """The system keeps so much that is sent and not taken: two rigs' plots."""
 
 
-class Traffic:
-    """Count the connections that were dropped as too slow, or were too many."""
-
-    def __init__(self) -> None:
-        self.dropped = 0
-
-
 class BoundedConnection(H11Protocol):
     """A connection that holds nothing for longer than it may."""
 
-    def __init__(self, traffic: Traffic, **given: Any) -> None:
+    def __init__(self, gate: Gate, **given: Any) -> None:
         super().__init__(**given)
-        self._traffic = traffic
+        self._gate = gate
         self._look_again: asyncio.TimerHandle | None = None
-        self._asked_at = self._taken_at = self.loop.time()
+        self.asked_at = self._taken_at = self.loop.time()
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
-        """Begin, unless there are too many."""
+        """Begin; where there are too many, the one that has been silent for longest ends."""
         super().connection_made(transport)
         line = transport.get_extra_info("socket")
         line.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BYTES)
-        if len(self.connections) > MOST_CONNECTIONS:
-            self._drop()
-        else:
-            self._look()
+        self._gate.greeted(line.fileno())
+        self._look()
+        if len(self.connections) > self._gate.most:
+            # The newest is among them; who has asked for something stays.
+            silent = [
+                one
+                for one in self.connections
+                if isinstance(one, BoundedConnection)
+                and one.cycle is None
+                and not one.transport.is_closing()
+            ]
+            min(silent, key=lambda one: one.asked_at).drop()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """End."""
@@ -67,17 +67,16 @@ class BoundedConnection(H11Protocol):
         """Drop the connection when it takes too long to ask, or to take the answer."""
         now = self.loop.time()
         if self.cycle is not None and not self.cycle.response_complete:
-            self._asked_at = now
+            self.asked_at = now
         if self.transport.get_write_buffer_size() == 0:
             self._taken_at = now
-        if now - self._asked_at > REQUEST_S or now - self._taken_at > READ_S:
-            self._drop()
+        if now - self.asked_at > REQUEST_S or now - self._taken_at > READ_S:
+            self.drop()
         else:
             self._look_again = self.loop.call_later(LOOK_S, self._look)
 
-    def _drop(self) -> None:
-        self._traffic.dropped += 1
-        # Reset: else the system keeps what was not taken, for minutes, for nobody.
-        line = self.transport.get_extra_info("socket")
-        line.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+    def drop(self) -> None:
+        """Let the connection end."""
+        self._gate.dropped += 1
+        reset(self.transport.get_extra_info("socket"))
         self.transport.abort()

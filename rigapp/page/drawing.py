@@ -13,8 +13,8 @@ from html import escape
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.gui.data.ranges import SteadyRange, round_places
 from rigapp.presentation.numbers import axis_number
+from rigapp.viewer.ranges import SteadyRange, round_places
 
 Floats = NDArray[np.float64]
 

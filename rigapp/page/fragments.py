@@ -11,15 +11,15 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import Any
 
-import msgspec
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from rigapp.gui.look.tokens import DARK, LIGHT, Theme
 from rigapp.page.plots import Plot
 from rigapp.page.view import RigView
 from rigapp.presentation.numbers import grouped
-from rigapp.presentation.times import duration
+from rigapp.presentation.times import dated, duration
+from rigapp.presentation.tokens import DARK, LIGHT, Theme
 from rigapp.schema.details import details_of, sentence_of
+from rigapp.schema.wire import json_bytes
 
 RESTART_TOLD_S = 600.0
 """So long the page says that the engine was started anew; who looks later sees a running test."""
@@ -36,7 +36,7 @@ def _templates() -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    found.filters["clock"] = lambda at: time.strftime("%d %b %H:%M:%S", time.localtime(at))
+    found.filters["clock"] = lambda at: dated("%d %b %H:%M:%S", time.localtime(at))
     found.filters["grouped"] = grouped
     found.filters["sentence"] = sentence_of
     found.filters["details"] = details_of
@@ -87,4 +87,4 @@ def _variables(theme: Theme) -> str:
 
 def frame(event: str, data: Any) -> bytes:
     """Return one server-sent event."""
-    return b"event: %s\ndata: %s\n\n" % (event.encode(), msgspec.json.encode(data))
+    return b"event: %s\ndata: %s\n\n" % (event.encode(), json_bytes(data))

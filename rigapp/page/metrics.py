@@ -15,9 +15,9 @@ from prometheus_client import CollectorRegistry, ProcessCollector, generate_late
 from prometheus_client.core import CounterMetricFamily, GaugeMetricFamily, Metric
 from prometheus_client.registry import Collector
 
-from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING
 from rigapp.page.view import RigView
 from rigapp.schema.messages import RunState, Severity
+from rigapp.viewer.knownwear import COEFFICIENT, REMAINING
 
 M_PER_MM = 1e-3
 Samples = list[tuple[dict[str, str], float]]
@@ -260,7 +260,12 @@ class RigCollector(Collector):
         for name, words, value, counter in (
             ("rigapp_page_readers", "pages that are open", page.readers, False),
             ("rigapp_page_connections", "open connections", page.connections, False),
-            ("rigapp_page_dropped_total", "connections dropped as too slow", page.dropped, True),
+            (
+                "rigapp_page_dropped_total",
+                "connections dropped as too slow, or too many",
+                page.dropped,
+                True,
+            ),
         ):
             family = _family(name, words, (), counter=counter)
             family.add_metric([], value)

@@ -8,22 +8,22 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.gui.data.channels import SIZE
-from rigapp.gui.data.comparison import CURVES, RevolutionCurves, binned, compose, stacked
-from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
-from rigapp.gui.data.judged import EVERYTHING, Drawn, Flagged, banded, drawn, rows_in_view
-from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, newest_wear
-from rigapp.gui.data.news import News
-from rigapp.gui.data.quantities import (
+from rigapp.page.drawing import Curve, Drawing, Ribbon, svg
+from rigapp.presentation.numbers import COEFFICIENT_SCALE, COEFFICIENT_UNIT
+from rigapp.viewer.channels import SIZE
+from rigapp.viewer.comparison import CURVES, RevolutionCurves, binned, compose, stacked
+from rigapp.viewer.frames import COMPONENT_NAMES, ForceFrame
+from rigapp.viewer.judged import EVERYTHING, Drawn, Flagged, banded, drawn, rows_in_view
+from rigapp.viewer.knownwear import COEFFICIENT, REMAINING, newest_wear
+from rigapp.viewer.news import News
+from rigapp.viewer.quantities import (
     LARGEST,
     TrendLine,
     TrendQuantity,
     trend_quantities,
 )
-from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.data.series import SeriesTable
-from rigapp.page.drawing import Curve, Drawing, Ribbon, svg
-from rigapp.presentation.numbers import COEFFICIENT_SCALE, COEFFICIENT_UNIT
+from rigapp.viewer.ranges import SteadyRange
+from rigapp.viewer.series import SeriesTable
 
 Floats = NDArray[np.float64]
 

@@ -12,17 +12,21 @@ from pathlib import Path
 from typing import Any
 
 from rigapp.config.loading import read_rig
-from rigapp.gui.data.connection import EngineConnection
-from rigapp.gui.data.news import News
-from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.data.tasks import TaskWorker
 from rigapp.schema.messages import Reply, Snapshot
 from rigapp.service.client import Client, EngineUnreachable
 from rigapp.service.launch import find_engine
 from rigapp.service.registry import EngineEntry, read_entry, running_engines
+from rigapp.viewer.connection import EngineConnection
+from rigapp.viewer.news import News
+from rigapp.viewer.recording import load_history
+from rigapp.viewer.showntest import ShownTest
+from rigapp.viewer.tasks import TaskWorker
 
 DISK_EVERY_S = 10.0
 """A disk fills in hours; asking one that hangs must not be asked twice."""
+
+KEPT_ROWS = 1 << 10
+"""Newest rows held as they are: a page draws 150 buckets of a test, and its newest values."""
 
 Find = Callable[[], EngineEntry]
 """Return the entry of the engine that runs; raise EngineUnreachable or UnusableInput."""
@@ -96,7 +100,8 @@ class WatchedRig:
         self._name = name
         self._find = find
         self._connection = EngineConnection(self._attach)
-        self._shown = ShownTest()
+        history = partial(load_history, kept=KEPT_ROWS)
+        self._shown = ShownTest(history, kept=KEPT_ROWS)
         self._disk_worker = TaskWorker("page-disk", bound=1)
         self._disk_at = 0.0
         self._engine_pid = 0
@@ -110,7 +115,7 @@ class WatchedRig:
         snapshot = self._connection.pump()
         changed = snapshot is not None and self._shown.take(snapshot)
         if snapshot is not None:
-            self._look_for_restart(snapshot.status.engine_pid)
+            self._look_for_restart(snapshot.status.engine.pid)
         self._shown.deliver()
         self._shown.follow_log()
         self._look_at_disk()
@@ -120,7 +125,7 @@ class WatchedRig:
     def name(self) -> str:
         """Return what the engine calls the rig, else what was known of it before."""
         status = self._connection.status
-        return (status.rig if status is not None else "") or self._name
+        return (status.rig.name if status is not None else "") or self._name
 
     @property
     def line(self) -> tuple[str, str]:

@@ -13,7 +13,8 @@ import uvicorn
 
 from rigapp.config.errors import UnusableInput
 from rigapp.page.access import HEAD_BYTES, Access, access_to
-from rigapp.page.connections import BoundedConnection, Traffic
+from rigapp.page.connections import BoundedConnection
+from rigapp.page.gate import Gate
 from rigapp.page.hub import Hub
 from rigapp.page.metrics import Metrics, PageNumbers
 from rigapp.page.rig import engine_named, engines_here
@@ -30,7 +31,7 @@ class PageServer(uvicorn.Server):
     def __init__(self, access: Access, rigs: Callable[[], Rigs]) -> None:
         """Listen at once; raise UnusableInput where the address cannot be had."""
         self.failure = ""
-        self._hub, self._traffic = Hub(), Traffic()
+        self._hub = Hub()
         self._watch = Watch(rigs, self._fail)
         metrics = Metrics(lambda: self._watch.views, self._numbers)
         self._socket = _listening(access)
@@ -39,7 +40,8 @@ class PageServer(uvicorn.Server):
         super().__init__(
             uvicorn.Config(
                 site(self._watch, self._hub, metrics, access),
-                http=cast(type[asyncio.Protocol], partial(BoundedConnection, self._traffic)),
+                http=cast(type[asyncio.Protocol], partial(BoundedConnection, self._socket)),
+                loop="asyncio",  # whose accept the gate overrides
                 ws="none",
                 lifespan="off",
                 log_config=None,
@@ -81,7 +83,7 @@ class PageServer(uvicorn.Server):
 
     def _numbers(self) -> PageNumbers:
         connections = len(self.server_state.connections)
-        return PageNumbers(self._hub.readers, connections, self._traffic.dropped)
+        return PageNumbers(self._hub.readers, connections, self._socket.dropped)
 
 
 def page_server(
@@ -100,10 +102,10 @@ def page_server(
     return PageServer(access, (lambda: named) if named else engines_here)
 
 
-def _listening(access: Access) -> socket.socket:
+def _listening(access: Access) -> Gate:
     family = socket.AF_INET6 if ":" in access.address else socket.AF_INET
     try:
-        return socket.create_server((access.address, access.port), family=family, backlog=64)
+        return Gate(socket.create_server((access.address, access.port), family=family, backlog=64))
     except OSError as error:
         raise UnusableInput(
             f"The page cannot listen at {access.address}:{access.port} ‹{error}›; choose another"

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import AsyncIterator
 from importlib import resources
 
-import msgspec
 from prometheus_client import CONTENT_TYPE_LATEST
 from starlette.applications import Starlette
 from starlette.datastructures import MutableHeaders
@@ -19,6 +18,7 @@ from rigapp.page.access import Access
 from rigapp.page.hub import Hub
 from rigapp.page.metrics import Metrics
 from rigapp.page.watch import Watch
+from rigapp.schema.wire import json_bytes
 
 MOST_PAGES = 100
 """Open pages; a laboratory has fewer screens, and the connections that are left ask for numbers."""
@@ -45,7 +45,7 @@ def site(watch: Watch, hub: Hub, metrics: Metrics, access: Access) -> ASGIApp:
         return Response(watch.page(), media_type="text/html")
 
     async def status(request: Request) -> Response:
-        return Response(msgspec.json.encode({"rigs": watch.views}), media_type="application/json")
+        return Response(json_bytes({"rigs": watch.views}), media_type="application/json")
 
     async def health(request: Request) -> Response:
         if watch.well:

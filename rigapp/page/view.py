@@ -9,14 +9,20 @@ from contextlib import suppress
 import msgspec
 import psutil
 
-from rigapp.gui.data.channels import FreeValue, value_text
-from rigapp.gui.data.connection import ConnectionState
-from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, newest_wear, wear_of
-from rigapp.gui.data.levels import margin_words
-from rigapp.gui.data.margins import DEPTH, margins, nearest_margin, newest, newest_force
-from rigapp.gui.data.news import News
-from rigapp.gui.data.quantities import LARGEST, UM_PER_MM
-from rigapp.gui.data.shown import (
+from rigapp.page.rig import DiskSpace, WatchedRig
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.states import state_line, state_word
+from rigapp.presentation.times import MOMENT, dated, duration
+from rigapp.schema.messages import NO_TEST, Alarm, DeviceView, OpenCalibration, RunState, Status
+from rigapp.schema.states import ACTIVE
+from rigapp.viewer.channels import FreeValue, value_text
+from rigapp.viewer.connection import ConnectionState
+from rigapp.viewer.knownwear import COEFFICIENT, REMAINING, newest_wear, wear_of
+from rigapp.viewer.levels import margin_words
+from rigapp.viewer.margins import DEPTH, margins, nearest_margin, newest, newest_force
+from rigapp.viewer.news import News
+from rigapp.viewer.quantities import LARGEST, UM_PER_MM
+from rigapp.viewer.shown import (
     Level,
     Renewed,
     age_of,
@@ -25,12 +31,6 @@ from rigapp.gui.data.shown import (
     level_of,
     quantity_level,
 )
-from rigapp.page.rig import DiskSpace, WatchedRig
-from rigapp.presentation.numbers import grouped
-from rigapp.presentation.states import state_line, state_word
-from rigapp.presentation.times import MOMENT, dated, duration
-from rigapp.schema.messages import Alarm, DeviceView, OpenCalibration, RunState, Status
-from rigapp.schema.states import ACTIVE
 
 NOTES = 5
 """The last ones; all of them are in the log of the test."""
@@ -142,16 +142,16 @@ def view_of(rig: WatchedRig, news: News) -> RigView:
     status = news.status
     if status is None:
         return shown
-    tiles = _tiles(news)
-    taken = {name: getattr(status, name) for name in _FROM_STATUS}
+    tiles, test = _tiles(news), status.test or NO_TEST
+    taken = {name: value for name, value in status.flat().items() if name in _FROM_STATUS}
     disk = rig.disk or DiskSpace(0, 0)
     return msgspec.structs.replace(
         shown,
         **taken,
-        state=status.state.value,
+        state=status.engine.state.value,
         state_word=state_word(status),
         state_line=state_line(status),
-        file=status.file.replace("\\", "/").rpartition("/")[2],
+        file=test.file.replace("\\", "/").rpartition("/")[2],
         data_age_s=news.data_age_s,
         next_step=status.recovery.sentence,
         values=_values(news),
@@ -218,26 +218,27 @@ def _tiles(news: News) -> list[FreeValue]:
     """Return what is read first, each with a word below it."""
     status = news.status
     assert status is not None
-    share = f"{100.0 * status.revolution / status.planned:.1f} %" if status.planned else ""
-    planned = f"of {grouped(status.planned)}, {share}" if status.planned else ""
+    test = status.test or NO_TEST
+    share = f"{100.0 * test.revolution / test.planned:.1f} %" if test.planned else ""
+    planned = f"of {grouped(test.planned)}, {share}" if test.planned else ""
     told, sampled, turned, predicted = (age_of(news, one) for one in Renewed)
     alarms = status.alarms
-    speed = value_text(status.speed_rpm, "rpm", 1)
+    speed = value_text(status.rig.speed_rpm, "rpm", 1)
     rates = quantity_level(alarms, "speed")
     found = [
-        aged(FreeValue("revolution", "Revolution", grouped(status.revolution), planned), told),
+        aged(FreeValue("revolution", "Revolution", grouped(test.revolution), planned), told),
         *(aged(one, told) for one in _step(status)),
-        aged(FreeValue("speed", "Speed", speed, _wanted(status.target_rpm), rates), sampled),
+        aged(FreeValue("speed", "Speed", speed, _wanted(test.target_rpm), rates), sampled),
     ]
-    running = status.state is RunState.RUNNING and not told.old
-    if running and status.expected_end_at > status.host_time:
-        ends = dated(MOMENT, time.localtime(status.expected_end_at))
-        left = duration(status.expected_end_at - status.host_time)
+    running = status.engine.state is RunState.RUNNING and not told.old
+    if running and test.expected_end_at > status.engine.host_time:
+        ends = dated(MOMENT, time.localtime(test.expected_end_at))
+        left = duration(test.expected_end_at - status.engine.host_time)
         found.append(FreeValue("end", "Planned end", left, ends))
     newest_N, sign = newest_force(news)
     if math.isfinite(newest_N):
         force = sign + value_text(newest_N, "N")
-        nearest = nearest_margin(news, LARGEST) if status.state in ACTIVE else None
+        nearest = nearest_margin(news, LARGEST) if status.engine.state in ACTIVE else None
         words = nearest.left if nearest is not None else ""
         level = level_of(alarms, LARGEST)
         found.append(aged(FreeValue("force", "|F| maximum", force, words, level), turned))
@@ -248,9 +249,9 @@ def _tiles(news: News) -> list[FreeValue]:
         one = FreeValue("residual", "Measured − model", text, "RMS", level)
         found.append(aged(one, predicted))
     found += (aged(one, predicted) for one in (*_depth(news), *wear_of(news, time.time())))
-    if status.worst_margin and status.worst_margin_percent is not None:
-        margin = f"{status.worst_margin_percent:.0f} %"
-        words = margin_words(status.worst_margin)
+    if test.worst_margin and test.worst_margin_percent is not None:
+        margin = f"{test.worst_margin_percent:.0f} %"
+        words = margin_words(test.worst_margin)
         found.append(aged(FreeValue("margin", "Smallest margin", margin, words), told))
     age = value_text(news.data_age_s, "s", 1)
     found.append(FreeValue("age", "Age of the data", age, "", level_of(alarms, "data_age")))
@@ -260,9 +261,10 @@ def _tiles(news: News) -> list[FreeValue]:
 
 def _step(status: Status) -> list[FreeValue]:
     """Return the tile of the step, nothing for a test without steps."""
-    if not status.step:
+    test = status.test or NO_TEST
+    if not test.step:
         return []
-    return [FreeValue("step", "Step", f"{status.step}", f"of {status.steps}")]
+    return [FreeValue("step", "Step", f"{test.step}", f"of {test.steps}")]
 
 
 def _wanted(target_rpm: float) -> str:

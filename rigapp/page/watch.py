@@ -51,6 +51,7 @@ class Watch:
         self._shown: dict[str, _Shown] = {}
         self._rigs_at = self._show_at = 0.0
         self._boot = f"{time.time():.3f}"
+        self._trouble: type[OSError] | None = None
         self._page = fragments.page({}, self._boot)
         self.views: tuple[RigView, ...] = ()
         self._worker = Worker("page", self._step, self._died, SILENCE_S)
@@ -77,6 +78,18 @@ class Watch:
             one.rig.close()
 
     def _step(self) -> None:
+        try:
+            self._look()
+        except OSError as error:
+            # No descriptor, no memory, no network: what is so for a moment ends no page.
+            if type(error) is not self._trouble:
+                log.warning("The page could not look at the rigs: %s", error)
+            self._trouble = type(error)
+        else:
+            self._trouble = None
+        self._worker.pause(LOOK_S)
+
+    def _look(self) -> None:
         now = time.monotonic()
         if now >= self._rigs_at:
             self._rigs_at = now + RIGS_S
@@ -88,7 +101,6 @@ class Watch:
         if now >= self._show_at:
             self._show_at = now + SHOW_S
             self._show(now)
-        self._worker.pause(LOOK_S)
 
     def _look_for_rigs(self) -> None:
         try:

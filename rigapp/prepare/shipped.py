@@ -34,8 +34,10 @@ def _shipped(folder: str, file: str) -> Path:
         if one.is_file():
             return one.parent
     raise UnusableInput(
-        f"The shipped {folder} are neither in {source / folder} nor where rigapp is installed;"
-        " install it again, or name files of your own."
+        "The shipped {} are neither in {} nor where rigapp is installed; install it"
+        " again, or name files of your own.",
+        folder,
+        source / folder,
     )
 
 

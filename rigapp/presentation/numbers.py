@@ -87,8 +87,3 @@ def bytes_text(size: float) -> str:
     if size >= 1e9:
         return f"{size / 1e9:.3g} GB"
     return f"{size / 1e6:.3g} MB" if size >= 1e5 else f"{size / 1e3:.3g} kB"
-
-
-def capitalised(text: str) -> str:
-    """Return a text with a capital first letter, the rest as it is."""
-    return text[:1].upper() + text[1:]

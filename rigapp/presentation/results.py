@@ -10,17 +10,16 @@ from datetime import datetime
 from rigapp.presentation.numbers import (
     UNKNOWN,
     bytes_text,
-    capitalised,
     coefficient_text,
     grouped,
     with_uncertainty,
 )
 from rigapp.presentation.states import OUTCOMES
 from rigapp.presentation.times import dated, duration
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import tr
+from rigapp.presentation.translation import tr, translate
 from rigapp.schema.messages import HowEnded
 from rigapp.schema.results import TestResult
+from rigapp.texts import capitalised
 
 ALARMS_NAMED = 3
 """Titles of alarms in one line; the log has all of them."""
@@ -64,7 +63,7 @@ def _depth(result: TestResult) -> KeyNumber:
 
 
 def _coefficient(result: TestResult) -> KeyNumber:
-    value, line = UNKNOWN, retold(result.coefficient_reason) or tr("not known")
+    value, line = UNKNOWN, translate(result.coefficient_reason) or tr("not known")
     if result.coefficient > 0.0:
         value, line = coefficient_text(
             result.coefficient, result.coefficient_low, result.coefficient_high
@@ -102,7 +101,7 @@ def trust_lines(result: TestResult) -> Iterator[TrustLine]:
 
 def _remarks(result: TestResult) -> Iterator[TrustLine]:
     if result.alarms:
-        titles = list(dict.fromkeys(map(retold, result.alarms)))
+        titles = list(dict.fromkeys(map(translate, result.alarms)))
         more = ", …" if len(titles) > ALARMS_NAMED else ""
         count = len(result.alarms)
         text = tr("1 alarm in the test") if count == 1 else tr("{} alarms in the test", count)
@@ -130,7 +129,7 @@ def _remarks(result: TestResult) -> Iterator[TrustLine]:
 
 def reason_of(result: TestResult) -> str:
     """Return why a test ended, as a sentence."""
-    return capitalised(retold(result.reason))
+    return capitalised(translate(result.reason))
 
 
 def origin_of(result: TestResult) -> str:

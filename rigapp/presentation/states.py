@@ -8,10 +8,17 @@ from collections.abc import Iterable
 from typing import Final
 
 from rigapp.presentation.times import dated
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.details import details_of
-from rigapp.schema.messages import Alarm, HowEnded, OpenCalibration, RunState, Severity, Status
+from rigapp.schema.messages import (
+    NO_TEST,
+    Alarm,
+    HowEnded,
+    OpenCalibration,
+    RunState,
+    Severity,
+    Status,
+)
 
 STATES: Final[dict[RunState, Text]] = {
     RunState.IDLE: "Idle",
@@ -51,29 +58,36 @@ USUAL: Final[dict[RunState, Text]] = {
 
 def is_resting(status: Status) -> bool:
     """Tell whether the test rests between two steps and resumes by itself."""
-    return status.resting and status.state is RunState.PAUSED
+    test = status.test or NO_TEST
+    return test.resting and status.engine.state is RunState.PAUSED
 
 
 def state_word(status: Status) -> str:
     """Return the state in a word; after a test, how the test ended."""
+    test = status.test or NO_TEST
     if is_resting(status):
         return tr("Resting")
-    if status.coasting:
+    if status.rig.coasting:
         return tr("Coasting")
-    if status.state is RunState.STOPPED and status.outcome is not None:
-        return tr(OUTCOMES[status.outcome])
-    return tr(STATES[status.state])
+    if status.engine.state is RunState.STOPPED and test.outcome is not None:
+        return tr(OUTCOMES[test.outcome])
+    return tr(STATES[status.engine.state])
 
 
 def rest_text(status: Status) -> str:
     """Return how long a rest lasts still, and which step it belongs to."""
-    left = math.ceil(status.rest_left_s)
-    return tr("{} s left, step {} of {}", left, status.step, status.steps)
+    test = status.test or NO_TEST
+    left = math.ceil(test.rest_left_s)
+    return tr("{} s left, step {} of {}", left, test.step, test.steps)
 
 
 def calibration_text(status: Status) -> str:
     """Return what is calibrated, by whom and since when; empty without a calibration."""
-    return calibration_words(status.calibration) if status.calibration is not None else ""
+    return (
+        calibration_words(status.engine.calibration)
+        if status.engine.calibration is not None
+        else ""
+    )
 
 
 def calibration_words(one: OpenCalibration) -> str:
@@ -102,19 +116,19 @@ def state_line(status: Status, key: str = "") -> str:
     if is_resting(status):
         return f"{word}, {rest_text(status)}. {tr('The test resumes by itself.')}"
     step, occupied = status.recovery, calibration_text(status)
-    reason = "" if status.state is RunState.CALIBRATING else status.reason
+    reason = "" if status.engine.state is RunState.CALIBRATING else status.engine.reason
     pressed = f" ({key})" if key and step.verb and step.left else ""
     told = [
-        f"{word}: {retold(reason)}" if reason else "",
+        f"{word}: {translate(reason)}" if reason else "",
         f"{tr(STATES[RunState.CALIBRATING])}: {occupied}." if occupied else "",
-        retold(step.sentence) + pressed,
+        translate(step.sentence) + pressed,
     ]
     return "  ".join(one for one in told if one) or _unnamed(status, word)
 
 
 def state_details(status: Status) -> str:
     """Return the technical details of what ``state_line`` says, a line each."""
-    told = (status.reason, status.recovery.sentence)
+    told = (status.engine.reason, status.recovery.sentence)
     alarm = worst_alarm(status.alarms) if not any(told) else None
     texts = told if alarm is None else (alarm.title, alarm.cause)
     return "\n".join(filter(None, map(details_of, texts)))
@@ -124,8 +138,8 @@ def _unnamed(status: Status, word: str) -> str:
     """Return the line of a state of which the engine says no more: its alarm comes first."""
     alarm = worst_alarm(status.alarms)
     if alarm is not None:
-        return f"{word}. {retold(alarm.title)}: {retold(alarm.cause)}"
-    return tr(USUAL.get(status.state, f"{word}."))
+        return f"{word}. {translate(alarm.title)}: {translate(alarm.cause)}"
+    return tr(USUAL.get(status.engine.state, f"{word}."))
 
 
 def listed_alarms(alarms: Iterable[Alarm]) -> list[Alarm]:

@@ -6,47 +6,34 @@ takes it passes it through ``tr``; the catalogues are gathered by that (``collec
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Mapping
+from typing import Final
+
+from rigapp.schema.details import sentence_of
+from rigapp.texts import Sentence, Value, braces
 
 Text = str
 """An English text that is translated when it is shown."""
 
 
 class _Spoken:
-    """The language of this process; English until ``speak``.
+    """The language of this process: its texts by the English ones, None for English."""
 
-    told: templates of what others say, which are known again by ``told``. changes: how often
-    another language was chosen; what is kept of one is of no use in the next.
-    """
-
-    def __init__(self) -> None:
-        self.translations: Mapping[str, str] | None = None
-        self.told: tuple[str, ...] = ()
-        self.changes = 0
+    translations: Mapping[str, str] | None = None
 
 
 _SPOKEN = _Spoken()
 
 
-def speak(translations: Mapping[str, str] | None, told: Sequence[str] = ()) -> None:
+def speak(translations: Mapping[str, str] | None) -> None:
     """Say all texts as a table of them says from now on; None: in English, as they stand."""
-    _SPOKEN.translations, _SPOKEN.told = translations, tuple(told)
-    _SPOKEN.changes += 1
+    _SPOKEN.translations = translations
 
 
 def speaks_english() -> bool:
     """Tell whether texts are said as they stand."""
     return _SPOKEN.translations is None
-
-
-def told_templates() -> tuple[str, ...]:
-    """Return what the engine says, with braces where it puts values."""
-    return _SPOKEN.told
-
-
-def language_changes() -> int:
-    """Return how often a language was chosen in this process."""
-    return _SPOKEN.changes
 
 
 def marked(text: Text) -> Text:
@@ -62,3 +49,59 @@ def tr(text: Text, *values: object, **named: object) -> str:
     """
     said = text if _SPOKEN.translations is None else _SPOKEN.translations.get(text, text)
     return said.format(*values, **named) if values or named else said
+
+
+EDGES: Final = " .;:,\n"
+"""What may stand about a sentence; the catalogue has it without."""
+PLURAL: Final = "s"
+"""An ending that says nothing in another language."""
+
+
+_ERROR_NUMBER: Final = re.compile(r"\[Errno -?\d+\] ")
+
+
+def translate(text: str) -> str:
+    """Return a text in the language of the window, without its details and numbers of errors.
+
+    Only a sentence is translated: what people and older programs wrote is shown as it is.
+    """
+    bare = sentence_of(text)
+    if isinstance(bare, Sentence) and _SPOKEN.translations is not None:
+        bare = _translated(bare, _SPOKEN.translations)
+    return _ERROR_NUMBER.sub("", bare)
+
+
+def _translated(sentence: Sentence, catalogue: Mapping[str, str]) -> str:
+    template = _template(sentence.template, catalogue)
+    if not sentence.values:
+        return template
+    values = {
+        name: _value(sentence.values[name], spec, literal, catalogue)
+        for literal, name, spec in braces(sentence.template)
+        if name
+    }
+    return "".join(
+        literal + (values.get(name, "") if name else "") for literal, name, _ in braces(template)
+    )
+
+
+def _template(template: str, catalogue: Mapping[str, str]) -> str:
+    """Return a template as the catalogue has it, where not, as it stands.
+
+    The catalogue may have it without its edges, or with another first letter, as within a sentence.
+    """
+    if template in catalogue:
+        return catalogue[template]
+    core = template.strip(EDGES)
+    before, _, after = template.partition(core) if core else (template, "", "")
+    other = catalogue.get(core[:1].swapcase() + core[1:], core)
+    known = catalogue.get(core) or (other[:1].upper() + other[1:] if core[:1].isupper() else other)
+    return before + known + after
+
+
+def _value(value: Value, spec: str, before: str, catalogue: Mapping[str, str]) -> str:
+    if isinstance(value, Sentence):
+        return _translated(value, catalogue)
+    if value == PLURAL and before[-1:].isalpha():
+        return ""
+    return format(value, spec)

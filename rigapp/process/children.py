@@ -1,10 +1,46 @@
-"""Processes that the program starts of itself: their command line and how they begin."""
+"""Child processes of the program: start, messages, restarts, last words, end.
+
+The program holds a ``Child``, or a ``MessageChild`` where both exchange MessagePack records; the
+started process holds its ``Parent``. What a child prints on standard error is kept for the message
+that reports its failure.
+"""
 
 from __future__ import annotations
 
+import itertools
+import os
+import select
 import subprocess
 import sys
-from typing import IO
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import IO, TypeVar
+
+import zmq
+
+from rigapp.process.ending import Background
+from rigapp.schema.wire import decode, encode
+
+Record = TypeVar("Record")
+
+KEY = "RIGAPP_LINK_KEY"
+LONGEST_ADDRESS = 100
+"""Characters; systems take names of sockets of about 107 bytes."""
+LONGEST_MESSAGE = 64 * 2**20
+"""Bytes; a revolution or a checkpoint has less than one MiB. ZeroMQ drops a longer one, and a
+damaged length in a frame must not make the program reserve gigabytes."""
+SEND_MS = 1000
+LAST_WORDS = 4096
+"""Bytes of standard error in which the reason of a failure is looked for."""
+LONGEST_PAUSE_S = 60.0
+_HEAD = 4
+_READ_SIZE = 65536
+_POLL_S = 0.1
+"""How soon a waiting program notices that its child has died."""
+_numbers = itertools.count()
 
 
 def module_command(module: str, *arguments: object) -> list[str]:
@@ -16,24 +52,292 @@ def module_command(module: str, *arguments: object) -> list[str]:
     return [sys.executable, "-P", "-m", module, *map(str, arguments)]
 
 
-def start_module(
-    module: str,
-    *arguments: object,
-    stdin: int = subprocess.DEVNULL,
-    stdout: int | IO[bytes] = subprocess.DEVNULL,
-    stderr: int | IO[bytes] = subprocess.DEVNULL,
-    environment: dict[str, str] | None = None,
-) -> subprocess.Popen[bytes]:
-    """Start a module of the program as a process of its own.
+class Child:
+    """A module of the program that runs as a process of its own."""
 
-    In a session of its own: Ctrl-C at the terminal is for whoever started it, who decides what
-    becomes of it. environment: instead of the own one.
+    def __init__(
+        self,
+        module: str,
+        *arguments: object,
+        pipes: bool = False,
+        log: Path | None = None,
+        environment: dict[str, str] | None = None,
+    ) -> None:
+        """Start the module.
+
+        In a session of its own: Ctrl-C at the terminal is for whoever started it, who decides what
+        becomes of it. pipes: with ``stdin`` and ``stdout`` for the program. log: file that takes
+        standard output and error. environment: in place of the program's own.
+        """
+        self._log: IO[bytes] = (
+            tempfile.TemporaryFile() if log is None else log.open("w+b")  # noqa: SIM115
+        )
+        output = self._log if log is not None else subprocess.DEVNULL
+        self._process = subprocess.Popen(
+            module_command(module, *arguments),
+            stdin=subprocess.PIPE if pipes else subprocess.DEVNULL,
+            stdout=subprocess.PIPE if pipes else output,
+            stderr=self._log,
+            env=environment,
+            start_new_session=True,
+        )
+
+    @property
+    def pid(self) -> int:
+        """Return the process id."""
+        return self._process.pid
+
+    @property
+    def status(self) -> int | None:
+        """Return the exit status, None while the process runs."""
+        return self._process.poll()
+
+    @property
+    def running(self) -> bool:
+        """Tell whether the process runs."""
+        return self.status is None
+
+    @property
+    def stdin(self) -> IO[bytes]:
+        """Return the pipe to the standard input."""
+        assert self._process.stdin is not None
+        return self._process.stdin
+
+    @property
+    def stdout(self) -> IO[bytes]:
+        """Return the pipe from the standard output."""
+        assert self._process.stdout is not None
+        return self._process.stdout
+
+    def wait(self, timeout: float | None = None) -> int:
+        """Return the exit status of a process that ends by itself; raise TimeoutExpired."""
+        return self._process.wait(timeout)
+
+    def leave(self) -> None:
+        """Leave the process to itself; a thread takes its exit status, or it would be a zombie."""
+        self._log.close()
+        Background(self._process.wait, f"end of process {self.pid}")
+
+    def messages(self) -> str:
+        """Return the end of what a process that has ended wrote on standard error."""
+        size = self._log.seek(0, os.SEEK_END)
+        self._log.seek(max(0, size - LAST_WORDS))
+        return self._log.read().decode(errors="replace").strip()
+
+    def last_words(self) -> str:
+        """Return the last line on standard error, which names the error of a Python program."""
+        return self.messages().rpartition("\n")[2]
+
+    def read_line(self, timeout_s: float) -> bytes:
+        """Return one line from ``stdout``; raise TimeoutError, BrokenPipeError at its end."""
+        descriptor = self.stdout.fileno()
+        deadline = time.monotonic() + timeout_s
+        line = b""
+        while not line.endswith(b"\n"):
+            left = deadline - time.monotonic()
+            if left <= 0.0 or not select.select([descriptor], [], [], left)[0]:
+                raise TimeoutError(f"no line within {timeout_s:g} s")
+            part = os.read(descriptor, _READ_SIZE)
+            if not part or len(line) > LONGEST_MESSAGE:
+                raise BrokenPipeError("the output has ended")
+            line += part
+        return line
+
+    def kill(self) -> None:
+        """End the process by force; its pipes stay open for what it has written."""
+        self._process.kill()
+
+    def close(self, grace_s: float = 0.0) -> None:
+        """End the process, after ``grace_s`` by force; safe to call twice."""
+        if grace_s:
+            self._process.terminate()
+            with suppress(subprocess.TimeoutExpired):
+                self._process.wait(grace_s)
+        self._process.kill()
+        self._process.wait()
+        for stream in (self._process.stdin, self._process.stdout, self._log):
+            if stream is not None:
+                with suppress(OSError):
+                    stream.close()
+
+
+class MessageChild(Child):
+    """A child that exchanges records with the program; for the thread that started it.
+
+    Raises zmq.ZMQError where the socket fails.
     """
-    return subprocess.Popen(
-        module_command(module, *arguments),
-        stdin=stdin,
-        stdout=stdout,
-        stderr=stderr,
-        env=environment,
-        start_new_session=True,
-    )
+
+    def __init__(
+        self, module: str, folder: Path, name: str, environment: dict[str, str] | None = None
+    ) -> None:
+        """Start the module with the arguments of ``Parent``.
+
+        folder, name: where the socket is, and how its file begins.
+        """
+        self._context = zmq.Context()
+        self._socket = _new_socket(self._context)
+        self._address = link_address(folder, f"{name}-{os.getpid()}-{next(_numbers):x}")
+        try:
+            endpoint, own = bind_link(self._socket, self._address)
+            own = (environment or {}) | own
+            super().__init__(module, endpoint, os.getpid(), environment=own)
+        except BaseException:
+            self._close_socket()
+            raise
+
+    def send(self, record: object) -> bool:
+        """Send a record; False where the child is not there yet, or has not read what came."""
+        if not self._socket.poll(0, zmq.POLLOUT):
+            return False
+        self._socket.send(encode(record), zmq.NOBLOCK)
+        return True
+
+    def receive(self, kind: type[Record], timeout_s: float = 0.0) -> Record | None:
+        """Return the next record; None when none comes in time, or the child has died."""
+        deadline = time.monotonic() + timeout_s
+        while True:
+            # Looked at before the socket: what the child sent last arrives before its end.
+            running = self.running
+            if self._socket.poll(int(1000 * min(timeout_s, _POLL_S))):
+                return decode(self._socket.recv(), kind)
+            if not running or time.monotonic() >= deadline:
+                return None
+
+    def close(self, grace_s: float = 0.0) -> None:
+        """Close the socket and end the process."""
+        self._close_socket()
+        super().close(grace_s)
+
+    def leave(self) -> None:
+        """Close the socket and leave the process to itself."""
+        self._close_socket()
+        super().leave()
+
+    def _close_socket(self) -> None:
+        self._context.destroy(linger=0)
+        if self._address.startswith("ipc://"):
+            Path(self._address.removeprefix("ipc://")).unlink(missing_ok=True)
+
+
+class Parent:
+    """The program that started this process, with a socket to it."""
+
+    def __init__(self, arguments: list[str]) -> None:
+        """Connect; arguments: endpoint and process id, as ``MessageChild`` gives them."""
+        self.pid = int(arguments[1])
+        self._context = zmq.Context()
+        self._socket = _new_socket(self._context)
+        connect_link(self._socket, arguments[0])
+
+    @property
+    def alive(self) -> bool:
+        """Tell whether the program still runs: else the system has given the process another."""
+        return os.getppid() == self.pid
+
+    def receive(self, kind: type[Record], timeout_s: float = 0.0) -> Record | None:
+        """Return the next record, None when none comes in time."""
+        if not self._socket.poll(int(1000 * timeout_s)):
+            return None
+        return decode(self._socket.recv(), kind)
+
+    def wait_for(self, kind: type[Record]) -> Record | None:
+        """Return the next record, None when the program has ended first."""
+        record = None
+        while record is None and self.alive:
+            record = self.receive(kind, 0.2)
+        return record
+
+    def send(self, record: object) -> None:
+        """Send a record; a program that has just gone is no error."""
+        with suppress(zmq.ZMQError):
+            self._socket.send(encode(record))
+
+    def close(self, linger_s: float = 0.0) -> None:
+        """Close the socket, after ``linger_s`` for what is not delivered yet."""
+        self._context.destroy(linger=int(1000 * linger_s))
+
+
+class Restarts:
+    """Count the children that achieved nothing, and tell how long to wait for the next one.
+
+    The pause doubles with each of them: a child that dies at once must not keep a processor busy.
+    """
+
+    def __init__(self, pause_s: float, attempts: int) -> None:
+        self._pause_s, self._attempts = pause_s, attempts
+        self._failed = 0
+
+    def started(self) -> None:
+        """Count a child as failed until it has achieved something."""
+        self._failed += 1
+
+    def succeeded(self) -> None:
+        """Forget the failures."""
+        self._failed = 0
+
+    @property
+    def exhausted(self) -> bool:
+        """Tell whether no other child should be started."""
+        return self._failed >= self._attempts
+
+    @property
+    def pause_s(self) -> float:
+        """Return how long to wait before the next start."""
+        return min(LONGEST_PAUSE_S, self._pause_s * 2.0**self._failed)
+
+
+def write_frame(stream: IO[bytes], data: bytes) -> None:
+    """Write a message to a pipe: its length in four bytes, little-endian, then the message."""
+    stream.write(len(data).to_bytes(_HEAD, "little") + data)
+    stream.flush()
+
+
+def read_frames(stream: IO[bytes]) -> Iterator[bytes]:
+    """Yield the messages of a pipe until it ends; raise ValueError for one that is too long."""
+    while head := stream.read(_HEAD):
+        length = int.from_bytes(head, "little")
+        if length > LONGEST_MESSAGE:
+            raise ValueError(f"a message of {length} bytes; the maximum is {LONGEST_MESSAGE}")
+        yield stream.read(length)
+
+
+def link_address(folder: Path, name: str) -> str:
+    """Return where to bind: a Unix socket, or a port of loopback where none can be."""
+    address = f"ipc://{folder}/{name}"
+    if sys.platform == "win32" or len(address) > LONGEST_ADDRESS:
+        return "tcp://127.0.0.1:*"
+    return address
+
+
+def bind_link(socket: zmq.Socket[bytes], address: str) -> tuple[str, dict[str, str]]:
+    """Bind a socket and return its endpoint and the environment for the process that connects.
+
+    Every account of the computer reaches a port of loopback. There the link is encrypted (CurveZMQ)
+    with a key that only this environment holds: without it no handshake succeeds. A command line
+    would show it to other accounts.
+    """
+    environment = dict(os.environ)
+    if address.startswith("tcp:"):
+        public, secret = zmq.curve_keypair()
+        socket.curve_publickey, socket.curve_secretkey = public, secret
+        socket.curve_server = True
+        environment[KEY] = public.decode()
+    socket.bind(address)
+    return socket.getsockopt_string(zmq.LAST_ENDPOINT), environment
+
+
+def connect_link(socket: zmq.Socket[bytes], endpoint: str) -> None:
+    """Connect the socket of a started process, with the key of its environment where it has one."""
+    key = os.environ.pop(KEY, "")
+    if key:
+        socket.curve_publickey, socket.curve_secretkey = zmq.curve_keypair()
+        socket.curve_serverkey = key.encode()
+    socket.connect(endpoint)
+
+
+def _new_socket(context: zmq.Context[zmq.Socket[bytes]]) -> zmq.Socket[bytes]:
+    socket = context.socket(zmq.PAIR)
+    socket.setsockopt(zmq.LINGER, 0)
+    socket.setsockopt(zmq.SNDTIMEO, SEND_MS)
+    socket.setsockopt(zmq.MAXMSGSIZE, LONGEST_MESSAGE)
+    return socket

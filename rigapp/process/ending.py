@@ -12,6 +12,8 @@ from contextlib import contextmanager, suppress
 from types import FrameType
 from typing import Generic, NoReturn, TypeVar
 
+from rigapp.texts import say
+
 Result = TypeVar("Result")
 
 
@@ -129,7 +131,7 @@ def finish_in_time(
         more = len(asked) - heard
         if time.monotonic() > deadline or more > (2 if turning() else 0):
             give_up()
-            end_at_once("what was still open could not be closed in time and was left.")
+            end_at_once(say("what was still open could not be closed in time and was left."))
     closing.result()
 
 

@@ -11,6 +11,8 @@ from pathlib import Path
 
 import psutil
 
+from rigapp.texts import joined
+
 
 def process_alive(pid: int) -> bool:
     """Tell whether a process exists (a zombie counts as dead)."""
@@ -30,7 +32,7 @@ def owner_lives(pid: int) -> bool:
     if not process_alive(pid):
         return False
     try:
-        line = " ".join(psutil.Process(pid).cmdline()).lower()
+        line = joined(" ", psutil.Process(pid).cmdline()).lower()
     except psutil.Error:
         return True
     return not line or "python" in line or "rigapp" in line

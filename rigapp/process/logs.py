@@ -6,17 +6,21 @@ a slow disk or a terminal that stands still costs remarks, not samples.
 
 from __future__ import annotations
 
+import errno
 import logging
 import logging.handlers
 import os
 import queue
+import stat
 import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from io import TextIOWrapper
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
+from rigapp.texts import joined, say
 
 LEVELS = ("debug", "info", "warning", "error")
 LEVEL_VARIABLE = "RIGAPP_LOG_LEVEL"
@@ -65,7 +69,9 @@ class Outlet(logging.Handler):
         while (record := self._waiting.get()) is not None:
             with suppress(Exception):
                 self._target.handle(record)
-        self._target.close()
+        # A disk that is gone refuses the last lines once more here.
+        with suppress(Exception):
+            self._target.close()
 
 
 class _Terminal(logging.StreamHandler):  # type: ignore[type-arg]
@@ -85,6 +91,17 @@ class _File(logging.handlers.RotatingFileHandler):
     def __init__(self, path: Path) -> None:
         super().__init__(path, maxBytes=LARGEST_FILE, backupCount=1, encoding="utf-8", delay=True)
 
+    def _open(self) -> TextIOWrapper:
+        """Open the file, never through a link or a pipe that somebody laid there."""
+        flags = os.O_WRONLY | os.O_CREAT | os.O_APPEND
+        for name in ("O_NOFOLLOW", "O_NONBLOCK", "O_CLOEXEC"):
+            flags |= getattr(os, name, 0)
+        fd = os.open(self.baseFilename, flags, 0o666)
+        if not stat.S_ISREG(os.fstat(fd).st_mode):
+            os.close(fd)
+            raise OSError(errno.EINVAL, say("this is no file"), self.baseFilename)
+        return TextIOWrapper(open(fd, "ab"), encoding="utf-8")
+
     def handleError(self, record: logging.LogRecord) -> None:
         """Say nothing: a log that cannot be written ends no test."""
 
@@ -97,7 +114,7 @@ def chosen_level(option: str | None) -> str:
     level = (option or os.environ.get(LEVEL_VARIABLE) or "warning").lower()
     if level not in LEVELS:
         raise UnusableInput(
-            f"--log-level {level}: choose {', '.join(LEVELS[:-1])} or {LEVELS[-1]}."
+            "--log-level {}: choose {} or {}.", level, joined(", ", LEVELS[:-1]), LEVELS[-1]
         )
     return level
 
@@ -109,7 +126,7 @@ def on_terminal(level: str) -> Iterator[None]:
     terminal = _Terminal()
     terminal.setLevel(level.upper())
     terminal.setFormatter(logging.Formatter("rigapp: %(levelname)s: %(message)s"))
-    with _attached(terminal, "the terminal"):
+    with _attached(terminal, say("the terminal")):
         yield
 
 

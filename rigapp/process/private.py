@@ -32,20 +32,21 @@ def private_folder(folder: Path, instead: str = "") -> Path:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         found = folder.lstat()
         if not stat.S_ISDIR(found.st_mode):
-            raise UnusableInput(f"{folder}: is a link, not a folder{instead}.")
+            raise UnusableInput("{}: is a link, not a folder{}.", folder, instead)
         if not hasattr(os, "getuid"):
             return folder
         if not is_ours(found):
-            raise UnusableInput(f"{folder}: belongs to somebody else{instead}.")
+            raise UnusableInput("{}: belongs to somebody else{}.", folder, instead)
         if found.st_mode & 0o022:
             raise UnusableInput(
-                f"{folder}: others can write into it; look at what is in it, then chmod 700"
-                f" it{instead}."
+                "{}: others can write into it; look at what is in it, then chmod 700 it{}.",
+                folder,
+                instead,
             )
         if stat.S_IMODE(found.st_mode) != 0o700:
             folder.chmod(0o700)
     except OSError as error:
-        raise UnusableInput(f"{folder}: cannot be made ‹{error}›{instead}.") from error
+        raise UnusableInput("{}: cannot be made ‹{}›{}.", folder, error, instead) from error
     return folder
 
 
@@ -72,7 +73,7 @@ def read_secret(path: Path) -> bytes:
     """Return a file of ours that nobody else can read; raise UnusableInput."""
     text = read_own(path)
     if text is None:
-        raise UnusableInput(f"{path}: is no small file of yours; a link is not followed.")
+        raise UnusableInput("{}: is no small file of yours; a link is not followed.", path)
     if open_to_others(path.lstat()):
-        raise UnusableInput(f"{path}: others can read this secret; chmod 600 it.")
+        raise UnusableInput("{}: others can read this secret; chmod 600 it.", path)
     return text

@@ -116,8 +116,9 @@ class OneAtATime:
         if not self._lock.acquire(timeout=self._wait_s):
             since = time.monotonic() - self._since
             raise Refused(
-                f"the engine has been busy with another command for {since:.0f} s (connecting or "
-                "starting, perhaps); wait for it, or stop"
+                "the engine has been busy with another command for {:.0f} s (connecting"
+                " or starting, perhaps); wait for it, or stop",
+                since,
             )
         self._since = time.monotonic()
 

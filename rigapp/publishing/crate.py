@@ -1,17 +1,16 @@
-"""The package as an RO-Crate: what catalogues of research data read, by its own library."""
+"""A package described for programs: the RO-Crate and CITATION.cff."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 from urllib.parse import quote
 
-from rigapp.config.extras import from_extra
-from rigapp.publishing.authors import Author
+from rigapp.config.errors import from_extra
 from rigapp.publishing.packaged import PackagedTest
 from rigapp.publishing.packed import PackedFile
-from rigapp.publishing.publication import KEYWORDS, VERSION, Publication
+from rigapp.publishing.publication import KEYWORDS, VERSION, Author, Publication
 
 PROFILE = "1.1"
 """The version that repositories read today; the library's own default moves on."""
@@ -79,3 +78,41 @@ def _made_by(library: Any, found: Any, test: PackagedTest, described: dict[str, 
     action["instrument"] = program
     action["result"] = described[f"{test.folder}/{test.path.name}"]
     found.root_dataset.append_to("mentions", action)
+
+
+def citation(given: Publication) -> str:
+    """Return the file; every text in it is quoted as JSON quotes it, which YAML reads alike."""
+    return "\n".join(_lines(given)) + "\n"
+
+
+def _lines(given: Publication) -> Iterator[str]:
+    yield "cff-version: 1.2.0"
+    yield 'message: "If you use these data, please cite them as below."'
+    yield "type: dataset"
+    yield f"title: {_quoted(given.title)}"
+    yield f"abstract: {_quoted(given.summary)}"
+    yield "authors:"
+    for one in given.authors:
+        yield from _cited_author(one)
+    yield f'version: "{VERSION}"'
+    yield f'date-released: "{given.day}"'
+    yield f"license: {given.licence.identifier}"
+    yield "keywords:"
+    yield from (f"  - {_quoted(one)}" for one in KEYWORDS)
+    yield "identifiers:"
+    for test in given.tests:
+        yield "  - type: other"
+        yield f"    value: {_quoted('urn:uuid:' + str(test.about['identifier']))}"
+        yield f"    description: {_quoted(f'the test {test.title}, {test.path.name}')}"
+
+
+def _cited_author(one: Author) -> Iterator[str]:
+    if not one.given:
+        yield f"  - name: {_quoted(one.family)}"
+        return
+    yield f"  - family-names: {_quoted(one.family)}"
+    yield f"    given-names: {_quoted(one.given)}"
+
+
+def _quoted(text: str) -> str:
+    return json.dumps(" ".join(text.split()), ensure_ascii=False)

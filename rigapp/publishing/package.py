@@ -1,26 +1,167 @@
-"""Make the package of tests: files, words, sums; whole or not at all."""
+"""Write the package of recorded tests: its texts, its files and the ZIP archive."""
 
 from __future__ import annotations
 
+import hashlib
 import os
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
+import textwrap
+import zipfile
+import zlib
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Self
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.names import name_refusal
-from rigapp.publishing.archive import write_archive
-from rigapp.publishing.authors import authors_of
-from rigapp.publishing.citation import citation
-from rigapp.publishing.crate import crate, crate_library
+from rigapp.publishing.crate import citation, crate, crate_library
 from rigapp.publishing.findings import Finding, findings
-from rigapp.publishing.licences import licence_of
-from rigapp.publishing.packaged import packaged_tests, refuse_changed
-from rigapp.publishing.packed import JSON, TEXT, YAML, PackedFile, files_of, text_file
-from rigapp.publishing.publication import Publication
-from rigapp.publishing.readme import readme
+from rigapp.publishing.packaged import PackagedTest, packaged_tests, refuse_changed
+from rigapp.publishing.packed import JSON, TEXT, YAML, PackedFile, Progress, files_of, text_file
+from rigapp.publishing.publication import Publication, authors_of, licence_of
 from rigapp.storage import hidden_name, move_into_place
+
+EPOCH = (1980, 1, 1, 0, 0, 0)
+"""The first moment that a ZIP file can tell: when it was packed is no property of the data."""
+READABLE = 0o100644 << 16
+UNIX = 3
+
+
+def write_archive(
+    target: Path, files: Sequence[PackedFile], digests: Mapping[str, str], progress: Progress
+) -> None:
+    """Write the files in the order of their places; what is compressed is only stored.
+
+    digests: SHA-256 by place, as it was before. Raises UnusableInput for a file that has changed.
+    """
+    with zipfile.ZipFile(target, "x") as archive:
+        for one in sorted(files, key=lambda one: one.place):
+            about = zipfile.ZipInfo(one.place, EPOCH)
+            about.create_system, about.external_attr = UNIX, READABLE
+            about.compress_type = zipfile.ZIP_STORED if one.packed else zipfile.ZIP_DEFLATED
+            about.file_size = one.size  # tells whether the entry needs 64 bits
+            found = hashlib.sha256()
+            with _Deflate() as deflate, archive.open(about, "w") as entry:
+                if not one.packed and hasattr(entry, "_compressor"):
+                    entry._compressor = deflate  # zipfile itself has one core only
+                for part in one.parts():
+                    entry.write(part)
+                    found.update(part)
+                    progress(len(part))
+            if found.hexdigest() != digests[one.place]:
+                raise UnusableInput(f"{one.source}: was changed while it was packed.")
+
+
+class _Deflate:
+    """Compress as ``zlib.compressobj`` does, by all cores; the bytes do not depend on how many.
+
+    Each piece is compressed for itself, with the end of the one before as its dictionary.
+    """
+
+    def __init__(self) -> None:
+        self._cores = os.cpu_count() or 1
+        self._pool = ThreadPoolExecutor(self._cores)
+        self._pieces: deque[Future[bytes]] = deque()
+        self._before = b""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._pool.shutdown(cancel_futures=True)
+
+    def compress(self, data: bytes) -> bytes:
+        """Take a piece; return what is compressed of those before."""
+        self._pieces.append(self._pool.submit(_deflated, data, self._before))
+        self._before = data[-DICTIONARY:]
+        return self._pieces.popleft().result() if len(self._pieces) > 2 * self._cores else b""
+
+    def flush(self) -> bytes:
+        """Return what is left, and the end of the stream."""
+        rest = b"".join(one.result() for one in self._pieces)
+        return rest + zlib.compressobj(wbits=-zlib.MAX_WBITS).flush()
+
+
+DICTIONARY = 1 << 15
+"""Bytes that deflate looks back."""
+
+
+def _deflated(data: bytes, before: bytes) -> bytes:
+    work = zlib.compressobj(wbits=-zlib.MAX_WBITS, zdict=before)
+    return work.compress(data) + work.flush(zlib.Z_SYNC_FLUSH)
+
+
+WIDTH = 88
+STATUSES = {
+    "complete": "made as planned",
+    "stopped": "stopped before its planned end",
+    "interrupted": "interrupted, its file never closed",
+}
+
+
+def readme(given: Publication, files: Sequence[PackedFile]) -> str:
+    """Return the text; files: all files of the package that it explains."""
+    blocks = [
+        _heading(given.title, "="),
+        _wrapped(given.summary),
+        f"Authors: {'; '.join(one.name for one in given.authors)}",
+        f"Licence: {given.licence.name} ({given.licence.identifier}), {given.licence.url}",
+        *_tests(given.tests),
+        _heading("Files", "-"),
+        "\n".join(_listed((one.place, one.about) for one in files)),
+        _heading("Columns of statistics.csv", "-"),
+        _wrapped(
+            "Numbers have a point; times are seconds; NaN or an empty field is a value that is not"
+            " known. A revolution without trouble has quality 0, else a sum of the flags that"
+            " docs/file-format.md of rigapp explains."
+        ),
+        "\n".join(_columns(given.tests)),
+        _heading("Checking and reading", "-"),
+        _wrapped(
+            "sha256sum -c SHA256SUMS tells whether all files are as they were packed. The test"
+            " files open in any program that reads HDF5, and in xarray; rows beyond the number"
+            " committed in their group are not data."
+        ),
+    ]
+    return "\n\n".join(blocks) + "\n"
+
+
+def _heading(text: str, line: str) -> str:
+    return f"{text}\n{line * len(text)}"
+
+
+def _wrapped(text: str) -> str:
+    return textwrap.fill(text, WIDTH, break_long_words=False)
+
+
+def _tests(tests: Iterable[PackagedTest]) -> Iterator[str]:
+    yield _heading("Tests", "-")
+    for one in tests:
+        facts = [
+            f"{one.folder}/: {one.title}",
+            *([f"specimen {one.about['specimen']}"] if one.about["specimen"] else []),
+            f"started {str(one.summary['started'])[:19]} UTC",
+            f"{one.summary['revolutions']} of {one.about['planned_revolutions']} revolutions",
+            STATUSES.get(str(one.summary["status"]), str(one.summary["status"])),
+            *(["the rig was simulated"] if one.about["simulated"] else []),
+        ]
+        yield _wrapped("; ".join(facts) + ".")
+
+
+def _listed(pairs: Iterable[tuple[str, str]]) -> Iterator[str]:
+    for name, about in pairs:
+        yield name
+        yield textwrap.fill(about, WIDTH, initial_indent="    ", subsequent_indent="    ")
+
+
+def _columns(tests: Iterable[PackagedTest]) -> Iterator[str]:
+    columns = {name: (unit, words) for one in tests for name, unit, words in one.columns}
+    for name, (unit, words) in columns.items():
+        yield f"{name}{f' [{unit}]' if unit not in ('', '1') else ''}: {words}"
+
 
 LICENCE, CITATION, README = "LICENSE", "CITATION.cff", "README.txt"
 CRATE, SUMS = "ro-crate-metadata.json", "SHA256SUMS"

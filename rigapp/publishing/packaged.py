@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from rigapp.config.errors import UnusableInput
-from rigapp.report.steps import sequence_of
+from rigapp.report.results import sequence_of
 from rigapp.schema.messages import Event
 from rigapp.storage import TestReader, export_columns, open_test
 

@@ -12,8 +12,9 @@ from typing import Any
 import msgspec
 
 from rigapp.publishing.packaged import PackagedTest
-from rigapp.report.steps import sequence_of, step_numbers
-from rigapp.storage import export_test, open_test
+from rigapp.report.results import sequence_of, step_numbers
+from rigapp.schema.wire import json_bytes
+from rigapp.storage import export_test, open_test, trimmed_copy
 
 HDF5, HTML, CSV = "application/x-hdf5", "text/html", "text/csv"
 JSON, TOML, TEXT, YAML = "application/json", "application/toml", "text/plain", "application/yaml"
@@ -63,7 +64,12 @@ def files_of(test: PackagedTest, work: Path) -> Iterator[PackedFile]:
     folder = work / test.folder
     folder.mkdir()
     about = "the test as it was recorded: NeXus/HDF5, see docs/file-format.md of rigapp"
-    yield PackedFile(f"{test.folder}/{test.path.name}", test.path, about, HDF5, test.compressed)
+    source = test.path
+    if not test.compressed:
+        # What is written in place has rows beyond the committed ones, which others take for data.
+        source = folder / test.path.name
+        trimmed_copy(test.path, source)
+    yield PackedFile(f"{test.folder}/{test.path.name}", source, about, HDF5, packed=True)
     make = partial(_made, folder)
     report = "the report of the test, for a browser: figures, log, calibration, settings"
     yield make("report.html", report, HTML, _report(test.path))
@@ -98,10 +104,10 @@ def _made(folder: Path, name: str, about: str, media: str, data: bytes) -> Packe
 
 
 def _report(path: Path) -> bytes:
-    from rigapp.report.page.html import as_html
+    from rigapp.report.page.manuscript import as_html
     from rigapp.report.testreport import report_of
 
-    return as_html(report_of(path, vector=True))
+    return as_html(report_of(path))
 
 
 def _export(path: Path, table: Path) -> None:
@@ -120,4 +126,4 @@ def _records(calibration: Any) -> Iterator[tuple[str, str]]:
 
 def _json(value: Any) -> bytes:
     """Return a value as JSON, its keys in order; numbers that are none become null."""
-    return msgspec.json.format(msgspec.json.encode(value, order="deterministic"), indent=1) + b"\n"
+    return msgspec.json.format(json_bytes(value, order="deterministic"), indent=1) + b"\n"

@@ -9,6 +9,7 @@ import msgspec
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.notices import Finished
 from rigapp.schema.queue import ItemState, QueuedTest
+from rigapp.texts import say
 
 MOST_LEFT = 100
 """Tests that are still to be done."""
@@ -39,7 +40,7 @@ def added(queue: Queue, tests: list[str], folder: str) -> Queue:
     """Return a queue with more tests at its end; raise UnusableInput where they are too many."""
     left = sum(one.state is not ItemState.DONE for one in queue.items)
     if left + len(tests) > MOST_LEFT:
-        raise UnusableInput(f"A queue holds {MOST_LEFT} tests at most; {left} are in it.")
+        raise UnusableInput("A queue holds {} tests at most; {} are in it.", MOST_LEFT, left)
     new = tuple(
         QueuedTest(number, test, folder) for number, test in enumerate(tests, queue.given + 1)
     )
@@ -53,9 +54,9 @@ def removed(queue: Queue, numbers: list[int]) -> Queue:
     known = {one.number: one for one in queue.items}
     for number in numbers:
         if number not in known:
-            raise UnusableInput(f"The queue has no test {number}; look at rigapp queue list.")
+            raise UnusableInput("The queue has no test {}; look at rigapp queue list.", number)
         if known[number].state is ItemState.RUNNING:
-            raise UnusableInput(f"Test {number} runs; stop it first.")
+            raise UnusableInput("Test {} runs; stop it first.", number)
     items = tuple(one for one in queue.items if one.number not in numbers)
     return msgspec.structs.replace(queue, items=items)
 
@@ -109,7 +110,7 @@ def cut_off(queue: Queue) -> Queue:
     """Return a queue whose engine ended without a word: what ran is stopped, nothing works."""
     one = queue.running
     if one is not None:
-        words = "the computer or the program ended while it ran"
+        words = say("the computer or the program ended while it ran")
         queue = ended(queue, one.number, words, done=False)
     return halted(queue)
 
@@ -117,7 +118,9 @@ def cut_off(queue: Queue) -> Queue:
 def line(one: QueuedTest) -> str:
     """Return one line about a test for people."""
     name = PurePath(one.file or one.test).name
-    return f"{one.number:>4}  {one.state.value:<8} {name}  {one.sentence}".rstrip()
+    return say(
+        "{}  {} {}  {}", f"{one.number:>4}", f"{one.state.value:<8}", name, one.sentence
+    ).rstrip()
 
 
 def _with(queue: Queue, number: int, **changes: object) -> Queue:

@@ -13,6 +13,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
 from rigapp.process.locks import taken
 from rigapp.queue.items import Queue
+from rigapp.schema.wire import json_bytes
+from rigapp.texts import say
 
 LOCK_S = 5.0
 LOOK_EVERY_S = 0.02
@@ -34,7 +36,7 @@ class QueueStore:
             return Queue(rig=self._rig)
         except (OSError, ValueError) as error:
             raise UnusableInput(
-                f"{self._path}: the queue cannot be read ‹{error}›; move the file away."
+                "{}: the queue cannot be read ‹{}›; move the file away.", self._path, error
             ) from error
 
     def view(self) -> Queue:
@@ -52,8 +54,8 @@ class QueueStore:
         """Put another queue in the place of this one, and return it; raise UnusableInput."""
         with self._alone():
             changed = how(self.read())
-            with whole_file(self._path, "the queue", mode=0o600) as part:
-                part.write_bytes(msgspec.json.format(msgspec.json.encode(changed)))
+            with whole_file(self._path, say("the queue"), mode=0o600) as part:
+                part.write_bytes(msgspec.json.format(json_bytes(changed)))
         return changed
 
     @contextmanager
@@ -63,8 +65,9 @@ class QueueStore:
             while not taken(file.fileno()):
                 if time.monotonic() > deadline:
                     raise UnusableInput(
-                        f"{self._path}: another program has been changing the queue for"
-                        f" {LOCK_S:g} s; try again."
+                        "{}: another program has been changing the queue for {:g} s; try again.",
+                        self._path,
+                        LOCK_S,
                     )
                 time.sleep(LOOK_EVERY_S)
             yield

@@ -14,6 +14,7 @@ from rigapp.schema.details import error_text
 from rigapp.schema.notices import Finished
 from rigapp.schema.queue import ItemState, QueuedTest
 from rigapp.schema.states import Occupied, Refused
+from rigapp.texts import say
 
 
 class Begin(Protocol):
@@ -51,7 +52,7 @@ class QueueWorker:
             left = self._store.change(cut_off)
             if left.next is not None and left.next.state is ItemState.WAITING:
                 waiting = _waiting(left)
-                self._hands.tell(f"the engine ended between two tests; {waiting} more wait.")
+                self._hands.tell(say("the engine ended between two tests; {} more wait.", waiting))
         self._tell(left)
 
     def start(self, operator: str) -> Queue:
@@ -61,7 +62,7 @@ class QueueWorker:
         """
         before = self._store.read()
         if before.running is not None:
-            raise Refused(f"test {before.running.number} of the queue runs already")
+            raise Refused("test {} of the queue runs already", before.running.number)
         if before.next is None:
             raise Refused("no test waits in the queue; add one: rigapp queue add")
         self._operator = operator
@@ -109,10 +110,10 @@ class QueueWorker:
             end = self._hands.begin(Path(one.test), Path(file), self._operator)
         except Occupied as error:
             self._store.change(lambda queue: put_back(queue, one))
-            self._hands.tell(f"{error}; then start the queue again.")
+            self._hands.tell(say("{}; then start the queue again.", error))
             raise
         except Exception as error:
-            words = error_text(error, "The test could not be begun.")
+            words = error_text(error, say("The test could not be begun."))
             self._store.change(lambda queue: ended(queue, one.number, words, done=False))
             raise
         if end is None:
@@ -123,7 +124,9 @@ class QueueWorker:
         one = queue.next
         if one is not None and one.state is ItemState.STOPPED:
             name = Path(one.test).name
-            words = f"test {one.number}, {name}: {one.sentence} {_waiting(queue)} more wait."
+            words = say(
+                "test {}, {}: {} {} more wait.", one.number, name, one.sentence, _waiting(queue)
+            )
             self._hands.tell(words)
 
 

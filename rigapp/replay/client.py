@@ -1,4 +1,8 @@
-"""Play a recorded test as if it ran: the same snapshots, so that the same window shows it."""
+"""Play a recorded test as if it ran: the same snapshots, so that the same window shows it.
+
+A snapshot of a replay says how many rows of the file belong to it, in place of the rows: the window
+reads what it draws from the file, so that a leap over 10^7 rows costs what one over ten does.
+"""
 
 from __future__ import annotations
 
@@ -17,52 +21,49 @@ from rigapp.config.errors import UnusableInput
 from rigapp.replay.alarms import RecordedAlarms
 from rigapp.replay.messages import newest_messages, profile_message, recipe_of
 from rigapp.schema.channels import BASE
-from rigapp.schema.columns import by_name, prediction_columns
 from rigapp.schema.messages import (
+    NO_TEST,
     Cycle,
+    EngineStatus,
     Prediction,
     Reply,
+    RigStatus,
     RunState,
     Snapshot,
     Status,
+    TestStatus,
     WornProfile,
 )
+from rigapp.schema.rownumbers import RowNumbers
 from rigapp.service.client import merged
-from rigapp.storage import TestReader, open_test
-
-Floats = NDArray[np.float64]
+from rigapp.storage import TestReader, open_test, row_numbers
+from rigapp.texts import say, sentence_of_error
 
 PERIOD_S = 0.1  # as often as the screen draws trends
-MOST_ROWS = 20_000
-"""Rows in one snapshot: after a long leap the window takes them in steps that nobody feels."""
+RESIDUAL = "residual_rms"
 
 
 @dataclass(frozen=True, slots=True)
 class Recording:
-    """Carry a whole recorded test in memory, except its cycles; columns: name -> unit in a row."""
+    """Carry what a replay needs of a recorded test at once; columns: name -> unit in a row.
+
+    rows, predictions: the revolution of each.
+    """
 
     columns: dict[str, str]
-    rows: Floats
-    predictions: Floats
+    rows: RowNumbers
+    predictions: RowNumbers
     cycle_revolutions: NDArray[np.int64]
     rpm: float
     status: Status
     profiles: dict[str, NDArray[Any]]
     alarms: RecordedAlarms
 
-    def row(self, place: int) -> dict[str, float]:
-        """Return a revolution's values by column."""
-        return dict(zip(self.columns, self.rows[place].tolist(), strict=True))
-
-    def prediction(self, place: int) -> dict[str, float]:
-        """Return a prediction's values by column."""
-        return by_name(prediction_columns(), self.predictions[place])
-
 
 class ReplayClient:
     """Answer as an engine does, from a file. Pause, resume, stop, speed and leaps work.
 
-    A thread reads the file and keeps one snapshot ready, merged with what was not fetched yet.
+    A thread reads the file and keeps one snapshot ready, with the newest that was not fetched yet.
     """
 
     is_replay = True
@@ -76,13 +77,12 @@ class ReplayClient:
         self._ready: Snapshot | None = None
         self._speed = speed
         self._row = float(len(self._recording.rows)) if at_end else 0.0
-        self._most = len(self._recording.rows) if at_end else MOST_ROWS
         self._wanted: float | None = None
-        self._sent = self._sent_predictions = 0
+        self._sent = self._predicted = 0
         self._shown_cycle = self._shown_profile = -1
         self._state = RunState.RUNNING
         self._reason = ""
-        self._stop = threading.Event()
+        self._stop, self._wake = threading.Event(), threading.Event()
         self._takes = 0
         self._advance(0.0)
         self._prepare()
@@ -93,7 +93,7 @@ class ReplayClient:
     def last_recorded(self) -> int:
         """Return the last revolution of the test."""
         rows = self._recording.rows
-        return int(rows[-1, 0]) if len(rows) else 0
+        return int(rows[-1]) if len(rows) else 0
 
     def poll(self) -> Snapshot | None:
         """Return what is new since the last poll, or None; never waits."""
@@ -122,15 +122,17 @@ class ReplayClient:
             self._state, self._wanted = RunState.RUNNING, 0.0
         elif verb == "seek":
             self._wanted = self._row_of(float(arguments["revolution"]))
+            self._wake.set()
         elif verb == "status":
             return Reply(ok=True, result=self._status(self._sent).tree())
         else:
-            return Reply(ok=False, sentence=f"This is a replay; {verb!r} needs a rig.")
+            return Reply(ok=False, sentence=say("This is a replay; {} needs a rig.", repr(verb)))
         return Reply(ok=True)
 
     def close(self) -> None:
         """End the replay."""
         self._stop.set()
+        self._wake.set()
         self._thread.join(timeout=2.0)
         self._test.close()
 
@@ -144,13 +146,15 @@ class ReplayClient:
             try:
                 self._prepare()
             except UnusableInput as error:  # a damaged cycle; rows and the other cycles go on
-                self._reason = str(error)
-            if self._stop.wait(PERIOD_S):
+                self._reason = sentence_of_error(error)
+            self._wake.wait(PERIOD_S)
+            self._wake.clear()
+            if self._stop.is_set():
                 return
 
     def _row_of(self, revolution: float) -> float:
         """Return how many rows there are up to a revolution."""
-        return float(np.searchsorted(self._recording.rows[:, 0], revolution, side="right"))
+        return float(self._recording.rows.searchsorted(revolution, "right"))
 
     def _leap(self) -> None:
         wanted, self._wanted = self._wanted, None
@@ -162,10 +166,6 @@ class ReplayClient:
         self._row = wanted
         self._shown_cycle = self._shown_profile = -1
         if wanted < self._sent:
-            until = float(self._recording.rows[int(wanted) - 1, 0]) if wanted >= 1.0 else 0.0
-            predictions = self._recording.predictions[:, 0]
-            self._sent = int(wanted)
-            self._sent_predictions = int(np.searchsorted(predictions, until, side="right"))
             self._takes += 1
             with self._lock:
                 self._ready = None
@@ -176,26 +176,26 @@ class ReplayClient:
             self._row = min(end, self._row + self._speed * elapsed_s * self._recording.rpm / 60.0)
             if self._row >= end:
                 self._state = RunState.STOPPED
-                self._reason = f"end of the replay; the test: {self._recording.status.reason}"
+                self._reason = say(
+                    "end of the replay; the test: {}", self._recording.status.engine.reason
+                )
 
     def _prepare(self) -> None:
-        done = min(int(self._row), self._sent + self._most)
-        rows = self._recording.rows[self._sent : done]
-        until = float(self._recording.rows[done - 1, 0]) if done else 0.0
-        stop = int(np.searchsorted(self._recording.predictions[:, 0], until, side="right"))
-        predictions = self._recording.predictions[self._sent_predictions : stop]
+        done = int(self._row)
+        until = self._recording.rows[done - 1] if done else 0.0
+        self._sent, self._predicted = done, self._recording.predictions.searchsorted(until, "right")
         cycle, prediction = self._newest_cycle(until)
         snapshot = Snapshot(
             status=self._status(done),
-            first_row=self._sent,
-            rows=rows.tobytes(),
-            predictions=predictions.tobytes(),
+            first_row=done,
+            rows=b"",
+            predictions=b"",
             cycle=cycle,
             prediction=prediction,
             profile=self._newest_profile(until),
             columns=self._recording.columns,
+            recorded=done,
         )
-        self._sent, self._sent_predictions = done, stop
         with self._lock:
             self._ready = snapshot if self._ready is None else merged((self._ready, snapshot))
 
@@ -216,28 +216,49 @@ class ReplayClient:
 
     def _status(self, done: int) -> Status:
         recording = self._recording
-        values = recording.row(done - 1) if done else {}
+        values = self._values(done - 1) if done else {}
         revolution = int(values.get("revolution", 0))
         margin, limit = recording.alarms.margin(revolution, values) if values else (math.nan, "")
-        shown = recording.prediction(self._sent_predictions - 1) if self._sent_predictions else {}
         left_s = (len(recording.rows) - done) * 60.0 / recording.rpm
         now = time.time()
-        return msgspec.structs.replace(
-            recording.status,
-            state=self._state,
-            reason=self._reason or f"replay × {self._speed:g}",
-            revolution=revolution,
-            worst_margin_percent=margin,
-            worst_margin=limit,
-            alarms=recording.alarms.alarms(revolution),
-            committed=done,
-            speed_rpm=values.get("speed", 0.0),
-            started_at=float(self._takes),
-            expected_end_at=now + (left_s / self._speed if self._speed else 0.0),
-            host_time=now,
-            twin_revolution=int(shown.get("revolution", -1)),
-            residual_rms_N=shown.get("residual_rms", math.nan),
+        replace, status = msgspec.structs.replace, recording.status
+        return Status(
+            replace(
+                status.engine,
+                state=self._state,
+                reason=self._reason or f"replay × {self._speed:g}",
+                host_time=now,
+            ),
+            replace(
+                status.test or NO_TEST,
+                revolution=revolution,
+                committed=done,
+                started_at=float(self._takes),
+                expected_end_at=now + (left_s / self._speed if self._speed else 0.0),
+                worst_margin_percent=margin,
+                worst_margin=limit,
+                twin_revolution=int(recording.predictions[self._predicted - 1])
+                if self._predicted
+                else -1,
+                residual_rms_N=self._residual(),
+            ),
+            replace(status.rig, speed_rpm=values.get("speed", 0.0)),
+            recording.alarms.alarms(revolution),
         )
+
+    def _values(self, row: int) -> dict[str, float]:
+        """Return a revolution's values by column, NaN for those that the file does not have."""
+        found = dict.fromkeys(self._recording.columns, math.nan)
+        for name in self._test.column_units():
+            found[name] = float(self._test.column(name, row, row + 1)[0])
+        return found
+
+    def _residual(self) -> float:
+        """Return how far the newest prediction is from the measurement, N; NaN without one."""
+        row = self._predicted - 1
+        if row < 0 or RESIDUAL not in self._test.column_units("prediction"):
+            return math.nan
+        return float(self._test.column(RESIDUAL, row, row + 1, "prediction")[0])
 
 
 def read_recording(test: TestReader) -> Recording:
@@ -245,27 +266,24 @@ def read_recording(test: TestReader) -> Recording:
     metadata, summary = test.metadata(), test.summary()
     recipe = recipe_of(test)
     columns = BASE.units | test.column_units()
-    rows = _matrix(test.rows(), list(columns))
+    rows = row_numbers(test, "revolutions")
     rpm = recipe.run.speed_rpm if recipe is not None else 60.0
     status = Status(
-        RunState.RUNNING,
-        summary["reason"] or summary["status"],
-        metadata["rig"],
-        f"Replay of {metadata['title']}",
-        str(test.path),
-        planned=metadata["planned_revolutions"],
-        first_revolution=summary["first_revolution"] or 1,
-        target_rpm=rpm,
-        simulated=metadata["simulated"],
-        operator=metadata["operator"],
+        EngineStatus(
+            RunState.RUNNING,
+            summary["reason"] or summary["status"],
+            operator=metadata["operator"],
+        ),
+        TestStatus(
+            title=say("Replay of {}", metadata["title"]),
+            file=str(test.path),
+            planned=metadata["planned_revolutions"],
+            first_revolution=summary["first_revolution"] or 1,
+            target_rpm=rpm,
+        ),
+        RigStatus(metadata["rig"], metadata["simulated"]),
     )
-    predictions = _matrix(test.predictions(), [one.name for one in prediction_columns()])
+    predictions = row_numbers(test, "prediction")
     alarms = RecordedAlarms(test.events(), recipe.limits if recipe is not None else None)
     cycles = test.cycle_revolutions()
     return Recording(columns, rows, predictions, cycles, rpm, status, test.profiles(), alarms)
-
-
-def _matrix(columns: dict[str, NDArray[Any]], names: list[str]) -> Floats:
-    count = len(columns["revolution"])
-    unknown = np.full(count, np.nan)
-    return np.column_stack([columns.get(name, unknown) for name in names]).astype(np.float64)

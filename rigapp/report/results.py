@@ -9,20 +9,33 @@ from __future__ import annotations
 
 import os
 import sys
+from itertools import pairwise
 from pathlib import Path
-from typing import Any
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import parse_test
+from rigapp.config.sequence import Sequence
+from rigapp.process.children import write_frame
 from rigapp.process.priority import give_way
 from rigapp.schema.details import error_text
 from rigapp.schema.loglines import alarm_change, severity_of
 from rigapp.schema.messages import NOT_STEADY, Severity
 from rigapp.schema.results import TestResult
-from rigapp.storage import TestReader, believed_until, largest_force, open_test
+from rigapp.schema.wire import encode
+from rigapp.storage import (
+    TestReader,
+    believed_until,
+    blocks,
+    largest_force,
+    newest_known,
+    open_test,
+    rows_up_to,
+)
+from rigapp.texts import capitalised, say, sentence_of_error
 
 LINE_POINTS = 48
 """Of the small line in a list: two pixels each are as much as is seen."""
@@ -66,7 +79,7 @@ def _described(known: TestResult, test: TestReader) -> TestResult:
     return msgspec.structs.replace(
         known,
         status=summary["status"],
-        reason=summary["reason"],
+        reason=_recorded_reason(summary["reason"], about["planned_revolutions"], about["operator"]),
         revolutions=summary["revolutions"],
         gaps=summary["gaps"],
         cycles_saved=summary["cycles_saved"],
@@ -77,8 +90,24 @@ def _described(known: TestResult, test: TestReader) -> TestResult:
     )
 
 
+def _recorded_reason(reason: str, planned: int, operator: str) -> str:
+    """Return why a test ended, with the structure of its sentence where that is a usual one.
+
+    A file has the English text alone; what the operator wrote stays as it is.
+    """
+    done = say("The planned {} revolutions are made and recorded.", planned)
+    who = capitalised(operator) or say("The operator")
+    for ended in (done, say("{} stopped the test", who), say("{} switched the drive off", who)):
+        if reason.startswith(ended):
+            return ended + reason[len(ended) :]
+    return reason
+
+
 def _measured(found: TestResult, test: TestReader) -> TestResult:
-    flagged = int(np.count_nonzero(test.column("quality") & ~NOT_STEADY))
+    flagged = sum(
+        int(np.count_nonzero(block["quality"].astype(np.int64) & ~NOT_STEADY))
+        for _, block in blocks(test, ["quality"])
+    )
     largest = largest_force(test)
     if largest is None:
         return msgspec.structs.replace(found, flagged=flagged)
@@ -93,57 +122,60 @@ def _measured(found: TestResult, test: TestReader) -> TestResult:
 
 
 def _compared(found: TestResult, test: TestReader) -> TestResult:
-    columns = _predictions(test)
-    depth, residual = columns["measured_wear_depth"], columns["residual_rms"]
-    known_depth = np.where(np.isfinite(depth), columns["wear_depth"], np.nan)
-    good = test.column("revolution")[test.column("quality") == 0]
-    residual = residual[np.isfinite(residual) & np.isin(columns["revolution"], good)]
     until = believed_until(test)
-    rows = slice(None) if until is None else columns["revolution"] <= until
-    coefficients = (_last(columns[f"wear_coefficient{end}"][rows]) for end in ("", "_low", "_high"))
-    middle, low, high = coefficients
-    known = residual.size > 0
+    believed = None if until is None else rows_up_to(test, until, "prediction")
+    middle, low, high = (
+        _newest(test, f"wear_coefficient{end}", stop=believed) for end in ("", "_low", "_high")
+    )
+    depth, both = "measured_wear_depth", ("measured_wear_depth", "wear_depth")
+    residual_rms, worst = _residual(test)
     return msgspec.structs.replace(
         found,
-        depth_um=1e3 * _last(depth),
-        model_depth_um=1e3 * _last(known_depth),
-        depth_uncertainty_um=1e3 * _last(columns["measured_wear_depth_uncertainty"]),
+        depth_um=1e3 * _newest(test, depth),
+        model_depth_um=1e3 * _newest(test, *both),
+        depth_uncertainty_um=1e3 * _newest(test, f"{depth}_uncertainty"),
         coefficient=middle,
         coefficient_low=low,
         coefficient_high=high,
-        residual_rms_N=float(np.sqrt(np.mean(residual**2))) if known else np.nan,
-        residual_worst_N=float(residual.max()) if known else np.nan,
-        depths_um=_line(1e3 * depth),
+        residual_rms_N=residual_rms,
+        residual_worst_N=worst,
+        depths_um=_line(test, depth),
     )
 
 
-def _predictions(test: TestReader) -> dict[str, NDArray[Any]]:
-    """Return the columns that are looked at; those that an older file lacks are unknown."""
-    names = [
-        "revolution",
-        "residual_rms",
-        "wear_depth",
-        "measured_wear_depth",
-        "measured_wear_depth_uncertainty",
-    ]
-    names += [f"wear_coefficient{end}" for end in ("", "_low", "_high")]
-    stored = test.column_units("prediction")
-    rows = test.committed("prediction")
-    return {
-        name: test.column(name, stream="prediction") if name in stored else np.full(rows, np.nan)
-        for name in names
-    }
+def _residual(test: TestReader) -> tuple[float, float]:
+    """Return RMS and largest of what lies between model and steady revolutions, NaN unknown."""
+    count, total, worst = 0, 0.0, -np.inf
+    for _, block in blocks(test, ("revolution", "residual_rms"), "prediction"):
+        number, residual = block["revolution"], block["residual_rms"]
+        first, stop = (rows_up_to(test, one) for one in (number[0] - 1, number[-1]))
+        same, quality = (test.column(name, first, stop) for name in ("revolution", "quality"))
+        known = residual[np.isfinite(residual) & np.isin(number, same[quality == 0])]
+        count += known.size
+        total += float(known @ known)
+        worst = float(known.max(initial=worst))
+    return (float(np.sqrt(total / count)), worst) if count else (np.nan, np.nan)
 
 
-def _last(values: NDArray[Any]) -> float:
-    known = np.flatnonzero(np.isfinite(values))
-    return float(values[known[-1]]) if known.size else float("nan")
+def _newest(test: TestReader, *names: str, stop: int | None = None) -> float:
+    """Return the newest of the last column's predictions of which all columns are known."""
+    found = newest_known(test, names, 1, stop)[names[-1]]
+    return float(found[-1]) if found.size else float("nan")
 
 
-def _line(values: NDArray[Any]) -> tuple[float, ...]:
-    """Return the means of equal parts of a column, what is not known left out."""
-    parts = np.array_split(values, min(LINE_POINTS, max(values.size, 1)))
-    return tuple(float(part[known].mean()) for part in parts if (known := np.isfinite(part)).any())
+def _line(test: TestReader, name: str) -> tuple[float, ...]:
+    """Return the means (um) of equal parts of a prediction, what is not known left out."""
+    rows, means = test.committed("prediction"), []
+    parts = min(LINE_POINTS, max(rows, 1))
+    bounds = np.linspace(0, rows, parts + 1).astype(int).tolist()
+    for start, stop in pairwise(bounds):
+        count, total = 0, 0.0
+        for _, block in blocks(test, [name], "prediction", start=start, stop=stop):
+            known = block[name][np.isfinite(block[name])]
+            count, total = count + known.size, total + float(known.sum())
+        if count:
+            means.append(1e3 * total / count)
+    return tuple(means)
 
 
 def _looked_at_closely(found: TestResult, test: TestReader) -> TestResult:
@@ -178,20 +210,18 @@ def _why_no_coefficient(test: TestReader) -> str:
         kept.errors()
         life_of(kept)
     except CannotBeTold as error:
-        return str(error)
+        return sentence_of_error(error)
     return "" if kept.bins.closed else NO_BIN
 
 
 def main(arguments: list[str]) -> int:
     """Answer the paths of standard input; return the exit status."""
     give_way(NICENESS)
-    encoder = msgspec.msgpack.Encoder()
     try:
         for line in sys.stdin.buffer.read().splitlines():
             path = Path(os.fsdecode(line))
-            data = encoder.encode(result_of(path, closely="--closely" in arguments))
-            sys.stdout.buffer.write(len(data).to_bytes(4, "little") + data)
-            sys.stdout.buffer.flush()
+            data = encode(result_of(path, closely="--closely" in arguments))
+            write_frame(sys.stdout.buffer, data)
     except BrokenPipeError:
         # Nobody listens any more: the flush at the end would fail again.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -200,3 +230,20 @@ def main(arguments: list[str]) -> int:
 
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1:]))
+
+
+def sequence_of(reader: TestReader) -> Sequence | None:
+    """Return the steps of a file's test; None for a test without, or an unreadable one."""
+    try:
+        test = parse_test(str(reader.configuration()["test"]), "test", recorded=True)
+        return Sequence(test.run) if test.run.step else None
+    except (UnusableInput, KeyError, ZeroDivisionError):
+        return None
+
+
+def step_numbers(sequence: Sequence, revolutions: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return the number of the step of each revolution, both of shape (n,)."""
+    ends, loop = np.array(sequence.ends), sequence.loop
+    rounds = np.maximum(0, -(-(revolutions - ends[-1]) // loop))
+    places = np.searchsorted(ends, revolutions - rounds * loop)
+    return np.asarray(places + 1, np.int64)

@@ -15,11 +15,11 @@ from rigapp.config.writing import whole_file
 def check_target(option: str, target: Path, source: Path | None = None) -> None:
     """Refuse a target that is no CSV file in a folder, or that is the file read from."""
     if target.suffix.lower() != ".csv":
-        raise UnusableInput(f"{option} {target}: give a name that ends with .csv.")
+        raise UnusableInput("{} {}: give a name that ends with .csv.", option, target)
     if target.is_dir() or not target.absolute().parent.is_dir():
-        raise UnusableInput(f"{option} {target}: there is no such folder, or it is one itself.")
+        raise UnusableInput("{} {}: there is no such folder, or it is one itself.", option, target)
     if source is not None and target.exists() and source.exists() and target.samefile(source):
-        raise UnusableInput(f"{option} {target}: that is the parameter file; give another name.")
+        raise UnusableInput("{} {}: that is the parameter file; give another name.", option, target)
 
 
 def write_table(option: str, target: Path, columns: Mapping[str, Any]) -> None:

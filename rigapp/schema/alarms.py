@@ -1,7 +1,7 @@
 """The alarms that the engine can raise: ``alarms.toml`` says all that is to be known of each.
 
 What sees a cause raises it by its key, with what its words name:
-``because("overload", force_N=..., limit_N=...)``.
+``make_alarm("overload", force_N=..., limit_N=...)``.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from pathlib import Path
 import msgspec
 
 from rigapp.schema.messages import Ends, FinishReason, Severity
+from rigapp.texts import Sentence, say
 
 
 class Kind(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -61,22 +62,47 @@ UNBELIEVED = ("wear_jumped", "wear_fell", "wear_negative")
 last believed one, um."""
 
 RULE_ACTIONS: Mapping[str, tuple[str, FinishReason | None]] = {
-    "none": ("Nothing was done.", None),
-    "warn": ("The test goes on.", None),
-    "pause": ("The test pauses at the safe angle.", None),
-    "stop": ("The test was stopped.", FinishReason.LIMIT),
-    "drive_off": ("The drive was switched off.", FinishReason.LIMIT),
+    "none": (say("Nothing was done."), None),
+    "warn": (say("The test goes on."), None),
+    "pause": (say("The test pauses at the safe angle."), None),
+    "stop": (say("The test was stopped."), FinishReason.LIMIT),
+    "drive_off": (say("The drive was switched off."), FinishReason.LIMIT),
 }
 """Action of a rule -> what it leads to, and the reason with which it ends the test."""
 
 
-def because(kind: str, what: str = "", /, **values: object) -> Cause:
+LOOK_AT_TREND = say(
+    "Look at the trend of this quantity; acknowledge, or change the limit with reason."
+)
+
+
+def make_alarm(kind: str, what: str = "", /, **values: object) -> Cause:
     """Return an alarm of a kind; what: which of its alarms, values: what its words name."""
     shared = KINDS[kind]
-    title, sentence = (one.format(what, **values) for one in (shared.title, shared.sentence))
+    named = {"0": what, **values}
+    title, sentence = (Sentence.of(one, named) for one in (shared.title, shared.sentence))
     value = values.get(shared.value)
     measured = float(value) if isinstance(value, float | int) else None
     return Cause(shared, key_of(kind, what), title, sentence, measured)
+
+
+def recorded_text(text: str, key: str) -> str:
+    """Return a text of a recorded alarm with its structure, where the kind of its key says it so.
+
+    Files have the English text alone; one that names values stays as it was written.
+    """
+    kind, what = kind_of(key), key.rpartition(":")[2]
+    fixed = (kind.title, kind.consequence, kind.action) if kind is not None else ()
+    led_to = [one for one, _ in RULE_ACTIONS.values()]
+    rule = key.split(":")[1] if key.startswith("rule:") else what
+    known = [
+        *(Sentence.of(one, {"0": what}) for one in fixed if "{" not in one.replace("{}", "")),
+        *led_to,
+        say("{} above limit", rule),
+        say("{} below limit", rule),
+        LOOK_AT_TREND,
+    ]
+    return next((one for one in known if one == text), text)
 
 
 def kind_of(key: str) -> Kind | None:
@@ -105,13 +131,16 @@ def exceeded(
 ) -> Cause:
     """Return the alarm of a level of a rule that is exceeded."""
     side = "above" if above else "below"
+    judged = quantity, value, severity, limit
     consequence, stop = RULE_ACTIONS[action]
     kind = Kind(
         severity,
-        title=f"{quantity} {side} limit",
-        sentence=f"{quantity} is {value:.6g}, {side} the {severity.value} limit {limit:.6g}.",
+        title=say("{} above limit", quantity) if above else say("{} below limit", quantity),
+        sentence=say("{} is {:.6g}, above the {} limit {:.6g}.", *judged)
+        if above
+        else say("{} is {:.6g}, below the {} limit {:.6g}.", *judged),
         consequence=consequence,
-        action="Look at the trend of this quantity; acknowledge, or change the limit with reason.",
+        action=LOOK_AT_TREND,
         ends=Ends.TEST,
         stop=stop,
         off=action == "drive_off",
@@ -127,11 +156,15 @@ def without_value(
     consequence, stop = RULE_ACTIONS[action]
     kind = Kind(
         severity,
-        title=f"{quantity} without a value",
-        sentence=f"{quantity} has had no value for {age_s:.0f} s; its limit {limit:.6g} is not"
-        " monitored.",
+        title=say("{} without a value", quantity),
+        sentence=say(
+            "{} has had no value for {:.0f} s; its limit {:.6g} is not monitored.",
+            quantity,
+            age_s,
+            limit,
+        ),
         consequence=consequence,
-        action="Check the device of this channel and its cable, then start or resume.",
+        action=say("Check the device of this channel and its cable, then start or resume."),
         ends=Ends.TEST,
         stop=stop,
         off=action == "drive_off",

@@ -24,6 +24,9 @@ _SENTENCES = {
     "angle_of_max": "crank angle of the maximum of",
 }
 
+AVERAGES = ("mean", "rms", "max")
+"""What a row keeps beside the newest value of a slow channel, of its readings in the revolution."""
+
 LOAD_CELL = "load_cell"
 PROBES = "probes"
 
@@ -58,6 +61,7 @@ class Channel:
     one. frame: in which its direction is fixed, empty without one. device: name in the rig file.
     input: of the data source, or the quantity that a slow device tells. signal_unit: of what comes
     in. signal_range: the largest size of it, in that unit. latency_s: delay against the encoder.
+    averaged: of a slow one, ``AVERAGES`` are kept; files of before have the newest value alone.
     """
 
     name: str
@@ -71,6 +75,7 @@ class Channel:
     signal_unit: str = "V"
     signal_range: float = 0.0
     latency_s: float = 0.0
+    averaged: bool = False
 
     @property
     def columns(self) -> tuple[Column, ...]:
@@ -79,6 +84,7 @@ class Channel:
             return (
                 Column(self.name, "<f8", self.unit, f"newest {self.description}"),
                 Column(f"{self.name}_age", "<f8", "s", f"age of {self.name} at the end of it"),
+                *(self._averages() if self.averaged else ()),
             )
         return tuple(
             Column(
@@ -89,6 +95,13 @@ class Channel:
             )
             for statistic in STATISTICS
         )
+
+    def _averages(self) -> Iterable[Column]:
+        for statistic in AVERAGES:
+            sentence = f"{_SENTENCES[statistic]} {self.name} by its readings in the revolution"
+            yield Column(f"{self.name}_{statistic}", "<f8", self.unit, sentence)
+        sentence = f"readings of {self.name} in the revolution"
+        yield Column(f"{self.name}_readings", "<i4", "1", sentence)
 
 
 _HEAD = (

@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.schema.channels import Column
+from rigapp.schema.deviations import deviation_columns
+from rigapp.texts import joined, say
 
 
 def in_order(columns: Sequence[Column], values: Mapping[str, float]) -> NDArray[np.float64]:
@@ -17,7 +19,7 @@ def in_order(columns: Sequence[Column], values: Mapping[str, float]) -> NDArray[
     What is no column is a ValueError.
     """
     if unknown := values.keys() - {one.name for one in columns}:
-        raise ValueError(f"no such column: {', '.join(sorted(unknown))}")
+        raise ValueError(say("no such column: {}", joined(", ", sorted(unknown))))
     return np.array([values[one.name] for one in columns], dtype="<f8")
 
 
@@ -65,8 +67,9 @@ def prediction_columns() -> tuple[Column, ...]:
             "largest acceleration of the crank that the angle shows and the prediction does not"
             " follow, 0 when none",
         ),
+        Column(f"{AGREEMENT.name}_max", "<f8", "N", f"largest {AGREEMENT.description}"),
     )
-    return head + body + sure + _joint_columns() + identified_columns()
+    return head + body + sure + deviation_columns() + _joint_columns() + identified_columns()
 
 
 def _joint_columns() -> tuple[Column, ...]:
@@ -151,9 +154,23 @@ JOINT_CURVES = (
 )
 """How the joint is stressed, against the crank angle."""
 
+AGREEMENT = Column(
+    "agreement_uncertainty",
+    "<f4",
+    "N",
+    "expanded uncertainty (k = 2) of measured minus predicted |F|, means over 2 degrees: angle,"
+    " tolerances of the mechanism, friction, index, latency, load cell and noise",
+)
+"""Within which a healthy rig agrees with its model."""
+
+AGREEMENT_BIN_DEG = 2.0
+"""Over which measured minus predicted is averaged: short enough for the model's sharpest turn, long
+enough that noise averages out."""
+
 CURVES = (
     *(Column(name, "<f4", "N", f"predicted {name}") for name in ("force_1", "force_2", "force")),
     *JOINT_CURVES,
+    AGREEMENT,
 )
 """The curves kept of a revolution that is kept whole, on PREDICTION_POINTS crank angles."""
 

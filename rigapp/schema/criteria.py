@@ -10,6 +10,8 @@ import enum
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from rigapp.texts import say
+
 At = Callable[[str], float]
 """Gives the value of a column, by name."""
 
@@ -52,16 +54,27 @@ class Criterion:
     of_depth: tuple[str, ...] = ()
 
 
-def _in_a_row(what: str, unit: str, side: str = "above") -> Sentence:
+def _in_a_row(what: str, unit: str, side: str = say("above")) -> Sentence:
     def sentence(value: float, level: float, number: int) -> str:
         if number > 1:
-            return (
-                f"{what} was at or {side} {level:g} {unit} in {number} revolutions in a row,"
-                f" {value:.4g} {unit} in the last one."
+            return say(
+                "{} was at or {} {:g} {} in {} revolutions in a row, {:.4g} {} in the last one.",
+                what,
+                side,
+                level,
+                unit,
+                number,
+                value,
+                unit,
             )
-        return (
-            f"{what} was at or {side} {level:g} {unit} in one revolution, {value:.4g} {unit} in"
-            " the last one."
+        return say(
+            "{} was at or {} {:g} {} in one revolution, {:.4g} {} in the last one.",
+            what,
+            side,
+            level,
+            unit,
+            value,
+            unit,
         )
 
     return sentence
@@ -73,40 +86,40 @@ def _share(at: At) -> float:
     return 100.0 * at("residual_rms") / force if force > 0.0 else float("nan")
 
 
-_ELASTIC = "needs the model's elastic approach"
-_COMPARED = "compares with the model"
-_IDENTIFIED = "is identified beside the model"
-_DEVIATION = "The RMS of measured less predicted |F|"
+_ELASTIC = say("needs the model's elastic approach")
+_COMPARED = say("compares with the model")
+_IDENTIFIED = say("is identified beside the model")
+_DEVIATION = say("The RMS of measured less predicted |F|")
 
 CRITERIA = {
     one.key: one
     for one in (
         Criterion(
             "elapsed_time_h",
-            "elapsed time",
+            say("elapsed time"),
             Sight.CLOCK,
             lambda at: at("time") / 3600.0,
-            lambda value, level, _: (
-                f"The test has lasted {value:.4g} h; it was planned for {level:g} h."
+            lambda value, level, _: say(
+                "The test has lasted {:.4g} h; it was planned for {:g} h.", value, level
             ),
             planned=True,
         ),
         Criterion(
             "running_time_h",
-            "running time",
+            say("running time"),
             Sight.CLOCK,
             lambda at: at("running_time"),
-            lambda value, level, _: (
-                f"The crank has turned for {value:.4g} h; {level:g} h were planned."
+            lambda value, level, _: say(
+                "The crank has turned for {:.4g} h; {:g} h were planned.", value, level
             ),
             planned=True,
         ),
         Criterion(
             "wear_depth_um",
-            "wear depth",
+            say("wear depth"),
             Sight.PREDICTION,
             lambda at: 1e3 * at("measured_wear_depth"),
-            _in_a_row("The measured wear depth", "um"),
+            _in_a_row(say("The measured wear depth"), "um"),
             planned=True,
             count="wear_depth_revolutions",
             model=_ELASTIC,
@@ -118,17 +131,20 @@ CRITERIA = {
             "force",
             Sight.ROW,
             lambda at: at("force_max"),
-            _in_a_row("The maximum of |F|", "N"),
+            _in_a_row(say("The maximum of |F|"), "N"),
             count="force_revolutions",
         ),
         Criterion(
             "wear_rate_um_per_1000_revolutions",
-            "wear rate",
+            say("wear rate"),
             Sight.PREDICTION,
             lambda at: 1e3 * at("measured_wear_depth"),
-            lambda value, level, window: (
-                f"The wear rate over {window} revolutions was {value:.4g} um per 1000 revolutions;"
-                f" the limit is {level:g}."
+            lambda value, level, window: say(
+                "The wear rate over {} revolutions was {:.4g} um per 1000 revolutions;"
+                " the limit is {:g}.",
+                window,
+                value,
+                level,
             ),
             window="wear_rate_window_revolutions",
             model=_ELASTIC,
@@ -136,7 +152,7 @@ CRITERIA = {
         ),
         Criterion(
             "deviation_N",
-            "deviation from the model",
+            say("deviation from the model"),
             Sight.PREDICTION,
             lambda at: at("residual_rms"),
             _in_a_row(_DEVIATION, "N"),
@@ -145,29 +161,29 @@ CRITERIA = {
         ),
         Criterion(
             "deviation_percent",
-            "deviation from the model",
+            say("deviation from the model"),
             Sight.PREDICTION,
             _share,
-            _in_a_row(_DEVIATION, "% of the predicted RMS"),
+            _in_a_row(_DEVIATION, say("% of the predicted RMS")),
             count="deviation_revolutions",
             model=_COMPARED,
         ),
         Criterion(
             "wear_coefficient_mm3_per_Nm",
-            "wear coefficient",
+            say("wear coefficient"),
             Sight.PREDICTION,
             lambda at: at("wear_coefficient_low"),
-            _in_a_row("The lower 95 % limit of the wear coefficient", "mm^3/(N m)"),
+            _in_a_row(say("The lower 95 % limit of the wear coefficient"), "mm^3/(N m)"),
             count="identified_revolutions",
             model=_IDENTIFIED,
             of_depth=("wear_coefficient_low",),
         ),
         Criterion(
             "remaining_revolutions",
-            "remaining revolutions",
+            say("remaining revolutions"),
             Sight.PREDICTION,
             lambda at: at("remaining_revolutions_low"),
-            _in_a_row("The lower 95 % limit of what remains", "revolutions", "below"),
+            _in_a_row(say("The lower 95 % limit of what remains"), "revolutions", say("below")),
             planned=True,
             count="identified_revolutions",
             model=_IDENTIFIED,
@@ -176,10 +192,12 @@ CRITERIA = {
         ),
         Criterion(
             "wear_consistency",
-            "wear consistency",
+            say("wear consistency"),
             Sight.PREDICTION,
             lambda at: abs(at("wear_consistency")),
-            _in_a_row("The wear's departure from what was expected", "standard deviations"),
+            _in_a_row(
+                say("The wear's departure from what was expected"), say("standard deviations")
+            ),
             count="identified_revolutions",
             model=_IDENTIFIED,
             of_depth=("wear_consistency",),

@@ -7,17 +7,21 @@ and files keep it whole; who shows it to an operator shows the sentence, with th
 
 from __future__ import annotations
 
+import errno
 import re
 from typing import Final
+
+from rigapp.texts import Sentence, braces, sentence_of_error
 
 _DETAILS: Final = re.compile(r"\s*‹([^‹›]*)(?:›|$)| on (\w+://[^\s‹›]+?)(?=:? |:?$)")
 """The innermost details of a text, up to the end of one that was cut; and where a device is when
 it has no port of its own."""
+_MARKS: Final = re.compile("([‹›])")
 
 
 def sentence_of(text: str) -> str:
-    """Return a text without its details."""
-    return _parted(text)[0]
+    """Return a text without its details, its structure kept."""
+    return _bare(text) if isinstance(text, Sentence) else _parted(text)[0]
 
 
 def details_of(text: str) -> str:
@@ -43,10 +47,40 @@ def error_text(error: BaseException, otherwise: str) -> str:
     """
     ours = _is_ours(type(error).__module__) or (type(error) is ValueError and _raised_here(error))
     if ours and str(error):
-        return str(error)
+        return sentence_of_error(error)
     if isinstance(error, OSError) and error.strerror and error.filename:
-        return f"{error.filename}: {error.strerror} ‹{error!r}›"
-    return f"{otherwise} ‹{error!r}›"
+        return Sentence("{}: {} ‹{}›", error.filename, Sentence(error.strerror), repr(error))
+    if isinstance(error, OSError) and error.strerror and error.errno:
+        name = {**errno.errorcode, 524: "ENOTSUPP"}.get(error.errno, str(error.errno))
+        return Sentence("{} ({}) ‹{}›", Sentence(error.strerror), name, repr(error))
+    return Sentence("{} ‹{}›", otherwise, repr(error))
+
+
+def _bare(sentence: Sentence) -> Sentence:
+    """Return a sentence without what stands between marks in its template, or in its values."""
+    if not sentence.values:
+        return Sentence(_parted(sentence)[0])
+    template, values, depth = "", dict[str, object](), 0
+    for literal, name, spec in braces(sentence.template):
+        for part in _MARKS.split(literal):
+            if part == "‹":
+                template, depth = template.rstrip() if depth == 0 else template, depth + 1
+            elif part == "›":
+                depth -= 1
+            elif depth == 0:
+                template += part.replace("{", "{{").replace("}", "}}")
+        value = sentence.values[name] if name and depth == 0 else None
+        if isinstance(value, str) and "://" in value and literal.endswith(" on "):
+            template = template.removesuffix(" on ")
+        elif value is not None:
+            known = "" if name.isdigit() else name
+            template += f"{{{known}:{spec}}}" if spec else f"{{{known}}}"
+            values[known or str(sum(map(str.isdigit, values)))] = (
+                sentence_of(value) if isinstance(value, str) else value
+            )
+    if values:
+        return Sentence.of(template, values)
+    return Sentence(template.replace("{{", "{").replace("}}", "}"))
 
 
 def _raised_here(error: BaseException) -> bool:

@@ -12,7 +12,9 @@ from typing import Literal, TypeVar
 
 import msgspec
 
+from rigapp.schema.alarms import recorded_text
 from rigapp.schema.messages import Alarm, Ends, Event, Severity
+from rigapp.schema.wire import tree_of
 
 ALARM = "alarm"
 LIMIT_CHANGED = "limit_changed"
@@ -108,13 +110,19 @@ def alarm_line(time: float, revolution: int, who: str, alarm: Alarm, change: Ala
     text = f"{alarm.title}: {change.words}. {alarm.cause}"
     return Event(
         time, revolution, ALARM, who, text, after=alarm.state,
-        key=alarm.key, level=alarm.severity.value, data=msgspec.to_builtins(change),
+        key=alarm.key, level=alarm.severity.value, data=tree_of(change),
     )  # fmt: skip
 
 
 def alarm_change(event: Event) -> AlarmChange | None:
     """Return what a line says of an alarm, None when it is about something else."""
-    return _record(event, ALARM, AlarmChange)
+    found = _record(event, ALARM, AlarmChange)
+    if found is None:
+        return None
+    title, consequence, action = (
+        recorded_text(one, event.key) for one in (found.title, found.consequence, found.action)
+    )
+    return msgspec.structs.replace(found, title=title, consequence=consequence, action=action)
 
 
 def severity_of(event: Event) -> Severity:

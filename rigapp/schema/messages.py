@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import enum
 import math
+from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
@@ -16,8 +17,11 @@ from numpy.typing import NDArray
 
 from rigapp.schema.channels import BASE
 from rigapp.schema.queue import QueuedTest
+from rigapp.schema.wire import tree_of
 
-PROTOCOL_VERSION = 2
+PROTOCOL_VERSION = 4
+FLAT_STATUS = (2, 3)
+"""Versions before, which a viewer understands: their status is flat, the texts of 2 are plain."""
 
 NOTE_CHARACTERS = 2000
 """The longest note, and the longest reason of a command."""
@@ -252,75 +256,160 @@ class DeviceView(msgspec.Struct, frozen=True):
     needed: bool = True
 
 
-class Status(_UnknownIsNone, frozen=True):
-    """Show the engine at one moment; what the window's header is made of.
+class EngineStatus(_UnknownIsNone, frozen=True):
+    """Show the engine's own part of a status.
 
-    A number that is not known is None, and absent on the wire: viewers of before, which expect a
-    number, take their own default for it. speed_rpm, data_age_s: None without a connection.
-    revolution_age_s: since the newest judged revolution ended, None before the first one.
-    criterion_percent: how far before its nearest planned end or stop criterion a test is, in
-    percent of it. queue: the tests of the rig's queue, those
-    that are done among them; queue_works: the next one begins by itself. step: of the test, of so
-    many steps, both 0 where it has none; resting: between two of them; the test resumes by itself
-    in rest_left_s seconds of this computer. outcome: how the last test ended, None before and while
-    one is open. coasting: it is being stopped, has no power, and turns. calibration: what occupies
-    the rig, None without one; the state beside it is the engine's own, as viewers of before know no
-    other.
+    operator: who started the newest test. in_command: who may give commands. rows_dropped: not sent
+    to this viewer. queue: the tests of the rig's queue, those that are done among them;
+    queue_works: the next one begins by itself. calibration: what occupies the rig, None without
+    one; the state beside it is the engine's own, as viewers of before know no other.
     """
 
     state: RunState
     reason: str = ""
-    rig: str = ""
-    test: str = ""
+    pid: int = 0
+    host_time: float = 0.0
+    operator: str = ""
+    in_command: str = ""
+    rows_dropped: int = 0
+    queue: tuple[QueuedTest, ...] = ()
+    queue_works: bool = False
+    calibration: OpenCalibration | None = None
+
+
+class TestStatus(_UnknownIsNone, frozen=True):
+    """Show the test under way, or the last one.
+
+    revolution_age_s: since the newest judged revolution ended, None before the first one.
+    criterion_percent: how far before its nearest planned end or stop criterion a test is, in
+    percent of it. step: of so many steps, both 0 where it has none; resting: between two of them;
+    the test resumes by itself in rest_left_s seconds of this computer. outcome: how it ended, None
+    while it is open.
+    """
+
+    title: str = ""
     file: str = ""
     revolution: int = 0
     planned: int = 0
     committed: int = 0
-    first_revolution: int = 1
+    first_revolution: int = 0
     target_rpm: float = 0.0
-    speed_rpm: float | None = None
     started_at: float = 0.0
     expected_end_at: float = 0.0
-    data_age_s: float | None = None
-    host_time: float = 0.0
-    simulated: bool = False
-    simulated_speed: float = 0.0
+    revolution_age_s: float | None = None
     worst_margin_percent: float | None = None
     worst_margin: str = ""
-    twin_revolution: int = -1
-    twin_age_s: float | None = None
-    residual_rms_N: float | None = None
-    alarms: tuple[Alarm, ...] = ()
-    drive: DriveView | None = None
-    devices: tuple[DeviceView, ...] = ()
-    channels: tuple[ChannelView, ...] = ()
-    operator: str = ""
-    engine_pid: int = 0
-    rows_dropped: int = 0
-    in_command: str = ""
-    queue: tuple[QueuedTest, ...] = ()
-    queue_works: bool = False
-    recovery: Recovery = Recovery()
     criterion_percent: float | None = None
     criterion: str = ""
+    twin_revolution: int = 0
+    twin_age_s: float | None = None
+    residual_rms_N: float | None = None
     step: int = 0
     steps: int = 0
     resting: bool = False
     rest_left_s: float = 0.0
     outcome: HowEnded | None = None
+
+
+NO_TEST = TestStatus()
+"""What is shown where there is no test."""
+
+
+class RigStatus(_UnknownIsNone, frozen=True):
+    """Show the rig and its devices.
+
+    speed_rpm, data_age_s: None without a connection. coasting: the crank is being stopped, has no
+    power, and turns.
+    """
+
+    name: str = ""
+    simulated: bool = False
+    simulated_speed: float = 0.0
+    speed_rpm: float | None = None
+    data_age_s: float | None = None
     coasting: bool = False
-    revolution_age_s: float | None = None
-    calibration: OpenCalibration | None = None
+    drive: DriveView | None = None
+    devices: tuple[DeviceView, ...] = ()
+    channels: tuple[ChannelView, ...] = ()
+
+
+class Status(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Show the engine, its test and its rig at one moment; test: None before the first one.
+
+    Snapshots carry it as it is; the answer to a request is flat, see ``tree`` and ``of_tree``.
+    """
+
+    engine: EngineStatus
+    test: TestStatus | None = None
+    rig: RigStatus = RigStatus()
+    alarms: tuple[Alarm, ...] = ()
+    recovery: Recovery = Recovery()
 
     def shown(self) -> Status:
         """Return it with the state that people are shown: an open calibration occupies the rig."""
-        if self.calibration is None or self.state not in AT_REST:
+        if self.engine.calibration is None or self.engine.state not in AT_REST:
             return self
-        return msgspec.structs.replace(self, state=RunState.CALIBRATING)
+        engine = msgspec.structs.replace(self.engine, state=RunState.CALIBRATING)
+        return msgspec.structs.replace(self, engine=engine)
+
+    def flat(self) -> dict[str, Any]:
+        """Return the fields of all parts by their names in the answer to a request."""
+        shown: dict[str, Any] = {"alarms": self.alarms, "recovery": self.recovery}
+        for part in (self.engine, self.test or NO_TEST, self.rig):
+            for name in part.__struct_fields__:
+                shown[_FLAT[type(part)].get(name, name)] = getattr(part, name)
+        return shown
 
     def tree(self) -> dict[str, Any]:
         """Return it as the answer to a request, every field there, None where not known."""
-        return {name: msgspec.to_builtins(getattr(self, name)) for name in self.__struct_fields__}
+        return {name: tree_of(value) for name, value in self.flat().items()}
+
+    @staticmethod
+    def of_tree(tree: Mapping[str, Any]) -> Status:
+        """Return the status of an answer, or of a snapshot of protocol 3 and before."""
+        return Status.of_flat(
+            {name: msgspec.convert(tree[name], kind) for name, kind in _types() if name in tree}
+        )
+
+    @staticmethod
+    def of_flat(flat: Mapping[str, Any]) -> Status:
+        """Return the status with such fields; without a test where nothing is said of one."""
+        engine, test, rig = (
+            {
+                name: flat[flat_name]
+                for name in part.__struct_fields__
+                if (flat_name := names.get(name, name)) in flat
+            }
+            for part, names in _FLAT.items()
+        )
+        return Status(
+            EngineStatus(**engine),
+            TestStatus(**test) if any(test.values()) else None,
+            RigStatus(**rig),
+            flat.get("alarms", ()),
+            flat.get("recovery", Recovery()),
+        )
+
+
+_FLAT: dict[type[msgspec.Struct], dict[str, str]] = {
+    EngineStatus: {"pid": "engine_pid"},
+    TestStatus: {"title": "test"},
+    RigStatus: {"name": "rig"},
+}
+"""The parts of a status whose fields an answer has beside each other, with those renamed there."""
+
+
+@cache
+def _types() -> tuple[tuple[str, Any], ...]:
+    own = [(one.name, one.type) for one in msgspec.structs.fields(Status)[-2:]]
+    return (
+        *own,
+        *(
+            (names.get(one.name, one.name), one.type)
+            for part, names in _FLAT.items()
+            for one in msgspec.structs.fields(part)
+        ),
+    )
 
 
 class Cycle(msgspec.Struct, frozen=True):
@@ -356,7 +445,8 @@ class Prediction(msgspec.Struct, frozen=True):
 
     values: the columns of ``prediction_columns`` in order, float64.
     force_1, force_2, force (N), nominal_pressure (MPa), sliding_speed (m/s), pressure_velocity
-    (MPa m/s): float32 on PREDICTION_POINTS crank angles, empty where they are not known.
+    (MPa m/s), agreement_uncertainty (N): float32 on PREDICTION_POINTS crank angles, empty where
+    they are not known.
     profile: a new worn profile, None for most revolutions. checkpoint: what a twin needs to go on
     from here, empty when nothing changed that it keeps.
     """
@@ -371,6 +461,7 @@ class Prediction(msgspec.Struct, frozen=True):
     nominal_pressure: bytes = b""
     sliding_speed: bytes = b""
     pressure_velocity: bytes = b""
+    agreement_uncertainty: bytes = b""
 
 
 class RevolutionMeasured(msgspec.Struct, frozen=True):
@@ -393,6 +484,7 @@ class Snapshot(msgspec.Struct, frozen=True):
     when a viewer lags, and ``first_row`` shows the gap.
     predictions: float64 (m, columns) of ``prediction_columns`` as bytes.
     profile: the newest worn profile, when there is one since the last snapshot.
+    recorded: of a replay, how many rows of the status's file belong to it; they are not sent.
     """
 
     status: Status
@@ -403,6 +495,7 @@ class Snapshot(msgspec.Struct, frozen=True):
     prediction: Prediction | None = None
     profile: WornProfile | None = None
     columns: dict[str, str] = msgspec.field(default_factory=lambda: BASE.units)
+    recorded: int | None = None
 
 
 class Event(msgspec.Struct, frozen=True):

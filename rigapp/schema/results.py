@@ -8,8 +8,9 @@ import msgspec
 
 from rigapp.schema.messages import FinishReason, HowEnded
 from rigapp.schema.states import FAULTS
+from rigapp.texts import say
 
-NOT_READABLE = "not readable"
+NOT_READABLE = say("not readable")
 RESUMABLE = frozenset({"interrupted", "stopped"})
 """Statuses of a file that can be resumed."""
 

@@ -20,6 +20,7 @@ import enum
 from dataclasses import dataclass
 
 from rigapp.schema.messages import NOTE_CHARACTERS, FinishReason, RunState
+from rigapp.texts import SentenceError, joined, say
 
 
 class Trigger(enum.StrEnum):
@@ -91,7 +92,7 @@ FAULTS = frozenset({FinishReason.DEVICE, FinishReason.STORAGE, FinishReason.INTE
 """Reasons that end in the state fault."""
 
 
-class Refused(Exception):
+class Refused(SentenceError):
     """Say in one sentence why a command cannot be carried out now, and what to do."""
 
 
@@ -110,7 +111,9 @@ class InFault(Refused):
 def refuse_long(what: str, text: str, most: int = NOTE_CHARACTERS) -> None:
     """Raise Refused when a text is longer than what is stored and shown."""
     if len(text) > most:
-        raise Refused(f"the {what} has {len(text):,} characters; shorten it to {most:,}")
+        raise Refused(
+            "the {} has {} characters; shorten it to {}", what, f"{len(text):,}", f"{most:,}"
+        )
 
 
 def transition(state: RunState, trigger: Trigger) -> RunState:
@@ -119,8 +122,10 @@ def transition(state: RunState, trigger: Trigger) -> RunState:
     if following is None:
         possible = [one.value for (at, one) in TABLE if at is state]
         raise Refused(
-            f'"{trigger.value}" is not possible while {state.value}; possible now: '
-            f"{', '.join(possible) or 'nothing, wait'}"
+            '"{}" is not possible while {}; possible now: {}',
+            trigger.value,
+            state,
+            joined(", ", possible) or say("nothing, wait"),
         )
     return following
 

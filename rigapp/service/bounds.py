@@ -13,6 +13,7 @@ from rigapp.config.ranges import refusal as number_refusal
 from rigapp.schema.messages import NOTE_CHARACTERS, Reply, Request
 from rigapp.schema.states import Refused, refuse_long
 from rigapp.schema.verbs import Lane, Verb
+from rigapp.texts import capitalised, joined
 
 MESSAGE_BYTES = 1 << 16  # no request is nearly as long
 NAME_CHARACTERS = 100
@@ -47,12 +48,12 @@ def asked_of(verb: Verb, arguments: Mapping[str, Any]) -> Any:
         if field.name in arguments:
             _judge(verb.name, field, arguments[field.name])
         elif field.required:
-            raise Refused(f"{verb.name!r} needs {field.name!r}")
+            raise Refused("{} needs {}", repr(verb.name), repr(field.name))
     try:
         return msgspec.convert(arguments, verb.record)
     except msgspec.ValidationError as error:
-        wrong = ": ".join(filter(None, in_words(error)))
-        raise Refused(f"the arguments of {verb.name!r} are not usable: {wrong}") from error
+        wrong = joined(": ", filter(None, in_words(error)))
+        raise Refused("the arguments of {} are not usable: {}", repr(verb.name), wrong) from error
 
 
 def refusal(words: str, identifier: int = 0) -> Reply:
@@ -61,8 +62,8 @@ def refusal(words: str, identifier: int = 0) -> Reply:
     A key that it begins with stays as it is typed.
     """
     first = words.split(" ", 1)[0].rstrip(".,:;")
-    begin = words[:1] if set(first) & {"_", "."} else words[:1].upper()
-    text = begin + words[1:SENTENCE_CHARACTERS]
+    text = words if len(words) <= SENTENCE_CHARACTERS else words[:SENTENCE_CHARACTERS]
+    text = text if set(first) & {"_", "."} else capitalised(text)
     sentence = text if text.endswith((".", "?", "!")) else text + "."
     return Reply(ok=False, sentence=sentence, identifier=identifier)
 
@@ -80,9 +81,11 @@ def _judge(verb: str, field: inspect.Field, value: Any) -> None:
             raise Refused(wrong)
     elif isinstance(kind, inspect.StrType):
         if not isinstance(value, str):
-            raise Refused(f"the {title} of {verb!r} is not a text")
+            raise Refused("the {} of {} is not a text", title, repr(verb))
         refuse_long(title, value, kind.max_length or NOTE_CHARACTERS)
     elif isinstance(kind, inspect.FloatType) and kind.ge is not None and kind.le is not None:
         number = isinstance(value, int | float) and not isinstance(value, bool)
         if not number or not kind.ge <= value <= kind.le:
-            raise Refused(f"{title} of {verb!r} is not a number from {kind.ge:g} to {kind.le:g}")
+            raise Refused(
+                "{} of {} is not a number from {:g} to {:g}", title, repr(verb), kind.ge, kind.le
+            )

@@ -21,7 +21,9 @@ from rigapp.config.writing import whole_file
 from rigapp.process.private import read_own
 from rigapp.schema.messages import OpenCalibration, Request
 from rigapp.schema.states import Occupied, Refused
+from rigapp.schema.wire import json_bytes
 from rigapp.service.registry import kept_of
+from rigapp.texts import say
 
 log = logging.getLogger(__name__)
 
@@ -65,7 +67,7 @@ class RigCalibration:
             self._held = HeldCalibration(shown, uuid.uuid4().hex, fastest_rpm, request.client)
             key = self._held.key
             self._keep()
-        self._log(f"the calibration begins: {what}", who)
+        self._log(say("the calibration begins: {}", what), who)
         return {"key": key, "since": shown.since}
 
     def end(self, key: str, request: Request) -> None:
@@ -76,7 +78,9 @@ class RigCalibration:
                 raise Refused("this calibration was ended already")
             self._held = None
             self._keep()
-        self._log(f"the calibration is over: {held.shown.what}", request.operator or held.shown.who)
+        self._log(
+            say("the calibration is over: {}", held.shown.what), request.operator or held.shown.who
+        )
 
     def release(self, since: float, reason: str, request: Request) -> None:
         """End it on purpose, in place of its holder; raise Refused where it is another one."""
@@ -85,11 +89,11 @@ class RigCalibration:
             if held is None:
                 raise Refused("no calibration is open")
             if since and since != held.shown.since:
-                raise Refused(f"another calibration is open: {_words(held.shown)}")
+                raise Refused("another calibration is open: {}", _words(held.shown))
             self._held = None
             self._keep()
-        why = f": {reason.strip()}" if reason.strip() else ""
-        self._log(f"ended the calibration of {held.shown.who}, {held.shown.what}{why}",
+        why = say(": {}", reason.strip()) if reason.strip() else ""
+        self._log(say("ended the calibration of {}, {}{}", held.shown.who, held.shown.what, why),
                   request.operator.strip() or "somebody")  # fmt: skip
 
     def judge(self, key: str = "", rpm: float = 0.0) -> None:
@@ -99,8 +103,9 @@ class RigCalibration:
             self._refuse()
         elif rpm > held.fastest_rpm:
             raise Refused(
-                f"this calibration turns the spindle at {held.fastest_rpm:g} rpm at most, the test"
-                f" at {rpm:g} rpm"
+                "this calibration turns the spindle at {:g} rpm at most, the test at {:g} rpm",
+                held.fastest_rpm,
+                rpm,
             )
 
     def judge_viewer(self, client: str) -> None:
@@ -123,7 +128,7 @@ class RigCalibration:
                 path.unlink(missing_ok=True)
                 return
             with whole_file(path, mode=0o600) as part:
-                part.write_bytes(msgspec.json.encode(self._held))
+                part.write_bytes(json_bytes(self._held))
         except (UnusableInput, OSError) as error:
             log.warning("the open calibration is not kept for another engine: %s", error)
 
@@ -144,12 +149,13 @@ def forget_calibration(rig: Path) -> None:
 
 def occupied_words(shown: OpenCalibration) -> str:
     """Return which calibration occupies the rig, and how to end it."""
-    return (
-        f"{_words(shown)}. Close that calibration, or end it: End calibration in a window, or"
-        " rigapp calibrate release"
+    return say(
+        "{}. Close that calibration, or end it: End calibration in a window, or rigapp"
+        " calibrate release",
+        _words(shown),
     )
 
 
 def _words(shown: OpenCalibration) -> str:
     since = time.strftime("%H:%M", time.localtime(shown.since))
-    return f"{shown.who} is calibrating: {shown.what}, since {since}"
+    return say("{} is calibrating: {}, since {}", shown.who, shown.what, since)

@@ -15,9 +15,19 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 import zmq
 
-from rigapp.schema.messages import PROTOCOL_VERSION, Reply, Request, Snapshot, Status
+from rigapp.schema.messages import (
+    FLAT_STATUS,
+    NO_TEST,
+    PROTOCOL_VERSION,
+    Reply,
+    Request,
+    Snapshot,
+    Status,
+)
 from rigapp.schema.verbs import verb_of
+from rigapp.schema.wire import decode, encode, tree_of
 from rigapp.service.registry import EngineEntry, lasting_folder, other_version
+from rigapp.texts import SentenceError, say
 
 if TYPE_CHECKING:
     from rigapp.service.security import KeyPair
@@ -28,7 +38,7 @@ NEWEST = ("cycle", "prediction", "profile")
 PRESENT_S = 2.0  # often enough that a lost one is no absence
 
 
-class EngineUnreachable(Exception):
+class EngineUnreachable(SentenceError):
     """Say which engine did not answer, to what, within which time."""
 
 
@@ -42,7 +52,7 @@ class Client:
         Raises EngineUnreachable when the entry tells of another version of the protocol, and
         UnusableInput when the engine demands a key and this viewer's cannot be used.
         """
-        if entry.version != PROTOCOL_VERSION:
+        if entry.version not in (PROTOCOL_VERSION, *FLAT_STATUS):
             raise EngineUnreachable(other_version(entry.version, PROTOCOL_VERSION))
         self.entry = entry
         self.identity = uuid.uuid4().hex
@@ -88,8 +98,15 @@ class Client:
             body = self._stream.recv(zmq.NOBLOCK)
         except zmq.Again:
             return None
-        snapshot = msgspec.msgpack.decode(body, type=Snapshot)
+        snapshot = self._snapshot(body)
         return msgspec.structs.replace(snapshot, status=snapshot.status.shown())
+
+    def _snapshot(self, body: bytes) -> Snapshot:
+        if self.entry.version not in FLAT_STATUS:
+            return decode(body, Snapshot)
+        tree = decode(body, dict[str, Any])
+        status = Status.of_tree(tree["status"])
+        return msgspec.convert({**tree, "status": tree_of(status)}, Snapshot)
 
     def request(
         self, verb: str, arguments: dict[str, Any] | None = None, timeout_s: float | None = None
@@ -100,8 +117,8 @@ class Client:
         """
         reply = self._request(verb, arguments, timeout_s or verb_of(verb).timeout_s)
         if verb == "status" and reply.ok:
-            shown = msgspec.convert(reply.result, Status).shown()
-            reply = msgspec.structs.replace(reply, result={**reply.result, "state": shown.state})
+            shown = Status.of_tree(reply.result).shown().engine.state
+            reply = msgspec.structs.replace(reply, result={**reply.result, "state": shown})
         if verb == "take_command" and reply.ok:
             self._stay_present()
         if verb == "release_command" and reply.ok:
@@ -123,6 +140,7 @@ class Client:
                 operator=self._operator,
                 identifier=self._identifier,
                 client=self.identity,
+                version=self.entry.version,
             )
         socket = self._context.socket(zmq.REQ)
         socket.setsockopt(zmq.LINGER, 0)
@@ -131,22 +149,30 @@ class Client:
         try:
             self._show_keys(socket)
             socket.connect(self.entry.commands)
-            socket.send(msgspec.msgpack.encode(request))
+            socket.send(encode(request))
             if not socket.poll(int(1000 * timeout_s)):
                 raise EngineUnreachable(
-                    f"The engine did not answer within {timeout_s:g} s; is it still running?"
-                    f" ‹process {self.entry.pid}, request {verb}›"
+                    "The engine did not answer within {:g} s; is it still running?"
+                    " ‹process {}, request {}›",
+                    timeout_s,
+                    self.entry.pid,
+                    verb,
                 )
-            return msgspec.msgpack.decode(socket.recv(), type=Reply)
+            return decode(socket.recv(), Reply)
         except zmq.Again as error:
             raise EngineUnreachable(
-                f"The engine could not be reached within {timeout_s:g} s{self._key_advice()}."
-                f" ‹process {self.entry.pid}, request {verb}›"
+                "The engine could not be reached within {:g} s{}. ‹process {}, request {}›",
+                timeout_s,
+                self._key_advice(),
+                self.entry.pid,
+                verb,
             ) from error
         except zmq.ZMQError as error:
             raise EngineUnreachable(
-                "The engine cannot be reached; is it still running?"
-                f" ‹process {self.entry.pid}, request {verb}: {error}›"
+                "The engine cannot be reached; is it still running? ‹process {}, request {}: {}›",
+                self.entry.pid,
+                verb,
+                error,
             ) from error
         finally:
             socket.close()
@@ -168,10 +194,11 @@ class Client:
 
     def _key_advice(self) -> str:
         if self._keys is None:
-            return "; is it still running?"
-        return (
-            f"; if it is running, the public key in {lasting_folder() / 'keys' / 'viewer.key'} is"
-            " not among its authorised viewers, or its own key has changed"
+            return say("; is it still running?")
+        return say(
+            "; if it is running, the public key in {} is not among its authorised"
+            " viewers, or its own key has changed",
+            lasting_folder() / "keys" / "viewer.key",
         )
 
     def _stay_present(self) -> None:
@@ -207,11 +234,15 @@ def _viewer_keys(entry: EngineEntry) -> KeyPair | None:
 def joins(parts: Sequence[Snapshot], following: Snapshot) -> bool:
     """Tell whether a snapshot goes on where others end: the same file, and no row between."""
     last = next((one for one in reversed(parts) if one.rows), None)
-    if following.status.file != parts[-1].status.file:
+    if _file(following) != _file(parts[-1]):
         return False
     if last is None or not following.rows:
         return True
     return following.first_row == last.first_row + len(last.rows) // (8 * len(last.columns))
+
+
+def _file(snapshot: Snapshot) -> str:
+    return (snapshot.status.test or NO_TEST).file
 
 
 def merged(parts: Sequence[Snapshot]) -> Snapshot:

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from rigapp.schema.messages import Request
 from rigapp.schema.states import Refused
 from rigapp.schema.verbs import Who, verb_of
+from rigapp.texts import say
 
 GONE_AFTER_S = 10.0
 """Command is free again when its holder has not been heard of for so long."""
@@ -63,7 +64,7 @@ class InCommand:
             if holder is None or silence <= GONE_AFTER_S:
                 return
             self._holder = None
-        text = f"command released: nothing was heard of {holder.name} for {silence:.0f} s"
+        text = say("command released: nothing was heard of {} for {:.0f} s", holder.name, silence)
         self._log(text, "engine", holder.name, "")
 
     def judge(self, request: Request) -> None:
@@ -78,28 +79,30 @@ class InCommand:
         if verb_of(request.verb).who is Who.ANYONE:
             return
         raise Refused(
-            f"{holder.name} is in command of this rig, so {request.verb!r} is refused; take command"
-            " first. Stop, drive off and acknowledge are possible for everybody"
+            "{} is in command of this rig, so {} is refused; take command first. Stop,"
+            " drive off and acknowledge are possible for everybody",
+            holder.name,
+            repr(request.verb),
         )
 
     def take(self, request: Request, force: bool = False) -> dict[str, str]:
         """Give command to the sender; raise Refused while another holds it, unless forced."""
         if not request.client:
             raise Refused("a viewer without an identity cannot take command")
-        taker = Holder(request.client, request.operator.strip() or "another viewer")
+        taker = Holder(request.client, request.operator.strip() or say("another viewer"))
         with self._lock:
             former = self._holder
             same = former is not None and former.client == taker.client
             if former is not None and not same and not force:
                 raise Refused(
-                    f"{former.name} is in command; ask for a release, or take over by force, which"
-                    " is recorded"
+                    "{} is in command; ask for a release, or take over by force, which is recorded",
+                    former.name,
                 )
             self._holder = taker
             self._heard = self._clock()
         if not same:
             before = former.name if former is not None else ""
-            text = "took command" + (f" by force from {before}" if before else "")
+            text = say("took command") + (say(" by force from {}", before) if before else "")
             self._log(text, taker.name, before, taker.name)
         return {"in_command": taker.name}
 
@@ -108,10 +111,10 @@ class InCommand:
         with self._lock:
             holder = self._holder
             if holder is None or holder.client != request.client:
-                who = f"{holder.name} is" if holder is not None else "nobody is"
-                raise Refused(f"you are not in command of this rig, {who}")
+                who = say("{} is", holder.name) if holder is not None else say("nobody is")
+                raise Refused("you are not in command of this rig, {}", who)
             self._holder = None
-        self._log("released command", holder.name, holder.name, "")
+        self._log(say("released command"), holder.name, holder.name, "")
 
     def present(self, request: Request) -> dict[str, bool]:
         """Tell the sender whether it is still in command (``judge`` has noted that it lives)."""

@@ -11,9 +11,11 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
 from rigapp.process.private import read_own
 from rigapp.schema.loglines import SpecimenWear
+from rigapp.schema.wire import json_bytes
 from rigapp.service.registry import kept_of
 from rigapp.service.resumption import read_past, wear_of
 from rigapp.storage import open_test
+from rigapp.texts import say
 
 log = logging.getLogger(__name__)
 
@@ -38,7 +40,7 @@ def remember(rig: Path, file: Path, specimen: str = "") -> None:
     last = LastTest(str(rig.resolve()), str(file.resolve()), specimens)
     try:
         with whole_file(kept_of(rig, "last-tests"), mode=0o600) as part:
-            part.write_bytes(msgspec.json.encode(last))
+            part.write_bytes(json_bytes(last))
     except UnusableInput as error:
         log.warning("the name of the last test is not kept: %s", error)
 
@@ -76,7 +78,9 @@ def cut_off(rig: Path) -> str:
     if past.summary["status"] != "interrupted":
         return ""
     reached = past.summary["last_revolution"] or 0
-    return (
-        f"{last.file}: the computer or the program ended at revolution {reached} of {past.planned}"
-        " of this test."
+    return say(
+        "{}: the computer or the program ended at revolution {} of {} of this test.",
+        last.file,
+        reached,
+        past.planned,
     )

@@ -12,8 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from rigapp.process.children import start_module
-from rigapp.process.ending import Background
+from rigapp.process.children import Child
 from rigapp.process.leftovers import process_alive
 from rigapp.process.locks import taken
 from rigapp.service.client import Client, EngineUnreachable
@@ -25,6 +24,7 @@ from rigapp.service.registry import (
     runtime_folder,
     starting_engine,
 )
+from rigapp.texts import say
 
 START_S = 180.0  # importing and compiling on a slow disk, on a computer that is busy
 HELLO_S = 10.0  # far longer than an engine that runs takes
@@ -75,30 +75,31 @@ def _engine_of(rig: Path) -> EngineEntry:
         if entry is not None:
             return entry
         if not process_alive(pid):
-            raise EngineUnreachable(f"The engine for {rig} ended at once: {_last_words(log)}")
+            raise EngineUnreachable("The engine for {} ended at once: {}", rig, _last_words(log))
         time.sleep(LOOK_EVERY_S)
     raise EngineUnreachable(
-        f"The engine for {rig} is still starting after {START_S:g} s ‹process {pid}›; wait for it"
-        f"{f', or see {log}' if log is not None else ''}."
+        "The engine for {} is still starting after {:g} s ‹process {}›; wait for it{}.",
+        rig,
+        START_S,
+        pid,
+        say(", or see {}", log) if log is not None else "",
     )
 
 
 def _start(rig: Path) -> tuple[int, Path]:
     """Start an engine, announced before anybody else can look; return its process and its log."""
     log = runtime_folder() / f"engine-{time.strftime('%Y%m%d-%H%M%S')}.log"
-    with log.open("wb") as stream:
-        process = start_module("rigapp", "engine", rig, stdout=stream, stderr=stream)
-    # Somebody must take note of its end, or it would count as alive for as long as this process.
-    Background(process.wait, "engine process")
-    announce_start(rig, process.pid)
-    return process.pid, log
+    engine = Child("rigapp", "engine", rig, log=log)
+    engine.leave()
+    announce_start(rig, engine.pid)
+    return engine.pid, log
 
 
 def _last_words(log: Path | None) -> str:
     if log is None:
-        return "it was started by another program"
+        return say("it was started by another program")
     words = log.read_text(errors="replace").strip().splitlines()
-    return words[-1] if words else "no message"
+    return words[-1] if words else say("no message")
 
 
 @contextmanager
@@ -110,8 +111,9 @@ def _one_at_a_time() -> Iterator[None]:
         while not taken(file.fileno()):
             if time.monotonic() > deadline:
                 raise EngineUnreachable(
-                    f"{path}: another window has been starting an engine for {HELLO_S:g} s; try"
-                    " again."
+                    "{}: another window has been starting an engine for {:g} s; try again.",
+                    path,
+                    HELLO_S,
                 )
             time.sleep(LOOK_EVERY_S)
         yield

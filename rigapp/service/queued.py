@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from rigapp.checks.fit import check_fit
 from rigapp.config.loading import read_test
 from rigapp.config.rig import RigFile
-from rigapp.engine.starting import check_fit
 from rigapp.queue.items import Queue, added
 from rigapp.queue.store import QueueStore
 

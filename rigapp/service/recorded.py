@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import re
 from pathlib import Path
 
@@ -15,7 +16,16 @@ from rigapp.config.recipe import TestFile
 from rigapp.config.toml import toml_text
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.notices import Finished
-from rigapp.storage import believed_until, compact_in_background, finish_whole_test, open_test
+from rigapp.storage import (
+    believed_until,
+    finish_whole_test,
+    open_test,
+    seal_test,
+    settle_in_background,
+)
+from rigapp.texts import say, sentence_of_error
+
+log = logging.getLogger(__name__)
 
 
 def with_revolutions(test: Document[TestFile], revolutions: int | None) -> Document[TestFile]:
@@ -41,7 +51,7 @@ def recorded_test(path: Path) -> Document[TestFile]:
     with open_test(path) as reader:
         text = reader.configuration()["test"]
         planned = reader.state("planned_revolutions")
-    test = Document(path, text, parse_test(text, f"{path} (its test)"))
+    test = Document(path, text, parse_test(text, say("{} (its test)", path)))
     return with_revolutions(test, planned or None)
 
 
@@ -52,7 +62,7 @@ def end_whole_test(path: Path) -> Finished | None:
         return None
     end = complete_test(path)
     assert end is not None
-    compress_complete(end)
+    settle(end)
     return end
 
 
@@ -88,10 +98,24 @@ def bushing_left(path: Path) -> tuple[bytes, tuple[ParameterFile, str] | None]:
     return left, (test.model, test.prediction.joint)
 
 
-def compress_complete(end: Finished) -> None:
-    """Compress the file of a complete test in a process of its own that outlives this one.
+SEALED_AT_ONCE = 64 << 20
+"""Bytes of data whose seal takes less time than to start a process that makes it."""
 
-    A test that was stopped stays as it is: it can be resumed.
+
+def settle(end: Finished) -> None:
+    """Compress and seal the file of a complete test; only seal that of a stopped one.
+
+    What takes long is done by a process of its own that outlives this one.
     """
-    if end.status == "complete":
-        compact_in_background(Path(end.file))
+    path = Path(end.file)
+    if not path.is_file():
+        return
+    try:
+        with open_test(path) as reader:
+            much = reader.used_bytes(path.stat().st_size) > SEALED_AT_ONCE
+        if end.status == "complete" or much:
+            settle_in_background(path).leave()
+        else:
+            seal_test(path)
+    except (UnusableInput, OSError) as error:
+        log.warning("%s", sentence_of_error(error))

@@ -22,6 +22,8 @@ from rigapp.process.ending import ending_as_interrupt
 from rigapp.process.leftovers import process_alive, remove_left_behind
 from rigapp.process.private import SMALL_BYTES, private_folder, read_own
 from rigapp.schema.messages import PROTOCOL_VERSION
+from rigapp.schema.wire import json_bytes
+from rigapp.texts import say
 
 log = logging.getLogger(__name__)
 
@@ -61,7 +63,7 @@ def runtime_folder() -> Path:
     else:
         user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
         folder = Path(tempfile.gettempdir()) / f"rigapp-{user}"
-    return private_folder(folder, "; or name another folder with RIGAPP_RUNTIME_DIR")
+    return private_folder(folder, say("; or name another folder with RIGAPP_RUNTIME_DIR"))
 
 
 def lasting_folder() -> Path:
@@ -109,7 +111,7 @@ def read_entry(path: Path) -> EngineEntry:
     try:
         return msgspec.json.decode(read_bytes(path, SMALL_BYTES), type=EngineEntry)
     except (OSError, ValueError) as error:
-        raise UnusableInput(f"{path}: is not the entry of an engine ‹{error}›.") from error
+        raise UnusableInput("{}: is not the entry of an engine ‹{}›.", path, error) from error
 
 
 def announce(entry: EngineEntry) -> Path:
@@ -151,7 +153,7 @@ def starting_engine(rig: Path) -> int | None:
 def _write(name: str, entry: EngineEntry) -> Path:
     path = runtime_folder() / name
     part = path.with_suffix(".part")
-    part.write_bytes(msgspec.json.encode(entry))
+    part.write_bytes(json_bytes(entry))
     part.replace(path)
     return path
 
@@ -166,9 +168,11 @@ def withdraw(pid: int) -> None:
 
 def other_version(engine: int, viewer: int) -> str:
     """Say that an engine and a viewer do not speak the same protocol."""
-    return (
-        f"This engine speaks version {engine} of the protocol, the viewer version {viewer}; use the"
-        " same rigapp on both sides."
+    return say(
+        "This engine speaks version {} of the protocol, the viewer version {}; use the"
+        " same rigapp on both sides.",
+        engine,
+        viewer,
     )
 
 

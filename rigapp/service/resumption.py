@@ -11,9 +11,10 @@ pin by other forces at another angle.
 from __future__ import annotations
 
 import enum
+import math
 import time
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -34,7 +35,8 @@ from rigapp.schema.loglines import (
     specimen_wear,
 )
 from rigapp.schema.states import Refused, refuse_long
-from rigapp.storage import TestReader, believed_until, open_test
+from rigapp.storage import TestReader, believed_until, newest_known, open_test, rows_up_to
+from rigapp.texts import joined, say
 from rigapp.twin.measureddepth import FIRST_STEADY, NEW_REVOLUTIONS
 
 ZERO_SHARE = 0.02
@@ -49,7 +51,7 @@ FITTED = 50
 SAME, SAME_ABOUT_ZERO = 1e-9, 1e-15
 """Numbers of two records that differ by less were rounded when they were written."""
 
-NOT_COMPARED = ("record", "tare_mV_per_V", "frame", "sign")
+NOT_COMPARED = ("record", "tare_mV_per_V", "tare_crank_angle_deg", "frame", "sign")
 
 UNSTEADY = ("status", "supply_V", "logic_V", "temperature_C")
 """Readings of a device that differ from time to time."""
@@ -93,12 +95,12 @@ class Resumption(msgspec.Struct, frozen=True):
     @property
     def blocked(self) -> str:
         """Return why the test cannot go on on this rig, empty when it can."""
-        return "; ".join(one.sentence for one in self.findings if one.fit is Fit.BLOCKS)
+        return joined("; ", (one.sentence for one in self.findings if one.fit is Fit.BLOCKS))
 
     @property
     def asks_reason(self) -> str:
         """Return what a reason must be given for, empty when nothing."""
-        return "; ".join(one.sentence for one in self.findings if one.fit is Fit.REASON)
+        return joined("; ", (one.sentence for one in self.findings if one.fit is Fit.REASON))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -131,19 +133,23 @@ def read_past(path: Path) -> Past:
         status = reader.summary()["status"]
         if status == "complete":
             raise UnusableInput(
-                f"{path}: the test is complete with {reader.committed()} revolutions; begin a new"
-                " test"
+                "{}: the test is complete with {} revolutions; begin a new test",
+                path,
+                reader.committed(),
             )
         if status == "running":
-            raise UnusableInput(f"{path}: this test is running; stop it first")
+            raise UnusableInput("{}: this test is running; stop it first", path)
         rows = reader.committed()
         if reader.has_all_revolutions():
             raise UnusableInput(
-                f"{path}: the test was {status} with all its {rows} revolutions; there is nothing"
-                " to go on with, begin a new test"
+                "{}: the test was {} with all its {} revolutions; there is nothing to"
+                " go on with, begin a new test",
+                path,
+                status,
+                rows,
             )
         try:
-            rig = parse_rig(reader.configuration()["rig"], f"{path} (its rig)", recorded=True)
+            rig = parse_rig(reader.configuration()["rig"], say("{} (its rig)", path), recorded=True)
         except (KeyError, UnusableInput):
             rig = None
         rests = [one for one in map(rest_signals, reader.events()) if one is not None]
@@ -182,19 +188,16 @@ def wear_of(reader: TestReader) -> SpecimenWear | None:
     worn: SpecimenWear | None = None
     for event in reader.events():
         worn = specimen_wear(event) or worn
-    table, rows = reader.predictions(), reader.committed()
-    number, depth, doubt = (
-        table[name].astype(float)
-        for name in ("revolution", "measured_wear_depth", "measured_wear_depth_uncertainty")
-    )
-    until = believed_until(reader)
-    believed = number <= (np.inf if until is None else until)
-    known = np.flatnonzero(np.isfinite(depth) & np.isfinite(doubt) & believed)[-FITTED:]
-    if not (rows and known.size):
+    rows, until = reader.committed(), believed_until(reader)
+    names = ("revolution", "measured_wear_depth", "measured_wear_depth_uncertainty")
+    believed = None if until is None else rows_up_to(reader, until, "prediction")
+    table = newest_known(reader, names, FITTED, believed)
+    number, depth, doubt = (table[name].astype(float) for name in names)
+    if not (rows and number.size):
         return worn
     last = int(reader.column("revolution", rows - 1)[0]) if until is None else until
-    line = np.polyfit(number[known] - last, 1e3 * depth[known], 1 if known.size > 2 else 0)
-    return SpecimenWear(str(reader.path), last, float(line[-1]), 1e3 * float(doubt[known[-1]]))
+    line = np.polyfit(number - last, 1e3 * depth, 1 if number.size > 2 else 0)
+    return SpecimenWear(str(reader.path), last, float(line[-1]), 1e3 * float(doubt[-1]))
 
 
 def compare(
@@ -237,20 +240,21 @@ def compare(
 
 def _of_rig(past: Past, rig: RigFile) -> Iterator[Compared]:
     if past.rig is None:
-        text = "the file's own rig cannot be read; the devices are not compared"
-        yield Compared("Rig", "not readable", rig.name, Fit.NOTED, text)
+        text = say("the file's own rig cannot be read; the devices are not compared")
+        yield Compared("Rig", say("not readable"), rig.name, Fit.NOTED, text)
         return
     same = past.rig.name == rig.name
     yield Compared("Rig", past.rig.name, rig.name, Fit.GOOD if same else Fit.NOTED)
-    for role, what in (("encoder", "Data acquisition"), ("spindle", "Drive")):
+    for role, what in (("encoder", say("Data acquisition")), ("spindle", "Drive")):
         then, here = (one.devices[getattr(one, role).device] for one in (past.rig, rig))
         yield from _of_kind(what, then, here, Fit.BLOCKS)
         if then.driver == here.driver:
             yield Compared(what, then.driver, here.driver)
         else:
-            text = (
-                f"the test was made with a {then.driver}, this rig has a {here.driver}: use the"
-                " rig of the test"
+            text = say(
+                "the test was made with a {}, this rig has a {}: use the rig of the test",
+                then.driver,
+                here.driver,
             )
             yield Compared(what, then.driver, here.driver, Fit.BLOCKS, text)
     instruments = {rig.encoder.device, rig.spindle.device}
@@ -265,8 +269,8 @@ def _of_kind(
     """Compare whether a device is simulated: measured values are not continued by invented ones."""
     was, is_now = ("simulated" if one.simulated else "real" for one in (then, here))
     if was != is_now:
-        text = f"{what}: {was} in the test, {is_now} in this rig"
-        yield Compared("Kind of device", was, is_now, otherwise, text)
+        text = say("{}: {} in the test, {} in this rig", what, was, is_now)
+        yield Compared(say("Kind of device"), was, is_now, otherwise, text)
 
 
 def _of_channels(past: Past, measured: ChannelTable) -> Iterator[Compared]:
@@ -275,24 +279,40 @@ def _of_channels(past: Past, measured: ChannelTable) -> Iterator[Compared]:
         yield Compared("Channels", "", "", Fit.BLOCKS, gone)
     for one in measured.channels:
         if one.name not in past.channels:
-            text = f"the file was made without {one.name}; it is limited and shown, but not kept"
-            yield Compared(f"Channel {one.name}", "none", one.unit, Fit.NOTED, text)
+            text = say(
+                "the file was made without {}; it is limited and shown, but not kept", one.name
+            )
+            yield Compared(say("Channel {}", one.name), "none", one.unit, Fit.NOTED, text)
 
 
 def _of_devices(past: Past, devices: Mapping[str, Mapping[str, Any]]) -> Iterator[Compared]:
     for name, readback in devices.items():
         then = past.calibration.get(f"device_{name}", {})
+        yield from _of_identity(name, then, readback)
         changed = [
             key
             for key, value in readback.items()
-            if key in then and not _steady_equal(key, then[key], value)
+            if key in then and key != _NUMBER and not _steady_equal(key, then[key], value)
         ]
         if changed:
             before, now = (
-                ", ".join(f"{key} {one[key]}" for key in changed) for one in (then, readback)
+                joined(", ", (say("{} {}", key, one[key]) for key in changed))
+                for one in (then, readback)
             )
-            text = f"{name} is set otherwise than before: {', '.join(changed)}"
-            yield Compared(f"Settings of {name}", before, now, Fit.NOTED, text)
+            text = say("{} is set otherwise than before: {}", name, joined(", ", changed))
+            yield Compared(say("Settings of {}", name), before, now, Fit.NOTED, text)
+
+
+_NUMBER = "device_serial_number"
+
+
+def _of_identity(
+    name: str, then: Mapping[str, Any], readback: Mapping[str, Any]
+) -> Iterator[Compared]:
+    before, now = (str(one.get(_NUMBER, "")) for one in (then, readback))
+    if before and now and before != now:
+        text = say("{} is another device: serial number {}, before {}", name, now, before)
+        yield Compared(say("Device {}", name), before, now, Fit.REASON, text)
 
 
 def _steady_equal(key: str, before: Any, now: Any) -> bool:
@@ -326,10 +346,10 @@ def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Compared]:
     present = calibration_record(calibration)
     for section, what, fit in (
         ("encoder", "Encoder", Fit.BLOCKS),
-        ("load_cell", "Calibration of the load cell", Fit.REASON),
-        ("probes", "Calibration of the probes", Fit.REASON),
+        ("load_cell", say("Calibration of the load cell"), Fit.REASON),
+        ("probes", say("Calibration of the probes"), Fit.REASON),
         *(
-            (f"channel_{one.name}", f"Line of {one.name}", Fit.REASON)
+            (f"channel_{one.name}", say("Line of {}", one.name), Fit.REASON)
             for one in calibration.table.free
             if one.kind is Kind.SAMPLED and one.name in past.channels
         ),
@@ -342,22 +362,23 @@ def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Compared]:
         if section != "encoder" and names[0] != names[1]:
             changed = changed or ["record"]
         if not changed:
-            name = names[1] or "numbers of the rig file"
-            yield Compared(what, name, name, Fit.GOOD, "as before")
+            name = names[1] or say("numbers of the rig file")
+            yield Compared(what, name, name, Fit.GOOD, say("as before"))
             continue
         before, here = (
-            ", ".join(f"{key} {one.get(key, 'none')}" for key in changed) for one in (then, now)
+            str(joined(", ", (say("{} {}", key, one.get(key, "none")) for key in changed)))
+            for one in (then, now)
         )
-        text = f"{what.lower()} is not that of the test ({', '.join(changed)})"
+        text = say("{} is not that of the test ({})", what.lower(), joined(", ", changed))
         yield Compared(what, before, here, fit, text)
     was, is_now = (one.get("acquisition", {}) for one in (past.calibration, present))
     before, here = (str(one.get("clock", "time")) for one in (was, is_now))
     if before != here:
-        text = f"the test was sampled by {before}, this rig samples by {here}"
-        yield Compared("Sample clock", before, here, Fit.BLOCKS, text)
+        text = say("the test was sampled by {}, this rig samples by {}", before, here)
+        yield Compared(say("Sample clock"), before, here, Fit.BLOCKS, text)
     before, here = (f"{one.get('sample_rate_Hz', 0.0):g} Hz" for one in (was, is_now))
     if before != here:
-        yield Compared("Sample rate", before, here, Fit.NOTED)
+        yield Compared(say("Sample rate"), before, here, Fit.NOTED)
 
 
 def _of_zero(
@@ -369,37 +390,49 @@ def _of_zero(
     def judged(what: str, before: Any, now: Any, words: str) -> Compared:
         shift = calibration.load_cell.matrix @ (np.asarray(now) - np.asarray(before))
         size = float(np.hypot(*shift))
-        then, here = (", ".join(f"{value:.5f}" for value in one) + " mV/V" for one in (before, now))
+        then, here = (
+            joined(", ", (f"{value:.5f}" for value in one)) + " mV/V" for one in (before, now)
+        )
         if size <= limit:
-            return Compared(what, then, here, Fit.GOOD, f"moved by {size:.1f} N")
-        text = (
-            f"{words} by {size:.1f} N, more than {limit:g} N ({100 * ZERO_SHARE:g} % of the full"
-            " scale)"
+            return Compared(what, then, here, Fit.GOOD, say("moved by {:.1f} N", size))
+        text = say(
+            "{} by {:.1f} N, more than {:g} N ({:g} % of the full scale)",
+            words,
+            size,
+            limit,
+            100 * ZERO_SHARE,
         )
         return Compared(what, then, here, Fit.REASON, text)
 
     if "zero_mV_per_V" in cell:
-        before = np.add(cell["zero_mV_per_V"], cell.get("tare_mV_per_V", 0.0))
-        now = calibration.load_cell.zero + calibration.load_cell.tare
-        yield judged("Zero of the load cell", before, now, "the zero of the load cell differs")
+        cell_now = calibration.load_cell
+        tare, angle = stored_tare(past) or ((0.0, 0.0), None)
+        cell_then = replace(
+            cell_now, zero=np.array(cell["zero_mV_per_V"]), tare=np.array(tare), tare_angle=angle
+        )
+        before, now = cell_then.at_rest, cell_now.at_rest
+        yield judged(
+            say("Zero of the load cell"), before, now, say("the zero of the load cell differs")
+        )
     if rest is None or past.rest is None:
-        text = "the crank moves, or no samples come while it stands"
-        text = text if rest is None else "the file does not tell them"
-        yield Compared("Load cell at rest", "", "", Fit.NOTED, f"not compared: {text}")
+        text = say("the crank moves, or no samples come while it stands")
+        text = text if rest is None else say("the file does not tell them")
+        yield Compared(say("Load cell at rest"), "", "", Fit.NOTED, say("not compared: {}", text))
         return
     where = [one.crank_angle_deg for one in (past.rest, rest)]
     if _same_angle(*where):
-        words = "with the crank at rest the load cell shows a force that differs"
-        yield judged("Load cell at rest", past.rest.pair, rest.pair, words)
+        words = say("with the crank at rest the load cell shows a force that differs")
+        yield judged(say("Load cell at rest"), past.rest.pair, rest.pair, words)
         return
     then, here = (
-        "crank angle not known" if one is None else f"crank at {one:.0f} deg" for one in where
+        say("crank angle not known") if one is None else say("crank at {:.0f} deg", one)
+        for one in where
     )
-    text = (
-        "not compared: the crank is not known to stand as it stood, and a spring presses by its"
-        " angle"
+    text = say(
+        "not compared: the crank is not known to stand as it stood, and a spring"
+        " presses by its angle"
     )
-    yield Compared("Load cell at rest", then, here, Fit.NOTED, text)
+    yield Compared(say("Load cell at rest"), then, here, Fit.NOTED, text)
 
 
 def _same_angle(before: float | None, now: float | None) -> bool:
@@ -408,12 +441,13 @@ def _same_angle(before: float | None, now: float | None) -> bool:
     return abs((now - before + 180.0) % 360.0 - 180.0) <= SAME_ANGLE_DEG
 
 
-def stored_tare(past: Past) -> Pair | None:
-    """Return the tare of the test, None when it had none."""
-    tare = past.calibration.get("load_cell", {}).get("tare_mV_per_V")
+def stored_tare(past: Past) -> tuple[Pair, float | None] | None:
+    """Return the tare of the test and the crank angle (rad) of it, None when it had none."""
+    cell = past.calibration.get("load_cell", {})
+    tare, degrees = cell.get("tare_mV_per_V"), cell.get("tare_crank_angle_deg")
     if tare is None or not any(tare):
         return None
-    return float(tare[0]), float(tare[1])
+    return (float(tare[0]), float(tare[1])), None if degrees is None else math.radians(degrees)
 
 
 def remarks(found: Resumption, operator: str, reason: str) -> list[LogEntry]:
@@ -422,25 +456,30 @@ def remarks(found: Resumption, operator: str, reason: str) -> list[LogEntry]:
     Raises Refused when the test cannot go on, or not without a reason.
     """
     if found.blocked:
-        raise Refused(f"{found.file} cannot go on here: {found.blocked}")
+        raise Refused("{} cannot go on here: {}", found.file, found.blocked)
     why = reason.strip()
     refuse_long("reason", why)
     if found.asks_reason and not why:
         raise Refused(
-            f"{found.file} goes on only with a reason: {found.asks_reason}; put it right, or give"
-            " the reason, which is recorded"
+            "{} goes on only with a reason: {}; put it right, or give the reason, which"
+            " is recorded",
+            found.file,
+            found.asks_reason,
         )
     who = operator or "operator"
-    text = (
-        f"going on after {interval(found.gap_s)}; the test was {found.status}"
-        f"{': ' + found.reason if found.reason else ''}"
+    text = say(
+        "going on after {}; the test was {}{}",
+        interval(found.gap_s),
+        found.status,
+        ": " + found.reason if found.reason else "",
     )
     lines = [LogEntry("resumed", text, who)]
     for one in found.findings:
         if one.fit in (Fit.NOTED, Fit.REASON):
-            because = f", accepted: {why}" if one.fit is Fit.REASON else ""
-            sentence = one.sentence or f"{one.what} differs"
-            lines.append(LogEntry("resumed", f"{sentence}{because}", who, one.before, one.now))
+            sentence = one.sentence or say("{} differs", one.what)
+            if one.fit is Fit.REASON:
+                sentence = say("{}, accepted: {}", sentence, why)
+            lines.append(LogEntry("resumed", sentence, who, one.before, one.now))
     return lines
 
 
@@ -448,5 +487,5 @@ def interval(seconds: float) -> str:
     """Return a time in words of one unit."""
     for unit, size in (("days", 86400.0), ("h", 3600.0), ("min", 60.0)):
         if seconds >= 2 * size:
-            return f"{seconds / size:.1f} {unit}"
+            return say("{:.1f} {}", seconds / size, unit)
     return f"{seconds:.0f} s"

@@ -11,6 +11,7 @@ from rigapp.queue.store import QueueStore
 from rigapp.queue.worker import Hands, QueueWorker
 from rigapp.schema.notices import Finished, Notices
 from rigapp.service.registry import kept_of
+from rigapp.texts import say, sentence_of_error
 
 log = logging.getLogger(__name__)
 
@@ -38,7 +39,7 @@ class RigQueue:
         try:
             self._worker.take_up()
         except UnusableInput as error:
-            self._tell(str(error))
+            self._tell(sentence_of_error(error))
         self._thread.start()
 
     def halt(self) -> None:
@@ -74,10 +75,10 @@ class RigQueue:
         try:
             self._worker.finished(self._unnoted)
         except UnusableInput as error:
-            self._tell(str(error))
+            self._tell(sentence_of_error(error))
             self._thread.pause(TRY_AGAIN_S)
         else:
             self._unnoted = None
 
     def _died(self, worker: Worker, error: BaseException) -> None:
-        self._tell(f"The queue failed ‹{error!r}›.")
+        self._tell(say("The queue failed ‹{}›.", repr(error)))

@@ -66,11 +66,11 @@ def parse_bind(text: str) -> Bind:
     """
     found = re.fullmatch(r"tcp://(?:\[([^\]]+)\]|([^:/]+)):(\d{1,5})", text)
     if found is None:
-        raise UnusableInput(f"--bind {text}: give tcp://ADDRESS:PORT.")
+        raise UnusableInput("--bind {}: give tcp://ADDRESS:PORT.", text)
     address, port = interface_address(f"--bind {text}", found[1] or found[2]), int(found[3])
     if port > 65534:
         raise UnusableInput(
-            f"--bind {text}: the port and the next one are used; give at most 65534."
+            "--bind {}: the port and the next one are used; give at most 65534.", text
         )
     return Bind(str(address), port, remote=not address.is_loopback)
 
@@ -84,10 +84,10 @@ def interface_address(option: str, name: str) -> Address:
         address = ipaddress.ip_address("127.0.0.1" if name == "localhost" else name)
     except ValueError as error:
         raise UnusableInput(
-            f"{option}: {name} is not an IP address; give the number of one interface."
+            "{}: {} is not an IP address; give the number of one interface.", option, name
         ) from error
     if address.is_unspecified:
-        raise UnusableInput(f"{option}: name the address of one interface, not all of them.")
+        raise UnusableInput("{}: name the address of one interface, not all of them.", option)
     return address
 
 
@@ -123,8 +123,10 @@ def require_viewers(folder: Path, bind: Bind) -> None:
     if any(path.name != OWN for path in authorised.glob("*.key")):
         return
     raise UnusableInput(
-        f"--bind {bind.address}: beyond this computer only authorised viewers may attach, and there"
-        f" is none; put the public key of each (its keys/viewer.key) into {authorised}."
+        "--bind {}: beyond this computer only authorised viewers may attach, and there"
+        " is none; put the public key of each (its keys/viewer.key) into {}.",
+        bind.address,
+        authorised,
     )
 
 
@@ -186,13 +188,15 @@ def _keys(folder: Path, name: str) -> KeyPair:
     if not path.exists():
         _make(keys, name)
     if open_to_others(path.stat()):
-        raise UnusableInput(f"{path}: others can read this secret key; delete it, or chmod 600 it.")
+        raise UnusableInput(
+            "{}: others can read this secret key; delete it, or chmod 600 it.", path
+        )
     try:
         public, secret = zmq.auth.load_certificate(path)
     except (OSError, ValueError) as error:
-        raise UnusableInput(f"{path}: is no key pair ‹{error}›; delete it.") from error
+        raise UnusableInput("{}: is no key pair ‹{}›; delete it.", path, error) from error
     if secret is None:
-        raise UnusableInput(f"{path}: holds no secret key; delete it.")
+        raise UnusableInput("{}: holds no secret key; delete it.", path)
     return KeyPair(public, secret)
 
 

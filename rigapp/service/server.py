@@ -1,7 +1,7 @@
 """Serve an engine over ZeroMQ: commands with a reply, and a stream of snapshots.
 
 Commands arrive on a ROUTER socket and are answered in the order in which they finish; each safety
-verb has threads of its own (``verbs``, ``lanes``), so that no number of slow ones delays it. What
+verb has threads of its own (``verbs``, ``Lanes``), so that no number of slow ones delays it. What
 is too much at once is answered "busy", what cannot be read is answered and survived. Snapshots
 leave on a second ROUTER socket, to every viewer that sent an empty message, with a short queue for
 each: a viewer that lags misses some, and sees the gap in ``Snapshot.first_row``. It is no PUB
@@ -25,11 +25,16 @@ import zmq
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.messages import PROTOCOL_VERSION, Reply, Request, Snapshot
 from rigapp.schema.states import Refused
+from rigapp.schema.verbs import Lane, verb_of
+from rigapp.schema.wire import encode
 from rigapp.service.bounds import MESSAGE_BYTES, bounded, refusal
 from rigapp.service.connections import Connections
-from rigapp.service.lanes import Lanes
 from rigapp.service.registry import other_version
 from rigapp.service.security import KeyCheck
+from rigapp.texts import say, sentence_of_error
+
+UNDER_WAY = {Lane.SAFETY: 4, Lane.LOOK: 16, Lane.WORK: 16}
+"""Requests that are carried out at once: of each safety verb, and of each other lane."""
 
 REQUEST_QUEUE = 100  # of each connection: 6.4 MB at most
 SNAPSHOT_QUEUE = 4  # a viewer that lags wants the newest
@@ -56,6 +61,52 @@ class _Head(msgspec.Struct, frozen=True):
 
     version: int = 0
     identifier: int = 0
+
+
+class Lanes:
+    """Give each request a thread while its lane has one left.
+
+    They are daemons: one that hangs on a device or a file never keeps the process from ending.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._under_way: dict[str, int] = {}
+
+    @property
+    def busy(self) -> bool:
+        """Tell whether a request is under way."""
+        with self._lock:
+            return any(self._under_way.values())
+
+    def submit(self, verb: str, job: Callable[[], None]) -> str:
+        """Begin a job of a verb; return why it cannot be begun, "" when it was."""
+        lane = verb_of(verb).lane
+        name = verb if lane is Lane.SAFETY else lane.value
+        bound = UNDER_WAY[lane]
+        with self._lock:
+            if self._under_way.get(name, 0) >= bound:
+                return say("The engine is busy with {} requests of this kind; ask again.", bound)
+            self._under_way[name] = self._under_way.get(name, 0) + 1
+        thread = threading.Thread(
+            target=self._carry_out, args=(name, job), name=f"request {verb[:32]}", daemon=True
+        )
+        try:
+            thread.start()
+        except RuntimeError as error:
+            self._leave(name)
+            return say("The engine has no room for this request now ‹{}›; ask again.", error)
+        return ""
+
+    def _carry_out(self, name: str, job: Callable[[], None]) -> None:
+        try:
+            job()
+        finally:
+            self._leave(name)
+
+    def _leave(self, name: str) -> None:
+        with self._lock:
+            self._under_way[name] -= 1
 
 
 class Server:
@@ -135,7 +186,9 @@ class Server:
         except zmq.ZMQError as error:
             self._release()
             raise UnusableInput(
-                f"The engine cannot listen at {address} ‹{error}›; choose another address or port."
+                "The engine cannot listen at {} ‹{}›; choose another address or port.",
+                address,
+                error,
             ) from error
 
     def _release(self) -> None:
@@ -170,7 +223,7 @@ class Server:
             self._send_replies()
         except BaseException as error:
             self.failure = error
-            self._on_failure(f"The part that serves windows has died ‹{error!r}›.")
+            self._on_failure(say("The part that serves windows has died ‹{}›.", repr(error)))
             raise
 
     @property
@@ -193,7 +246,7 @@ class Server:
         try:
             self._on_viewers(self.watched)
         except Exception as error:
-            self._on_failure(f"A window could not be attached ‹{error!r}›.")
+            self._on_failure(say("A window could not be attached ‹{}›.", repr(error)))
 
     def _accept(self) -> None:
         try:
@@ -208,26 +261,27 @@ class Server:
         try:
             head = msgspec.msgpack.decode(body, type=_Head)
             identifier = head.identifier
-            if head.version != PROTOCOL_VERSION:
-                raise Refused(other_version(PROTOCOL_VERSION, head.version))
-            request = bounded(msgspec.msgpack.decode(body, type=Request))
-            why_not = self._lanes.submit(request.verb, lambda: self._work(sender, request))
+            if head.version == PROTOCOL_VERSION:
+                request = bounded(msgspec.msgpack.decode(body, type=Request))
+                why_not = self._lanes.submit(request.verb, lambda: self._work(sender, request))
+            else:  # a plain string: an older viewer knows nothing else
+                why_not = str(other_version(PROTOCOL_VERSION, head.version))
         except Refused as error:
-            why_not = str(error)
+            why_not = sentence_of_error(error)
         except Exception as error:
-            why_not = f"The request is not readable ‹{error}›."
+            why_not = say("The request is not readable ‹{}›.", error)
         if why_not:
-            body = msgspec.msgpack.encode(refusal(why_not, identifier))
+            body = encode(refusal(why_not, identifier))
             self._router.send_multipart([sender, b"", body])
 
     def _work(self, sender: bytes, request: Request) -> None:
         try:
             reply = self._handler(request)
             reply = msgspec.structs.replace(reply, identifier=request.identifier)
-            body = msgspec.msgpack.encode(reply)
+            body = encode(reply)
         except Exception as error:
-            body = msgspec.msgpack.encode(
-                refusal(f"The engine could not do this ‹{error!r}›.", request.identifier)
+            body = encode(
+                refusal(say("The engine could not do this ‹{}›.", repr(error)), request.identifier)
             )
         self._replies.put((sender, body))
 
@@ -241,11 +295,11 @@ class Server:
 
     def _publish(self) -> None:
         try:
-            body = msgspec.msgpack.encode(self._snapshots())
+            body = encode(self._snapshots())
         except Exception as error:
             if not self._told:
                 self._told = True
-                self._on_failure(f"No snapshot could be made for windows ‹{error!r}›.")
+                self._on_failure(say("No snapshot could be made for windows ‹{}›.", repr(error)))
             return
         gone = set()
         for viewer in self._viewers:

@@ -15,9 +15,6 @@ from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import PlantSection, RigFile
 from rigapp.simulation.layout import Constants
 
-SINGULAR = 1e-12
-"""A matrix of a real cell has a determinant of thousands of N^2 per (mV/V)^2."""
-
 
 @dataclass(frozen=True, slots=True)
 class Machine:
@@ -62,7 +59,8 @@ def plant_constants(
     joint = parameters.joint
     radius = m.crank_radius_mm * 1e-3
     length = m.follower_length_mm * 1e-3
-    clearance = (joint.bushing_radius_mm - joint.pin_radius_mm) * 1e-3
+    bushing_radius = joint.bushing_radius_mm * 1e-3 + plant.clearance_error_um * 1e-6
+    clearance = bushing_radius - joint.pin_radius_mm * 1e-3
     stiffness, free = _spring(parameters, plant, radius + length)
     sign = _lengthening_sign(stiffness, free, length)
     _check(radius, length + sign * clearance, clearance)
@@ -70,7 +68,8 @@ def plant_constants(
     inertia = machine.flywheel_kg_m2 + machine.rotor_kg_m2 + crank
     slider = (m.slider_mass_kg + m.added_mass_kg) * plant.slider_mass_factor
     rate = 2.0 * math.pi * machine.bandwidth_Hz
-    mean_inertia = inertia + 0.5 * (m.follower_mass_kg + slider) * radius**2
+    follower = m.follower_mass_kg * plant.follower_mass_factor
+    mean_inertia = inertia + 0.5 * (follower + slider) * radius**2
     friction = plant.joint_friction_coefficient
     cell = _cell(rig, plant)
     believed = np.linalg.norm(np.linalg.inv(_matrix(rig)), axis=1)
@@ -83,15 +82,15 @@ def plant_constants(
         lengthening_sign=sign,
         crank_inertia=inertia,
         crank_first_moment=0.5 * m.crank_mass_kg * radius,
-        follower_mass=m.follower_mass_kg,
-        follower_inertia=m.follower_inertia_kg_m2,
+        follower_mass=follower,
+        follower_inertia=m.follower_inertia_kg_m2 * plant.follower_mass_factor,
         slider_mass=slider,
         gravity_x=m.gravity_m_s2[0],
         gravity_y=m.gravity_m_s2[1],
         stiffness=stiffness,
         free_position=free,
         pin_radius=joint.pin_radius_mm * 1e-3,
-        bushing_radius=joint.bushing_radius_mm * 1e-3,
+        bushing_radius=bushing_radius,
         clearance=clearance,
         width=joint.bushing_width_mm * 1e-3,
         outer_radius=joint.bushing_outer_radius_mm * 1e-3,
@@ -147,6 +146,8 @@ def plant_constants(
         * 1e-3,
         heating_K_per_W=plant.bushing_heating_K_per_W,
         heating_time_s=plant.bushing_time_constant_s,
+        pin_mass=plant.pin_mass_kg,
+        creep=plant.bushing_creep_um_per_decade * 1e-6,
     )
     return Constants(*map(float, constants))
 
@@ -177,8 +178,8 @@ def _check(radius: float, length: float, clearance: float) -> None:
         )
     if not 0.0 < radius < length:
         raise UnusableInput(
-            "mechanism.follower_length_mm must be greater than mechanism.crank_radius_mm (both"
-            " above 0), or the crank cannot turn."
+            "mechanism.follower_length_mm must be greater than"
+            " mechanism.crank_radius_mm (both above 0), or the crank cannot turn."
         )
 
 
@@ -189,20 +190,17 @@ def _volts_per_metre(rig: RigFile, plant: PlantSection) -> list[float]:
 
 
 def _matrix(rig: RigFile) -> NDArray[np.float64]:
-    matrix = np.array(rig.load_cell.matrix_N_per_mV_per_V, dtype=np.float64)
-    if abs(np.linalg.det(matrix)) < SINGULAR:
-        raise UnusableInput(
-            "load_cell.matrix_N_per_mV_per_V is singular; no force could be told from the signals."
-        )
-    return matrix
+    return np.array(rig.load_cell.matrix_N_per_mV_per_V, dtype=np.float64)
 
 
 def _cell(rig: RigFile, plant: PlantSection) -> NDArray[np.float64]:
     """Return the true cell, mV/V per N on the pin: the rig file's matrix with cross-talk x.
 
     True force = (I + X) matrix signal with X = [[0, x], [x, 0]], so that the operator, who
-    believes the matrix, reads component 1 too low by x times component 2, and the reverse.
+    believes the matrix, reads component 1 too low by x times component 2, and the reverse; with an
+    error of the gain, both too high by it.
     """
     x = plant.cross_talk_percent / 100.0
     true = np.array([[1.0, x], [x, 1.0]]) @ _matrix(rig)
-    return np.asarray(np.linalg.inv(true), dtype=np.float64)
+    gain = 1.0 + plant.cell_gain_error_percent / 100.0
+    return np.asarray(gain * np.linalg.inv(true), dtype=np.float64)

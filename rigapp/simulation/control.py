@@ -25,9 +25,11 @@ from typing import Any
 import msgspec
 
 from rigapp.config.errors import UnusableInput
+from rigapp.schema.wire import json_bytes
 from rigapp.simulation.faults import fault_of
 from rigapp.simulation.hands import hand_of
 from rigapp.simulation.rig import RigSimulation
+from rigapp.texts import joined
 
 Table = dict[str, Any]
 LONGEST_LINE = 65536
@@ -47,7 +49,9 @@ def _clear(rig: RigSimulation, message: Table) -> Table:
 
 def _query(rig: RigSimulation, message: Table) -> Table:
     if message["query"] != "state":
-        raise UnusableInput(f"query {message['query']!r} is not known; the only one is 'state'.")
+        raise UnusableInput(
+            "query {} is not known; the only one is 'state'.", repr(message["query"])
+        )
     return rig.report()
 
 
@@ -67,7 +71,7 @@ def _set_state(rig: RigSimulation, message: Table) -> Table:
     try:
         state = msgspec.convert(message["state"], WornState)
     except msgspec.ValidationError as error:
-        raise UnusableInput(f"state: {error}.") from error
+        raise UnusableInput("state: {}.", error) from error
     rig.wear_to(state.wear_depth_um, state.worn_area_mm2)
     return {"ok": True}
 
@@ -87,13 +91,13 @@ def answer(rig: RigSimulation, line: bytes) -> bytes:
         message = msgspec.json.decode(line, type=dict[str, Any])
         verbs = [verb for verb in VERBS if verb in message]
         if len(verbs) != 1:
-            raise UnusableInput(f"a message has one of the keys {', '.join(VERBS)}.")
+            raise UnusableInput("a message has one of the keys {}.", joined(", ", VERBS))
         reply = VERBS[verbs[0]](rig, message)
     except msgspec.DecodeError as error:
         reply = {"error": f"not a JSON object on one line: {error}"}
     except UnusableInput as error:
         reply = {"error": str(error)}
-    return msgspec.json.encode(reply) + b"\n"
+    return json_bytes(reply) + b"\n"
 
 
 class Lines:

@@ -47,7 +47,7 @@ def inputs_of(rig: RigFile, channels: ChannelTable) -> dict[str, int]:
     numbers = [_input_number(*item) for item in names.items()]
     if len(set(numbers)) < len(numbers):
         taken = ", ".join(f"{key} = {name!r}" for key, name in names.items())
-        raise UnusableInput(f"{taken}: two signals cannot share one input; give each its own.")
+        raise UnusableInput("{}: two signals cannot share one input; give each its own.", taken)
     return dict(zip((one.name for one in channels.sampled), numbers, strict=True))
 
 
@@ -177,8 +177,9 @@ def slow_devices(
     instruments = {rig.spindle.device, rig.encoder.device, rig.load_cell.device, rig.probes.device}
     if rig.spindle.device == rig.encoder.device and rig.spindle.device in simulated_names(rig):
         raise UnusableInput(
-            f"spindle.device and encoder.device are both {rig.spindle.device!r}; the drive and the"
-            " data acquisition are separate devices in a simulated rig."
+            "spindle.device and encoder.device are both {}; the drive and the data"
+            " acquisition are separate devices in a simulated rig.",
+            repr(rig.spindle.device),
         )
     return tuple(
         _device(rig, name, DriverKind.SLOW_SOURCE, {}, make_endpoint, seed + 2 + place)
@@ -206,7 +207,7 @@ def _input_number(key: str, name: str) -> int:
     match = re.fullmatch(r"analog_([1-9][0-9]*)", name)
     if match is None:
         raise UnusableInput(
-            f"{key} = {name!r} is not an analog input; write analog_1, analog_2 ..."
+            "{} = {} is not an analog input; write analog_1, analog_2 ...", key, repr(name)
         )
     return int(match[1])
 
@@ -218,15 +219,20 @@ def _load(
         info = load_driver(device.driver)
         check_settings(info, device.settings, f"devices.{name}.settings")
     except (DriverNotFound, SettingsError) as error:
-        raise UnusableInput(f"devices.{name}: {error}") from error
+        raise UnusableInput("devices.{}: {}", name, error) from error
     if kind is DriverKind.SLOW_SOURCE and info.kind is not kind:
         raise UnusableInput(
-            f"devices.{name} is used by neither [spindle], [encoder], [load_cell] nor [probes];"
-            " name it there or take it out."
+            "devices.{} is used by neither [spindle], [encoder], [load_cell] nor"
+            " [probes]; name it there or take it out.",
+            name,
         )
     if info.kind is not kind:
         raise UnusableInput(
-            f"devices.{name}.driver = {device.driver!r} is a {info.kind}, where a {kind} is needed."
+            "devices.{}.driver = {} is a {}, where a {} is needed.",
+            name,
+            repr(device.driver),
+            info.kind,
+            kind,
         )
     return info, device.settings
 
@@ -238,7 +244,7 @@ def _simulator(
     try:
         simulator = load_simulator(info)
     except DriverNotFound as error:
-        raise UnusableInput(f"devices.{name}: {error}") from error
+        raise UnusableInput("devices.{}: {}", name, error) from error
     parameters = inspect.signature(simulator).parameters
     options = {key: value for key, value in facts.items() if key in parameters}
     options |= {

@@ -41,6 +41,7 @@ from rigapp.schema.channels import ChannelTable
 from rigapp.schema.faults import FaultRecord
 from rigapp.simulation.disturbances import BRIDGES, SignalFault
 from rigapp.simulation.wire.link import WireFault
+from rigapp.texts import joined
 
 WIRE_KINDS = frozenset(WireFault)
 SIGNAL_KINDS = frozenset(SignalFault)
@@ -69,9 +70,9 @@ def read_faults(path: Path) -> tuple[FaultRecord, ...]:
     try:
         file = msgspec.convert(toml_tree(read_text(path), path), type=FaultFile)
     except msgspec.ValidationError as error:
-        raise UnusableInput(f"{path}: not a list of faults: {error}.") from error
+        raise UnusableInput("{}: not a list of faults: {}.", path, error) from error
     if file.schema != 1:
-        raise UnusableInput(f"{path}: schema = {file.schema} is not readable; write schema = 1.")
+        raise UnusableInput("{}: schema = {} is not readable; write schema = 1.", path, file.schema)
     return file.fault
 
 
@@ -80,7 +81,7 @@ def fault_of(tree: dict[str, Any]) -> FaultRecord:
     try:
         return msgspec.convert(tree, FaultRecord)
     except msgspec.ValidationError as error:
-        raise UnusableInput(f"fault: {error}.") from error
+        raise UnusableInput("fault: {}.", error) from error
 
 
 def check_fault(fault: FaultRecord, devices: Sequence[str], channels: ChannelTable) -> None:
@@ -91,7 +92,10 @@ def check_fault(fault: FaultRecord, devices: Sequence[str], channels: ChannelTab
     if fault.device not in devices:
         known = ", ".join(devices)
         raise UnusableInput(
-            f"fault {fault.kind}: device = {fault.device!r} is not in the rig; it has {known}."
+            "fault {}: device = {} is not in the rig; it has {}.",
+            fault.kind,
+            repr(fault.device),
+            known,
         )
 
 
@@ -102,12 +106,16 @@ def _check_channel(fault: FaultRecord, channels: ChannelTable) -> None:
     if fault.kind == SignalFault.SWAPPED_BRIDGES:
         known = list(BRIDGES)
     if not name and fault.kind == SignalFault.STUCK_VALUE:
-        raise UnusableInput(f"{where} is missing; choose one of {', '.join(known)}.")
+        raise UnusableInput("{} is missing; choose one of {}.", where, joined(", ", known))
     if name in channels and channels[name] in channels.slow:
         device = channels[name].device
-        raise UnusableInput(f"{where} = {name!r} has no input; give device = {device!r} a fault.")
+        raise UnusableInput(
+            "{} = {} has no input; give device = {} a fault.", where, repr(name), repr(device)
+        )
     if name and name not in known:
-        raise UnusableInput(f"{where} = {name!r} cannot have it; choose one of {', '.join(known)}.")
+        raise UnusableInput(
+            "{} = {} cannot have it; choose one of {}.", where, repr(name), joined(", ", known)
+        )
 
 
 class Timetable:

@@ -4,21 +4,21 @@ from __future__ import annotations
 
 import contextlib
 import os
-import select
 import subprocess
 import tempfile
 import threading
-import time
 from collections.abc import Mapping
 from pathlib import Path
-from typing import IO, Any, Literal
+from typing import Any, Literal
 
 import msgspec
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.toml import toml_text
-from rigapp.process.children import start_module
+from rigapp.process.children import Child
+from rigapp.schema.wire import json_bytes
+from rigapp.texts import say
 
 ANSWER_S = 30.0  # of a process that answers in ms, on a computer that stands still now and then
 START_S = 180.0
@@ -26,7 +26,6 @@ START_S = 180.0
 FOLDER = "rigapp-sim-"
 """How the names of temporary folders begin; the process id of the owner follows."""
 _CLOSE_S = 5.0  # then it is killed: nothing is lost in it
-_READ_SIZE = 65536
 
 
 class SimulationFailed(Exception):
@@ -36,12 +35,9 @@ class SimulationFailed(Exception):
 class SimulatedRig:
     """Hold a running simulated rig; ``urls`` gives a URL a device of the rig file."""
 
-    def __init__(
-        self, process: subprocess.Popen[bytes], complaints: IO[bytes], urls: dict[str, str]
-    ) -> None:
+    def __init__(self, process: Child, urls: dict[str, str]) -> None:
         self.urls = urls
         self._process = process
-        self._complaints = complaints
         self._lock = threading.Lock()
 
     @property
@@ -51,7 +47,7 @@ class SimulatedRig:
 
     def alive(self) -> bool:
         """Tell whether the process runs."""
-        return self._process.poll() is None
+        return self._process.running
 
     def inject(self, fault: Mapping[str, object]) -> None:
         """Let a fault happen; raise UnusableInput, SimulationFailed.
@@ -84,17 +80,7 @@ class SimulatedRig:
 
     def close(self) -> None:
         """End the process; never raises; safe to call twice."""
-        with contextlib.suppress(OSError):
-            self._process.terminate()
-        try:
-            self._process.wait(_CLOSE_S)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
-        for stream in (self._process.stdin, self._process.stdout, self._complaints):
-            if stream is not None:
-                with contextlib.suppress(OSError):
-                    stream.close()
+        self._process.close(_CLOSE_S)
 
     def __enter__(self) -> SimulatedRig:
         return self
@@ -103,14 +89,13 @@ class SimulatedRig:
         self.close()
 
     def _obey(self, message: dict[str, Any]) -> dict[str, Any]:
-        assert self._process.stdin is not None
         with self._lock:
             try:
-                self._process.stdin.write(msgspec.json.encode(message) + b"\n")
+                self._process.stdin.write(json_bytes(message) + b"\n")
                 self._process.stdin.flush()
                 line = _read_line(self._process, ANSWER_S)
             except (OSError, ValueError) as error:
-                raise SimulationFailed(f"the simulated rig has ended ({error}).") from error
+                raise SimulationFailed(say("the simulated rig has ended ({}).", error)) from error
         reply = msgspec.json.decode(line, type=dict[str, Any])
         if "error" in reply:
             raise UnusableInput(reply["error"])
@@ -143,56 +128,34 @@ def start_simulated_rig(
             path = Path(folder) / "parameters.toml"
             path.write_text(toml_text(parameters), encoding="utf-8")
             options += ["--parameters", path]
-        complaints = tempfile.TemporaryFile()  # noqa: SIM115 - the handle closes it
-        process = start_module(
-            "rigapp.simulation.process",
-            rig_path,
-            *options,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=complaints,
-        )
-        handle = SimulatedRig(process, complaints, {})
+        process = Child("rigapp.simulation.process", rig_path, *options, pipes=True)
         try:
-            line = _read_line(process, timeout_s)
+            urls = msgspec.json.decode(_read_line(process, timeout_s), type=dict[str, str])
         except OSError as error:
-            raise _failure(handle, process, complaints, error) from error
-        handle.urls = msgspec.json.decode(line, type=dict[str, str])
-        return handle
+            raise _failure(process, error) from error
+        return SimulatedRig(process, urls)
 
 
-def _failure(
-    handle: SimulatedRig,
-    process: subprocess.Popen[bytes],
-    complaints: IO[bytes],
-    error: OSError,
-) -> Exception:
-    handle_alive = process.poll() is None
-    if not handle_alive:
-        complaints.seek(0)
-        said = complaints.read().decode("utf-8", "replace").strip()
-        status = process.returncode
-    handle.close()
-    if handle_alive:
-        return SimulationFailed(f"the simulated rig did not answer: {error}")
-    if status == 2 and said:
-        return UnusableInput(said)
-    return SimulationFailed(f"the simulated rig ended with status {status}: {said or error}")
-
-
-def _read_line(process: subprocess.Popen[bytes], timeout_s: float) -> bytes:
-    """Return one line of the process's stdout; raise TimeoutError or EOFError (as OSError)."""
-    assert process.stdout is not None
-    descriptor = process.stdout.fileno()
-    deadline = time.monotonic() + timeout_s
-    line = b""
-    while not line.endswith(b"\n"):
-        left = deadline - time.monotonic()
-        if left <= 0.0 or not select.select([descriptor], [], [], left)[0]:
-            raise TimeoutError(f"no line from the simulated rig within {timeout_s:g} s")
-        part = os.read(descriptor, _READ_SIZE)
-        if not part:
+def _failure(process: Child, error: OSError) -> Exception:
+    """Return why a rig has not started; end its process."""
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        if not isinstance(error, TimeoutError):
             process.wait(_CLOSE_S)
-            raise BrokenPipeError("the simulated rig's output ended")
-        line += part
-    return line
+    if process.running:
+        process.close(_CLOSE_S)
+        return SimulationFailed(f"the simulated rig did not answer: {error}")
+    status, reason = process.status, process.messages()
+    process.close()
+    if status == 2 and reason:
+        return UnusableInput(reason)
+    return SimulationFailed(f"the simulated rig ended with status {status}: {reason or error}")
+
+
+def _read_line(process: Child, timeout_s: float) -> bytes:
+    """Return one line of the process's output; raise TimeoutError, BrokenPipeError."""
+    try:
+        return process.read_line(timeout_s)
+    except TimeoutError:
+        raise TimeoutError(say("no line from the simulated rig within {:g} s", timeout_s)) from None
+    except BrokenPipeError:
+        raise BrokenPipeError(say("the simulated rig's output ended")) from None

@@ -146,5 +146,5 @@ def hand_of(tree: dict[str, object]) -> Hand:
     try:
         hand: Hand = msgspec.convert(tree, Hand)
     except msgspec.ValidationError as error:
-        raise UnusableInput(f"hand: {error}.") from error
+        raise UnusableInput("hand: {}.", error) from error
     return hand

@@ -54,6 +54,9 @@ from rigapp.simulation.sensing import emit, views
 from rigapp.simulation.wall import LASTS, ROW, SQUARE, TOP, WALL, Wall, renew, worn
 from rigapp_model.compiled import njit
 
+CREEP_BEGINS_S = 60.0
+"""Creep is counted in decades of time after the first minute."""
+
 
 @njit(types.UniTuple(F, 2)(CONSTANTS, DRIVE, float64[::1], F), cache=True)
 def friction_sense(k: Constants, d: Drive, state: Array, fraction: float) -> tuple[float, float]:
@@ -192,9 +195,12 @@ def advance(
             )
             sliding = sense
         position = geometry(k, angle, depth)
+        seen_depth = depth
+        if k.creep > 0.0 and counters[DEPARTURES] > 0:
+            seen_depth += k.creep * np.log10(1.0 + (state[TIME] - state[WARM]) / CREEP_BEGINS_S)
         head = (counters[HEAD] + 1) % size
         ring[0, head], ring[1, head], ring[2, head], ring[3, head] = views(
-            k, table, wall_state, position, depth, fx, fy, sliding
+            k, table, wall_state, position, seen_depth, fx, fy, sliding
         )
         counters[HEAD] = head
         state[TORQUE] = torque

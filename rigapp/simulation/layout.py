@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
+STANDARD_GRAVITY_M_S2 = 9.80665
+
 
 class Constants(NamedTuple):
     """Hold everything that does not change while the plant runs; SI units.
@@ -22,7 +24,8 @@ class Constants(NamedTuple):
     pin outboard of the gauges times its radius, kg m; its inertia presses the cell outward.
     running_in, wear_change: how K changes with the depth, see ``Plant.wear_coefficient``.
     heating: how far above the room a power of friction in the joint brings the bushing in the end,
-    and the time in which it gets there but for 1/e.
+    and the time in which it gets there but for 1/e. pin_mass: kg, outboard of the gauges; its
+    weight turns about the cell. creep: m, of the bushing in a decade of time.
     """
 
     crank_radius: float
@@ -89,6 +92,8 @@ class Constants(NamedTuple):
     outboard: float
     heating_K_per_W: float
     heating_time_s: float
+    pin_mass: float
+    creep: float
 
 
 class Drive(NamedTuple):

@@ -14,6 +14,7 @@ import numpy as np
 from rigapp.simulation import kernels, layout, mechanics, sensing
 from rigapp.simulation.layout import Array, Constants, Drive
 from rigapp.simulation.wall import APPROACH, Wall, looked_up, unworn_wall, worn_wall
+from rigapp.texts import say
 
 LONGEST_STEP_S = 1.0 / 900.0  # 95 steps a turn at the highest usual speed, 570 rpm
 DEEPEST_SHARE = 0.5
@@ -133,7 +134,7 @@ class Plant:
     def set_sample_rate(self, sample_rate_Hz: float) -> None:
         """Take samples at another rate from now on; raise ValueError when it is not positive."""
         if not sample_rate_Hz > 0.0:
-            raise ValueError(f"sample rate {sample_rate_Hz} Hz is not positive")
+            raise ValueError(say("sample rate {} Hz is not positive", sample_rate_Hz))
         if sample_rate_Hz == self._rate:
             return
         self._rate = sample_rate_Hz
@@ -240,11 +241,14 @@ class Plant:
         """
         if not 0.0 <= depth_m < DEEPEST_SHARE * self.constants.pin_radius:
             raise ValueError(
-                f"a depth of {depth_m * 1e6:g} um is not possible; give 0 to less than "
-                f"{DEEPEST_SHARE * self.constants.pin_radius * 1e6:g} um"
+                say(
+                    "a depth of {:g} um is not possible; give 0 to less than {:g} um",
+                    depth_m * 1000000.0,
+                    DEEPEST_SHARE * self.constants.pin_radius * 1000000.0,
+                )
             )
         if area_m2 is not None and not 0.0 <= area_m2 < math.inf:
-            raise ValueError(f"a worn area of {area_m2 * 1e6:g} mm2 is not possible")
+            raise ValueError(say("a worn area of {:g} mm2 is not possible", area_m2 * 1000000.0))
         self._wall, area = worn_wall(
             self._new_wall(), mechanics.bore(self.constants), self._usual_force, depth_m
         )

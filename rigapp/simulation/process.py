@@ -19,12 +19,11 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-import msgspec
-
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameter_file, read_rig
 from rigapp.process.ending import asked_to_end
 from rigapp.process.leftovers import remove_left_behind
+from rigapp.schema.wire import json_bytes
 from rigapp.simulation.handle import FOLDER, SimulatedRig, start_simulated_rig
 
 __all__ = ["SimulatedRig", "main", "start_simulated_rig"]
@@ -74,7 +73,7 @@ def speed_of(text: str | None) -> float:
     except ValueError:
         speed = 0.0
     if not 0.0 < speed < math.inf:
-        raise UnusableInput(f"--speed {text} is not usable; give a number above 0, or max.")
+        raise UnusableInput("--speed {} is not usable; give a number above 0, or max.", text)
     return speed
 
 
@@ -102,7 +101,7 @@ def _run(options: argparse.Namespace, stack: contextlib.ExitStack) -> int:
         truth=truth,
     )
     stack.callback(rig.close)
-    _say(msgspec.json.encode(rig.urls) + b"\n")
+    _say(json_bytes(rig.urls) + b"\n")
     _loop(rig, stopping, exit_with_parent=options.exit_with_parent)
     return 0
 

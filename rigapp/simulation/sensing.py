@@ -37,6 +37,7 @@ from rigapp.simulation.layout import (
     RISE,
     ROWS,
     SPEED,
+    STANDARD_GRAVITY_M_S2,
     TIME,
     WARM,
     Array,
@@ -168,15 +169,23 @@ def emit(
     warm = time - state[WARM]
     noise_1, noise_2 = normal_pair(seed, np.uint64(1), index)
     noise_3, noise_4 = normal_pair(seed, np.uint64(2), index)
-    on_pin_1 = k.outboard * state[SPEED] ** 2 - delayed(ring, 0, head, delay_steps)
-    on_pin_2 = -delayed(ring, 1, head, delay_steps)
+    angle = state[ANGLE]
+    # What hangs on the gauges outboard is no force of the follower's; that it is seen as late as
+    # that would move it by thousandths of its size.
+    # Weights hang from a crank that turns upright; in a test the plane is that of the mechanism.
+    pull_x = k.pin_mass * (1.0 - k.bench) * k.gravity_x
+    pull_y = k.pin_mass * ((1.0 - k.bench) * k.gravity_y - k.bench * STANDARD_GRAVITY_M_S2)
+    sine, cosine = math.sin(angle), math.cos(angle)
+    on_pin_1 = k.outboard * state[SPEED] ** 2 + pull_x * cosine + pull_y * sine
+    on_pin_2 = pull_y * cosine - pull_x * sine
+    on_pin_1 -= delayed(ring, 0, head, delay_steps)
+    on_pin_2 -= delayed(ring, 1, head, delay_steps)
     bridge_1 = k.cell_11 * on_pin_1 + k.cell_12 * on_pin_2 + k.noise_1 * noise_1 + k.drift_1 * warm
     bridge_2 = k.cell_21 * on_pin_1 + k.cell_22 * on_pin_2 + k.noise_2 * noise_2 + k.drift_2 * warm
     along = delayed(ring, 2, head, delay_steps)
     across = delayed(ring, 3, head, delay_steps)
     probe_1 = k.see_11 * along + k.see_12 * across + k.probe_noise * noise_3
     probe_2 = k.see_21 * along + k.see_22 * across + k.probe_noise * noise_4
-    angle = state[ANGLE]
     out[OUT_SHAFT, column] = k.encoder_direction * (angle - k.index_angle) / (2.0 * math.pi)
     out[OUT_BRIDGE_1, column] = quantised(bridge_1, k.step_1) + k.zero_1
     out[OUT_BRIDGE_2, column] = quantised(bridge_2, k.step_2) + k.zero_2

@@ -2,9 +2,9 @@
 
 The bushing is warmed by the power of friction in the joint: force along the wall times sliding
 speed, through a first-order lag (see ``kernels``). The room's temperature and humidity swing about
-their means once a day, against each other: warmer air of the same water is drier. Their day begins
-when the crank first leaves its rest, so that a test of the same seed is the same however long the
-rig stood before.
+their means, once a day if nothing else is said, against each other: warmer air of the same water is
+drier. Their day begins when the crank first leaves its rest, so that a test of the same seed is the
+same however long the rig stood before.
 
 A free input of the rig file carries the quantity that its channel is named after,
 ``[channels.bushing_temperature]``, ``room_temperature`` or ``humidity``; to any other nothing is
@@ -23,7 +23,7 @@ from rigapp.simulation.constants import plant_section
 from rigapp.simulation.layout import Array
 from rigapp.simulation.plant import Samples
 
-DAY_S = 86400.0
+HOUR_S = 3600.0
 DRIVE_WARMER_K = 10.5
 """How much warmer than the room a drive's electronics are [assumed]."""
 CONNECTED_NOISE_V = 2e-4
@@ -33,8 +33,17 @@ FLOATING_NOISE_V = 2e-3
 Values = Callable[[PlantSection, Array, Array], Array]
 
 
+def room_swing_K(plant: PlantSection, warm_s: Array) -> Array:
+    """Return how far the room is from its mean temperature."""
+    return np.asarray(plant.room_swing_K * _swing(plant, warm_s))
+
+
+def _swing(plant: PlantSection, warm_s: Array) -> Array:
+    return np.asarray(np.sin(2.0 * math.pi / (HOUR_S * plant.room_swing_hours) * warm_s))
+
+
 def _room(plant: PlantSection, rise_K: Array, warm_s: Array) -> Array:
-    return plant.room_temperature_degC + plant.room_swing_K * np.sin(2.0 * math.pi / DAY_S * warm_s)
+    return plant.room_temperature_degC + room_swing_K(plant, warm_s)
 
 
 def _bushing(plant: PlantSection, rise_K: Array, warm_s: Array) -> Array:
@@ -42,7 +51,7 @@ def _bushing(plant: PlantSection, rise_K: Array, warm_s: Array) -> Array:
 
 
 def _humidity(plant: PlantSection, rise_K: Array, warm_s: Array) -> Array:
-    swing = plant.humidity_swing_percent * np.sin(2.0 * math.pi / DAY_S * warm_s)
+    swing = plant.humidity_swing_percent * _swing(plant, warm_s)
     return np.asarray(np.clip(plant.humidity_percent - swing, 0.0, 100.0))
 
 

@@ -8,11 +8,17 @@ schema and the errors of the configuration, and nothing that measures or draws.
 
 from __future__ import annotations
 
-from rigapp.storage.filesystem.errors import NoRoom, StorageFailed
+from rigapp.storage.filesystem.calls import NoRoom, StorageFailed
 from rigapp.storage.filesystem.folder import SPACE_MARGIN, hidden_name, move_into_place
 from rigapp.storage.filesystem.system import hold_writer_lock
-from rigapp.storage.reading.belief import believed_until
-from rigapp.storage.reading.export import export_columns, export_test
+from rigapp.storage.reading.blocks import (
+    StoredColumns,
+    blocks,
+    newest_known,
+    row_numbers,
+    rows_up_to,
+)
+from rigapp.storage.reading.export import AS_EVER, Dialect, export_columns, export_test
 from rigapp.storage.reading.reader import (
     Columns,
     StoredCycle,
@@ -21,7 +27,10 @@ from rigapp.storage.reading.reader import (
     open_test,
 )
 from rigapp.storage.reading.resample import on_grid
-from rigapp.storage.reading.trip import LargestForce, Trip, largest_force, trip_of
+from rigapp.storage.reading.seal import broken_seals, seal_words
+from rigapp.storage.reading.trip import LargestForce, Trip, believed_until, largest_force, trip_of
+from rigapp.storage.reading.verify import NEWEST_BYTES, damage_of, found_damage
+from rigapp.storage.structure.hdf import open_for_reading
 from rigapp.storage.structure.layout import (
     CALIBRATION,
     PROFILE_ANGLE,
@@ -31,19 +40,30 @@ from rigapp.storage.structure.layout import (
     streams_of,
 )
 from rigapp.storage.structure.metadata import TestMetadata, name_and_unit
-from rigapp.storage.upkeep.compact import compact_in_background, compact_test
-from rigapp.storage.upkeep.resume import finish_whole_test, reopen_test
+from rigapp.storage.upkeep.compact import (
+    compact_test,
+    seal_test,
+    settle_in_background,
+    trimmed_copy,
+)
+from rigapp.storage.upkeep.resume import close_test, finish_whole_test, reopen_test
+from rigapp.storage.upkeep.salvage import Salvaged, salvage_test
 from rigapp.storage.writing.writer import TestWriter, create_test
 
 __all__ = [
+    "AS_EVER",
     "CALIBRATION",
+    "NEWEST_BYTES",
     "PROFILE_ANGLE",
     "SPACE_MARGIN",
     "Columns",
+    "Dialect",
     "FilePlan",
     "LargestForce",
     "NoRoom",
+    "Salvaged",
     "StorageFailed",
+    "StoredColumns",
     "StoredCycle",
     "StoredVariable",
     "TestMetadata",
@@ -51,22 +71,35 @@ __all__ = [
     "TestWriter",
     "Trip",
     "believed_until",
-    "compact_in_background",
+    "blocks",
+    "broken_seals",
+    "close_test",
     "compact_test",
     "create_test",
+    "damage_of",
     "export_columns",
     "export_test",
     "finish_whole_test",
+    "found_damage",
     "hidden_name",
     "hold_writer_lock",
     "largest_force",
     "move_into_place",
     "name_and_unit",
+    "newest_known",
     "on_grid",
+    "open_for_reading",
     "open_test",
     "profile_rows",
     "reopen_test",
     "reserved_bytes",
+    "row_numbers",
+    "rows_up_to",
+    "salvage_test",
+    "seal_test",
+    "seal_words",
+    "settle_in_background",
     "streams_of",
+    "trimmed_copy",
     "trip_of",
 ]

@@ -1,4 +1,4 @@
-"""Compress the file of an ended test: ``python -m rigapp.storage FILE``."""
+"""Compress or seal the file of an ended test: ``python -m rigapp.storage FILE``."""
 
 from __future__ import annotations
 

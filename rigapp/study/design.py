@@ -1,4 +1,4 @@
-"""The points of a study: which values the varied keys have in each row. Pure, by a seed."""
+"""The study file, and the points that its design spreads."""
 
 from __future__ import annotations
 
@@ -6,12 +6,54 @@ import itertools
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Annotated, Any, Literal
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
-from rigapp.study.file import MOST_POINTS, DesignSection, Spread, Varied
+from rigapp.config.numbers import within
+
+MOST_POINTS = 1_000_000
+DesignName = Literal["grid", "latin-hypercube", "sobol"]
+
+
+class Spread(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Vary a number from low to high; levels: its values on a grid."""
+
+    low: float
+    high: float
+    levels: Annotated[int, msgspec.Meta(ge=2, le=1000)] = 5
+    scale: Literal["linear", "log"] = "linear"
+
+
+Varied = list[float | str] | Spread
+
+
+class DesignSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[design]: the points. repeats: each point so often, by another seed, for virtual tests."""
+
+    kind: DesignName = "grid"
+    points: Annotated[int, within(1, MOST_POINTS)] = 1024
+    seed: Annotated[int, within(0, 2**31 - 1)] = 1
+    repeats: Annotated[int, within(1, 100_000)] = 1
+
+
+class StudyFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A study file; ``rigapp.study.kinds`` says what [run] holds for each kind.
+
+    parameters: the parameter file, from the study file's folder. vary: dotted keys of the parameter
+    file, and of [run] with ``run.`` before them.
+    """
+
+    schema: int
+    kind: str
+    run: Any
+    parameters: str = ""
+    vary: dict[str, Varied] = {}
+    design: DesignSection = DesignSection()
+
 
 Value = float | str
 Unit = NDArray[np.float64]
@@ -50,7 +92,9 @@ def design_of(vary: Mapping[str, Varied], section: DesignSection) -> Design:
         blocks = 0
     else:
         if not vary:
-            raise UnusableInput(f"design.kind = {section.kind!r}: vary names nothing to be varied.")
+            raise UnusableInput(
+                "design.kind = {}: vary names nothing to be varied.", repr(section.kind)
+            )
         unit, blocks = _drawn(len(vary), section)
         rows = [
             {key: _at(varied, u) for (key, varied), u in zip(vary.items(), one, strict=True)}
@@ -58,7 +102,9 @@ def design_of(vary: Mapping[str, Varied], section: DesignSection) -> Design:
         ]
     if len(rows) * section.repeats > MOST_POINTS:
         raise UnusableInput(
-            f"the design has {len(rows) * section.repeats:,} points; at most {MOST_POINTS:,}."
+            "the design has {} points; at most {}.",
+            f"{len(rows) * section.repeats:,}",
+            f"{MOST_POINTS:,}",
         )
     if section.repeats > 1:
         blocks = 0
@@ -77,11 +123,15 @@ def _require_usable(key: str, varied: Varied) -> None:
     if isinstance(varied, Spread):
         finite = math.isfinite(varied.low) and math.isfinite(varied.high)
         if not (finite and varied.low < varied.high):
-            raise UnusableInput(f"vary.{key}: low = {varied.low:g} must be below {varied.high:g}.")
+            raise UnusableInput(
+                "vary.{}: low = {:g} must be below {:g}.", key, varied.low, varied.high
+            )
         if varied.scale == "log" and varied.low <= 0.0:
-            raise UnusableInput(f"vary.{key}: low = {varied.low:g} must be above 0 on a log scale.")
+            raise UnusableInput(
+                "vary.{}: low = {:g} must be above 0 on a log scale.", key, varied.low
+            )
     elif not varied:
-        raise UnusableInput(f"vary.{key}: the list is empty; name a value at least.")
+        raise UnusableInput("vary.{}: the list is empty; name a value at least.", key)
 
 
 def _grid(vary: Mapping[str, Varied]) -> list[dict[str, Value]]:
@@ -89,8 +139,9 @@ def _grid(vary: Mapping[str, Varied]) -> list[dict[str, Value]]:
     sizes = [one.levels if isinstance(one, Spread) else len(one) for one in vary.values()]
     if math.prod(sizes) > MOST_POINTS:
         raise UnusableInput(
-            f"the grid has {math.prod(sizes):,} points; at most {MOST_POINTS:,}: take fewer levels,"
-            ' or design.kind = "sobol".'
+            'the grid has {} points; at most {}: take fewer levels, or design.kind = "sobol".',
+            f"{math.prod(sizes):,}",
+            f"{MOST_POINTS:,}",
         )
     levels: list[Sequence[Value]] = [
         [_at(one, u) for u in np.linspace(0.0, 1.0, one.levels)] if isinstance(one, Spread) else one

@@ -13,13 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
+from rigapp.storage import open_for_reading
 from rigapp.study.sensitivity import INDICES, Indices
+from rigapp.texts import Sentence, say, sentence_of_error
 
 Floats = NDArray[np.float64]
 
 ROWS, IDENTITY = "rows.jsonl", "study.json"
 TABLE, CSV, POWER = "table.nc", "table.csv", "power.csv"
-NOT_COMPUTED = "not computed yet"
+NOT_COMPUTED = say("not computed yet")
 """The problem of a point that is still to come."""
 SENSITIVITY = "sensitivity_"
 """Before the names of the indices among the columns of the table."""
@@ -53,8 +55,8 @@ class PowerRow:
 class StudyResults:
     """What a study came to. changed: when, seconds since 1970. said: why there is no table.
 
-    problems: of each point why it has no result, "" where it has. sensitivities: by result, each
-    index of the parameters in their order.
+    problems: of each point why it has no result, "" where it has. notes: what belongs to its result
+    otherwise. sensitivities: by result, each index of the parameters in their order.
     """
 
     folder: Path
@@ -63,6 +65,7 @@ class StudyResults:
     parameters: tuple[StudyColumn, ...] = ()
     results: tuple[StudyColumn, ...] = ()
     problems: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
     sensitivities: Mapping[str, Indices] | None = None
     power: tuple[PowerRow, ...] = ()
     said: str = ""
@@ -71,6 +74,11 @@ class StudyResults:
     def waiting(self) -> int:
         """Return how many points are still to come."""
         return self.problems.count(NOT_COMPUTED)
+
+    @property
+    def noted(self) -> tuple[tuple[int, str], ...]:
+        """Return the points whose result has notes, each with them."""
+        return tuple((number, text) for number, text in enumerate(self.notes) if text)
 
     @property
     def failed(self) -> tuple[tuple[int, str], ...]:
@@ -94,21 +102,21 @@ def study_results(folder: Path) -> StudyResults:
     newest = next((one for one in (TABLE, ROWS, IDENTITY) if (folder / one).exists()), "")
     changed = (folder / newest).stat().st_mtime
     if newest != TABLE:
-        said = (
-            "The study has no table yet: it is under way, or was killed. What is done is safe, and"
-            " the same command goes on with it."
+        said = say(
+            "The study has no table yet: it is under way, or was killed. What is done"
+            " is safe, and the same command goes on with it."
         )
         return StudyResults(folder, changed, said=said)
     try:
         return _results(folder, changed)
     except UnusableInput as error:
-        return StudyResults(folder, changed, said=str(error))
+        return StudyResults(folder, changed, said=sentence_of_error(error))
 
 
 def _results(folder: Path, changed: float) -> StudyResults:
     path = folder / TABLE
     try:
-        with h5py.File(path, "r") as file:
+        with open_for_reading(path) as file:
             return StudyResults(
                 folder,
                 changed,
@@ -116,11 +124,12 @@ def _results(folder: Path, changed: float) -> StudyResults:
                 _columns(file, "parameter"),
                 _columns(file, "result"),
                 tuple(map(str, file["problem"].asstr()[...])),
+                tuple(map(str, file["notes"].asstr()[...])) if "notes" in file else (),
                 _sensitivities(file),
                 _power(folder / POWER),
             )
     except (OSError, KeyError, ValueError, TypeError, AttributeError) as error:
-        raise UnusableInput(f"{path}: is not the table of a study ‹{error}›.") from error
+        raise UnusableInput("{}: is not the table of a study ‹{}›.", path, error) from error
 
 
 def _text(value: Any) -> str:
@@ -138,9 +147,11 @@ def _columns(file: h5py.File, role: str) -> tuple[StudyColumn, ...]:
 def _column(name: str, data: h5py.Dataset) -> StudyColumn:
     unit, words = (_text(data.attrs.get(one, "")) for one in ("units", "long_name"))
     if h5py.check_string_dtype(data.dtype) is None:
-        return StudyColumn(name, unit, words, data[...].astype(np.float64))
+        return StudyColumn(name, unit, Sentence(words), data[...].astype(np.float64))
     texts, places = np.unique(data.asstr()[...].astype(str), return_inverse=True)
-    return StudyColumn(name, unit, words, places.astype(np.float64), tuple(map(str, texts)))
+    return StudyColumn(
+        name, unit, Sentence(words), places.astype(np.float64), tuple(map(str, texts))
+    )
 
 
 def _sensitivities(file: h5py.File) -> dict[str, Indices]:

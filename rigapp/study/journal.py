@@ -11,6 +11,7 @@ import msgspec
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
+from rigapp.schema.wire import json_bytes
 from rigapp.storage import hold_writer_lock
 from rigapp.study.folder import IDENTITY, ROWS
 from rigapp.study.points import StudyRow
@@ -34,10 +35,12 @@ class StudyJournal:
             folder.mkdir(parents=True, exist_ok=True)
             self._file = (folder / ROWS).open("ab+")
         except OSError as error:
-            raise UnusableInput(f"--to {folder}: cannot be written ({error.strerror}).") from error
+            raise UnusableInput(
+                "--to {}: cannot be written ({}).", folder, error.strerror
+            ) from error
         try:
             if not hold_writer_lock(self._file.fileno()):
-                raise UnusableInput(f"--to {folder}: another process works on this study.")
+                raise UnusableInput("--to {}: another process works on this study.", folder)
             self._require_same(identity)
             self.rows = self._read()
         except BaseException:
@@ -57,7 +60,7 @@ class StudyJournal:
 
     def append(self, rows: Iterable[StudyRow]) -> None:
         """Write rows; they are on the disk when this returns."""
-        lines = b"".join(msgspec.json.encode(one) + b"\n" for one in rows)
+        lines = b"".join(json_bytes(one) + b"\n" for one in rows)
         self._file.write(lines)
         self._file.flush()
         os.fsync(self._file.fileno())
@@ -66,21 +69,22 @@ class StudyJournal:
         path = self.folder / IDENTITY
         if not path.exists():
             with whole_file(path) as part:
-                part.write_bytes(msgspec.json.format(msgspec.json.encode(identity), indent=1))
+                part.write_bytes(msgspec.json.format(json_bytes(identity), indent=1))
             return
         try:
             known = msgspec.json.decode(path.read_bytes(), type=StudyIdentity)
         except (msgspec.DecodeError, OSError) as error:
-            raise UnusableInput(f"{path}: cannot be read ‹{error}›.") from error
+            raise UnusableInput("{}: cannot be read ‹{}›.", path, error) from error
         if (known.study, known.parameters) != (identity.study, identity.parameters):
             raise UnusableInput(
-                f"--to {self.folder}: holds another study, or another parameter file; give a new"
-                " folder."
+                "--to {}: holds another study, or another parameter file; give a new folder.",
+                self.folder,
             )
         if known.version != identity.version:
             raise UnusableInput(
-                f"--to {self.folder}: was begun by rigapp {known.version}; go on with that, or give"
-                " a new folder."
+                "--to {}: was begun by rigapp {}; go on with that, or give a new folder.",
+                self.folder,
+                known.version,
             )
 
     def _read(self) -> dict[int, StudyRow]:
@@ -93,7 +97,7 @@ class StudyJournal:
             try:
                 row = msgspec.json.decode(line, type=StudyRow)
             except msgspec.DecodeError as error:
-                raise UnusableInput(f"{self.folder / ROWS}: is damaged ‹{error}›.") from error
+                raise UnusableInput("{}: is damaged ‹{}›.", self.folder / ROWS, error) from error
             found[row.number] = row
         self._file.truncate(end)
         self._file.seek(end)

@@ -13,8 +13,9 @@ import numpy as np
 from rigapp.config.errors import UnusableInput
 from rigapp.config.numbers import within
 from rigapp.config.parameters import MM, MPA
-from rigapp.study.file import StudyFile
+from rigapp.study.design import StudyFile
 from rigapp.study.virtual import MM3_PER_NM, VirtualTest, virtual_test
+from rigapp.texts import joined, say
 from rigapp_model.wear.techniques import SOLVABLE, TECHNIQUES
 
 if TYPE_CHECKING:
@@ -29,6 +30,14 @@ else:
 MM2, GRAM = 1e-6, 1e-3
 Rpm = Annotated[float, within(-10_000.0, 10_000.0)]
 Numbers = Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Noted:
+    """Hold results by name with the sentences that belong to them."""
+
+    numbers: Numbers
+    notes: tuple[str, ...] = ()
 
 
 class ForcesRun(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -77,14 +86,14 @@ class StudyKind:
     """One thing to compute of a point.
 
     settings: of [run]. compute (parameters, settings, seed): its results by name, NaN where one is
-    not known; raises ValueError or UnusableInput with the sentence of the point. modelled: whether
-    it needs a parameter file.
+    not known, with what must be known about them; raises ValueError or UnusableInput with the
+    sentence of the point. modelled: whether it needs a parameter file.
     """
 
     name: str
     settings: type[msgspec.Struct]
     results: tuple[Result, ...]
-    compute: Callable[[Parameters | None, Any, int], Numbers]
+    compute: Callable[[Parameters | None, Any, int], Numbers | Noted]
     modelled: bool = True
 
 
@@ -125,14 +134,14 @@ def _pressure(parameters: Parameters | None, run: PressureRun, seed: int) -> Num
     }
 
 
-def _life(parameters: Parameters | None, run: LifeRun, seed: int) -> Numbers:
+def _life(parameters: Parameters | None, run: LifeRun, seed: int) -> Noted:
     from rigapp_model.wear.life import life
 
     assert parameters is not None
     found = life(
         parameters, _speed(run.rpm), run.cycles, run.joint, run.tolerance, force=run.force_N
     )
-    return {
+    numbers = {
         "max_depth_mm": float(found.max_depth[-1] / MM),
         "worn_area_mm2": float(found.worn_area[-1] / MM2),
         "worn_mass_g": float(found.worn_mass[-1] / GRAM),
@@ -141,6 +150,7 @@ def _life(parameters: Parameters | None, run: LifeRun, seed: int) -> Numbers:
         "estimated_error_mm": float(found.estimated_error[-1] / MM),
         "tolerance_met": float(found.tolerance_met),
     }
+    return Noted(numbers, found.notes)
 
 
 def _identify(parameters: Parameters | None, run: IdentifyRun, seed: int) -> Numbers:
@@ -169,11 +179,11 @@ def _simulate(parameters: Parameters | None, run: VirtualTest, seed: int) -> Num
 
 
 _COEFFICIENT = (
-    Result("wear_coefficient_mm3_per_Nm", "mm^3/(N m)", "wear coefficient, median"),
-    Result("wear_coefficient_low_mm3_per_Nm", "mm^3/(N m)", "lower 95 % limit of it"),
-    Result("wear_coefficient_high_mm3_per_Nm", "mm^3/(N m)", "upper 95 % limit of it"),
+    Result("wear_coefficient_mm3_per_Nm", "mm^3/(N m)", say("wear coefficient, median")),
+    Result("wear_coefficient_low_mm3_per_Nm", "mm^3/(N m)", say("lower 95 % limit of it")),
+    Result("wear_coefficient_high_mm3_per_Nm", "mm^3/(N m)", say("upper 95 % limit of it")),
 )
-_PEAK = Result("peak_pressure_MPa", "MPa", "largest contact pressure")
+_PEAK = Result("peak_pressure_MPa", "MPa", say("largest contact pressure"))
 
 KINDS: Mapping[str, StudyKind] = {
     one.name: one
@@ -182,12 +192,12 @@ KINDS: Mapping[str, StudyKind] = {
             "forces",
             ForcesRun,
             (
-                Result("force_max_N", "N", "largest |F| of the joint"),
-                Result("force_min_N", "N", "smallest |F| of the joint"),
-                Result("force_rms_N", "N", "RMS of |F| of the joint"),
-                Result("force_max_angle_deg", "deg", "crank angle of the largest |F|"),
-                Result("torque_max_Nm", "N m", "largest magnitude of the drive's torque"),
-                Result("slip_mm", "mm", "slip of a cycle"),
+                Result("force_max_N", "N", say("largest |F| of the joint")),
+                Result("force_min_N", "N", say("smallest |F| of the joint")),
+                Result("force_rms_N", "N", say("RMS of |F| of the joint")),
+                Result("force_max_angle_deg", "deg", say("crank angle of the largest |F|")),
+                Result("torque_max_Nm", "N m", say("largest magnitude of the drive's torque")),
+                Result("slip_mm", "mm", say("slip of a cycle")),
             ),
             _forces,
         ),
@@ -196,8 +206,8 @@ KINDS: Mapping[str, StudyKind] = {
             PressureRun,
             (
                 _PEAK,
-                Result("contact_half_angle_deg", "deg", "half angle of the contact"),
-                Result("indentation_mm", "mm", "elastic approach of pin and bushing"),
+                Result("contact_half_angle_deg", "deg", say("half angle of the contact")),
+                Result("indentation_mm", "mm", say("elastic approach of pin and bushing")),
             ),
             _pressure,
         ),
@@ -205,13 +215,13 @@ KINDS: Mapping[str, StudyKind] = {
             "life",
             LifeRun,
             (
-                Result("max_depth_mm", "mm", "wear depth at the end"),
-                Result("worn_area_mm2", "mm^2", "worn area at the end"),
-                Result("worn_mass_g", "g", "worn mass at the end"),
+                Result("max_depth_mm", "mm", say("wear depth at the end")),
+                Result("worn_area_mm2", "mm^2", say("worn area at the end")),
+                Result("worn_mass_g", "g", say("worn mass at the end")),
                 _PEAK,
-                Result("mean_force_N", "N", "mean force over the slip at the end"),
-                Result("estimated_error_mm", "mm", "bound of the computed depth's error"),
-                Result("tolerance_met", "1", "1: the error is within the tolerance"),
+                Result("mean_force_N", "N", say("mean force over the slip at the end")),
+                Result("estimated_error_mm", "mm", say("bound of the computed depth's error")),
+                Result("tolerance_met", "1", say("1: the error is within the tolerance")),
             ),
             _life,
         ),
@@ -220,9 +230,9 @@ KINDS: Mapping[str, StudyKind] = {
             IdentifyRun,
             (
                 *_COEFFICIENT,
-                Result("remaining_revolutions", "1", "revolutions to the depth of the end"),
-                Result("remaining_revolutions_low", "1", "lower 95 % limit of them"),
-                Result("remaining_revolutions_high", "1", "upper 95 % limit of them"),
+                Result("remaining_revolutions", "1", say("revolutions to the depth of the end")),
+                Result("remaining_revolutions_low", "1", say("lower 95 % limit of them")),
+                Result("remaining_revolutions_high", "1", say("upper 95 % limit of them")),
             ),
             _identify,
             modelled=False,
@@ -232,13 +242,15 @@ KINDS: Mapping[str, StudyKind] = {
             VirtualTest,
             (
                 *_COEFFICIENT,
-                Result("half_width", "1", "half the limits' distance over the median"),
-                Result("covered", "1", "1: the true coefficient lies within its limits"),
+                Result("half_width", "1", say("half the limits' distance over the median")),
+                Result("covered", "1", say("1: the true coefficient lies within its limits")),
                 Result(
                     "seen_revolution",
                     "1",
-                    "revolution from which the limits leave out the model's coefficient, to the"
-                    " end; none where they do not",
+                    say(
+                        "revolution from which the limits leave out the model's"
+                        " coefficient, to the end; none where they do not"
+                    ),
                 ),
             ),
             _simulate,
@@ -252,7 +264,7 @@ def record_of(name: str) -> type[StudyFile]:
     """Return how a study file of a kind is read; raise UnusableInput for an unknown kind."""
     kind = KINDS.get(name)
     if kind is None:
-        raise UnusableInput(f"kind = {name!r}: choose one of {', '.join(KINDS)}")
+        raise UnusableInput("kind = {}: choose one of {}", repr(name), joined(", ", KINDS))
     record: type[StudyFile] = msgspec.defstruct(  # type: ignore[assignment]
         f"{name.capitalize()}Study",
         [("run", kind.settings)],

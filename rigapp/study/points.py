@@ -13,7 +13,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_parameters
 from rigapp.schema.details import error_text
 from rigapp.study.design import StudyPoint, Value
-from rigapp.study.kinds import KINDS
+from rigapp.study.kinds import KINDS, Noted
+from rigapp.texts import joined, say
 
 if TYPE_CHECKING:
     from rigapp_model.parameters import Parameters
@@ -23,11 +24,15 @@ RUN = "run."
 
 
 class StudyRow(msgspec.Struct, frozen=True):
-    """What came of a point: its results by name, those that are known, or why there are none."""
+    """What came of a point: its results by name, those that are known, or why there are none.
+
+    notes: sentences that must be known about the results.
+    """
 
     number: int
     numbers: dict[str, float] = {}
     problem: str = ""
+    notes: str = ""
 
 
 class Batch(msgspec.Struct, frozen=True):
@@ -51,12 +56,14 @@ def _row(batch: Batch, point: StudyPoint) -> StudyRow:
     kind = KINDS[batch.kind]
     try:
         parameters, run = meant(batch, point.values)
-        numbers = kind.compute(parameters, run, point.seed)
+        found = kind.compute(parameters, run, point.seed)
     except (ValueError, ArithmeticError, UnusableInput, OSError) as error:
         return StudyRow(
-            point.number, problem=" ".join(error_text(error, "it cannot be computed").split())
+            point.number, problem=joined(" ", error_text(error, "it cannot be computed").split())
         )
-    return StudyRow(point.number, {key: one for key, one in numbers.items() if math.isfinite(one)})
+    noted = found if isinstance(found, Noted) else Noted(found)
+    known = {key: one for key, one in noted.numbers.items() if math.isfinite(one)}
+    return StudyRow(point.number, known, notes=str(joined(" ", noted.notes)))
 
 
 def meant(batch: Batch, values: Mapping[str, Value]) -> tuple[Parameters | None, Any]:
@@ -75,5 +82,5 @@ def meant(batch: Batch, values: Mapping[str, Value]) -> tuple[Parameters | None,
     try:
         settings = msgspec.convert(run, kind.settings, strict=False)
     except msgspec.ValidationError as error:
-        raise UnusableInput(f"[run]: the values cannot be used ‹{error}›") from error
-    return parse_parameters(tree, "the point") if kind.modelled else None, settings
+        raise UnusableInput("[run]: the values cannot be used ‹{}›", error) from error
+    return parse_parameters(tree, say("the point")) if kind.modelled else None, settings

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import csv
 import importlib.util
 import itertools
+import math
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
@@ -13,21 +15,65 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from rigapp.config.errors import UnusableInput
-from rigapp.config.extras import from_extra
+import numpy as np
+
+from rigapp.config.errors import UnusableInput, from_extra
 from rigapp.config.loading import read_document, read_parameter_file
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.ranges import keys_of
 from rigapp.config.reading import read_text
 from rigapp.config.toml import toml_tree
-from rigapp.study.design import Design, StudyPoint, design_of
-from rigapp.study.file import Spread, StudyFile, Varied
+from rigapp.config.writing import whole_file
+from rigapp.study.design import Design, Spread, StudyFile, StudyPoint, Varied, design_of
+from rigapp.study.folder import POWER
 from rigapp.study.journal import StudyIdentity, StudyJournal
 from rigapp.study.kinds import KINDS, IdentifyRun, record_of
-from rigapp.study.pictures import draw_study
 from rigapp.study.points import RUN, Batch, StudyRow, computed
-from rigapp.study.power import write_power
-from rigapp.study.table import sensitivities, write_tables
+from rigapp.study.sensitivity import RESOLVED, Indices
+from rigapp.study.table import draw_study, sensitivities, write_tables
+from rigapp.study.virtual import VirtualTest
+from rigapp.texts import joined, say, sentence_of_error
+
+SHARES = (0.5, 0.8, 0.9, 0.95)
+"""Of the tests that shall see the difference."""
+FACTOR = "run.coefficient_factor"
+
+
+def write_power(
+    folder: Path, study: StudyFile, design: Design, rows: Mapping[int, StudyRow]
+) -> list[Path]:
+    """Write of virtual tests by factor of their coefficient when how many saw it; else nothing."""
+    if KINDS[study.kind].settings is not VirtualTest:
+        return []
+    path = folder / POWER
+    with whole_file(path) as part, part.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(["coefficient_factor", "share_of_tests", "revolutions", "tests"])
+        for factor, seen in sorted(seen_by_factor(study, design, rows).items()):
+            for share in SHARES:
+                writer.writerow([factor, share, revolutions_until(seen, share), len(seen)])
+    return [path]
+
+
+def seen_by_factor(
+    study: StudyFile, design: Design, rows: Mapping[int, StudyRow]
+) -> dict[float, list[float]]:
+    """Return of each factor the revolutions at which its tests saw it, inf where they did not."""
+    assert isinstance(study.run, VirtualTest)
+    found: dict[float, list[float]] = {}
+    for point in design.points:
+        row = rows.get(point.number)
+        if row is not None and not row.problem:
+            factor = float(point.values.get(FACTOR, study.run.coefficient_factor))
+            found.setdefault(factor, []).append(row.numbers.get("seen_revolution", math.inf))
+    return found
+
+
+def revolutions_until(seen: list[float], share: float) -> float:
+    """Return the revolutions after which so great a share has seen it; inf: not in time."""
+    ordered = np.sort(seen)
+    return float(ordered[max(math.ceil(share * len(ordered)) - 1, 0)])
+
 
 BATCH = 8
 """Points that a worker takes at once: tenths of a second, and so much is lost with a worker."""
@@ -54,13 +100,18 @@ class Study:
 
 @dataclass(frozen=True, slots=True)
 class StudyEnd:
-    """What a study came to: points in all, done, without a result; files that were written."""
+    """What a study came to: points in all, done, without a result; files that were written.
+
+    noted: points whose results have notes. unresolved: a sentence a result whose sensitivities need
+    more points.
+    """
 
     points: int
     done: int
     failed: int
     files: tuple[Path, ...]
-    dashboard: str = ""
+    noted: int = 0
+    unresolved: tuple[str, ...] = ()
 
 
 def read_study(path: Path) -> Study:
@@ -82,8 +133,8 @@ def read_study(path: Path) -> Study:
         design = design_of(vary, record.design)
         template = Batch(record.kind, tables, tree["run"], ())
     except UnusableInput as error:
-        words = str(error)
-        raise UnusableInput(words if str(path) in words else f"{path}: {words}") from error
+        words = sentence_of_error(error)
+        raise UnusableInput(words if str(path) in words else say("{}: {}", path, words)) from error
     return Study(path, record, design, StudyIdentity(text, parameters, version("rigapp")), template)
 
 
@@ -95,7 +146,7 @@ def _files(path: Path, record: StudyFile) -> dict[str, Varied]:
         {str(one) for pattern in record.run.files for one in _matching(path.parent, pattern)}
     )
     if not found:
-        raise UnusableInput(f"run.files = {record.run.files}: there are no such files.")
+        raise UnusableInput("run.files = {}: there are no such files.", record.run.files)
     return {"run.file": [*found]}
 
 
@@ -113,14 +164,14 @@ def _require_known(record: StudyFile, vary: dict[str, Varied]) -> None:
     for name, varied in vary.items():
         if name not in known:
             raise UnusableInput(
-                f"vary.{name}: is not a known key; known here: {', '.join(sorted(known))}."
+                "vary.{}: is not a known key; known here: {}.", name, joined(", ", sorted(known))
             )
         number = known[name].value_type in (float, int)
         values = [varied.low] if isinstance(varied, Spread) else varied
         wrong = [one for one in values if isinstance(one, str) is number]
         if wrong:
             wanted = "numbers" if number else "texts"
-            raise UnusableInput(f"vary.{name}: {wrong[0]!r}: give {wanted}.")
+            raise UnusableInput("vary.{}: {}: give {}.", name, repr(wrong[0]), wanted)
 
 
 def run_study(
@@ -137,7 +188,7 @@ def run_study(
     when None. told: called with a sentence, as that of the dashboard. Raises UnusableInput. An
     interrupt (KeyboardInterrupt) leaves what is safe, with its tables.
     """
-    with from_extra("studies", "A study"):
+    with from_extra("studies", say("A study")):
         importlib.import_module("distributed")
     with StudyJournal(folder, study.identity) as journal:
         rows = dict(journal.rows)
@@ -148,20 +199,40 @@ def run_study(
         except KeyboardInterrupt:
             _written(study, folder, rows)
             raise
-        files = _written(study, folder, rows)
+        files, known = _written(study, folder, rows)
     failed = sum(bool(one.problem) for one in rows.values())
-    return StudyEnd(len(study.design.points), len(rows), failed, files)
+    noted = sum(bool(one.notes) for one in rows.values())
+    unresolved = tuple(_unresolved(study, known))
+    return StudyEnd(len(study.design.points), len(rows), failed, files, noted, unresolved)
 
 
-def _written(study: Study, folder: Path, rows: dict[int, StudyRow]) -> tuple[Path, ...]:
-    """Write tables and pictures of what there is; return their paths."""
+def _unresolved(study: Study, known: Mapping[str, Indices]) -> Iterator[str]:
+    """Yield a sentence for each result whose sensitivities are wide."""
+    keys = len(study.design.points[0].values) if study.design.points else 0
+    for name, one in known.items():
+        base = one.points_needed(study.design.blocks)
+        if base:
+            yield say(
+                "The sensitivities of {} are not resolved: their limits are wider than ±{:.0f} %;"
+                " give about {} points",
+                name,
+                100.0 * RESOLVED,
+                base * (keys + 2),
+            )
+
+
+def _written(
+    study: Study, folder: Path, rows: dict[int, StudyRow]
+) -> tuple[tuple[Path, ...], dict[str, Indices]]:
+    """Write tables and pictures of what there is; return their paths, and the sensitivities."""
     record, design = study.record, study.design
     known = sensitivities(record, design, rows)
-    return (
+    files = (
         *write_tables(folder, record, design, study.identity, rows, known),
         *write_power(folder, record, design, rows),
         *draw_study(folder, record, design, rows, known),
     )
+    return files, known
 
 
 def _compute(
@@ -180,7 +251,7 @@ def _compute(
     total = len(study.design.points)
     with _client(scheduler, workers) as client:
         if client.dashboard_link and importlib.util.find_spec("bokeh") is not None:
-            told(f"Dask's dashboard is at {client.dashboard_link}")
+            told(say("Dask's dashboard is at {}", client.dashboard_link))
         batches = iter(_batches(study, todo))
 
         def send(batch: Batch) -> Any:
@@ -207,8 +278,9 @@ def _result(future: Any) -> list[StudyRow]:
         rows: list[StudyRow] = future.result()
     except (KilledWorker, CancelledError, OSError) as error:
         raise UnusableInput(
-            f"the workers were lost ‹{error!r}›; what is done is safe, and"
-            " the same command goes on with it."
+            "the workers were lost ‹{}›; what is done is safe, and the same command"
+            " goes on with it.",
+            repr(error),
         ) from error
     return rows
 
@@ -266,5 +338,5 @@ def _connected(scheduler: str) -> Any:
         return Client(scheduler, timeout=CONNECT_S)
     except (OSError, TimeoutError, ValueError) as error:
         raise UnusableInput(
-            f"--scheduler {scheduler}: no Dask scheduler answers there ‹{error}›."
+            "--scheduler {}: no Dask scheduler answers there ‹{}›.", scheduler, error
         ) from error

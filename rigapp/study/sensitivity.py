@@ -5,6 +5,7 @@ First order by Saltelli (2010), total by Jansen (1999), limits by the bootstrap 
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -14,6 +15,9 @@ Floats = NDArray[np.float64]
 RESAMPLES = 1000
 LIMITS = (2.5, 97.5)
 FEWEST = 4
+RESOLVED = 0.1
+"""Half the distance of its limits up to which an index is resolved: who comes first is then known,
+but for keys that bring about the same."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -26,6 +30,20 @@ class Indices:
     total: Floats
     total_low: Floats
     total_high: Floats
+
+    def points_needed(self, base_points: int) -> int:
+        """Return how many base points would resolve every index; 0 where these do.
+
+        The limits narrow as one over the root of the number of points.
+        """
+        ends = (
+            (self.first_order_low, self.first_order_high),
+            (self.total_low, self.total_high),
+        )
+        widest = 0.5 * max(float(np.nanmax(high - low, initial=0.0)) for low, high in ends)
+        if widest <= RESOLVED:
+            return 0
+        return int(2 ** math.ceil(math.log2(base_points * (widest / RESOLVED) ** 2)))
 
 
 INDICES = tuple(one.name for one in fields(Indices))

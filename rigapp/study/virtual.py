@@ -10,6 +10,7 @@ import msgspec
 import numpy as np
 
 from rigapp.config.numbers import within
+from rigapp.texts import say
 from rigapp_model.wear.techniques import SOLVABLE
 
 if TYPE_CHECKING:
@@ -56,9 +57,10 @@ def virtual_test(parameters: Parameters, run: VirtualTest, seed: int) -> dict[st
         reference=MICRO * run.probe_reference_um,
         drift=MICRO * run.probe_drift_um,
         scatter=MICRO * run.probe_scatter_um,
+        swing=0.0,  # none is drawn
     )
     number = np.arange(1.0, run.revolutions + 1.0)
-    depth = life.stretches[0].at(run.coefficient_factor * number)[0]
+    depth = life.course.at(run.coefficient_factor * number)[0]
     seen, bins = _measured(depth, errors, seed), Bins()
     told: list[tuple[float, Credible]] = []
     for revolution, one in zip(number.tolist(), seen.tolist(), strict=True):
@@ -71,7 +73,7 @@ def virtual_test(parameters: Parameters, run: VirtualTest, seed: int) -> dict[st
                 continue
             told.append((revolution, known))
     if not told:
-        raise ValueError("the test is over before a bin of revolutions is complete")
+        raise ValueError(say("the test is over before a bin of revolutions is complete"))
     last = told[-1][1]
     return {
         "wear_coefficient_mm3_per_Nm": MM3_PER_NM * last.median,

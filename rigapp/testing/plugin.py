@@ -29,6 +29,7 @@ ARGUMENTS = {
     "contract": (None, False),
 }
 """What a test of the suite may ask for: drivers of a kind, or each with each of its faults."""
+CONTRACTS = pytest.StashKey[list[Contract]]()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -65,10 +66,15 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 
 def _contracts(config: pytest.Config) -> list[Contract]:
-    try:
-        return read_contracts(config.getoption(OPTION))
-    except (OSError, ValueError) as error:
-        raise pytest.UsageError(f"{OPTION}: {error}") from error
+    # Every test of the suite asks, and each reading looks through all installed packages.
+    found = config.stash.get(CONTRACTS, None)
+    if found is None:
+        try:
+            found = read_contracts(config.getoption(OPTION))
+        except (OSError, ValueError) as error:
+            raise pytest.UsageError(f"{OPTION}: {error}") from error
+        config.stash[CONTRACTS] = found
+    return found
 
 
 @pytest.fixture

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.texts import say
 from rigapp.twin.approach import Approach
 from rigapp_model.errors import ModelError
 from rigapp_model.parameters import Parameters
@@ -79,7 +80,7 @@ class BushingAhead:
         row = np.array([ring.indentation(front.surface, pin) for pin in front.pins])
         depth = front.depth_at_contact_point(ring.inner)
         if depth <= self._reach:
-            raise ArithmeticError("the bushing ahead does not wear where the pin bears")
+            raise ArithmeticError(say("the bushing ahead does not wear where the pin bears"))
         self._front = front
         self._depths.append(depth)
         self._rows.append(row)

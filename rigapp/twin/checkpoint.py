@@ -9,12 +9,15 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.twin.agreement import BandRecord
 from rigapp.twin.ahead import BushingAhead
+from rigapp.twin.deviation import DeviationRecord
 from rigapp.twin.identifying import IdentifiedRecord
 from rigapp.twin.pinpath import Reference
 from rigapp.twin.twin import TrackedBushing, Twin
 from rigapp_model.errors import ModelError
 from rigapp_model.parameters import Parameters
+from rigapp_model.recurrent_motion import RecurrentMotion
 from rigapp_model.wear.loads import CycleLoads
 from rigapp_model.wear.state import restored_state
 
@@ -42,6 +45,18 @@ class ReferenceRecord(msgspec.Struct, frozen=True):
     across: float
     approach: float
     elastic: bool = False
+    beyond: float = float("nan")
+    lean: float = float("nan")
+
+
+class RecurrentRecord(msgspec.Struct, frozen=True):
+    """What of the crank's motion comes again: mean (complex128) and scatter (float64) as bytes."""
+
+    speed: float
+    seen: int
+    mean: bytes
+    scatter: bytes
+    chance: float
 
 
 class Checkpoint(msgspec.Struct, frozen=True):
@@ -49,7 +64,9 @@ class Checkpoint(msgspec.Struct, frozen=True):
 
     loads: of the bushing ahead, float64 (positions, 3) as bytes: force (N) and slip (m); empty
     where there is none. identified: the wear coefficient so far, None in those of before. before:
-    revolutions that the bushing had made when the test began.
+    revolutions that the bushing had made when the test began. band: within which a healthy rig
+    agrees; deviation: what differs from the model; recurrent: what of the crank's motion comes
+    again; None in those of before.
     """
 
     version: int
@@ -62,6 +79,9 @@ class Checkpoint(msgspec.Struct, frozen=True):
     loads: bytes = b""
     identified: IdentifiedRecord | None = None
     before: int = 0
+    band: BandRecord | None = None
+    deviation: DeviationRecord | None = None
+    recurrent: RecurrentRecord | None = None
 
 
 def packed(twin: Twin) -> bytes:
@@ -72,6 +92,7 @@ def packed(twin: Twin) -> bytes:
         reference = ReferenceRecord(
             _pair(found.centre), _pair(found.run_out), found.centred,
             found.radial, found.across, found.approach, found.elastic,
+            found.beyond, found.lean,
         )  # fmt: skip
     return msgspec.msgpack.encode(
         Checkpoint(
@@ -79,6 +100,9 @@ def packed(twin: Twin) -> bytes:
             _record(twin.predicted), _record(twin.driven), reference, _loads(twin.ahead),
             None if twin.identifier is None else twin.identifier.packed(),
             twin.before,
+            twin.agreement.packed(),
+            twin.deviation.packed(),
+            _recurrent_record(twin.recurrent),
         )
     )  # fmt: skip
 
@@ -100,7 +124,24 @@ def restore(twin: Twin, checkpoint: bytes) -> bool:
     if twin.identifier is not None and found.identified is not None:
         twin.identifier.restore(found.identified, None if ahead is None else ahead.loads)
     twin.reference = _reference(found.reference)
+    if found.band is not None:
+        twin.agreement.restore(found.band)
+    if found.deviation is not None:
+        twin.deviation.restore(found.deviation)
+    if found.recurrent is not None:
+        twin.recurrent = _recurrent(found.recurrent)
     return True
+
+
+def _recurrent_record(found: RecurrentMotion) -> RecurrentRecord:
+    mean, scatter = found.mean.astype("<c16").tobytes(), found.scatter.astype("<f8").tobytes()
+    return RecurrentRecord(float(found.speed), int(found.seen), mean, scatter, float(found.chance))
+
+
+def _recurrent(record: RecurrentRecord) -> RecurrentMotion:
+    mean = np.frombuffer(record.mean, dtype="<c16").copy()
+    scatter = np.frombuffer(record.scatter, dtype="<f8").copy()
+    return RecurrentMotion(record.speed, record.seen, mean, scatter, record.chance)
 
 
 def take_over(twin: Twin, checkpoint: bytes, same_model: bool) -> None:
@@ -133,6 +174,7 @@ def _reference(kept: ReferenceRecord | None) -> Reference | None:
     return Reference(
         np.array(kept.centre), np.array(kept.run_out), kept.centred,
         kept.radial, kept.across, kept.approach, kept.elastic,
+        kept.beyond, kept.lean,
     )  # fmt: skip
 
 

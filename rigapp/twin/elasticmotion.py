@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.texts import say
 from rigapp.twin.ahead import bushing_ahead
 from rigapp.twin.approach import RIGID
 from rigapp.twin.measureddepth import ELASTIC_DOUBT
@@ -33,7 +34,7 @@ def elastic_motions(
     if not angles:
         return []
     if not all(np.isfinite(force).all() for force in forces):
-        raise Unpredictable("its forces are not all numbers")
+        raise Unpredictable(say("its forces are not all numbers"))
     motion = perfect_joint(parameters.mechanism, GRID, 1.0, 0.0, parameters.joint)
     seen = []
     for angle, force in zip(angles, forces, strict=True):
@@ -44,7 +45,7 @@ def elastic_motions(
     bushing = bushing_ahead(parameters, usual, motion.slip_increments(parameters.joint.pin_radius))
     approach = RIGID if bushing is None else bushing.upto(0.0)
     if approach is None:
-        raise Unpredictable("the model cannot tell how far the force presses the pin in")
+        raise Unpredictable(say("the model cannot tell how far the force presses the pin in"))
     lean = -float(np.arctan(parameters.joint.friction_coefficient))
     motions = []
     for force in seen:

@@ -16,6 +16,7 @@ import numpy as np
 
 from rigapp.schema.columns import WEAR_MODELS
 from rigapp.schema.details import error_text
+from rigapp.texts import say, sentence_of_error
 from rigapp.twin.approach import MeanApproach
 from rigapp.twin.measureddepth import MeasuredDepth
 from rigapp.twin.messages import Sought
@@ -122,9 +123,9 @@ class LifeAhead:
             self._state = state.advance_by(self.loads, max(FIRST_CYCLES, STEP_SHARE * state.cycles))
             reached = self._state.depth_at_contact
             if reached <= self.depth[-1]:
-                raise ModelError("loads", self.loads.mean_force, "they wear no depth", "N")
+                raise ModelError("loads", self.loads.mean_force, say("they wear no depth"), "N")
         except (ModelError, ValueError, ArithmeticError) as error:
-            self.failed = error_text(error, "the wear cannot be computed")
+            self.failed = error_text(error, say("the wear cannot be computed"))
             log.warning("The life is not computed beyond %g um: %s", 1e6 * self.depth[-1], error)
             return
         self.progress.append(self._state.cycles)
@@ -242,7 +243,7 @@ class Identifier:
         try:
             found = identify(self.bins, life, self.errors(), self.prior())
         except (CannotBeTold, ModelError) as refused:
-            self.refused = str(refused)
+            self.refused = sentence_of_error(refused)
             return
         self.refused = ""
         self.ratio = found.coefficient.median / self.parameters.bushing.wear_coefficient
@@ -271,14 +272,16 @@ class Identifier:
         """Return what the record states of the probes; raise CannotBeTold where none does."""
         drift = self.sought.drift_um
         per_root = None if drift is None else 1e-6 * drift / math.sqrt(math.log(10.0))
-        return probe_errors(self.sought.sensitivity, self.reference, per_root)
+        return probe_errors(
+            self.sought.sensitivity, self.reference, per_root, load=self.sought.load
+        )
 
     def prior(self) -> Prior:
         """Return what is known beforehand; raise CannotBeTold for a model that does not wear."""
         coefficient = self.parameters.bushing.wear_coefficient
         if coefficient <= 0.0:
             raise CannotBeTold(
-                "model.bushing.wear_coefficient_mm3_per_Nm is 0: give its order of magnitude"
+                say("model.bushing.wear_coefficient_mm3_per_Nm is 0: give its order of magnitude")
             )
         told = self.sought.prior
         if told is None:
@@ -291,7 +294,7 @@ class Identifier:
             self.errors()
             self.prior()
         except CannotBeTold as refused:
-            self.refused = str(refused)
+            self.refused = sentence_of_error(refused)
             log.warning("The wear coefficient is not stated: %s.", self.refused)
         return not self.refused
 

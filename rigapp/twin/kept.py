@@ -8,13 +8,14 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
 from rigapp.config.parameters import to_parameters
 from rigapp.storage import TestReader
+from rigapp.texts import say
 from rigapp.twin.checkpoint import Checkpoint, restore
 from rigapp.twin.identifying import Identifier
 from rigapp.twin.messages import Sought
 from rigapp.twin.twin import Twin
 from rigapp_model.identification import CannotBeTold, DepthLife
 
-NO_BIN = "no bin of revolutions is complete yet: wait"
+NO_BIN = say("no bin of revolutions is complete yet: wait")
 """Why a test tells nothing before its first bin."""
 
 
@@ -26,23 +27,28 @@ def kept_of(reader: TestReader) -> tuple[Identifier, int]:
     """
     if "wear_coefficient" not in reader.column_units("prediction"):
         raise CannotBeTold(
-            "the file was recorded without a prediction, or by a version that did not ask for it"
+            say(
+                "the file was recorded without a prediction, or by a version that did not"
+                " ask for it"
+            )
         )
     state = reader.checkpoint()
     if not state:
-        raise CannotBeTold("the twin had followed no revolution of it when the test ended")
+        raise CannotBeTold(say("the twin had followed no revolution of it when the test ended"))
     try:
         text = str(reader.configuration()["test"])
-        test = parse_test(text, "its test", recorded=True)
+        test = parse_test(text, say("its test"), recorded=True)
         found = msgspec.msgpack.decode(state, type=Checkpoint)
     except (UnusableInput, msgspec.DecodeError) as error:
-        raise CannotBeTold(f"the twin has left nothing readable in the file ‹{error}›") from error
+        raise CannotBeTold(
+            say("the twin has left nothing readable in the file ‹{}›", error)
+        ) from error
     parameters = to_parameters(test.model)
     if found.identified is None:
         nobody = Identifier(parameters, Sought())
         nobody.prior()
         nobody.errors()
-        raise CannotBeTold("the twin did not ask for it")
+        raise CannotBeTold(say("the twin did not ask for it"))
     identifier = Identifier(parameters, found.identified.sought)
     twin = Twin(parameters, test.prediction.joint, identifier=identifier)
     restore(twin, state)
@@ -53,5 +59,5 @@ def life_of(identifier: Identifier) -> DepthLife:
     """Return the life that readings are compared with; raise CannotBeTold while there is none."""
     life = identifier.ahead.life() if identifier.ahead is not None else None
     if life is None:
-        raise CannotBeTold("hardly any revolution has been measured yet: wait")
+        raise CannotBeTold(say("hardly any revolution has been measured yet: wait"))
     return life

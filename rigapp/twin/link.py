@@ -9,8 +9,6 @@ after ``ATTEMPTS`` workers that predicted nothing no other is started.
 
 from __future__ import annotations
 
-import os
-import subprocess
 import threading
 import time
 from collections import deque
@@ -21,19 +19,21 @@ from pathlib import Path
 import msgspec
 import zmq
 
-from rigapp.process.children import start_module
-from rigapp.process.link import bind_link, link_address
+from rigapp.process.children import MessageChild, Restarts
 from rigapp.schema.messages import Prediction, RevolutionMeasured
+from rigapp.texts import say
 from rigapp.twin.messages import TwinAnswer, TwinSetup
 
 MAILBOX = 64
 START_S = 180.0  # importing and compiling, on a computer that is busy
 ANSWER_S = 10.0
 RESTART_PAUSE_S = 1.0
+SEND_PAUSE_S = 0.05
+CLOSE_S = 2.0
 ATTEMPTS = 5
 REPORT_PAUSE_S = 60.0
 """Gaps in the predictions are reported together, no more often than this."""
-TOO_SLOW = "the twin could not keep up"
+TOO_SLOW = say("the twin could not keep up")
 SINGLE_THREADED = {"OPENBLAS_NUM_THREADS": "1"}
 """Of the worker, unless somebody says otherwise: its matrices are small, and threads that wait for
 each other make an update of the wear coefficient up to twice as long."""
@@ -57,10 +57,12 @@ class Missed:
 
     def sentence(self) -> str:
         """Say which ones they are."""
-        span = f"revolutions {self.first} to {self.last}" if self.count > 1 else ""
-        return (
-            f"{span or f'revolution {self.first}'}: {self.count} not predicted, {self.why}; "
-            "their wear is made up for with the forces of later ones"
+        span = say("revolutions {} to {}", self.first, self.last) if self.count > 1 else ""
+        return say(
+            "{}: {} not predicted, {}; their wear is made up for with the forces of later ones",
+            span or say("revolution {}", self.first),
+            self.count,
+            self.why,
         )
 
 
@@ -88,7 +90,7 @@ class TwinLink:
         self._next_report = 0.0
         self._asked_again = -1
         self._newest = 0
-        self._address = link_address(folder, f"twin-{os.getpid()}-{id(self):x}")
+        self._folder = folder
         self._mailbox: deque[RevolutionMeasured] = deque(maxlen=MAILBOX)
         self._wake = threading.Event()
         self._ready = threading.Event()
@@ -96,9 +98,9 @@ class TwinLink:
         self.dropped = 0
         self.restarts = -1
         self.given_up = False
-        self._barren = 0
+        self._attempts = Restarts(RESTART_PAUSE_S, ATTEMPTS)
         self.last_failure = ""
-        self._worker: subprocess.Popen[bytes] | None = None
+        self._worker: MessageChild | None = None
         self._thread = threading.Thread(target=self._run, name="twin", daemon=True)
         self._thread.start()
 
@@ -134,7 +136,7 @@ class TwinLink:
     def worker_pid(self) -> int:
         """Return the worker's process number, 0 when there is none."""
         worker = self._worker
-        return worker.pid if worker is not None and worker.poll() is None else 0
+        return worker.pid if worker is not None and worker.running else 0
 
     def close(self, drain_s: float = 0.0) -> None:
         """End the worker, after at most ``drain_s`` for what is still in the mailbox."""
@@ -147,86 +149,71 @@ class TwinLink:
         self._report_missed(at_once=True)
 
     def _run(self) -> None:
-        context = zmq.Context()
-        try:
-            while not self._stop.is_set():
-                self._barren += 1
-                self._serve_one_worker(context)
-                self.given_up |= self._barren >= ATTEMPTS
-                if self._stop.is_set():
-                    return
-                if self.given_up:
-                    self._report(f"{self.last_failure}: nothing more is predicted in this test")
-                    self._ready.set()
-                    return
-                self._report(
-                    f"{self.last_failure}, after revolution {self._newest}; it is started again"
-                    " and goes on from there"
+        while not self._stop.is_set():
+            self._attempts.started()
+            self._serve_one_worker()
+            self.given_up |= self._attempts.exhausted
+            if self._stop.is_set():
+                return
+            if self.given_up:
+                self._report(say("{}: nothing more is predicted in this test", self.last_failure))
+                self._ready.set()
+                return
+            self._report(
+                say(
+                    "{}, after revolution {}; it is started again and goes on from there",
+                    self.last_failure,
+                    self._newest,
                 )
-                self._stop.wait(RESTART_PAUSE_S)
-        finally:
-            context.destroy(linger=0)
-            if self._address.startswith("ipc://"):
-                Path(self._address.removeprefix("ipc://")).unlink(missing_ok=True)
+            )
+            self._stop.wait(self._attempts.pause_s)
 
-    def _serve_one_worker(self, context: zmq.Context[zmq.Socket[bytes]]) -> None:
-        socket = context.socket(zmq.PAIR)
-        socket.setsockopt(zmq.LINGER, 0)
-        socket.setsockopt(zmq.SNDTIMEO, 1000)
-        endpoint, environment = bind_link(socket, self._address)
+    def _serve_one_worker(self) -> None:
         self.restarts += 1
-        # What matters comes in its answers, not on its standard error.
-        self._worker = start_module(
-            "rigapp.twin.worker", endpoint, os.getpid(), environment=SINGLE_THREADED | environment
+        worker = self._worker = MessageChild(
+            "rigapp.twin.worker", self._folder, "twin", SINGLE_THREADED
         )
         try:
-            if not self._introduce(socket):
+            if not self._introduce(worker):
                 return
-            while not self._stop.is_set() and self._worker.poll() is None:
+            while not self._stop.is_set() and worker.running:
                 if not self._mailbox:
                     self._wake.wait(0.1)
                     self._wake.clear()
                     continue
-                if not self._exchange(socket):
+                if not self._exchange(worker):
                     return
             if not self._stop.is_set():
-                self.last_failure = f"the twin ended with status {self._worker.returncode}"
+                self.last_failure = say("the twin ended with status {}", worker.status)
         except zmq.ZMQError as error:
-            self.last_failure = f"the twin cannot be reached ‹{error}›"
+            self.last_failure = say("the twin cannot be reached ‹{}›", error)
         finally:
-            socket.close()
-            self._worker.terminate()
-            try:
-                self._worker.wait(timeout=2.0)
-            except subprocess.TimeoutExpired:
-                self._worker.kill()
-                self._worker.wait()
+            worker.close(CLOSE_S)
 
-    def _introduce(self, socket: zmq.Socket[bytes]) -> bool:
+    def _introduce(self, worker: MessageChild) -> bool:
         """Give the worker its model and wait until it can predict; False: start another."""
         deadline = time.monotonic() + START_S
-        while not socket.poll(100, zmq.POLLOUT):
-            if self._stop.is_set() or not self.worker_pid or time.monotonic() > deadline:
-                self.last_failure = f"the twin did not come up within {START_S:g} s"
-                return False
         setup = msgspec.structs.replace(self._setup, checkpoint=self._checkpoint)
-        socket.send(msgspec.msgpack.encode(setup))
-        answer = self._answer(socket, START_S)
+        while not worker.send(setup):
+            if self._stop.wait(SEND_PAUSE_S) or not worker.running or time.monotonic() > deadline:
+                self.last_failure = say("the twin did not come up within {:g} s", START_S)
+                return False
+        answer = self._answer(worker, START_S)
         if answer is None or answer.failed:
             return False
         self._ready.set()
         return True
 
-    def _exchange(self, socket: zmq.Socket[bytes]) -> bool:
+    def _exchange(self, worker: MessageChild) -> bool:
         """Ask for one prediction; False when the worker must be started again."""
         with self._missed_lock:
             measured = self._mailbox.popleft()
-        socket.send(msgspec.msgpack.encode(measured))
-        answer = self._answer(socket, ANSWER_S)
+        worker.send(measured)
+        answer = self._answer(worker, ANSWER_S)
         if answer is None or answer.failed:
             self._ask_again(measured)
             return False
-        self._barren = 0
+        self._attempts.succeeded()
         prediction = answer.prediction
         if prediction is None:
             with self._missed_lock:
@@ -248,17 +235,20 @@ class TwinLink:
                 self._asked_again = measured.revolution
                 self._mailbox.appendleft(measured)
 
-    def _answer(self, socket: zmq.Socket[bytes], patience: float) -> TwinAnswer | None:
-        """Return what the worker says next; None when it died, is late, or nobody waits."""
-        deadline = time.monotonic() + patience
+    def _answer(self, worker: MessageChild, patience_s: float) -> TwinAnswer | None:
+        """Return the worker's next answer; None when it died, is late, or the engine ends."""
+        deadline = time.monotonic() + patience_s
         while time.monotonic() < deadline and not self._stop.is_set():
-            gone = self._worker is None or self._worker.poll() is not None
-            if socket.poll(100):
-                return self._heard(msgspec.msgpack.decode(socket.recv(), type=TwinAnswer))
-            if gone:
-                self.last_failure = "the twin died"
+            answer = worker.receive(TwinAnswer, 0.1)
+            if answer is not None:
+                return self._heard(answer)
+            if not worker.running:
+                reason = worker.last_words()
+                self.last_failure = say("the twin died")
+                if reason:
+                    self.last_failure = say("the twin died ‹{}›", reason)
                 return None
-        self.last_failure = f"the twin did not answer within {patience:g} s"
+        self.last_failure = say("the twin did not answer within {:g} s", patience_s)
         return None
 
     def _heard(self, answer: TwinAnswer) -> TwinAnswer:

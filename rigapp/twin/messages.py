@@ -15,7 +15,8 @@ class Sought(msgspec.Struct, frozen=True):
     sensitivity: relative standard uncertainty; drift_um: what a position may wander by in a decade
     of revolutions, standard; None where no record states it. depth_um: of the stop criterion, None
     without one. planned: the last revolution. record: which one it is. prior: of the wear
-    coefficient, None where the test file has none.
+    coefficient, None where the test file has none. load: relative standard uncertainty of the
+    force, 0 where nothing states it.
     """
 
     sensitivity: float | None = None
@@ -24,6 +25,7 @@ class Sought(msgspec.Struct, frozen=True):
     planned: float = 0.0
     record: str = ""
     prior: PriorSection | None = None
+    load: float = 0.0
 
     @property
     def depth(self) -> float | None:

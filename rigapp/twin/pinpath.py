@@ -99,7 +99,9 @@ class Reference:
     forces do); radial, across: standard uncertainties of the centre along the mean direction of
     load and across it, m; approach: elastic approach of pin and bushing then at the largest force,
     m, by the model; elastic: whether it was taken out of the centre (else the centre has that of
-    the unworn bushing).
+    the unworn bushing). beyond: how much farther from the probes' zero the new pin was than
+    clearance, wear and approach put it, m; lean: the angle between that place and the force, rad;
+    NaN where they are not known.
     """
 
     centre: Array
@@ -109,6 +111,8 @@ class Reference:
     across: float
     approach: float
     elastic: bool = False
+    beyond: float = float("nan")
+    lean: float = float("nan")
 
 
 def path_of(angle: Array, position: Array, force: Array, turn: Array) -> PathSum:
@@ -183,6 +187,8 @@ def reference_of(
         across=along if centred else float(np.hypot(across, FRICTION_DOUBT * clearance)),
         approach=float(approach.at(worn, size.max(keepdims=True))[0]),
         elastic=True,
+        beyond=length - wanted,
+        lean=lean,
     )
 
 

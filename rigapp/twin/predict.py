@@ -11,17 +11,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.schema.columns import (
+    AGREEMENT,
     PREDICTION_POINTS,
     identified_columns,
     in_order,
     prediction_columns,
 )
+from rigapp.schema.deviations import deviation_columns
 from rigapp.schema.messages import Prediction, RevolutionMeasured, as_array
+from rigapp.texts import say
 from rigapp.twin.jointload import UNKNOWN, JointLoad
 from rigapp.twin.uncertainty import PredictionUncertainty, prediction_uncertainty
 from rigapp_model.dynamics import MechanismMotion
 from rigapp_model.history import FEWEST_SAMPLES, smooth_history
+from rigapp_model.history_uncertainty import NOTHING_YET
 from rigapp_model.parameters import Parameters
+from rigapp_model.recurrent_motion import RecurrentMotion
 from rigapp_model.wear.techniques import solve_of
 
 Array = NDArray[np.float64]
@@ -29,8 +34,14 @@ Array = NDArray[np.float64]
 GRID: Array = np.arange(PREDICTION_POINTS, dtype=np.float64) * (2.0 * np.pi / PREDICTION_POINTS)
 
 
-NOTHING: Mapping[str, float] = dict.fromkeys((one.name for one in identified_columns()), math.nan)
-"""The columns of what is identified while nothing is known."""
+NOTHING: Mapping[str, float] = dict.fromkeys(
+    (one.name for one in (*deviation_columns(), *identified_columns())), math.nan
+)
+"""The columns of what is told from many revolutions while nothing is known."""
+
+
+NO_BAND: Array = np.full(1, np.nan)
+"""That of a prediction of which nothing is stated."""
 
 
 class Unpredictable(ValueError):
@@ -96,10 +107,10 @@ def unpack(message: RevolutionMeasured) -> MeasuredRevolution:
     time, angle = as_array(message.time_s, "<f8"), as_array(message.angle_rad, "<f8")
     force_1, force_2 = as_array(message.force_1, "<f8"), as_array(message.force_2, "<f8")
     if not all(np.isfinite(values).all() for values in (time, angle, force_1, force_2)):
-        raise Unpredictable("its angles, times or forces are not all numbers")
+        raise Unpredictable(say("its angles, times or forces are not all numbers"))
     forward = np.diff(np.maximum.accumulate(angle), prepend=-np.inf) > 0.0
     if np.count_nonzero(forward) < FEWEST_SAMPLES:
-        raise Unpredictable("the crank did not turn forward in it")
+        raise Unpredictable(say("the crank did not turn forward in it"))
     um = 1e-6
     return MeasuredRevolution(
         revolution=message.revolution,
@@ -113,19 +124,23 @@ def unpack(message: RevolutionMeasured) -> MeasuredRevolution:
 
 
 def predict_force(
-    parameters: Parameters, joint: str, measured: MeasuredRevolution, depth: float
+    parameters: Parameters,
+    joint: str,
+    measured: MeasuredRevolution,
+    depth: float,
+    before: RecurrentMotion = NOTHING_YET,
 ) -> tuple[MechanismMotion, PredictionUncertainty]:
     """Compute motion and forces at ``GRID`` from a revolution's angle history alone.
 
     joint: one of ``SOLVABLE``, of a bushing worn by depth (m) at the contact point. Returns also
-    how uncertain the angle leaves the force.
+    how uncertain the angle leaves the force, by what came again in the revolutions before.
     """
     history = smooth_history(measured.time, measured.angle)
     on_grid = measured.on_grid
     compute = functools.partial(_motion, parameters, joint, depth)
     motion = compute(on_grid(history.speed), on_grid(history.acceleration))
     return motion, prediction_uncertainty(
-        measured.time, measured.angle, history, on_grid, motion, compute
+        measured.time, measured.angle, history, on_grid, motion, compute, before
     )
 
 
@@ -146,15 +161,18 @@ def compare(
     wear: Wear,
     doubt: PredictionUncertainty | None = None,
     load: JointLoad = UNKNOWN,
-    identified: Mapping[str, float] = NOTHING,
+    band: Array = NO_BAND,
+    told: Mapping[str, float] = NOTHING,
 ) -> Prediction:
     """Say what was predicted for a revolution, how surely, and how far the measurement is off.
 
-    identified: columns of what is known of the wear by then.
+    band: within which a healthy rig agrees, N. told: columns of what is told from many revolutions,
+    where it is known.
     """
     force_1, force_2 = motion.force_crank
     force = motion.force_magnitude
     curves = {"force_1": force_1, "force_2": force_2, "force": force}
+    others = load.curves | {AGREEMENT.name: band}
     size = np.hypot(measured.force_1, measured.force_2)
     values = {
         "revolution": measured.revolution,
@@ -168,15 +186,16 @@ def compare(
         "driven_wear_depth": 1e3 * wear.driven_depth,
         "force_uncertainty": math.nan if doubt is None else doubt.largest,
         "unfollowed_acceleration": math.nan if doubt is None else doubt.unfollowed,
+        f"{AGREEMENT.name}_max": float(np.max(band)),
     }
-    values |= {**load.values, **identified}
+    values |= {**load.values, **NOTHING, **told}
     for name, curve in curves.items():
         statistics = {"max": np.max(curve), "min": np.min(curve), "rms": _rms(curve)}
         values |= {f"{name}_{statistic}": one for statistic, one in statistics.items()}
     return Prediction(
         revolution=measured.revolution,
         values=in_order(prediction_columns(), values).tobytes(),
-        **{name: one.astype("<f4").tobytes() for name, one in (curves | load.curves).items()},
+        **{name: one.astype("<f4").tobytes() for name, one in (curves | others).items()},
     )
 
 

@@ -19,8 +19,11 @@ from numpy.typing import NDArray
 from rigapp.schema.columns import PROFILES_PER_DECADE, in_order, profile_columns
 from rigapp.schema.details import error_text
 from rigapp.schema.messages import Prediction, WornProfile
+from rigapp.texts import say
+from rigapp.twin.agreement import AgreementBand
 from rigapp.twin.ahead import BushingAhead, bushing_ahead
 from rigapp.twin.approach import RIGID, Approach
+from rigapp.twin.deviation import DeviationWatch
 from rigapp.twin.identifying import Identifier
 from rigapp.twin.jointload import joint_load
 from rigapp.twin.measureddepth import (
@@ -53,7 +56,9 @@ from rigapp_model.dynamics import MechanismMotion
 from rigapp_model.errors import ModelError
 from rigapp_model.frames import into_frame
 from rigapp_model.friction_circle import CellDoubt
+from rigapp_model.history_uncertainty import NOTHING_YET
 from rigapp_model.parameters import Parameters
+from rigapp_model.recurrent_motion import RecurrentMotion
 from rigapp_model.wear.front import Front
 from rigapp_model.wear.loads import CycleLoads
 from rigapp_model.wear.state import WearState, unworn_state, worn_by
@@ -98,7 +103,7 @@ class TrackedBushing:
             bare = replace(self.state, front=Front(self.state.front.surface))
             self.state = _advanced(bare, loads, cycles)
         except (ModelError, ValueError, ArithmeticError) as error:
-            self.failed = error_text(error, "the wear cannot be computed")
+            self.failed = error_text(error, say("the wear cannot be computed"))
             log.warning("The twin's bushing is not worn on: %s", error)
         return True
 
@@ -137,7 +142,7 @@ class Twin:
     the load cell, None where nothing is. identifier: of the wear coefficient, None where it cannot
     be told. changed: whether the
     last revolution changed what a checkpoint keeps. before: revolutions that the bushing had made
-    when this test began.
+    when this test began. recurrent: motion of the crank that comes again in each revolution.
     """
 
     parameters: Parameters
@@ -154,16 +159,25 @@ class Twin:
     ahead: BushingAhead | None = None
     changed: bool = False
     before: int = 0
+    recurrent: RecurrentMotion = NOTHING_YET
+    agreement: AgreementBand = field(init=False)
+    deviation: DeviationWatch = field(init=False)
     _last: MeasuredDepth = field(default_factory=MeasuredDepth)
     _first: dict[int, PathSum] = field(default_factory=dict)
     _path: PathSum | None = None
+
+    def __post_init__(self) -> None:
+        self.agreement = AgreementBand(self.parameters, self.joint, self.cell)
+        self.deviation = DeviationWatch(self.parameters, self.joint, self.cell)
 
     def predict(self, measured: MeasuredRevolution) -> Prediction:
         """Predict a revolution, wear the bushings on, compare."""
         depth = self.predicted.depth
         motion, doubt = predict_force(
-            self.parameters, self.joint, measured, 0.0 if np.isnan(depth) else depth
-        )
+            self.parameters, self.joint, measured, 0.0 if np.isnan(depth) else depth,
+            self.recurrent,
+        )  # fmt: skip
+        self.recurrent = doubt.recurrent
         slip = motion.slip_increments(self.parameters.joint.pin_radius)
         made = measured.revolution + self.before
         cycles = float(made)
@@ -193,7 +207,13 @@ class Twin:
             counted = {name: self.identifier.known[name] - self.before for name in COUNTED}
             self.changed, known = True, self.identifier.known | counted
         load = joint_load(self.parameters, in_crank, motion, self.cell)
-        found = compare(measured, motion, wear, doubt, load, known)
+        predicted = 0.0 if np.isnan(depth) else depth
+        band = self.agreement.band(measured, motion, doubt, predicted)
+        averaged = replace(doubt, curve=self.agreement.left_open)
+        differs = self.deviation.take(
+            in_crank, motion, 0.5 * averaged.curve, predicted, self.reference
+        )
+        found = compare(measured, motion, wear, averaged, load, band, {**known, **differs.columns})
         return msgspec.structs.replace(found, profile=profile)
 
     def _learn(self, revolution: int, path: PathSum) -> bool:

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from rigapp_model.dynamics import MechanismMotion
 from rigapp_model.history import AngleHistory
-from rigapp_model.history_uncertainty import motion_uncertainty
+from rigapp_model.history_uncertainty import NOTHING_YET, motion_uncertainty
+from rigapp_model.recurrent_motion import RecurrentMotion
 
 Array = NDArray[np.float64]
 Compute = Callable[[Array, Array], MechanismMotion]
@@ -23,11 +24,13 @@ class PredictionUncertainty:
     """Hold the expanded uncertainty (k = 2, N) of the predicted force at crank angles.
 
     unfollowed: the largest angular acceleration (rad/s^2) that the angle shows and the prediction
-    does not follow; 0 when none stands out of the noise of the angle.
+    does not follow; 0 when none stands out of the noise of the angle. recurrent: what comes again
+    in each revolution, this one among them.
     """
 
     curve: Array
     unfollowed: float
+    recurrent: RecurrentMotion
 
     @property
     def largest(self) -> float:
@@ -42,20 +45,22 @@ def prediction_uncertainty(
     on_grid: Callable[[Array], Array],
     motion: MechanismMotion,
     compute: Compute,
+    before: RecurrentMotion = NOTHING_YET,
 ) -> PredictionUncertainty:
     """Return the uncertainty of the force of a motion that ``compute`` gave.
 
     time (s), angle (rad): as measured; history: what was fitted to them; on_grid: from there to
     the angles of the motion (one revolution evenly), at which ``compute`` takes speed and
-    acceleration.
+    acceleration. before: what came again in the revolutions before.
     """
-    doubt = motion_uncertainty(time, angle, history)
+    doubt = motion_uncertainty(time, angle, history, before)
     speed, acceleration, force = motion.speed, motion.acceleration, motion.force_crank
     faster = compute(speed + on_grid(doubt.speed), acceleration).force_crank - force
     pushed = compute(speed, acceleration + on_grid(doubt.acceleration)).force_crank - force
     step = motion.angle[1] - motion.angle[0]
-    turned = doubt.angle * (np.roll(force, -1, axis=-1) - np.roll(force, 1, axis=-1)) / (2.0 * step)
+    angle = on_grid(doubt.angle)
+    turned = angle * (np.roll(force, -1, axis=-1) - np.roll(force, 1, axis=-1)) / (2.0 * step)
     parts = np.concatenate([np.asarray(part) for part in (faster, pushed, turned)])
     return PredictionUncertainty(
-        COVERAGE_FACTOR * np.sqrt(np.sum(parts**2, axis=0)), doubt.unfollowed
+        COVERAGE_FACTOR * np.sqrt(np.sum(parts**2, axis=0)), doubt.unfollowed, doubt.recurrent
     )

@@ -1,25 +1,23 @@
 """The twin's process: setup first, then one answer for each measured revolution.
 
-Started by ``rigapp.twin.link`` as ``python -m rigapp.twin.worker ADDRESS ENGINE_PID``; ends when
-the engine's process is gone or asks for it with an empty message. What goes wrong is said in an
-``TwinAnswer``, for the log of the test: nobody reads what this process would print.
+Started by ``rigapp.twin.link``; ends with the engine's process. What goes wrong is reported in a
+``TwinAnswer``, for the log of the test.
 """
 
 from __future__ import annotations
 
 import logging
-import os
 import sys
 from collections import deque
 
 import msgspec
-import zmq
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import to_parameters
-from rigapp.process.link import connect_link
+from rigapp.process.children import Parent
 from rigapp.schema.details import error_text
 from rigapp.schema.messages import RevolutionMeasured
+from rigapp.texts import say, sentence_of_error
 from rigapp.twin.checkpoint import packed, restore, take_over
 from rigapp.twin.identifying import Identifier
 from rigapp.twin.messages import TwinAnswer, TwinSetup
@@ -29,8 +27,8 @@ from rigapp_model.errors import ModelError
 from rigapp_model.friction_circle import COVERAGE_FACTOR, CellDoubt
 from rigapp_model.wear.techniques import solve_of
 
-WAIT_MS = 500
-LINGER_MS = 2000
+WAIT_S = 0.5
+LINGER_S = 2.0
 SAID_AT_ONCE = 8
 
 log = logging.getLogger(__name__)
@@ -97,63 +95,54 @@ def answer(twin: Twin, measured: RevolutionMeasured) -> TwinAnswer:
     try:
         prediction = twin.predict(unpack(measured))
     except (Unpredictable, ModelError, ArithmeticError) as error:
-        return TwinAnswer(refused=error_text(error, "the model has no solution"))
+        return TwinAnswer(refused=error_text(error, say("the model has no solution")))
     if twin.changed:
         prediction = msgspec.structs.replace(prediction, checkpoint=packed(twin))
     return TwinAnswer(prediction)
 
 
-def set_up(body: bytes) -> tuple[Twin | None, TwinAnswer]:
+def set_up(setup: TwinSetup) -> tuple[Twin | None, TwinAnswer]:
     """Return the twin that a message asks for, or why there is none."""
     try:
-        return new_twin(msgspec.msgpack.decode(body, type=TwinSetup)), TwinAnswer()
+        return new_twin(setup), TwinAnswer()
     except Exception as error:
         return None, TwinAnswer(failed=_failure(error), hopeless=True)
 
 
-def serve(twin: Twin, body: bytes) -> TwinAnswer:
+def serve(twin: Twin, measured: RevolutionMeasured) -> TwinAnswer:
     """Return the answer to a message; whatever goes wrong in the model becomes a sentence."""
     try:
-        return answer(twin, msgspec.msgpack.decode(body, type=RevolutionMeasured))
+        return answer(twin, measured)
     except Exception as error:
         return TwinAnswer(failed=_failure(error))
 
 
 def _failure(error: Exception) -> str:
     if isinstance(error, UnusableInput):
-        return str(error).rstrip(".")
-    return f"the twin failed ‹{error!r}›"
+        return sentence_of_error(error).rstrip(".")
+    return say("the twin failed ‹{}›", repr(error))
 
 
 def main(arguments: list[str]) -> int:
     """Serve predictions until the engine is gone."""
-    engine = int(arguments[1])
-    context = zmq.Context()
-    socket = context.socket(zmq.PAIR)
-    socket.setsockopt(zmq.LINGER, 0)
-    connect_link(socket, arguments[0])
+    engine = Parent(arguments)
     remarks = Remarks()
     logging.getLogger().addHandler(remarks)
-    twin: Twin | None = None
-    while os.getppid() == engine:
-        if not socket.poll(WAIT_MS):
-            continue
-        body = socket.recv()
-        if not body:
-            break
-        if twin is None:
-            twin, reply = set_up(body)
-        else:
-            reply = serve(twin, body)
-        # What is said of the setup goes with the first revolution: then the test has its log.
-        if reply.prediction is not None or reply.refused or reply.failed:
-            reply = msgspec.structs.replace(reply, said=remarks.take())
-        socket.send(msgspec.msgpack.encode(reply))
-        if reply.failed:
-            context.destroy(linger=LINGER_MS)
-            return 1
-    context.destroy(linger=0)
-    return 0
+    setup = engine.wait_for(TwinSetup)
+    if setup is None:
+        return 0
+    twin, reply = set_up(setup)
+    if reply.failed:
+        reply = msgspec.structs.replace(reply, said=remarks.take())
+    engine.send(reply)
+    while twin is not None and not reply.failed and engine.alive:
+        measured = engine.receive(RevolutionMeasured, WAIT_S)
+        if measured is not None:
+            # Remarks on the setup come with the first revolution: then the test has its log.
+            reply = msgspec.structs.replace(serve(twin, measured), said=remarks.take())
+            engine.send(reply)
+    engine.close(LINGER_S if reply.failed else 0.0)
+    return int(bool(reply.failed))
 
 
 if __name__ == "__main__":

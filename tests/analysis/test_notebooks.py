@@ -68,6 +68,7 @@ def test_a_notebook_runs_beside_the_first_test_of_a_new_folder(tmp_path: Path, n
     run(place, cells(name))
 
 
+@pytest.mark.long
 def test_the_examples_of_the_guide_run(folder: Path) -> None:
     guide = (EXAMPLES.parent / "docs/analysis.md").read_text("utf-8")
     blocks = re.findall(r"^```python\n(.*?)^```", guide, re.MULTILINE | re.DOTALL)

@@ -37,6 +37,7 @@ def compressed(ended: Path) -> Path:
     return path
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("chunks", [None, 100])
 @pytest.mark.parametrize("form", ["ended", "compressed"])
 def test_datasets_hold_what_the_reader_reads(
@@ -155,6 +156,7 @@ def test_even_cycles_are_the_cycles_on_even_angles(ended: Path) -> None:
     assert one["force"].attrs["units"] == "N"
 
 
+@pytest.mark.long
 def test_many_tests_are_one_table_and_long_datasets(ended: Path, compressed: Path) -> None:
     broken = ended.with_name("broken.h5")
     broken.write_bytes(b"no test")

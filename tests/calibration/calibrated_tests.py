@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from rigapp.calibrating.records import keep_record
-from rigapp.calibrating.records_in_use import RigRecords, with_records
+from rigapp.calibrating.records_in_use import with_records
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.config.calibration_settings import (
     CellSection,
@@ -22,7 +22,7 @@ from rigapp.config.calibration_settings import (
     PlaceSection,
     load_cell_meaning,
 )
-from rigapp.config.loading import Document, parse_rig
+from rigapp.config.loading import Document, RigRecords, parse_rig
 from rigapp.config.rig import RigFile
 from rigapp.engine.values.calibrate import Calibration, calibration_of
 from rigapp_calibration.load_cell.force_uncertainty import (

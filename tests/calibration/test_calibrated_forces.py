@@ -18,7 +18,7 @@ that is off by much of its own U loses more of them."""
 
 def test_forces_of_a_test_lie_within_the_stated_uncertainty(tmp_path: Path) -> None:
     found = coverage(tmp_path, range(SHORT), FORCES)
-    low, high = LOW - 3.0 * SPREAD, HIGH + 2.0 * SPREAD
+    low, high = LOW - 3.0 * SPREAD, HIGH + 2.5 * SPREAD
     assert all(low <= part <= high for part in found.values()), found
 
 

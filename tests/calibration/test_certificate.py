@@ -5,6 +5,7 @@ from __future__ import annotations
 import datetime
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from rigapp.calibrating.certificate import certificate_of, write_certificate
 from rigapp.calibrating.records import keep_record
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.config.calibration_settings import (
+    CellSection,
     LoadCellFile,
     PaperworkSection,
     PlaceSection,
@@ -24,12 +26,16 @@ from rigapp.config.calibration_settings import (
     WeightsSection,
 )
 from rigapp.config.errors import UnusableInput
-from rigapp.report.page.html import as_html
+from rigapp.report.page.manuscript import as_html
 from rigapp.report.page.pdf import as_pdf
 from rigapp_calibration.records import seal, unseal
+from tests.calibration.independent_coverage import PLAIN, readings_of
+from tests.calibration.pinned import FOLDER
 from tests.calibration.simulated_cell import Cell, take
 from tests.calibration.test_commands import as_csv
 from tests.calibration.test_verify import GIVEN
+from tests.calibration.time_domain_cell import Course, TimeCell
+from tests.calibration.time_domain_cell import take as take_in_time
 
 PIECE = WeightPiece("A1", 5.0, "M-2026-0417", datetime.date(2027, 4, 30), 0.4)
 WHOLE = msgspec.structs.replace(
@@ -105,6 +111,7 @@ def test_the_results_by_load_are_those_of_the_readings(tmp_path: Path) -> None:
     assert rows["400.00"][7] == "extrapolated"
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("change", "mark"),
     [
@@ -177,8 +184,7 @@ def test_an_uncertainty_that_says_nothing_is_refused(tmp_path: Path) -> None:
 
 
 def test_the_certificate_of_a_record_of_before_is_made(tmp_path: Path) -> None:
-    record = made(tmp_path, GIVEN)
-    content = json.loads(record.read_bytes())
+    content = json.loads((FOLDER / "2" / "load_cell.json").read_bytes())
     for key in ("digest", "number", "schema", "evaluation", "recorded_at"):
         del content[key]
     settings, result = content["settings"], content["result"]
@@ -200,3 +206,44 @@ def test_the_certificate_of_a_record_of_before_is_made(tmp_path: Path) -> None:
     words = (tmp_path / "c.html").read_text()
     assert "made by evaluation 1" in words
     assert "the uncertainty cannot be verified" in words
+
+
+@pytest.mark.parametrize(("full", "decimals"), [(5.0, 3), (400.0, 2), (20e3, 0)])
+def test_numbers_are_rounded_by_u_whatever_the_cell_bears(
+    tmp_path: Path, full: float, decimals: int
+) -> None:
+    """A pin of 0.2 % of full scale: no error of any load, U in two figures."""
+    nature = replace(PLAIN, full_scale=full, noise=4e-4, pin=0.002)
+    cell = TimeCell(nature, np.random.default_rng(3))
+    text = as_csv(readings_of(take_in_time(cell, Course())))
+    section = CellSection("cell", full, max(1e-6, 1e-5 * full))
+    given = msgspec.structs.replace(WHOLE, cell=section)
+    fit = SUBJECTS["load cell"].fit
+    assert fit is not None
+    outcome = fit(text, given, "here", "")
+    assert outcome.accepted, outcome.result["problems"]
+    keep_record(tmp_path / "record.json", outcome.kind, text, given, outcome.result)
+    (table,) = (
+        block
+        for section in certificate_of(unseal((tmp_path / "record.json").read_bytes())).sections
+        for block in section.blocks
+        if getattr(block, "title", "").startswith("Results by load")
+    )
+    for row in table.rows[:-1]:
+        error, across, largest, expanded = map(str, row[3:7])
+        assert len(expanded.replace(".", "").lstrip("0")) == 2, expanded
+        assert abs(float(error)) < float(expanded)
+        assert abs(float(across)) < float(expanded)
+        assert float(largest) < 2.0 * float(expanded)
+    assert len(table.rows[-1][6].partition(".")[2]) == decimals
+    words = words_of(tmp_path / "record.json")
+    assert "Weight that turns with the pin, taken out of the indications" in words
+    assert "agreed" not in words
+    assert "counter(page)" in words
+
+
+def test_an_angle_that_nobody_referred_to_is_said_to_be_outside_of_u(tmp_path: Path) -> None:
+    words = words_of(made(tmp_path, WHOLE))
+    stated = WHOLE.angle.offset_deg is not None
+    assert ("U holds it by the uncertainty of the angle reference" in words) is stated
+    assert ("no angle reference was taken: U does not hold it" in words) is not stated

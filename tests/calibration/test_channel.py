@@ -10,15 +10,14 @@ import numpy as np
 import pytest
 
 from rigapp.calibrating.certificate import write_certificate
-from rigapp.calibrating.records_in_use import with_records
-from rigapp.calibrating.rig_file import only_records_differ
+from rigapp.calibrating.records_in_use import only_records_differ, with_records
 from rigapp.commands.calibrate import calibrate_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_rig
 from rigapp.config.rig import RigFile
 from rigapp.engine.recording.store import calibration_record
 from rigapp.engine.values.calibrate import calibration_of
-from rigapp.report.testreport.uncertainty import stated_uncertainties
+from rigapp.report.testreport.facts import stated_uncertainties
 from rigapp_calibration.channel import (
     ChannelCalibration,
     ChannelReadings,

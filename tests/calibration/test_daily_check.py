@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -26,6 +27,7 @@ def checked(
     zero_N: tuple[float, float] = (0.0, 0.0),
     seed: int = 1,
     angles: int = 4,
+    guarded: bool = True,
 ) -> DailyCheck:
     """Return the check of a cell that tells ``elements`` times the force by now."""
     rng = np.random.default_rng(seed)
@@ -37,7 +39,8 @@ def checked(
     signal = felt @ np.linalg.inv(KEPT).T + ZERO
     series = tuple(np.repeat([str(one + 1) for one in range(angles)], 3))
     readings = LoadCellReadings(series, np.tile([1, 2, 3], angles), mass, angle, signal)
-    return daily_check(readings, SETTINGS, KEPT, ZERO)
+    cell = replace(SETTINGS.cell, guarded=guarded)
+    return daily_check(readings, replace(SETTINGS, cell=cell), KEPT, ZERO)
 
 
 def entry(check: DailyCheck, number: int) -> dict:
@@ -98,6 +101,34 @@ def test_the_zero_is_judged(tmp_path: Path) -> None:
     found = read_history(store)
     assert not found.in_control
     assert found.charts["zero_2_N"].expanded == pytest.approx(4.0)
+
+
+def test_u_of_the_check_is_taken_off_what_is_allowed() -> None:
+    """1.8 N of 2 N along: within by simple acceptance, open with the guard band of JCGM 106."""
+    off = (1.0047, 0.0, 0.0, 1.0047)
+    check = checked(off)
+    along, across, zero = check.expanded
+    assert 0.05 < along < 0.4
+    assert 0.6 < across < 0.9  # 0.05 degrees of the angle are 0.34 N, standard
+    assert 0.0 < zero < 0.3
+    assert "guard band w = U (JCGM 106)" in check.rule
+    assert f"passed up to {check.allowed - along:.2f} N along" in check.rule
+    assert check.largest < check.allowed
+    assert not check.passed
+    assert "leaves it open" in check.sentence
+    simple = checked(off, guarded=False)
+    assert simple.passed
+    assert "simple acceptance (JCGM 106)" in simple.rule
+    assert not checked((1.0055, 0.0, 0.0, 1.0055), guarded=False).passed
+
+
+def test_the_store_keeps_rule_and_u(tmp_path: Path) -> None:
+    check, store = checked(), tmp_path / "daily-checks.jsonl"
+    append_check(store, entry(check, 1))
+    found = read_history(store)
+    assert found.entries[-1]["decision_rule"] == check.rule
+    assert found.entries[-1]["expanded_uncertainty_N"]["along"] == check.expanded[0]
+    assert check.rule in verdict_lines(found)
 
 
 def test_a_weight_along_one_axis_does_not_judge_the_other() -> None:

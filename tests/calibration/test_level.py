@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from rigapp_calibration.taking.level import LevelError, reversed_level, single
+from rigapp_calibration.load_cell.plans import LevelError, reversed_level, single
 
 
 @pytest.mark.parametrize("true_deg", [-3.0, 0.0, 0.4, 12.0])

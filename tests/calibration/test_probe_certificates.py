@@ -13,13 +13,11 @@ from rigapp.calibrating.probe_result import pair_result, probe_result
 from rigapp.calibrating.records import keep_record
 from rigapp.calibrating.run_out import harmonics_csv, run_out_lines, run_out_result
 from rigapp.config.calibration_settings import ProbeFile, ProbeSection, RunOutFile, RunOutPinSection
-from rigapp.report.page.html import as_html
+from rigapp.report.page.manuscript import as_html
 from rigapp.report.page.pdf import as_pdf
 from rigapp.twin.elasticmotion import DOUBTS
-from rigapp_calibration.probes.alignment import calibrate_pair
-from rigapp_calibration.probes.calibrate import calibrate_probe
-from rigapp_calibration.probes.readings import ProbeReadings
-from rigapp_calibration.probes.settings import ProbeSettings
+from rigapp_calibration.probes.calibrate import calibrate_pair, calibrate_probe
+from rigapp_calibration.probes.readings import ProbeReadings, ProbeSettings
 from rigapp_calibration.records import Record, unseal
 from rigapp_calibration.turning.run_out import Roll, SlowRevolution, evaluate, make_map
 

@@ -9,11 +9,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rigapp_calibration.probes.alignment import align, calibrate_pair
-from rigapp_calibration.probes.calibrate import calibrate_probe
+from rigapp_calibration.probes.calibrate import align, calibrate_pair, calibrate_probe
 from rigapp_calibration.probes.plans import MEASURING, ProbePlan, probe_readings
-from rigapp_calibration.probes.readings import ProbeReadings
-from rigapp_calibration.probes.settings import ProbeSettings
+from rigapp_calibration.probes.readings import ProbeReadings, ProbeSettings
 from rigapp_calibration.taking.procedure import (
     Procedure,
     ProcedureError,

@@ -18,6 +18,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 RIG = EXAMPLES / "simulated.toml"
 
 
+@pytest.mark.long
 def test_live_roll_makes_a_record_and_its_file_makes_it_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

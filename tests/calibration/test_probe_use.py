@@ -21,15 +21,15 @@ from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
 from rigapp.engine.values.calibrate import Calibration, Measured, calibrate
 from rigapp.engine.values.probes import probe_correction
 from rigapp.engine.values.reduce import Reducer
-from rigapp.report.testreport.uncertainty import stated_uncertainties
+from rigapp.report.testreport.facts import stated_uncertainties
 from rigapp.schema.channels import BASE
 from rigapp.simulation import layout
 from rigapp.simulation.constants import packaged_parameters, plant_constants
 from rigapp.simulation.layout import Drive
 from rigapp.simulation.plant import Plant
-from rigapp_calibration.probes.alignment import calibrate_pair
+from rigapp_calibration.probes.calibrate import calibrate_pair
 from rigapp_calibration.probes.plans import MEASURING, ProbePlan, probe_readings
-from rigapp_calibration.probes.settings import ProbeSettings
+from rigapp_calibration.probes.readings import ProbeSettings
 from rigapp_calibration.records import seal
 from rigapp_calibration.taking.procedure import begin
 from rigapp_calibration.turning.run_out import SlowRevolution, evaluate
@@ -87,12 +87,12 @@ def test_pair_and_map_take_the_place_of_the_rig_files_numbers(tmp_path: Path) ->
     # The uncertainties of the line and of the map add as squares.
     assert probes.uncertainty_um == pytest.approx((1.3, 1.5))
     assert set(found.texts) == {"probes", "run_out"}
-    assert not found.blocking
+    assert all("holds no readings" in one for one in found.blocking.values())
 
 
 def test_expired_map_blocks_a_start_unless_overridden_with_a_reason(tmp_path: Path) -> None:
     late = with_records(rig_with(tmp_path, 'run_out = "map.json"'), TOO_LATE)
-    assert "run_out expired on 2027-01-01" in late.blocking["run_out"]
+    assert "expired on 2027-01-01" in late.blocking["run_out"]
     used = with_records(
         rig_with(tmp_path, 'run_out = "map.json"\nrun_out_override = "the roll is tomorrow"'),
         TOO_LATE,

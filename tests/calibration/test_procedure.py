@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 
 import numpy as np
 import pytest
@@ -10,9 +11,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rigapp_calibration.load_cell.calibrate import calibrate_load_cell
+from rigapp_calibration.load_cell.characteristics import angle_groups
 from rigapp_calibration.load_cell.plans import WEIGHING, LoadCellPlan, PlanKind, load_cell_readings
-from rigapp_calibration.load_cell.weights import force_per_mass, pin_force
-from rigapp_calibration.taking.pieces import PiecesError, next_change, possible_loads
+from rigapp_calibration.load_cell.weights import (
+    PiecesError,
+    force_per_mass,
+    next_change,
+    pin_force,
+    possible_loads,
+)
 from rigapp_calibration.taking.procedure import (
     Procedure,
     ProcedureError,
@@ -25,6 +32,7 @@ from rigapp_calibration.taking.signals import judge
 from tests.calibration.simulated_cell import SETTINGS, Cell
 
 SET = (5.0,) * 8 + (2.0, 2.0, 1.0, 0.5)
+LOADED = 10 * 11
 
 
 def hand(
@@ -63,9 +71,9 @@ def test_plan_is_carried_out_to_a_calibration(kind: PlanKind) -> None:
     done = finish(begin(WEIGHING, LoadCellPlan(kind, 40.0, SET)))
     assert "All readings" in done.instruction
     readings = load_cell_readings(done)
-    assert len(np.unique(np.round(readings.angle, 3))) == {"daily check": 4}.get(
-        kind.value, 4 if kind is PlanKind.ROUTINE else 12
-    )
+    assert len(np.unique(angle_groups(readings.angle))) == {
+        PlanKind.DAILY: 4, PlanKind.ROUTINE: 8, PlanKind.FULL: 12,
+    }[kind]  # fmt: skip
     if kind is not PlanKind.DAILY:
         found = calibrate_load_cell(readings, SETTINGS)
         assert found.accepted, [p.sentence for p in found.problems]
@@ -75,10 +83,42 @@ def test_sizes_of_the_plans() -> None:
     def count(kind: PlanKind) -> int:
         return sum(s.kind is StepKind.READING for s in LoadCellPlan(kind, 40.0, SET).steps())
 
-    assert count(PlanKind.FULL) == 12 * 21 + 2
-    assert count(PlanKind.ROUTINE) == 4 * 11 + 2
+    assert (
+        count(PlanKind.FULL)
+        == 14 * (2 * len(LoadCellPlan(PlanKind.FULL, 40.0, SET).loads()) + 1) + 2
+    )
+    assert count(PlanKind.ROUTINE) == 10 * 11 + 2
     assert count(PlanKind.DAILY) == 4 * 3
-    assert 20 < time_needed(LoadCellPlan(PlanKind.ROUTINE, 40.0, SET).steps()) / 60.0 < 60
+    assert 70 < time_needed(LoadCellPlan(PlanKind.ROUTINE, 40.0, SET).steps()) / 60.0 < 120
+
+
+def test_the_time_follows_the_pieces_that_are_moved() -> None:
+    few, many = (
+        time_needed(LoadCellPlan(PlanKind.ROUTINE, 40.0, pieces).steps())
+        for pieces in ((8.0,) * 5, (1.0,) * 40)
+    )
+    assert many > 1.7 * few
+
+
+@settings(deadline=None, max_examples=40)
+@given(st.lists(st.sampled_from((0.5, 1.0, 2.0, 5.0, 10.0, 20.0)), min_size=3, max_size=16))
+def test_rising_loads_only_add_pieces_and_falling_ones_only_remove(pieces: list[float]) -> None:
+    plan = LoadCellPlan(PlanKind.ROUTINE, min(40.0, sum(pieces)), tuple(pieces))
+    before: Counter[float] = Counter()
+    for step in plan.steps():
+        hanging = Counter(step.pieces)
+        if step.kind is StepKind.READING and not step.due:
+            assert not (before - hanging if not step.falling else hanging - before), step.words
+            assert "and hang" not in step.words
+        before = hanging
+
+
+def test_a_journal_of_before_goes_on_in_its_own_steps() -> None:
+    events = [{"event": "begin", "kind": "routine", "heaviest": 40.0, "pieces": list(SET)}]
+    procedure = take_up(WEIGHING, events)
+    readings = [one for one in procedure.steps if one.kind is StepKind.READING]
+    assert len(readings) == 4 * 11 + 2
+    assert [one.value for one in readings[:6]] == [0.0, 8.0, 16.0, 24.0, 32.0, 40.0]
 
 
 def test_it_is_taken_up_where_it_was_left() -> None:
@@ -104,8 +144,8 @@ def test_rejected_reading_stays_and_its_series_is_taken_again() -> None:
     assert all(one.rejected for one in repeated.taken)
     assert repeated.step.number == 1
     done = finish(repeated)
-    assert len(load_cell_readings(done)) == 44
-    assert len(done.taken) == 51
+    assert len(load_cell_readings(done)) == LOADED
+    assert len(done.taken) == LOADED + 7
     assert take_up(WEIGHING, journal(done)) == done
 
 
@@ -113,7 +153,7 @@ def at_the_creep(readings: int = 0) -> Procedure[LoadCellPlan]:
     """Return a procedure whose creep comes now, or has been read so often."""
     rng = np.random.default_rng(1)
     procedure = begin(WEIGHING, LoadCellPlan(PlanKind.ROUTINE, 40.0, SET))
-    while procedure.step.series != "creep" or len(procedure.taken) < 44 + readings:
+    while procedure.step.series != "creep" or len(procedure.taken) < LOADED + readings:
         procedure = hand(procedure, Cell(), rng)
     return procedure
 
@@ -122,11 +162,11 @@ def at_the_creep(readings: int = 0) -> Procedure[LoadCellPlan]:
 def test_a_creep_that_is_left_out_is_not_asked_for_again(readings: int) -> None:
     procedure = at_the_creep(readings).leave_out()
     assert procedure.done
-    assert [one.rejected for one in procedure.taken[44:]] == ["left out"] * readings
+    assert [one.rejected for one in procedure.taken[LOADED:]] == ["left out"] * readings
     assert take_up(WEIGHING, journal(procedure)) == procedure
     # Another series is rejected: only that one is taken again.
     done = finish(procedure.reject(3, "bumped"))
-    assert len(done.taken) == 44 + readings + 11
+    assert len(done.taken) == LOADED + readings + 11
     assert take_up(WEIGHING, journal(done)) == done
     with pytest.raises(ProcedureError, match="cannot be left out"):
         begin(WEIGHING, procedure.plan).leave_out()

@@ -68,6 +68,7 @@ def test_error_of_coarse_steps_in_a_mean_against_simulation() -> None:
     assert dither_error(0.3, 0.0) == 0.0
 
 
+@pytest.mark.long
 def test_simulated_rig_passes_with_its_pin_and_not_with_another(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

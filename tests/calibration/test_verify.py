@@ -27,8 +27,11 @@ from rigapp.config.calibration_settings import (
 )
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
+from rigapp_calibration.load_cell.readings import LOAD_CELL_COLUMNS
 from rigapp_calibration.records import seal, unseal
+from rigapp_calibration.taking.readings import read_table
 from rigapp_calibration.turning.running_check import Known, SpeedRun, running_check
+from tests.calibration.pinned import FOLDER
 from tests.calibration.simulated_cell import Cell, take
 from tests.calibration.test_commands import as_csv
 from tests.calibration.test_probe_certificates import ANGLE, csv_of, run_out
@@ -44,7 +47,7 @@ GIVEN = LoadCellFile(
 def sealed(tmp_path_factory: pytest.TempPathFactory) -> bytes:
     """Return the record of a good calibration."""
     text = as_csv(take(Cell(), np.random.default_rng(4), angles=4))
-    outcome = fit_load_cell(text, GIVEN, "here")
+    outcome = fit_load_cell(read_table(text, LOAD_CELL_COLUMNS), GIVEN, "here")
     path = tmp_path_factory.mktemp("sealed") / "record.json"
     keep_record(path, outcome.kind, text, GIVEN, outcome.result)
     return path.read_bytes()
@@ -126,8 +129,10 @@ def test_a_record_that_was_only_edited_is_told_from_one_that_is_none(
 
 
 def test_a_record_of_an_older_evaluation_is_used_and_says_what_is_not_verified(
-    sealed: bytes, tmp_path: Path
+    tmp_path: Path,
 ) -> None:
+    sealed = (FOLDER / "2" / "load_cell.json").read_bytes()
+
     def older(content: dict[str, Any]) -> None:
         del content["evaluation"]
         content["result"]["uncertainty_line_N"]["constant_N"] = 0.9

@@ -17,7 +17,7 @@ from rigapp_calibration.load_cell.weights import (
     relative_force_uncertainty,
     weight_force,
 )
-from rigapp_calibration.probes.cylinder import (
+from rigapp_calibration.probes.calibrate import (
     apparent_gap,
     sensitivity_gain,
 )

@@ -17,10 +17,8 @@ from rigapp_calibration.load_cell.budget import (
     uncertainty_at,
     zero_uncertainty,
 )
-from rigapp_calibration.load_cell.characteristics import loads
+from rigapp_calibration.load_cell.calibrate import fit_readings
 from rigapp_calibration.load_cell.readings import LoadCellReadings
-from rigapp_calibration.load_cell.scatter import scatter
-from rigapp_calibration.load_cell.two_axis import choose_terms
 from rigapp_calibration.load_cell.weights import pin_force, relative_force_uncertainty, weight_force
 from tests.calibration.simulated_cell import SETTINGS, Cell, plan
 
@@ -45,7 +43,6 @@ class Scenario:
 
 
 SCENARIOS = (
-    Scenario("ideal, 4 angles", 4),
     Scenario("ideal, 8 angles"),
     Scenario("ideal, 12 angles", 12),
     Scenario("means of 100", averaged=100),
@@ -81,9 +78,8 @@ def calibrate_once(scenario: Scenario, rng: np.random.Generator) -> dict[str, li
 
     signal = take(pin_force(weight, turned, 0.0), order, rising, scenario.averaged)
     readings = LoadCellReadings(series, step, mass, angle, signal)
-    applied = pin_force(weight, angle, 0.0)
-    found, _ = choose_terms(applied, signal)
-    parts = scatter(found, applied, loads(readings, applied, found.force(signal)))
+    fitted = fit_readings(readings, SETTINGS)
+    found, parts = fitted.fit, fitted.parts
     error = found.matrix - np.linalg.inv(truth)
     held = {
         "matrix": [

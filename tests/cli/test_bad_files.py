@@ -53,7 +53,7 @@ def value(key: str, number: str) -> tuple[str, str]:
     for name in ("quick.toml", "simulated.toml"):
         for line in (EXAMPLES / name).read_text(encoding="utf-8").splitlines():
             if line.startswith(f"{key} = "):
-                return line, f"{key} = {number}"
+                return line.partition("#")[0].rstrip(), f"{key} = {number}"
     raise KeyError(key)
 
 

@@ -41,6 +41,7 @@ def recipe(folder: Path) -> Path:
     return path
 
 
+@pytest.mark.long
 def test_channels_go_from_the_rig_file_to_limit_file_export_and_replay(tmp_path: Path) -> None:
     test, out = recipe(tmp_path), tmp_path / "t.h5"
     refused = rigapp("check", EXAMPLES / "simulated.toml", test)

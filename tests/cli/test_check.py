@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
+from rigapp.checks.check import CheckVerdict
 from rigapp.commands.check import self_check
 from rigapp.config.loading import read_rig
-from rigapp.service.preflight import Checked
 from rigapp_drivers.api import (
     ChannelSpec,
     DriverInfo,
@@ -84,19 +84,19 @@ def checked(source: Device) -> list[Any]:
 
 def test_right_test_values_are_told() -> None:
     (check,) = checked(Checking(Value("analog_1", 1.75, True), Value("analog_2", 1.75, True)))
-    assert check.verdict is Checked.GOOD
-    assert "analog_1, analog_2" in check.finding
+    assert check.verdict is CheckVerdict.GOOD
+    assert "analog_1, analog_2" in check.sentence
 
 
 def test_wrong_test_value_blocks_and_is_named() -> None:
     (check,) = checked(Checking(Value("analog_1", 1.75, True), Value("analog_2", 0.35, False)))
-    assert check.verdict is Checked.BLOCKS
-    assert check.finding == "analog_2 0.35 mV/V in place of 1.75"
-    assert "rig file" in check.action
+    assert check.verdict is CheckVerdict.BLOCKS
+    assert check.sentence == "analog_2 0.35 mV/V in place of 1.75"
+    assert "rig file" in check.advice
 
 
 @pytest.mark.parametrize(("source", "lines"), [(Device(), 0), (Checking(fails=True), 1)])
 def test_source_without_test_value_blocks_nothing(source: Device, lines: int) -> None:
     found = checked(source)
     assert len(found) == lines
-    assert all(check.verdict is Checked.ATTENTION for check in found)
+    assert all(check.verdict is CheckVerdict.ATTENTION for check in found)

@@ -12,7 +12,10 @@ from patience import PATIENCE_S
 PARAMETERS = Path(__file__).parents[2] / "examples" / "parameters.toml"
 
 
-@pytest.mark.parametrize("closed", [">&-", "2>&-", "<&- >&- 2>&-"])
+@pytest.mark.parametrize(
+    "closed",
+    ["<&- >&- 2>&-", *(pytest.param(one, marks=pytest.mark.long) for one in (">&-", "2>&-"))],
+)
 def test_a_closed_output_is_no_fault(closed: str, tmp_path: Path) -> None:
     table = tmp_path / "pressure.csv"
     verb = ["model", "pressure", str(PARAMETERS), "--force-N", "10", "--to", str(table)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -88,6 +89,24 @@ def test_a_named_port_in_use_is_told(
     told = " ".join(capsys.readouterr().out.split())
     assert "in use by another program" in told
     bench.judge(bench.blocks(50))
+
+
+def test_the_rules_for_ports_are_printed_and_their_absence_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert doctor.print_rules() == 0
+    lines = capsys.readouterr().out.splitlines()
+    known = [line for line in lines if "ID_MM_DEVICE_IGNORE" in line]
+    assert ['"0683"' in known[1], '"03eb"' in known[0]] == [True, True]
+    rules = [line for line in lines if line and not line.startswith("#")]
+    pair = r'[A-Z_]+(\{\w+\})?(==|=|\+=)"[^"]*"'
+    assert all(re.fullmatch(rf"{pair}(, {pair})*", line) for line in rules), "as udev reads them"
+    (told,) = doctor.rules_advice([tmp_path])
+    assert "rigapp doctor --rules | sudo tee" in told.text
+    (tmp_path / doctor.RULES_NAME).write_text("", "utf-8")
+    (told,) = doctor.rules_advice([tmp_path])
+    assert told.text == "installed"
+    assert not list(doctor.rules_advice([tmp_path / "no udev here"]))
 
 
 def test_known_usb_devices_are_asked_and_adapters_are_not(

@@ -15,7 +15,7 @@ from house.test_documented_commands import PAGES, commands
 from twin.recorded_plants import RECORDED, record
 
 from rigapp.cli.program import app
-from rigapp.commands.init import start_folder
+from rigapp.commands.init.folder import start_folder
 
 TOP = Path(__file__).parents[2]
 
@@ -24,8 +24,10 @@ ELSEWHERE = {
     "calibrate probes --rig": "tests/gui_calibration/test_taken_up.py",
     "calibrate run-out": "tests/calibration/test_probe_roll.py",
     "calibrate running-check": "tests/calibration/test_running_check.py",
+    "close": "tests/storage/test_checksums.py",
     "doctor --port": "tests/cli/test_doctor.py",
     "gui": "tests/gui/test_story.py",
+    "init --real": "tests/prepare/test_real_files.py",
     "--install-completion": "tests/cli/test_help.py",
     "model forces --revolutions": "tests/model/mechanics/test_forces_table.py",
     "notify": "tests/notify/test_story.py",
@@ -36,8 +38,10 @@ ELSEWHERE = {
     "resume": "tests/gui/test_results.py",
     "reset": "tests/engine/test_reset_drive.py",
     "run": "tests/prepare/test_starting_files.py",
+    "salvage": "tests/storage/test_checksums.py",
     "service": "tests/cli/test_service.py",
     "study": "tests/study/test_running.py",
+    "wire": "tests/drivers/wire/test_wire.py",
 }
 """Beginnings of commands that want hands, a screen or another process, and where they are run."""
 NAMES = {
@@ -50,6 +54,7 @@ NAMES = {
     "F": "60",
     "N": "2",
     "quick.h5": "test.h5",
+    "first.h5": "test.h5",
 }
 """What stands for a file or a number of the reader's -> what it is here."""
 CHANNEL = {
@@ -113,6 +118,7 @@ def run(words: list[str], folder: Path) -> Any:
     return app(args=words, prog_name="rigapp", standalone_mode=False)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)
 def test_the_commands_of_the_page_do_what_it_says(page: Path, folder: Path) -> None:
     failed = {}

@@ -30,6 +30,7 @@ def without(missing: tuple[str, ...], code: str) -> subprocess.CompletedProcess[
     )
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("missing", "arguments", "extra"),
     [

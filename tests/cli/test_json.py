@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
+from rigapp.checks.check import Check, CheckVerdict
 from rigapp.commands import check, doctor
-from rigapp.service.preflight import Check, Checked
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RIG, TEST = EXAMPLES / "simulated.toml", EXAMPLES / "quick.toml"
@@ -20,15 +20,15 @@ def found_at_the_rig(*found: Check) -> Any:
     return lambda records, test: (None, list(found))
 
 
-@pytest.mark.parametrize("verdict", list(Checked))
+@pytest.mark.parametrize("verdict", list(CheckVerdict))
 def test_checks_are_values_and_the_status_says_whether_one_blocks(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], verdict: Checked
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], verdict: CheckVerdict
 ) -> None:
     found = Check("Device drive", verdict, "/dev/ttyACM0: said", "Do this")
     monkeypatch.setattr(check, "look", found_at_the_rig(found))
     status = check.check_rig(RIG, TEST, as_json=True)
     told = json.loads(capsys.readouterr().out)
-    blocks = verdict is Checked.BLOCKS
+    blocks = verdict is CheckVerdict.BLOCKS
     assert (status, told["blocked"]) == (int(blocks), blocks)
     assert {
         "what": "Device drive",

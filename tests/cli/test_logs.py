@@ -121,6 +121,7 @@ def test_an_unknown_level_is_unusable_input(tmp_path: Path) -> None:
     assert len(done.stderr.splitlines()) == 1
 
 
+@pytest.mark.long
 def test_a_test_has_its_log_beside_its_file(tmp_path: Path) -> None:
     out = tmp_path / "t.h5"
     rig, plan = EXAMPLES / "simulated.toml", tmp_path / "plan.toml"

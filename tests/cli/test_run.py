@@ -130,6 +130,7 @@ def test_complete_run_is_exact_and_agrees_with_the_model(
         assert rows["speed"][steady].mean() == pytest.approx(60.0, rel=0.02)
 
 
+@pytest.mark.long
 def test_killed_engine_leaves_every_committed_revolution(
     tmp_path: Path, running: Callable[..., Running]
 ) -> None:
@@ -203,6 +204,7 @@ def test_dead_engine_stops_the_spindle_by_the_drives_watchdog(
     until(lambda: abs(state_of(simulation)["speed_rpm"]) < 0.1, "the spindle stands")
 
 
+@pytest.mark.long
 def test_lost_daq_stops_the_spindle_and_names_the_port(
     tmp_path: Path,
     running: Callable[..., Running],
@@ -223,6 +225,7 @@ def test_lost_daq_stops_the_spindle_and_names_the_port(
     assert info(out)["status"] == "stopped"
 
 
+@pytest.mark.long
 def test_interrupt_stops_under_control(tmp_path: Path, running: Callable[..., Running]) -> None:
     out = tmp_path / "t.h5"
     test = running("run", QUICK, "--rig", RIG, "--out", out, *NEVER_OVER)
@@ -233,6 +236,7 @@ def test_interrupt_stops_under_control(tmp_path: Path, running: Callable[..., Ru
     assert info(out)["status"] == "stopped"
 
 
+@pytest.mark.long
 def test_limit_stops_the_test(tmp_path: Path) -> None:
     text = QUICK.read_text().replace("overload_N = 380.0", "overload_N = 60.0")
     recipe = tmp_path / "tight.toml"
@@ -270,6 +274,7 @@ def test_unusable_input_is_one_sentence(
     assert (out.read_bytes() if out.exists() else None) == before
 
 
+@pytest.mark.long
 def test_port_that_does_not_exist_is_a_device_failure(tmp_path: Path) -> None:
     text = RIG.read_text().replace('port = "simulated"', 'port = "/dev/ttyNOWHERE"', 1)
     rig = tmp_path / "rig.toml"
@@ -281,6 +286,7 @@ def test_port_that_does_not_exist_is_a_device_failure(tmp_path: Path) -> None:
     assert not (tmp_path / "t.h5").exists()
 
 
+@pytest.mark.long
 def test_check_shows_a_table_and_blocks_on_a_bad_speed(tmp_path: Path) -> None:
     good = rigapp("check", RIG, QUICK)
     assert good.returncode == 0, good.stdout + good.stderr
@@ -297,3 +303,34 @@ def test_help_is_quick_to_read_and_wrong_calls_are_told() -> None:
     wrong = program("run")
     assert wrong.returncode == 2
     assert "Traceback" not in wrong.stderr
+
+
+@pytest.mark.long
+def test_a_pin_that_weighs_something_leaves_the_forces_as_they_are(tmp_path: Path) -> None:
+    """9.8 N turn about the cell; the rig file states them, the test's mechanism is upright."""
+    test = tmp_path / "test.toml"
+    text = QUICK.read_text().replace("[0.0, 0.0]  ", "[0.0, -9.80665]  ", 1)
+    assert "-9.80665]  " in text
+    test.write_text(text)
+    found = {}
+    for name, mass, stated in (("light", 0.0, 0.0), ("heavy", 1.0, 9.80665), ("left", 1.0, 0.0)):
+        rig, out = tmp_path / f"{name}.toml", tmp_path / f"{name}.h5"
+        plain = RIG.read_text()
+        head, tail = plain.split("[probes]")
+        named = f"{head}pin_weight_N = {stated}\n[probes]{tail}"
+        rig.write_text(
+            named.replace(
+                "[devices.daq]", f"[simulation.plant]\npin_mass_kg = {mass}\n[devices.daq]", 1
+            )
+        )
+        rigapp("run", test, "--rig", rig, "--out", out, "--revolutions", "8", "--speed", "max")
+        with h5py.File(out) as file:
+            cycle = file["entry/cycles"]
+            held = slice(0, cycle["count"][0])
+            angle = np.radians(cycle["angle"][held])
+            one, two = (cycle[f"force_{axis}"][held] for axis in (1, 2))
+            found[name] = 2.0 * np.array(
+                [np.mean(one * np.sin(angle)), np.mean(two * np.cos(angle))]
+            )
+    assert found["heavy"] == pytest.approx(found["light"], abs=0.2)
+    assert found["left"] - found["light"] == pytest.approx(9.81, abs=0.2)

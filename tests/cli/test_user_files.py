@@ -46,6 +46,7 @@ def installed(*arguments: str | Path) -> Done:
     return done
 
 
+@pytest.mark.long
 def test_a_test_runs_with_model_and_messages_and_its_results_are_read(folder: Path) -> None:
     told, out = folder / "told.json", folder / "test.h5"
     keep = folder / "keep.sh"
@@ -77,6 +78,7 @@ def test_an_engine_is_started_for_a_window_and_a_calibration(folder: Path) -> No
         client.close()
 
 
+@pytest.mark.long
 def test_a_study_has_its_workers_and_the_window_is_tested(folder: Path) -> None:
     study = written(folder / "study")
     done = installed("study", study, "--to", folder / "table", "--workers", "1")

@@ -12,6 +12,8 @@ import pytest
 from commandline import program
 from patience import PATIENCE_S
 
+pytestmark = pytest.mark.long
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CALIBRATION = EXAMPLES / "calibration"
 CODE = """

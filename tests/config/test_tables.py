@@ -34,7 +34,7 @@ def test_a_recipe_and_its_form_offer_the_joints_that_tell_forces_of_a_measured_r
 @pytest.mark.parametrize("joint", ["glued", "contact"])
 def test_a_twin_takes_an_unknown_or_unsuitable_joint_for_no_other(joint: str) -> None:
     parameters = read_parameter_file(EXAMPLES / "parameters.toml").record
-    twin, answer = set_up(msgspec.msgpack.encode(TwinSetup(parameters, joint)))
+    twin, answer = set_up(TwinSetup(parameters, joint))
     assert twin is None
     assert answer.hopeless
     assert f"technique is {joint}: choose perfect or continuous" in answer.failed

@@ -406,6 +406,12 @@ class FakeStore:
         self.profiles.append((int(values[0]), {k: np.array(v) for k, v in curves.items()}))
         return True
 
+    def hold_cycle(
+        self, revolution: int, columns: Mapping[str, ArrayLike], why: str, quality: int
+    ) -> None:
+        self._check()
+        self.held = revolution
+
     def keep_checkpoint(self, revolution: int, state: bytes) -> None:
         self._check()
         self.checkpoint = (revolution, state)

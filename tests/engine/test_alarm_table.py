@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from rigapp.schema.alarms import KINDS, because, exceeded, key_of, kind_of
+from rigapp.schema.alarms import KINDS, exceeded, key_of, kind_of, make_alarm
 from rigapp.schema.messages import Ends, Severity
 
 SOURCES = sorted((Path(__file__).parents[2] / "rigapp").rglob("*.py"))
@@ -42,7 +42,7 @@ def named(key: str) -> set[str]:
 
 def test_what_is_raised_is_in_the_table_with_all_that_its_words_name() -> None:
     raised: set[str] = set()
-    for where, call in calls("because"):
+    for where, call in calls("make_alarm"):
         given = {one.arg for one in call.keywords}
         for key in keys_of(call.args[0]):
             raised.add(key)
@@ -62,7 +62,7 @@ def test_what_is_cleared_or_asked_for_is_in_the_table() -> None:
 @pytest.mark.parametrize("key", sorted(KINDS))
 def test_every_kind_can_be_raised_told_and_found_again_by_its_key(key: str) -> None:
     values = dict.fromkeys(named(key), 1.0)
-    cause = because(key, "it", **values)
+    cause = make_alarm(key, "it", **values)
     assert cause.key == key_of(key, "it")
     assert kind_of(cause.key) is KINDS[key]
     for words in (cause.title, cause.sentence, cause.kind.consequence, cause.kind.action):

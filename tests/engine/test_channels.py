@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 import threading
+import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import msgspec
@@ -16,13 +18,15 @@ from engine_doubles import FakeSource, MemoryRig, a_test, eventually
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rigapp.checks.check import Check, CheckVerdict
+from rigapp.checks.start import preflight
 from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test
 from rigapp.config.recipe import LimitRule
 from rigapp.config.rig import ChannelSection, DeviceSection, RigFile
 from rigapp.engine.engine import Engine
-from rigapp.engine.recording.store import open_file
+from rigapp.engine.recording.store import missing_channels, open_file
 from rigapp.engine.samples import slow
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup
 from rigapp.engine.values.calibrate import Measured, calibrate
@@ -32,9 +36,10 @@ from rigapp.engine.values.table import follow
 from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.states import ENDED
-from rigapp.service.preflight import Check, Checked, preflight
+from rigapp.schema.wire import json_bytes
 from rigapp.storage import open_test
-from rigapp.storage.structure.conventions import detectors
+from rigapp.storage.structure.build import detectors
+from rigapp.viewer.channels import table_of
 from rigapp_drivers.api import (
     Block,
     ChannelSpec,
@@ -168,7 +173,7 @@ def rig(monkeypatch: pytest.MonkeyPatch) -> Iterator[ChannelRig]:
 def heard(engine: Engine, name: str) -> Callable[[], bool]:
     """Return what tells whether a channel has a value."""
     return lambda: any(
-        one.name == name and math.isfinite(one.value) for one in engine.status().channels
+        one.name == name and math.isfinite(one.value) for one in engine.status().rig.channels
     )
 
 
@@ -183,10 +188,11 @@ def test_columns_of_every_rig_keep_their_places() -> None:
     assert table.names[len(BASE.names) :] == (
         *(f"bushing_temperature_{one}" for one in ("max", "min", "rms", "mean", "angle_of_max")),
         *(f"gap_{one}" for one in ("max", "min", "rms", "mean", "angle_of_max")),
-        "room_temperature",
-        "room_temperature_age",
-        "motor_current",
-        "motor_current_age",
+        *(
+            f"{channel}{one}"
+            for channel in ("room_temperature", "motor_current")
+            for one in ("", "_age", "_mean", "_rms", "_max", "_readings")
+        ),
     )
     cycle = [one.name for one in table.cycle_columns]
     assert cycle[: len(BASE.cycle_columns)] == [one.name for one in BASE.cycle_columns]
@@ -213,6 +219,10 @@ def test_free_and_slow_channels_are_in_every_row_and_cycle(rig: ChannelRig) -> N
         assert named["gap_min"] == pytest.approx(2.5, abs=2e-3)
         assert named["room_temperature"] == 21.5
         assert named["motor_current"] == 1.0
+        if named["motor_current_readings"]:
+            assert named["motor_current_mean"] == named["motor_current_max"] == 1.0
+        else:
+            assert np.isnan(named["motor_current_rms"])
         assert 0.0 <= named["room_temperature_age"] < slow.SILENT_S
     _, columns = rig.store.cycles[0]
     assert set(columns) == {one.name for one in table.cycle_columns}
@@ -232,13 +242,13 @@ def test_a_viewer_is_told_what_a_row_holds(rig: ChannelRig) -> None:
     assert len(snapshot.rows) == 8 * 5 * len(table.names)
     assert snapshot.cycle is not None
     assert set(snapshot.cycle.curves) == {one.name for one in table.curves}
-    shown = {one.name: one for one in rig.engine.status().channels}
+    shown = {one.name: one for one in rig.engine.status().rig.channels}
     assert (shown["gap"].raw_unit, shown["gap"].unit) == ("V", "mm")
     assert shown["room_temperature"].age_s is not None
     assert shown["gap"].age_s is None
     assert (shown["gap"].uncertainty, shown["bushing_temperature"].uncertainty) == (0.02, None)
     assert shown["gap"].calibration == "by its line in the rig file"
-    named = {one.name for one in rig.engine.status().devices}
+    named = {one.name for one in rig.engine.status().rig.devices}
     assert named == {"daq", "drive", "climate"}
 
 
@@ -303,7 +313,7 @@ def test_a_silent_thermometer_costs_its_values_and_nothing_else(
     )
     assert np.isnan(values).all()
     assert (np.diff(ages) > 0.0).all(), "the age grows"
-    shown = next(one for one in rig.engine.status().devices if one.name == "climate")
+    shown = next(one for one in rig.engine.status().rig.devices if one.name == "climate")
     assert (shown.connected, shown.last_error) == (False, "nothing answers")
     rig.thermometer.lost = False
     eventually(heard(rig.engine, "room_temperature"))
@@ -316,7 +326,7 @@ def test_the_first_answers_are_there_when_the_rig_is_connected() -> None:
     rig.engine.connect()
     eventually(heard(rig.engine, "probe_1"))  # nothing is shown before the first sample
     assert heard(rig.engine, "room_temperature")()
-    assert not any(one.verdict is Checked.BLOCKS for one in checks_of(rig, "Device climate"))
+    assert not any(one.verdict is CheckVerdict.BLOCKS for one in checks_of(rig, "Device climate"))
     rig.engine.shutdown()
 
 
@@ -325,8 +335,8 @@ def test_a_missing_thermometer_is_noted_before_a_test_and_blocks_nothing() -> No
     rig.thermometer.lost = True
     rig.engine.connect()
     (check,) = checks_of(rig, "Device climate")
-    assert (check.verdict, check.finding) == (Checked.ATTENTION, "nothing answers")
-    assert check.action == "Check cable and power of memory, or go on without its channels"
+    assert (check.verdict, check.sentence) == (CheckVerdict.ATTENTION, "nothing answers")
+    assert check.advice == "Check cable and power of memory, or go on without its channels"
     ran(rig)
     assert rig.engine.outcome is not None
     assert rig.engine.outcome.status == "complete"
@@ -335,7 +345,7 @@ def test_a_missing_thermometer_is_noted_before_a_test_and_blocks_nothing() -> No
 
 def checks_of(rig: ChannelRig, what: str) -> list[Check]:
     """Return the rows of a pre-flight that are about something."""
-    return [one for one in preflight(None, None, None, rig.engine.status()) if one.what == what]
+    return [one for one in preflight(None, None, None, rig.engine.status()) if one.name == what]
 
 
 @pytest.mark.parametrize("garbled", ["warm", None], ids=["ValueError", "TypeError"])
@@ -349,7 +359,7 @@ def test_a_garbled_answer_costs_its_values_until_the_device_is_opened_again(
     rig.thermometer.told = {"temperature_C": garbled}
     key = "slow_silent:climate"
     eventually(lambda: key in {one.key for one in rig.engine.status().alarms if one.active})
-    shown = next(one for one in rig.engine.status().devices if one.name == "climate")
+    shown = next(one for one in rig.engine.status().rig.devices if one.name == "climate")
     assert "its driver memory thermometer failed" in shown.last_error
     ran(rig)
     assert rig.engine.outcome is not None
@@ -379,6 +389,38 @@ def test_the_pauses_between_attempts_grow_and_are_bounded(monkeypatch: pytest.Mo
     device.source.lost = True  # type: ignore[attr-defined]
     device._step()
     assert pauses[-1] == 5.0
+
+
+def test_a_current_that_swings_is_told_by_its_mean_rms_and_maximum() -> None:
+    current = next(
+        one for one in channel_table(ChannelRig().rig_file()).slow if "motor" in one.name
+    )
+    status: list[Any] = [None]
+    channels = slow.SlowChannels([current], [], current.device, lambda: status[0], lambda s: 0.0)
+    base_ns = time.monotonic_ns()
+    for reading, value in enumerate((99.0, 8.0, -6.0, 2.0, float("nan"), -7.0)):
+        status[0] = SimpleNamespace(host_time_ns=base_ns + reading * 100_000_000, current_A=value)
+        channels.take_drive()
+        channels.take_drive()
+    told = channels.columns(base_ns + 400_000_000, 0.35)
+    assert told["motor_current_readings"] == 3, "before it, after it and no number: not counted"
+    assert told["motor_current_mean"] == pytest.approx(4.0 / 3.0)
+    assert told["motor_current_rms"] == pytest.approx((104.0 / 3.0) ** 0.5)
+    assert told["motor_current_max"] == 8.0
+    later = channels.columns(base_ns + 900_000_000, 0.3)
+    assert later["motor_current_readings"] == 0
+    assert np.isnan(later["motor_current_mean"])
+    assert later["motor_current"] == -7.0
+
+
+def test_a_file_of_before_goes_on_without_the_averages_of_slow_channels() -> None:
+    measured = channel_table(ChannelRig().rig_file())
+    kept = ChannelTable(tuple(replace(one, averaged=False) for one in measured.channels))
+    assert "motor_current_mean" not in kept.names
+    assert missing_channels(kept, measured) == ""
+    assert "motor_current" in missing_channels(measured, kept)
+    assert table_of(kept.units).names == kept.names
+    assert table_of(measured.units).names == measured.names
 
 
 def test_a_limited_channel_without_a_value_does_what_its_limit_says(
@@ -466,7 +508,7 @@ def _run_part(rig: MemoryRig, path: Path, until: int, *, resume: bool) -> None:
     try:
         rig.engine.start(document, path, operator="Ada", resume=resume)
         if until < 8:
-            eventually(lambda: rig.engine.status().revolution >= until)
+            eventually(lambda: rig.engine.status().test.revolution >= until)
             rig.engine.stop()
         rig.engine.wait(ENDED)
     finally:
@@ -524,7 +566,7 @@ def test_a_free_channel_is_shifted_and_reduced_like_all_others(latency_s: float)
 
 def test_a_table_of_a_file_is_that_of_its_rig() -> None:
     table = channel_table(ChannelRig().rig_file())
-    told = msgspec.json.decode(msgspec.json.encode(table.channels), type=tuple[Channel, ...])
+    told = msgspec.json.decode(json_bytes(table.channels), type=tuple[Channel, ...])
     assert ChannelTable(told) == table
     assert [one.kind for one in table.slow] == [Kind.SLOW, Kind.SLOW]
 

@@ -90,6 +90,7 @@ def test_a_depth_below_that_of_a_new_bushing_is_told() -> None:
     assert "-3.0 +/- 1.1 um" in sentence
 
 
+@pytest.mark.long
 def test_a_depth_that_jumped_ends_no_test_and_is_remarked_at_its_end() -> None:
     rig = MemoryRig()
     rig.engine.connect()

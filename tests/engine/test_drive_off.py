@@ -268,6 +268,7 @@ def test_a_power_off_waits_for_no_reset(rig: Watched) -> None:
         resetter.join(PATIENCE_S)
 
 
+@pytest.mark.long
 def test_a_ramp_down_that_hangs_becomes_a_power_off(rig: Watched) -> None:
     bring_to(rig, RUNNING)
     hanging = Hanging(rig, "set_speed")

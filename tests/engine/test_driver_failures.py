@@ -122,7 +122,7 @@ def words_name(sentence: str, device: str, doing: str) -> None:
 
 
 def shown_of(rig: ChannelRig, device: str) -> DeviceView:
-    return next(one for one in rig.engine.status().devices if one.name == device)
+    return next(one for one in rig.engine.status().rig.devices if one.name == device)
 
 
 # --- while connecting ----------------------------------------------------------------------------
@@ -149,7 +149,7 @@ def test_a_driver_that_fails_while_connecting_is_a_fault_that_connecting_again_m
         assert (caught.value.device, caught.value.port) == (device, "memory")
         words_name(str(caught.value), device, doing)
         assert rig.engine.state is RunState.FAULT
-        words_name(rig.engine.status().reason, device, doing)
+        words_name(rig.engine.status().engine.reason, device, doing)
         assert not rig.source.opened
         assert rig.stands
         trap.take_away()
@@ -275,6 +275,7 @@ def in_turn(*walk: Any) -> Iterator[Any]:
         yield pytest.param(*case, error, id=name, marks=marks)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("thing", "method", "state", "error"),
     [
@@ -452,6 +453,7 @@ def test_an_answer_of_another_kind_is_a_failure_of_the_driver(rig: ChannelRig, t
 # --- devices that a test does not need -----------------------------------------------------------
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("method", ["open", "configure", "read", "close"])
 def test_a_slow_source_that_fails_costs_its_values_and_comes_back(
     rig: ChannelRig, method: str

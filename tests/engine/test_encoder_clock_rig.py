@@ -39,6 +39,7 @@ def patient(folder: Path, *changes: tuple[str, str]) -> Document[RigFile]:
     return rig
 
 
+@pytest.mark.long
 def test_a_test_by_the_encoders_pulses(tmp_path: Path) -> None:
     rig = patient(tmp_path)
     # A loaded computer holds the simulated device up; being asked meanwhile would cost it pulses.
@@ -84,6 +85,7 @@ def test_a_test_by_the_encoders_pulses(tmp_path: Path) -> None:
         assert reader.calibration()["acquisition"]["clock"] == "encoder"
 
 
+@pytest.mark.long
 def test_direction_and_index_come_from_digital_lines(tmp_path: Path) -> None:
     rig = patient(
         tmp_path,
@@ -98,16 +100,16 @@ def test_direction_and_index_come_from_digital_lines(tmp_path: Path) -> None:
     try:
         engine = Engine(rig, ports=devices.ports(test.record.model))
         engine.connect()
-        view = next(one for one in engine.status().devices if one.name == "daq")
+        view = next(one for one in engine.status().rig.devices if one.name == "daq")
         assert "line B to D0, line Z to D1" in view.wiring
         engine.start(test, path, operator="Ada")
-        eventually(lambda: engine.status().revolution >= 4)
+        eventually(lambda: engine.status().test.revolution >= 4)
         engine.stop("Ada")
         engine.wait(ENDED, 60.0)
 
         def apart_deg() -> float:
             """Return the angle shown less the crank's; the last scans come when asked for."""
-            shown = next(one for one in engine.status().channels if one.name == "crank_angle")
+            shown = next(one for one in engine.status().rig.channels if one.name == "crank_angle")
             return float(
                 (shown.value - devices.process.state()["angle_deg"] + 180.0) % 360.0 - 180.0
             )
@@ -122,6 +124,7 @@ def test_direction_and_index_come_from_digital_lines(tmp_path: Path) -> None:
         assert not (reader.column("quality").astype(int) & wrong).any()
 
 
+@pytest.mark.long
 def test_a_reversed_line_b_is_found_in_the_first_turn(tmp_path: Path) -> None:
     rig = patient(tmp_path)
     rig.record.devices["daq"].settings["idle_check_s"] = 1.5

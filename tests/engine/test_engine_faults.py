@@ -46,7 +46,7 @@ def ended(rig: MemoryRig, reason: FinishReason, *words: str) -> Finished:
     assert outcome.reason is reason
     for word in words:
         assert word in outcome.sentence
-    assert rig.engine.status().reason == outcome.sentence
+    assert rig.engine.status().engine.reason == outcome.sentence
     assert rig.store.closed
     return outcome
 
@@ -283,6 +283,7 @@ def test_a_dead_thread_ends_the_test(rig: MemoryRig, name: str) -> None:
     back_to_work(rig)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", ["process", "commit", "drive", "supervise"])
 def test_a_silent_thread_ends_the_test(rig: MemoryRig, name: str) -> None:
     connection = rig.engine._connection
@@ -393,7 +394,7 @@ def test_a_standstill_that_only_the_drive_reports_is_left_to_its_watchdog_and_to
     rig.source.silent = True
     if not healthy:
         rig.spindle.ignores, rig.spindle.tells_ratio = math.inf, 0.0
-    eventually(lambda: rig.engine.status().data_age_s > 1.0)
+    eventually(lambda: rig.engine.status().rig.data_age_s > 1.0)
     rig.engine.drive_off("Ada")
     ended(rig, FinishReason.OPERATOR, "The stop could not be seen", "drive reports a standstill")
     assert rig.engine.state is RunState.FAULT
@@ -410,7 +411,7 @@ def test_a_crank_that_turns_by_itself_is_switched_off_in_every_state_and_told() 
     memory.spindle.turn_by_itself()
     memory.engine.wait((RunState.FAULT,), 60.0)
     eventually(lambda: memory.stands)
-    assert "without a command" in memory.engine.status().reason
+    assert "without a command" in memory.engine.status().engine.reason
     eventually(lambda: not any(a.active for a in memory.engine.status().alarms))
     memory.spindle.ignores = math.inf
     memory.spindle.turn_by_itself()
@@ -451,7 +452,7 @@ def test_a_device_lost_while_ready_is_a_fault() -> None:
     memory.engine.connect()
     memory.source.lost = True
     memory.engine.wait((RunState.FAULT,), 60.0)
-    assert "cable" in memory.engine.status().reason
+    assert "cable" in memory.engine.status().engine.reason
     memory.source.lost = False
     back_to_work(memory)
     memory.engine.shutdown()
@@ -463,7 +464,7 @@ def test_a_rig_that_cannot_be_connected_is_a_fault_with_a_reason() -> None:
     with pytest.raises(DeviceError, match="nothing answers"):
         memory.engine.connect()
     assert memory.engine.state is RunState.FAULT
-    assert "daq on memory" in memory.engine.status().reason
+    assert "daq on memory" in memory.engine.status().engine.reason
     memory.source.open_fails = False
     back_to_work(memory)
     memory.engine.shutdown()
@@ -487,24 +488,24 @@ def test_a_full_queue_of_a_real_rig_is_an_overrun_and_a_gap() -> None:
     eventually(lambda: len(rig.store.rows) >= 5)
     connection = rig.engine._connection
     assert connection is not None
-    handle = connection.processor.handle
+    handle = connection.rig.processor.handle
     go_on = threading.Event()
 
     def slow(block: Block) -> None:
         go_on.wait(0.9)
         handle(block)
 
-    connection.processor.handle = slow  # type: ignore[method-assign]
-    eventually(lambda: connection.queue.refused_blocks > 10)
+    connection.rig.processor.handle = slow  # type: ignore[method-assign]
+    eventually(lambda: connection.rig.queue.refused_blocks > 10)
     go_on.set()
-    connection.processor.handle = handle  # type: ignore[method-assign]
+    connection.rig.processor.handle = handle  # type: ignore[method-assign]
     eventually(lambda: any(a.key == "overrun" for a in rig.engine.status().alarms))
-    eventually(lambda: connection.processor.assembler.lost_samples > 0)
+    eventually(lambda: connection.rig.processor.assembler.lost_samples > 0)
     rows = len(rig.store.rows)
     eventually(lambda: len(rig.store.rows) >= rows + 3)
     rig.engine.stop("Ada")
     rig.engine.wait(ENDED, 60.0)
-    assert rig.store.column("lost_samples").sum() == connection.processor.assembler.lost_samples
+    assert rig.store.column("lost_samples").sum() == connection.rig.processor.assembler.lost_samples
     assert len(rig.store.gaps) == 1
     rig.engine.shutdown()
     assert rig.stands
@@ -523,7 +524,7 @@ def test_a_file_that_lost_its_name_is_told_while_the_test_goes_on(rig: MemoryRig
     lines = [one for one in rig.store.events if one.key == "file_moved"]
     assert "is being saved" in lines[0].data["cause"]
     eventually(lambda: not any(a.active for a in rig.engine.status().alarms))
-    eventually(lambda: rig.engine.status().file == "elsewhere.h5")
+    eventually(lambda: rig.engine.status().test.file == "elsewhere.h5")
     assert rig.engine.state is RunState.RUNNING
 
 

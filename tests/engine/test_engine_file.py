@@ -65,7 +65,7 @@ def test_a_stopped_test_goes_on_in_its_file(rig: MemoryRig, tmp_path: Path) -> N
     path = tmp_path / "test.h5"
     rig.engine.connect()
     rig.engine.start(document(40), path, operator="Ada")
-    eventually(lambda: rig.engine.status().committed >= 5)
+    eventually(lambda: rig.engine.status().test.committed >= 5)
     rig.engine.stop("Ada", "lunch")
     rig.engine.wait(ENDED, 60.0)
     with pytest.raises(UnusableInput, match="exists"):
@@ -93,6 +93,7 @@ def test_a_file_that_cannot_be_made_starts_nothing(rig: MemoryRig, tmp_path: Pat
     rig.engine.shutdown()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("when", ["the drive refuses to turn", "the ramp fails"])
 def test_a_start_that_fails_leaves_no_file_in_its_own_way(
     rig: MemoryRig, tmp_path: Path, when: str, monkeypatch: pytest.MonkeyPatch
@@ -110,7 +111,7 @@ def test_a_start_that_fails_leaves_no_file_in_its_own_way(
             with pytest.raises(DeviceFault):
                 rig.engine.start(document(5), path)
     assert rig.engine.wait(ENDED, 60.0) is RunState.FAULT
-    assert "no file is left" in rig.engine.status().reason
+    assert "no file is left" in rig.engine.status().engine.reason
     assert list(tmp_path.iterdir()) == []
     rig.crank.jammed = False
     rig.engine.acknowledge()
@@ -135,7 +136,7 @@ def test_a_fault_leaves_every_revolution_and_every_older_file(
     path = tmp_path / "test.h5"
     rig.engine.connect()
     rig.engine.start(document(5000), path)
-    eventually(lambda: rig.engine.status().committed >= 5)
+    eventually(lambda: rig.engine.status().test.committed >= 5)
     rig.spindle.faults = ("overcurrent",)
     assert rig.engine.wait(ENDED, 60.0) is RunState.FAULT
     rig.engine.acknowledge()

@@ -196,7 +196,7 @@ class Operating(RuleBasedStateMachine):
         turning = abs(rig.crank.speed) > 1e-6
         if before in ENDED and engine.state is before:
             assert not turning or "drive lost" in self.broken
-            assert engine.status().reason
+            assert engine.status().engine.reason
 
     def teardown(self) -> None:
         rig, engine = self.rig, self.rig.engine

@@ -30,7 +30,11 @@ def geared(folder: Path, example: str, gear_ratio: str) -> Path:
 
 
 @pytest.mark.parametrize(
-    ("example", "gear_ratio"), [("simulated_alternate.toml", 4.8), ("simulated.toml", 3.0)]
+    ("example", "gear_ratio"),
+    [
+        ("simulated_alternate.toml", 4.8),
+        pytest.param("simulated.toml", 3.0, marks=pytest.mark.long),
+    ],
 )
 def test_a_geared_drive_turns_the_crank_at_the_set_speed(
     tmp_path: Path, example: str, gear_ratio: float

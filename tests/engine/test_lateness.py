@@ -67,9 +67,9 @@ def test_data_that_come_late_with_the_whole_computer_are_no_fault_of_a_simulated
             with pytest.raises(InFault, match="has sent no samples for"):
                 rig.start(a_test(2))
             return
-        eventually(lambda: connection.data_age_s() > 3.0)
+        eventually(lambda: connection.rig.data_age_s() > 3.0)
         rig.source.silent = False
-        eventually(lambda: connection.data_age_s() < 0.3)
+        eventually(lambda: connection.rig.data_age_s() < 0.3)
         assert rig.engine.state is RunState.READY
         assert not rig.engine._core.alarms.is_active("stale_data")
     finally:

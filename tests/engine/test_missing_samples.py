@@ -78,8 +78,8 @@ class Rig:
     def run(self, revolutions: int = 3) -> None:
         """Go on for some revolutions at the set speed."""
         self.engine.wait({RunState.RUNNING}, 240.0)
-        until = self.engine.status().revolution + revolutions
-        eventually(lambda: self.engine.status().revolution >= until)
+        until = self.engine.status().test.revolution + revolutions
+        eventually(lambda: self.engine.status().test.revolution >= until)
 
     def turned(self) -> float:
         return float(self.devices.process.state()["revolutions"])
@@ -140,7 +140,13 @@ def rig(name: str, speed: str, folder: Path, revolutions: int = 100_000) -> Iter
 
 @pytest.mark.parametrize(
     ("name", "speed"),
-    [(GSV8, "1"), (GSV8, "20"), (DATAQ, "20"), (BY_ENCODER, "1"), *ELSEWHERE],
+    [
+        (GSV8, "1"),
+        pytest.param(GSV8, "20", marks=pytest.mark.long),
+        pytest.param(DATAQ, "20", marks=pytest.mark.long),
+        pytest.param(BY_ENCODER, "1", marks=pytest.mark.long),
+        *ELSEWHERE,
+    ],
 )
 def test_a_silence_beyond_the_limit_ends_the_test_and_is_the_reason(
     tmp_path: Path, name: str, speed: str
@@ -176,6 +182,7 @@ def test_a_short_gap_has_its_length_and_the_encoder_is_not_blamed(
         assert one.alarms() == ["time_jump"]
 
 
+@pytest.mark.long
 def test_a_gap_after_a_gap_is_another_one(tmp_path: Path) -> None:
     with rig(GSV8, "1", tmp_path) as one:
         one.start()
@@ -191,8 +198,8 @@ def test_a_gap_after_a_gap_is_another_one(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "speed"),
     [
-        (GSV8, "1"),
         (DATAQ, "20"),
+        pytest.param(GSV8, "1", marks=pytest.mark.long),
         *(pytest.param(*one, marks=pytest.mark.long) for one in MORE),
     ],
 )
@@ -204,12 +211,20 @@ def test_what_comes_late_is_no_gap(tmp_path: Path, name: str, speed: str) -> Non
         one.run(5)
         one.stop()
         assert one.gaps() == []
-        assert one.alarms() == []
+        alarms = one.alarms()
         with open_test(one.path) as reader:
             rows = reader.rows()
+        if name == BY_ENCODER and alarms:
+            # Silence may be a shaft at rest: to ask, its driver must stop the scan. The pulses that
+            # pass meanwhile are missing, and counted.
+            assert alarms == ["lost_samples"]
+            assert 0 < rows["lost_samples"].sum() < 0.3 * 3600
+            return
+        assert alarms == []
         assert not any(rows["quality"][1:] & ~int(Flag.RAMP | Flag.PARTIAL | Flag.PAUSED))
 
 
+@pytest.mark.long
 def test_what_comes_later_than_the_limit_ends_the_test_as_stale(tmp_path: Path) -> None:
     with rig(GSV8, "1", tmp_path) as one:
         one.start()
@@ -222,6 +237,7 @@ def test_what_comes_later_than_the_limit_ends_the_test_as_stale(tmp_path: Path) 
         assert one.gaps() == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", [GSV8, DATAQ])
 def test_a_clock_that_drifts_makes_no_gap(tmp_path: Path, name: str) -> None:
     with rig(name, "20", tmp_path) as one:
@@ -234,6 +250,7 @@ def test_a_clock_that_drifts_makes_no_gap(tmp_path: Path, name: str) -> None:
         assert one.alarms() == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", [GSV8, DATAQ])
 def test_a_gap_in_the_run_up(tmp_path: Path, name: str) -> None:
     with rig(name, "1", tmp_path) as one:
@@ -250,6 +267,7 @@ def test_a_gap_in_the_run_up(tmp_path: Path, name: str) -> None:
             assert one.alarms() == ["lost_samples"]
 
 
+@pytest.mark.long
 def test_a_silence_in_a_pause_loses_no_motion(tmp_path: Path) -> None:
     with rig(GSV8, "1", tmp_path) as one:
         one.start()
@@ -257,7 +275,7 @@ def test_a_silence_in_a_pause_loses_no_motion(tmp_path: Path) -> None:
         one.engine.pause("Ada")
         one.engine.wait({RunState.PAUSED}, 240.0)
         one.devices.process.inject({"kind": "hang", "device": "daq"})
-        eventually(lambda: (one.engine.status().data_age_s or 0.0) > 0.3)
+        eventually(lambda: (one.engine.status().rig.data_age_s or 0.0) > 0.3)
         one.devices.process.clear("hang")
         one.engine.resume("Ada")
         one.run()
@@ -266,6 +284,7 @@ def test_a_silence_in_a_pause_loses_no_motion(tmp_path: Path) -> None:
         assert one.gaps() == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", [GSV8, DATAQ])
 def test_a_gap_at_the_regular_end_leaves_the_test_complete(tmp_path: Path, name: str) -> None:
     with rig(name, "1", tmp_path, revolutions=3) as one:
@@ -279,6 +298,7 @@ def test_a_gap_at_the_regular_end_leaves_the_test_complete(tmp_path: Path, name:
         assert not WRONG.intersection(alarms), alarms
 
 
+@pytest.mark.long
 def test_a_clock_of_the_computer_that_is_set_moves_utc_alone(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -303,6 +323,7 @@ def test_a_clock_of_the_computer_that_is_set_moves_utc_alone(
     assert np.all(np.diff(rows["time"]) < 60.0)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", [GSV8, DATAQ])
 def test_a_simulated_rig_that_does_not_run_is_silent_and_has_no_gap(
     tmp_path: Path, name: str
@@ -314,7 +335,7 @@ def test_a_simulated_rig_that_does_not_run_is_silent_and_has_no_gap(
         os.kill(one.devices.process.pid, signal.SIGSTOP)
         eventually(lambda: one.engine.status().alarms)
         os.kill(one.devices.process.pid, signal.SIGCONT)
-        rows = one.engine.status().revolution
+        rows = one.engine.status().test.revolution
         one.ready()
         assert one.alarms()[0] in {"drive_silent", "stale_data", "device_lost"}
         assert not WRONG.intersection(one.alarms())

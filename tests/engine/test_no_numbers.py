@@ -156,7 +156,7 @@ def test_a_drive_without_a_speed_is_no_witness_of_a_standstill(speed: float) -> 
     assert connection is not None
     before = rig.spindle.polls
     eventually(lambda: rig.spindle.polls > before + 2)
-    seen: Seen = connection.control.seen()
+    seen: Seen = connection.rig.control.seen()
     if math.isnan(speed):
         assert seen.drive_rpm is None
     else:

@@ -8,7 +8,7 @@ import msgspec
 import pytest
 from engine_doubles import MemoryRig
 
-from rigapp.commands.reset import reset_drive
+from rigapp.commands.status import reset_drive
 from rigapp.config.toml import toml_text
 from rigapp_drivers.api import DeviceFault, DeviceLost
 

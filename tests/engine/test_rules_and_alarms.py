@@ -16,7 +16,7 @@ from rigapp.config.recipe import CyclesSection, LimitRule, LimitsSection
 from rigapp.engine.judging.alarms import AlarmBook
 from rigapp.engine.judging.limits import RuleMonitor, changed_limits, check_rules
 from rigapp.engine.recording.schedule import Schedule, logarithmic
-from rigapp.schema.alarms import because
+from rigapp.schema.alarms import make_alarm
 from rigapp.schema.channels import BASE
 from rigapp.schema.loglines import AlarmChange
 from rigapp.schema.messages import Alarm, FinishReason, RunState, Severity
@@ -130,8 +130,8 @@ def test_a_limit_cannot_be_switched_off_in_a_running_test(name: str, value: floa
 
 # --- alarms --------------------------------------------------------------------------------------
 
-WARNING = because("count_mismatch", revolution=3)
-CRITICAL = because("overload", force_N=400.0, limit_N=380.0)
+WARNING = make_alarm("count_mismatch", revolution=3)
+CRITICAL = make_alarm("overload", force_N=400.0, limit_N=380.0)
 
 
 class Book:
@@ -187,13 +187,13 @@ def test_the_first_critical_alarm_is_marked_until_the_reset() -> None:
     one = Book()
     one.book.raise_alarm(WARNING)
     one.book.raise_alarm(CRITICAL)
-    one.book.raise_alarm(because("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0))
+    one.book.raise_alarm(make_alarm("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0))
     assert [a.key for a in one.book.alarms() if a.first_out] == ["overload"]
     for key in ("overload", "overspeed"):
         one.book.clear(key)
         one.book.acknowledge(key, "Ada")
     one.book.reset("Ada")
-    one.book.raise_alarm(because("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0))
+    one.book.raise_alarm(make_alarm("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0))
     assert [a.key for a in one.book.alarms() if a.first_out] == ["overspeed"]
 
 
@@ -216,7 +216,7 @@ def test_shelving_needs_a_reason_and_ends_by_itself() -> None:
 def test_the_first_out_alarm_stays_it_when_it_comes_again() -> None:
     one = Book()
     one.book.raise_alarm(CRITICAL)
-    one.book.raise_alarm(because("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0))
+    one.book.raise_alarm(make_alarm("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0))
     one.book.clear("overload")
     one.book.raise_alarm(CRITICAL)
     assert [a.key for a in one.book.alarms() if a.first_out] == ["overload"]
@@ -227,10 +227,10 @@ def test_the_first_out_alarm_stays_it_when_it_comes_again() -> None:
 def test_what_ends_a_test_is_first_out_though_another_alarm_is_raised_before_it() -> None:
     one = Book()
     one.book.claim_first_out(CRITICAL)
-    one.book.raise_alarm(because("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0))
+    one.book.raise_alarm(make_alarm("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0))
     one.book.raise_alarm(CRITICAL)
     assert [a.key for a in one.book.alarms() if a.first_out] == ["overload"]
-    one.book.claim_first_out(because("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0))
+    one.book.claim_first_out(make_alarm("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0))
     assert [a.key for a in one.book.alarms() if a.first_out] == ["overload"]
 
 
@@ -250,7 +250,7 @@ def test_the_end_of_shelving_is_told() -> None:
 KEYS = {
     "count_mismatch": WARNING,
     "overload": CRITICAL,
-    "overspeed": because("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0),
+    "overspeed": make_alarm("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0),
 }
 
 

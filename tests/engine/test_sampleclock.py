@@ -249,7 +249,8 @@ class Quiet:
 
 
 def test_a_crank_that_has_never_turned_stands() -> None:
-    processor = Processor(calibration(), Quiet(), lambda: 1e9, real_time=True)
+    processor = Processor(calibration(), lambda: 1e9, real_time=True)
+    processor.monitor = Quiet()
     empty, quality = np.empty((6, 0), np.float32), np.empty(0, np.uint8)
     for number in range(3):
         host = 10**12 + number * 200_000_000
@@ -260,7 +261,8 @@ def test_a_crank_that_has_never_turned_stands() -> None:
 
 def test_signs_of_life_show_that_the_crank_stands() -> None:
     kind, judge = calibration(), Quiet()
-    processor = Processor(kind, judge, lambda: 1e9, real_time=True)
+    processor = Processor(kind, lambda: 1e9, real_time=True)
+    processor.monitor = judge
     processor.begin_test()
     times = pulse_times(lambda t: np.ones_like(t), 2 * LINES)
     blocks = stream(times, 18)

@@ -123,7 +123,7 @@ def test_a_weight_without_a_test_raises_no_overload_and_leaves_the_last_one(
     with pytest.raises(Refused, match=r"the load cell shows 392 N, limits\.overload_N is 380 N"):
         rig.start(a_test(3))
     rig.source.force_N = 50.0
-    eventually(lambda: rig.engine._connection.processor.force_N < 60.0)  # type: ignore[union-attr]
+    eventually(lambda: rig.engine._connection.rig.processor.force_N < 60.0)  # type: ignore[union-attr]
     rig.start(a_test(LONG))
     eventually(lambda: len(rig.store.rows) >= 3)
     rig.source.force_N = 392.4

@@ -18,12 +18,12 @@ from numpy.typing import NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
 from rigapp.config.recipe import StopSection, TestFile
+from rigapp.config.rules import described
 from rigapp.engine.judging.criteria import (
     BLIND_REVOLUTIONS,
     DEPTH_COLUMNS,
     HISTORY_COLUMNS,
     StopMonitor,
-    described,
 )
 from rigapp.engine.recording.store import Opened
 from rigapp.schema.channels import BASE

@@ -13,11 +13,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rigapp.engine.drive.sequences import CREEP_RPM, DriveStep, PauseSequence, Seen, StopSequence
-from rigapp.engine.judging.gapwatch import LATE_S
+from rigapp.engine.gapwatch import LATE_S, LagWatch
 from rigapp.engine.publish import NoticeStream
 from rigapp.engine.samples.blockqueue import BlockQueue
 from rigapp.engine.samples.motion import MotionWindow, Point
-from rigapp.engine.samples.timewatch import LagWatch
 from rigapp.process.threads import Worker
 from rigapp.schema.messages import FinishReason, RunState
 from rigapp.schema.notices import Committed, Finished, StateChanged

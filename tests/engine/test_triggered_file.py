@@ -14,10 +14,10 @@ from rigapp.config.loading import Document, parse_test
 from rigapp.config.recipe import TestFile
 from rigapp.engine.recording.fileplan import file_plan
 from rigapp.engine.recording.store import open_file
-from rigapp.gui.data.recording import load_trip
 from rigapp.replay.client import ReplayClient
 from rigapp.report.results import result_of
 from rigapp.report.testreport.compose import report_of
+from rigapp.report.testreport.plots import rest_s
 from rigapp.schema.messages import Flag
 from rigapp.schema.results import HowEnded
 from rigapp.schema.states import ENDED
@@ -30,6 +30,7 @@ from rigapp.storage import (
     streams_of,
     trip_of,
 )
+from rigapp.viewer.recording import load_trip
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
@@ -61,10 +62,10 @@ def test_a_note_keeps_the_cycles_around_it(rig: MemoryRig, tmp_path: Path) -> No
     path = tmp_path / "test.h5"
     rig.engine.connect()
     rig.engine.start(document(2000, "before_alarm = 2\nafter_alarm = 3"), path)
-    eventually(lambda: rig.engine.status().revolution >= 6, 60.0)
+    eventually(lambda: rig.engine.status().test.revolution >= 6, 60.0)
     rig.engine.note("a squeak")
-    noted = rig.engine.status().revolution
-    eventually(lambda: rig.engine.status().revolution >= noted + 8, 60.0)
+    noted = rig.engine.status().test.revolution
+    eventually(lambda: rig.engine.status().test.revolution >= noted + 8, 60.0)
     rig.engine.stop("Ada")
     rig.engine.wait(ENDED, 60.0)
     rig.engine.shutdown()
@@ -97,7 +98,7 @@ def test_an_overload_leaves_its_history_and_the_revolution_it_cut_off(
     path = tmp_path / "test.h5"
     rig.engine.connect()
     rig.engine.start(document(2000, "before_alarm = 4\nafter_alarm = 4"), path)
-    eventually(lambda: rig.engine.status().revolution >= 8, 60.0)
+    eventually(lambda: rig.engine.status().test.revolution >= 8, 60.0)
     rig.source.force_N = 500.0
     rig.engine.wait(ENDED, 60.0)
     rig.engine.shutdown()
@@ -139,13 +140,14 @@ JAM_N = 735.0
 """The first bridge at 1.05 times 3.5 mV/V by 200 N, where the second shows next to nothing."""
 
 
+@pytest.mark.long
 def test_a_jam_beyond_the_range_is_told_alike_by_file_result_report_and_replay(
     rig: MemoryRig, tmp_path: Path
 ) -> None:
     path = tmp_path / "test.h5"
     rig.engine.connect()
     rig.engine.start(document(2000), path)
-    eventually(lambda: rig.engine.status().revolution >= 8, 60.0)
+    eventually(lambda: rig.engine.status().test.revolution >= 8, 60.0)
     rig.source.jam_at = 20
     rig.engine.wait(ENDED, 60.0)
     (alarm,) = rig.engine.status().alarms
@@ -166,9 +168,11 @@ def test_a_jam_beyond_the_range_is_told_alike_by_file_result_report_and_replay(
     assert result.force_max_N == largest.value_N
     assert result.force_lower_bound
     assert result.outcome is HowEnded.TRIPPED
-    written = str(report_of(path, vector=True))
+    written = str(report_of(path))
     assert f"≥ {largest.value_N:.1f}" in written
     assert "The revolution in which the test tripped" in written
+    assert trip.trigger_N == alarm.value
+    assert 0.0 <= rest_s(trip, trip.cycle) < 10.0
     shown = load_trip(path)
     assert shown is not None
     assert shown.cycle is not None
@@ -198,7 +202,7 @@ def test_a_jam_in_the_first_revolution_is_all_that_there_is(
     result = result_of(path)
     assert (result.force_max_revolution, result.force_lower_bound) == (1, True)
     assert result.force_max_N == pytest.approx(JAM_N, abs=10.0)
-    assert f"≥ {result.force_max_N:.1f}" in str(report_of(path, vector=True))
+    assert f"≥ {result.force_max_N:.1f}" in str(report_of(path))
     replay = ReplayClient(path)
     try:
         eventually(lambda: replay.poll() is not None)
@@ -210,7 +214,7 @@ def test_what_a_broken_cable_shows_is_no_force(rig: MemoryRig, tmp_path: Path) -
     path = tmp_path / "test.h5"
     rig.engine.connect()
     rig.engine.start(document(2000), path)
-    eventually(lambda: rig.engine.status().revolution >= 8, 60.0)
+    eventually(lambda: rig.engine.status().test.revolution >= 8, 60.0)
     rig.source.saturated = 0
     rig.engine.wait(ENDED, 60.0)
     rig.engine.shutdown()
@@ -230,7 +234,7 @@ def test_a_trip_by_a_rule_is_of_the_whole_revolution_that_was_judged(
     text = base.text.replace("[prediction]", rule)
     rig.engine.connect()
     rig.engine.start(replace(base, text=text, record=parse_test(text, "quick.toml")), path)
-    eventually(lambda: rig.engine.status().revolution >= 8, 60.0)
+    eventually(lambda: rig.engine.status().test.revolution >= 8, 60.0)
     rig.source.force_N = 200.0
     rig.engine.wait(ENDED, 60.0)
     rig.engine.shutdown()
@@ -248,7 +252,7 @@ def test_a_resumed_test_keeps_what_was_cut_off(rig: MemoryRig, tmp_path: Path) -
     path = tmp_path / "test.h5"
     rig.engine.connect()
     rig.engine.start(document(60), path)
-    eventually(lambda: rig.engine.status().revolution >= 5, 60.0)
+    eventually(lambda: rig.engine.status().test.revolution >= 5, 60.0)
     rig.engine.stop("Ada")
     rig.engine.wait(ENDED, 60.0)
     with open_test(path) as reader:
@@ -272,7 +276,7 @@ def test_a_used_up_room_is_told_once(rig: MemoryRig, tmp_path: Path) -> None:
     rig.engine.connect()
     rig.engine.start(document(1000, "before_alarm = 0\nafter_alarm = 1"), path)
     for number in range(2, 60, 3):
-        eventually(lambda n=number: rig.engine.status().revolution >= n, 60.0)
+        eventually(lambda n=number: rig.engine.status().test.revolution >= n, 60.0)
         rig.engine.note(f"note {number}")
     eventually(lambda: any(e.kind == "cycles" for e in logged(path)), 60.0)
     rig.engine.stop("Ada")
@@ -302,7 +306,7 @@ def test_samples_beyond_a_part_are_not_those_of_the_part(rig: MemoryRig, tmp_pat
     path = tmp_path / "test.h5"
     rig.engine.connect()
     rig.engine.start(document(500), path)
-    eventually(lambda: rig.engine.status().revolution >= 3, 60.0)
+    eventually(lambda: rig.engine.status().test.revolution >= 3, 60.0)
     rig.engine.stop("Ada")
     rig.engine.wait(ENDED, 60.0)
     rig.engine.shutdown()

@@ -11,8 +11,8 @@ import pytest
 from engine_doubles import MemoryRig, a_test, eventually
 
 from rigapp.config.recipe import TestFile
-from rigapp.engine.judging.drivewatch import DriveWatch
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup
+from rigapp.engine.watches import DriveWatch
 from rigapp.schema.messages import Alarm, FinishReason, Flag, RunState, Severity
 from rigapp.schema.states import ENDED
 from rigapp_drivers.api import Block, InputFault, InputFaultKind, Quality
@@ -31,13 +31,13 @@ def hold_up(rig: MemoryRig) -> threading.Event:
     """Let the processing thread wait with a block in its hand until the event is set."""
     connection = rig.engine._connection
     assert connection is not None
-    free, real = threading.Event(), connection.processor.handle
+    free, real = threading.Event(), connection.rig.processor.handle
 
     def handle(block: Block) -> None:
         free.wait(60.0)
         real(block)
 
-    connection.processor.handle = handle  # type: ignore[method-assign]
+    connection.rig.processor.handle = handle  # type: ignore[method-assign]
     return free
 
 
@@ -65,12 +65,12 @@ def test_a_simulated_drive_may_be_late_by_as_much_as_its_own_watchdog(
     rig.engine.connect()
     connection = rig.engine._connection
     assert connection is not None
-    watch = DriveWatch(rig.engine._core, connection, 0.5)
-    connection.age_s = lambda since_s: silent_s - 0.01  # type: ignore[method-assign]
-    connection.control.poll = lambda: None  # type: ignore[method-assign]
+    watch = DriveWatch(rig.engine._core, connection.rig, 0.5)
+    connection.rig.age_s = lambda since_s: silent_s - 0.01  # type: ignore[method-assign]
+    connection.rig.control.poll = lambda: None  # type: ignore[method-assign]
     watch.ask()
     assert alarm(rig, "drive_silent") is None
-    connection.age_s = lambda since_s: silent_s + 0.01  # type: ignore[method-assign]
+    connection.rig.age_s = lambda since_s: silent_s + 0.01  # type: ignore[method-assign]
     watch.ask()
     assert alarm(rig, "drive_silent") is not None
     rig.engine.shutdown()
@@ -103,20 +103,22 @@ def test_simulated_samples_wait_on_the_wire_and_none_is_refused() -> None:
     rig = slow_thinking(simulated=True)
     connection = rig.engine._connection
     assert connection is not None
-    connection._paced_samples = 200
+    connection.rig.paced_samples = 200
     rig.start(patient(LONG))
     eventually(lambda: rig.engine.state is RunState.RUNNING, 60.0)
     free = hold_up(rig)
-    eventually(lambda: connection.backed_up, 60.0)
-    received = connection.received_s
-    eventually(lambda: connection.queue_age_s() > 1.0, 60.0)
-    assert connection.received_s == received
+    eventually(lambda: connection.rig.backed_up, 60.0)
+    received = connection.rig.received_s
+    eventually(lambda: connection.rig.queue_age_s() > 1.0, 60.0)
+    assert connection.rig.received_s == received
     rows = len(rig.store.rows)
     free.set()
     eventually(lambda: len(rig.store.rows) > rows + 3, 60.0)
     rig.engine.stop("Ada")
     rig.engine.wait(ENDED, 60.0)
-    assert connection.queue.refused_blocks == connection.processor.assembler.lost_samples == 0
+    assert (
+        connection.rig.queue.refused_blocks == connection.rig.processor.assembler.lost_samples == 0
+    )
     rig.engine.shutdown()
 
 
@@ -188,7 +190,7 @@ def test_the_alarm_of_a_saturated_further_input_ends_when_the_input_returns() ->
         rig.source.quality = Quality.SATURATED
         faults.append(InputFault(InputFaultKind.SATURATED, ("analog_7",), "above", time_ns))
         eventually(lambda: any(one.active for one in rig.engine.status().alarms))
-        processor = rig.engine._connection.processor  # type: ignore[union-attr]
+        processor = rig.engine._connection.rig.processor  # type: ignore[union-attr]
         later = processor.next_sample + 2000
         eventually(lambda p=processor, n=later: p.next_sample > n)  # type: ignore[misc]
         raised = alarm(rig, "input:saturated")

@@ -18,13 +18,13 @@ from collections.abc import Callable
 from patience import PATIENCE_S
 from PySide6.QtWidgets import QApplication, QPushButton
 
-from rigapp.gui.data.connection import EngineConnection
-from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.tokens import LIGHT
 from rigapp.schema.messages import RunState
 from rigapp.service.client import Client
 from rigapp.service.launch import find_engine
+from rigapp.viewer.connection import EngineConnection
+from rigapp.viewer.showntest import ShownTest
 
 
 def until(condition: Callable[[], object], what: str, said: Callable[[], str] = str) -> None:
@@ -40,7 +40,9 @@ def hang_weights(window: MainWindow) -> None:
     """Open the calibration of the load cell and let the hands work until a weight hangs."""
     connection = window._connection
     until(lambda: connection.status is not None, "the engine")
-    until(lambda: connection.status.state in (RunState.READY, RunState.STOPPED), "the devices")
+    until(
+        lambda: connection.status.engine.state in (RunState.READY, RunState.STOPPED), "the devices"
+    )
     window.calibrate()
     window.stage.findChild(QPushButton, "choose_load_cell").click()
     until(lambda: window._calibration is not None, "the wizard", window.controls.answer.text)

@@ -10,9 +10,11 @@ os.environ.setdefault("QT_LOGGING_RULES", "qt.qpa.*=false")
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import pytest
 from patience import PATIENCE_MS
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
@@ -25,13 +27,9 @@ from snapshots import (
 )
 
 from rigapp.config.loading import read_rig
-from rigapp.gui.data.connection import EngineConnection
-from rigapp.gui.data.recording import StoredTest
-from rigapp.gui.data.series import LiveData
-from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.look.dress import apply_theme
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.tokens import LIGHT
 from rigapp.schema.messages import (
     Alarm,
     Remedy,
@@ -43,6 +41,10 @@ from rigapp.schema.messages import (
 from rigapp.service.client import Client
 from rigapp.service.host import EngineHost
 from rigapp.service.launch import find_engine
+from rigapp.viewer.connection import EngineConnection
+from rigapp.viewer.recording import StoredTest
+from rigapp.viewer.series import LiveData
+from rigapp.viewer.showntest import ShownTest
 
 
 class ScriptedEngine:
@@ -200,12 +202,12 @@ class Operator:
             self._qtbot.waitUntil(lambda: bool(condition()), timeout=PATIENCE_MS)
         except self._qtbot.TimeoutError as error:
             answer, told = self.window.controls.answer.text(), self.status
-            now = (told.state, told.reason, told.recovery, told.alarms) if told else ()
+            now = (told.engine, told.recovery, told.alarms) if told else ()
             raise AssertionError(f"{error}; answer {answer!r}, told {now}") from error
 
     def sees_state(self, *states: RunState) -> None:
         """Wait until the engine tells one of some states."""
-        self.see(lambda: self.status is not None and self.status.state in states)
+        self.see(lambda: self.status is not None and self.status.engine.state in states)
 
     def sees_step(self, step: Remedy) -> None:
         """Wait until a remedy is the next one."""
@@ -238,7 +240,7 @@ class Operator:
         self.sees_state(RunState.READY)
         self.press(Qt.Key.Key_F5)
         self.click(self.window.start_bar.go)
-        self.see(lambda: self.status.committed >= 5)
+        self.see(lambda: self.status.test.committed >= 5)
 
 
 @pytest.fixture
@@ -255,7 +257,12 @@ def operate(
             assert entry is not None
             return Client(entry, "E. Sample")
 
-        host = EngineHost(read_rig(rig), 20.0)
+        document = read_rig(rig)
+        # Nothing here is about the watchdog: window and engines share one interpreter, and a busy
+        # computer may be late by more than 0.5 s.
+        spindle = msgspec.structs.replace(document.record.spindle, watchdog_timeout_s=20.0)
+        record = msgspec.structs.replace(document.record, spindle=spindle)
+        host = EngineHost(replace(document, record=record), 20.0)
         window = MainWindow(
             EngineConnection(factory),
             ShownTest(),

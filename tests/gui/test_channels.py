@@ -14,14 +14,6 @@ from PySide6.QtCore import Qt
 from snapshots import make_status
 
 from rigapp.config.loading import parse_test
-from rigapp.gui.data.channels import table_of
-from rigapp.gui.data.connection import EngineConnection
-from rigapp.gui.data.news import News
-from rigapp.gui.data.quantities import compared_columns, trend_quantities
-from rigapp.gui.data.series import LiveData
-from rigapp.gui.data.shown import free_values
-from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.panels.limits import LimitPanel
 from rigapp.gui.plots.channelcurves import ChannelCurvePanel
 from rigapp.gui.plots.overlay import OverlayPanel
@@ -30,9 +22,17 @@ from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.wearprofile import WearProfilePanel
 from rigapp.gui.testfile.rules import LimitSentences
 from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.tokens import DARK, LIGHT
 from rigapp.replay.client import ReplayClient
 from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind
 from rigapp.schema.messages import ChannelView, Cycle, RunState, Snapshot
+from rigapp.viewer.channels import table_of
+from rigapp.viewer.connection import EngineConnection
+from rigapp.viewer.news import News
+from rigapp.viewer.quantities import compared_columns, trend_quantities
+from rigapp.viewer.series import LiveData
+from rigapp.viewer.shown import free_values
+from rigapp.viewer.showntest import ShownTest
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 WARM = Channel("bushing_temperature", "degC", "bushing temperature")
@@ -209,6 +209,7 @@ def test_newest_values_come_from_rows_where_nothing_is_live(warm_snapshot: Any) 
     assert free_values(News(status)) == []
 
 
+@pytest.mark.long
 @pytest.mark.timeout(300)
 def test_a_rig_with_free_channels_from_the_start_of_a_test_to_its_replay(
     operate: Any, tmp_path: Path, qtbot: Any
@@ -237,7 +238,7 @@ def test_a_rig_with_free_channels_from_the_start_of_a_test_to_its_replay(
         limits.reason.setText("to see it warn")
         hands.click(limits.change)
         hands.see(lambda: any("bushing_temperature" in one.cause for one in hands.status.alarms))
-        file = hands.status.file
+        file = hands.status.test.file
         hands.press(Qt.Key.Key_F12)
         hands.sees_state(RunState.STOPPED)
     client = ReplayClient(Path(file), at_end=True)

@@ -10,14 +10,14 @@ import pytest
 from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 
-from rigapp.gui.data.connection import EngineConnection
-from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.look.tokens import DARK, LIGHT
-from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.gui.widgets.build import GuardedButton
 from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.tokens import DARK, LIGHT
 from rigapp.schema.messages import Reply, Request, RunState, Snapshot
 from rigapp.schema.states import Refused
 from rigapp.service.command import InCommand
+from rigapp.viewer.connection import EngineConnection
+from rigapp.viewer.showntest import ShownTest
 
 
 class SharedEngine:
@@ -160,6 +160,7 @@ def test_a_viewer_can_only_stop_and_acknowledge_and_reads_why(
     until(lambda: ("second", "stop") in engine.done)
 
 
+@pytest.mark.long
 def test_taking_over_names_who_loses_command_and_begins_with_the_harmless_answer(
     windows: tuple[MainWindow, MainWindow], engine: SharedEngine, qtbot: Any
 ) -> None:

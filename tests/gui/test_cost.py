@@ -15,17 +15,17 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from PySide6.QtWidgets import QWidget
 
-from rigapp.gui.data import pyramid as levels
-from rigapp.gui.data.comparison import CURVES, binned, stacked
-from rigapp.gui.data.pyramid import Pyramid, thinned
-from rigapp.gui.data.series import PredictedCycle
-from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.panels.results import ShelfPump
 from rigapp.gui.plots.curves import ShadedBand, Trace, clear
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.window import places
 from rigapp.gui.window.places import PageBar, PageName, RailPlace
 from rigapp.process.memory import begin_to_load, end_of_loading
+from rigapp.viewer import pyramid as levels
+from rigapp.viewer.comparison import CURVES, binned, stacked
+from rigapp.viewer.pyramid import Pyramid, thinned
+from rigapp.viewer.series import PredictedCycle
+from rigapp.viewer.tasks import TaskWorker
 
 ANGLE = np.linspace(0.0, 360.0, 1000, endpoint=False)
 

@@ -13,14 +13,14 @@ import numpy as np
 import pytest
 from patience import PATIENCE_MS, PATIENCE_S
 
-from rigapp.gui.data.connection import EngineConnection
-from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.tokens import LIGHT
 from rigapp.schema.messages import RunState
 from rigapp.service.client import Client
 from rigapp.service.launch import find_engine
 from rigapp.storage import open_test
+from rigapp.viewer.connection import EngineConnection
+from rigapp.viewer.showntest import ShownTest
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RIG = EXAMPLES / "simulated.toml"
@@ -61,6 +61,7 @@ def engine_of_the_window(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Ite
     process.wait(timeout=PATIENCE_S)
 
 
+@pytest.mark.long
 def test_command_line_and_window_write_the_same_rows(
     recipe: Path, engine_of_the_window: None, tmp_path: Path, qtbot: Any, light_application: Any
 ) -> None:
@@ -95,7 +96,7 @@ def start_in_the_window(recipe: Path, out: Path, qtbot: Any) -> None:
     def in_state(*states: RunState) -> bool:
         window.tick()
         status = window._connection.status
-        return status is not None and status.state in states
+        return status is not None and status.engine.state in states
 
     qtbot.waitUntil(lambda: in_state(RunState.READY), timeout=PATIENCE_MS)
     window.controls.buttons["start"].click()

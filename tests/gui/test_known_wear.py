@@ -12,15 +12,15 @@ import numpy as np
 import pytest
 from patience import PATIENCE_MS
 
-from rigapp.gui.data.knownwear import KnownWear, known_wear, newest_wear, of_tree, wear_values
-from rigapp.gui.data.news import News
-from rigapp.gui.data.series import LiveData
-from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.panels.wear import WearPanel
 from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.tokens import DARK, LIGHT
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import Snapshot
+from rigapp.viewer.knownwear import KnownWear, known_wear, newest_wear, of_tree, wear_values
+from rigapp.viewer.news import News
+from rigapp.viewer.series import LiveData
+from rigapp.viewer.tasks import TaskWorker
 
 NAMES = [one.name for one in prediction_columns()]
 STATED = {
@@ -111,6 +111,14 @@ def test_running_in_and_a_change_are_words_in_the_tile(stated: Any) -> None:
         data = LiveData()
         data.take(stated(wear_model=model, wear_model_weight=share))
         assert newest_wear(data.predictions).statement == words
+
+
+@pytest.mark.parametrize("model", [-1.0, 0.5, 3.0, 1e30, np.inf])
+def test_a_wear_model_of_another_version_is_said_to_be_unknown(stated: Any, model: float) -> None:
+    data = LiveData()
+    data.take(stated(wear_model=model))
+    said = newest_wear(data.predictions).statement
+    assert said == ("" if np.isinf(model) else f"the file's wear model {model:g} is unknown here")
 
 
 def test_the_panel_draws_bands_and_course_and_asks_again_only_for_news(

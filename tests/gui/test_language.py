@@ -22,11 +22,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from rigapp.checks.start import preflight
 from rigapp.config.ranges import refusal
 from rigapp.gui.language.catalogue import (
     ENGLISH,
     LANGUAGES,
-    TOLD,
+    SENTENCES,
     WINDOW,
     chosen_language,
     contexts,
@@ -40,13 +41,12 @@ from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.window.tabs import NUMBERS, TABS, Tab
 from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.numbers import unit_text
-from rigapp.presentation.told import retold, templates
-from rigapp.presentation.translation import speak, tr
-from rigapp.schema.alarms import because, exceeded
+from rigapp.presentation.translation import speak, tr, translate
+from rigapp.schema.alarms import KINDS, exceeded, make_alarm
 from rigapp.schema.criteria import CRITERIA
 from rigapp.schema.messages import Alarm, RunState, Severity
 from rigapp.schema.units import UNITS
-from rigapp.service.preflight import preflight
+from rigapp.texts import Sentence, say
 from rigapp_calibration.load_cell.plans import LoadCellPlan, PlanKind
 
 TRANSLATED = sorted(LANGUAGES.keys() - {ENGLISH})
@@ -69,7 +69,7 @@ def test_every_text_of_the_window_is_translated(language: str) -> None:
     what = "make translations, then translate in de.ts"
     texts, told = gathered()
     assert set(texts) - contexts(language)[WINDOW].keys() == set(), what
-    assert set(told) - contexts(language)[TOLD].keys() == set(), what
+    assert set(told) - contexts(language)[SENTENCES].keys() == set(), what
 
 
 @pytest.mark.parametrize("language", TRANSLATED)
@@ -132,32 +132,38 @@ def test_what_no_catalogue_knows_is_said_as_it_is_and_values_are_filled_in(qapp:
 
 def test_the_alarms_of_the_engine_are_said_with_their_values(qapp: Any) -> None:
     speak_language(qapp, "de")
-    overload = because("overload", force_N=391.04, limit_N=380.0)
-    assert retold(overload.sentence) == ("Die Gelenkkraft erreichte 391.0 N; die Grenze ist 380 N.")
+    overload = make_alarm("overload", force_N=391.04, limit_N=380.0)
+    assert translate(overload.sentence) == (
+        "Die Gelenkkraft erreichte 391.0 N; die Grenze ist 380 N."
+    )
     limit = exceeded("force_max", Severity.WARNING, 96.2, 95.0, True, "warn")
-    assert retold(limit.title) == "force_max über der Grenze"
-    assert retold(limit.sentence) == "force_max ist 96.2, über der Grenze (Warnung) von 95."
-    asked = 'Acknowledge "Overload" and 2 more: say that you have seen it.'
-    assert retold(asked).startswith("„Überlast“ und 2 weitere quittieren")
-    assert retold("Nobody knows this sentence.") == "Nobody knows this sentence."
+    assert translate(limit.title) == "force_max über der Grenze"
+    assert translate(limit.sentence) == "force_max ist 96.2, über der Grenze (Warnung) von 95."
+    more = say(" and {} more", 2)
+    asked = say('Acknowledge "{}"{}: say that you have seen it.', overload.title, more)
+    assert translate(asked).startswith("„Überlast“ und 2 weitere quittieren")
+    assert translate("Nobody knows this sentence.") == "Nobody knows this sentence."
     assert [
-        one for one in templates() if "{" not in one and has_words(one) and retold(one) == one
+        one
+        for kind in KINDS.values()
+        for one in (kind.consequence, kind.action)
+        if translate(Sentence(one)) == one
     ] == []
 
 
 def test_sentences_of_files_checks_and_calibrations_are_known_again(qapp: Any) -> None:
     speak_language(qapp, "de")
-    assert retold(refusal("run.speed_rpm", 9999.0)) == (
+    assert translate(refusal("run.speed_rpm", 9999.0)) == (
         "run.speed_rpm = 9999 liegt außerhalb von 0.1 bis 3000 rpm;"
         " war Umdrehungen/h gemeint? Dann 166.65 schreiben"
     )
-    assert retold(CRITERIA["force_N"].sentence(212.0, 200.0, 3)) == (
+    assert translate(CRITERIA["force_N"].sentence(212.0, 200.0, 3)) == (
         "Das Maximum von |F| lag bei oder über 200 N in 3 Umdrehungen in Folge, zuletzt bei 212 N."
     )
-    found = [retold(one.finding) for one in preflight(None, None, None, None)]
+    found = [translate(one.sentence) for one in preflight(None, None, None, None)]
     assert found == ["noch nicht brauchbar", "nicht erreichbar"]
     plan = LoadCellPlan(PlanKind.FULL, 40.0, (20.0, 10.0, 5.0, 2.0, 2.0, 1.0))
-    steps = {retold(step.words) for step in plan.steps()}
+    steps = {translate(step.words) for step in plan.steps()}
     assert [one for one in steps if " the " in one or " and " in one] == []
 
 
@@ -239,9 +245,10 @@ def gathered() -> tuple[list[str], list[str]]:
 def bracketed() -> None:
     """Put the texts of the catalogue into brackets: what has words outside of them is not in it."""
     texts, told = gathered()
-    speak({text: f"⟦{text}⟧" for text in (*texts, *told)}, told)
+    speak({text: f"⟦{text}⟧" for text in (*texts, *told)})
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("tab", TABS, ids=[tab.name for tab in TABS])
 def test_everything_on_a_page_is_said_by_the_catalogue(
     tab: Tab, engine: Any, recorded: Path, request: pytest.FixtureRequest
@@ -259,6 +266,7 @@ def test_everything_on_a_page_is_said_by_the_catalogue(
     assert bare == set()
 
 
+@pytest.mark.long
 def test_everything_on_the_shell_is_said_by_the_catalogue(
     engine: Any, alarm: Alarm, request: pytest.FixtureRequest
 ) -> None:

@@ -8,15 +8,15 @@ from typing import Any
 import pytest
 from patience import PATIENCE_MS
 
-from rigapp.gui.data.connection import (
+from rigapp.gui.window.window import IDLE, IN_TEST
+from rigapp.schema.messages import Reply, RunState
+from rigapp.viewer.connection import (
     FIRST_SNAPSHOT_S,
     LOST_AFTER_S,
     SILENT_AFTER_S,
     ConnectionState,
     EngineConnection,
 )
-from rigapp.gui.window.window import IDLE, IN_TEST
-from rigapp.schema.messages import Reply, RunState
 
 
 class Clock:

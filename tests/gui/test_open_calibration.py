@@ -13,14 +13,14 @@ import pytest
 from commandline import rigapp
 from PySide6.QtCore import Qt
 
-from rigapp.gui.data.connection import EngineConnection
-from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.panel import Act
 from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.tokens import LIGHT
 from rigapp.schema.messages import RunState
 from rigapp.service.client import Client
 from rigapp.service.launch import find_engine
+from rigapp.viewer.connection import EngineConnection
+from rigapp.viewer.showntest import ShownTest
 from tests.gui.calibration_app import hang_weights
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -80,7 +80,7 @@ def turns(one: Any) -> None:
     press(one, Qt.Key.Key_F5)
     one.click(one.window.start_bar.go)
     one.sees_state(RunState.RUNNING)
-    one.see(lambda: one.status.committed >= 3)
+    one.see(lambda: one.status.test.committed >= 3)
     one.click(one.window.controls.buttons["stop"])
     one.sees_state(RunState.STOPPED)
 
@@ -107,6 +107,7 @@ def refuses(one: Any) -> None:
     assert one.host.engine.state in (RunState.READY, RunState.STOPPED)
 
 
+@pytest.mark.long
 @pytest.mark.timeout(600)
 def test_an_open_guide_keeps_the_rig_still_in_both_windows(
     operate: Any, beside: Callable[[Any], Any], files: tuple[Path, Path]
@@ -137,8 +138,11 @@ def test_an_open_guide_keeps_the_rig_still_in_both_windows(
         turns(second)
 
 
+@pytest.mark.long
 @pytest.mark.timeout(600)
-@pytest.mark.parametrize("way", ["window", "command", "verb"])
+@pytest.mark.parametrize(
+    "way", ["window", *(pytest.param(one, marks=pytest.mark.long) for one in ("command", "verb"))]
+)
 def test_a_killed_window_leaves_it_until_somebody_ends_it(
     operate: Any, files: tuple[Path, Path], tmp_path: Path, way: str
 ) -> None:

@@ -11,15 +11,15 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QSpinBox, QVBoxLayout, QWidget
 
-from rigapp.gui.data.connection import EngineConnection
-from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.widgets.build import choice, scrolling, whole_number
 from rigapp.gui.window.tabs import NUMBERS
 from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.tokens import LIGHT
 from rigapp.replay.client import ReplayClient
 from rigapp.schema.messages import Reply, RunState
 from rigapp.schema.states import Refused, Trigger, transition
+from rigapp.viewer.connection import EngineConnection
+from rigapp.viewer.showntest import ShownTest
 
 Attach = Callable[[], None]
 
@@ -70,7 +70,10 @@ def test_the_wheel_scrolls_a_form_and_changes_only_what_has_the_focus(
     assert area.verticalScrollBar().value() == 0
 
 
-@pytest.mark.parametrize("state", [RunState.IDLE, RunState.READY, RunState.STOPPED])
+@pytest.mark.sampled
+@pytest.mark.parametrize(
+    "state", [RunState.IDLE, RunState.STOPPED, pytest.param(RunState.READY, marks=pytest.mark.long)]
+)
 def test_stop_is_never_grey_and_says_when_nothing_runs(
     window: MainWindow, engine: Any, attach: Attach, qtbot: Any, state: RunState
 ) -> None:

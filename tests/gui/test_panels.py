@@ -14,11 +14,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QSplitter
 
 from rigapp.config.loading import parse_test
-from rigapp.gui.data.news import News
-from rigapp.gui.data.recording import load_history
-from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.panels.alarms import AlarmGlance, AlarmJournal, AlarmPanel
 from rigapp.gui.panels.compare import line_of
 from rigapp.gui.panels.devices import DeviceCard, DevicePanel
@@ -28,6 +23,7 @@ from rigapp.gui.panels.logbook import LogPanel
 from rigapp.gui.plots.wearprofile import ANGLES_DEG, WearProfilePanel, worn_profile
 from rigapp.gui.window.notice import NoticeBar
 from rigapp.gui.window.watchdog import STALL_S, Watchdog
+from rigapp.presentation.tokens import DARK, LIGHT
 from rigapp.schema.loglines import newest_limits
 from rigapp.schema.messages import (
     Alarm,
@@ -41,6 +37,10 @@ from rigapp.schema.messages import (
 )
 from rigapp.service.faults import fault_choices
 from rigapp.storage.reading.oldlog import translated
+from rigapp.viewer.news import News
+from rigapp.viewer.recording import load_history
+from rigapp.viewer.showntest import ShownTest
+from rigapp.viewer.tasks import TaskWorker
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RULE = (
@@ -76,8 +76,8 @@ def test_a_device_card_tells_link_and_warnings_apart_and_counts_under_details(
 
     def show(device: DeviceView) -> DeviceCard:
         status = make_status()
-        devices = (device, *status.devices[1:])
-        panel.show_news(News(msgspec.structs.replace(status, devices=devices), silence_s=0.2))
+        devices = (device, *status.rig.devices[1:])
+        panel.show_news(News(Status.of_flat(status.flat() | {"devices": devices}), silence_s=0.2))
         return panel.cards["daq"]
 
     counters = {"bytes_received": 4096, "crc_errors": 2, "retries": 0}
@@ -123,9 +123,9 @@ def test_channels_show_signal_value_and_what_is_positive(
     assert channels["probe_1"][4].endswith("towards the slider")
     assert ["Emergency stop", "not pressed"] in panel.drive.texts()
     stopped = DriveView(0, 0, 0, 48, 30, False, True, ("S3",), ())
-    panel.show_news(News(msgspec.structs.replace(status, drive=stopped)))
+    panel.show_news(News(Status.of_flat(status.flat() | {"drive": stopped})))
     assert ["Emergency stop", "▲ pressed"] in panel.drive.texts()
-    panel.show_news(News(msgspec.structs.replace(status, drive=None)))
+    panel.show_news(News(Status.of_flat(status.flat() | {"drive": None})))
     assert panel.drive.texts() == [["State", "not connected"]]
 
 
@@ -275,7 +275,7 @@ def test_faults_of_the_simulated_rig_are_found_caused_and_ended(
     assert asked == []
     free = ChannelView("bushing_temperature", 0.21, "V", 21.0, "degC", "by its line", None)
     slow = ChannelView("room_temperature", 21.0, "degC", 21.0, "degC", "", None, 0.5)
-    status = make_status(channels=(*make_status().channels, free, slow), simulated_speed=20.0)
+    status = make_status(channels=(*make_status().rig.channels, free, slow), simulated_speed=20.0)
 
     def offered() -> bool:
         panel.show_news(News(status))
@@ -318,7 +318,7 @@ def test_faults_of_the_simulated_rig_are_found_caused_and_ended(
     assert "must be a number" in panel.problem.text()
     panel.value.setText("")
     panel.duration.setText("2")
-    panel.show_news(News(msgspec.structs.replace(status, simulated_speed=0.0)))
+    panel.show_news(News(Status.of_flat(status.flat() | {"simulated_speed": 0.0})))
     panel.cause.click()
     assert "choose real seconds" in panel.problem.text()
     panel.search.setText("no such fault")
@@ -570,7 +570,7 @@ def test_hold_keeps_the_picture_and_a_stored_revolution_is_compared(
 
 
 def load_it(path: Path, revolution: int) -> Any:
-    from rigapp.gui.data.recording import load_revolution
+    from rigapp.viewer.recording import load_revolution
 
     return load_revolution(path, revolution)
 
@@ -675,12 +675,13 @@ def test_a_minimised_window_draws_nothing(
     assert len(window._test.data.rows) == 6
 
 
+@pytest.mark.long
 def test_a_replay_starts_again(recorded: Path, qtbot: Any, qapp: Any) -> None:
-    from rigapp.gui.data.connection import EngineConnection
-    from rigapp.gui.data.showntest import ShownTest
     from rigapp.gui.window.tabs import NUMBERS
     from rigapp.gui.window.window import MainWindow
     from rigapp.replay.client import ReplayClient
+    from rigapp.viewer.connection import EngineConnection
+    from rigapp.viewer.showntest import ShownTest
 
     client = ReplayClient(recorded, at_end=True)
     window = MainWindow(EngineConnection(lambda: client), ShownTest(), LIGHT)
@@ -713,7 +714,10 @@ def laid_out(splitter: QSplitter) -> list[int]:
 
 @pytest.mark.parametrize(
     ("page", "divided", "wanted"),
-    [("cycle", "cycle_right", [300, 180]), ("trends", "trend_split", [100, 300, 200])],
+    [
+        ("cycle", "cycle_right", [300, 180]),
+        pytest.param("trends", "trend_split", [100, 300, 200], marks=pytest.mark.long),
+    ],
 )
 def test_the_layout_is_remembered(
     engine: Any,
@@ -726,9 +730,9 @@ def test_the_layout_is_remembered(
 ) -> None:
     from PySide6.QtCore import QSettings
 
-    from rigapp.gui.data.connection import EngineConnection
-    from rigapp.gui.data.showntest import ShownTest
     from rigapp.gui.window.window import MainWindow
+    from rigapp.viewer.connection import EngineConnection
+    from rigapp.viewer.showntest import ShownTest
 
     def make() -> MainWindow:
         settings = QSettings(str(tmp_path / "layout.ini"), QSettings.Format.IniFormat)

@@ -17,14 +17,6 @@ from PySide6.QtGui import QFont, QImage, QPainter
 from snapshots import ALARM, REVOLUTION_NAMES, make_snapshot, make_status
 
 from rigapp.config.loading import parse_test
-from rigapp.gui.data.judged import EVERYTHING, Drawn, Flagged, banded, drawn
-from rigapp.gui.data.moments import moments
-from rigapp.gui.data.news import News
-from rigapp.gui.data.ranges import round_places
-from rigapp.gui.data.recording import TripCycles
-from rigapp.gui.data.series import LiveData, measured_cycle
-from rigapp.gui.data.shown import Level
-from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.plots.marks import (
     CurveName,
     LimitLine,
@@ -42,10 +34,18 @@ from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.trendview import TrendView
 from rigapp.presentation.numbers import axis_number
+from rigapp.presentation.tokens import DARK, LIGHT
 from rigapp.schema.alarms import rule_key
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import Event, Flag, Severity
 from rigapp.storage import LargestForce
+from rigapp.viewer.judged import EVERYTHING, Drawn, Flagged, banded, drawn
+from rigapp.viewer.moments import moments
+from rigapp.viewer.news import News
+from rigapp.viewer.ranges import round_places
+from rigapp.viewer.recording import TripCycles
+from rigapp.viewer.series import LiveData, measured_cycle
+from rigapp.viewer.shown import Level
 
 QUICK = (Path(__file__).parents[2] / "examples" / "quick.toml").read_text(encoding="utf-8")
 RULES = (

@@ -14,10 +14,9 @@ from patience import PATIENCE_MS
 from PySide6.QtWidgets import QLabel, QLineEdit
 
 from rigapp.calibrating.records_in_use import with_records
+from rigapp.checks.check import CheckVerdict
+from rigapp.checks.start import DiskFacts, preflight
 from rigapp.config.loading import parse_test, read_rig, read_test
-from rigapp.gui.data.levels import LimitLevel, levels_of, rules_of
-from rigapp.gui.data.news import News
-from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.testfile.fields import (
     changes,
     form_fields,
@@ -32,8 +31,11 @@ from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.gui.testfile.rules import LevelRow
 from rigapp.gui.widgets.numbers import number
 from rigapp.schema.channels import BASE
-from rigapp.schema.messages import DriveView, RunState
-from rigapp.service.preflight import Checked, DiskFacts, disk_facts, preflight
+from rigapp.schema.messages import DriveView, RunState, Status
+from rigapp.service.preflight import disk_facts
+from rigapp.viewer.levels import LimitLevel, levels_of, rules_of
+from rigapp.viewer.news import News
+from rigapp.viewer.tasks import TaskWorker
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -94,6 +96,7 @@ def test_a_change_is_named_before_it_is_saved(panel: RecipePanel) -> None:
     assert "As in the file" in panel.verdict.text()
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("path", "text", "sentence"),
     [
@@ -287,8 +290,8 @@ def test_nothing_blocks_a_sound_rig(make_status: Any, tmp_path: Path) -> None:
     disk = disk_facts(test, 960.0, tmp_path)
     assert disk.needed_bytes > 1e5
     found = preflight(test, rig, disk, ready(make_status))
-    assert not [check for check in found if check.verdict is Checked.BLOCKS]
-    attention = {check.what for check in found if check.verdict is Checked.ATTENTION}
+    assert not [check for check in found if check.verdict is CheckVerdict.BLOCKS]
+    attention = {check.name for check in found if check.verdict is CheckVerdict.ATTENTION}
     assert attention == {"Limits", "Calibration of load cell", "Calibration of probes"}
 
 
@@ -305,10 +308,10 @@ def test_what_is_wrong_blocks_with_an_action(
     make_status: Any, changes_: dict[str, Any], what: str
 ) -> None:
     test = read_test(EXAMPLES / "quick.toml").record
-    status = msgspec.structs.replace(ready(make_status), **changes_)
-    found = {check.what: check for check in preflight(test, None, None, status)}
-    assert found[what].verdict is Checked.BLOCKS
-    assert found[what].action
+    status = Status.of_flat(ready(make_status).flat() | dict(**changes_))
+    found = {check.name: check for check in preflight(test, None, None, status)}
+    assert found[what].verdict is CheckVerdict.BLOCKS
+    assert found[what].advice
 
 
 def test_rig_and_test_are_held_against_each_other(make_status: Any) -> None:
@@ -318,12 +321,12 @@ def test_rig_and_test_are_held_against_each_other(make_status: Any) -> None:
     text = text.replace("overspeed_rpm = 90.0", "overspeed_rpm = 950.0")
     test = parse_test(text.replace("overload_N = 380.0", "overload_N = 500.0"), "x")
     status = ready(make_status)
-    probe = msgspec.structs.replace(status.channels[2], raw=9.9)
-    status = msgspec.structs.replace(status, channels=(probe,))
-    found = {check.what: check.verdict for check in preflight(test, rig, None, status)}
-    assert found["Speed"] is Checked.BLOCKS
-    assert found["Overload"] is Checked.ATTENTION
-    assert found["Channel probe_1"] is Checked.BLOCKS
+    probe = msgspec.structs.replace(status.rig.channels[2], raw=9.9)
+    status = Status.of_flat(status.flat() | {"channels": (probe,)})
+    found = {check.name: check.verdict for check in preflight(test, rig, None, status)}
+    assert found["Speed"] is CheckVerdict.BLOCKS
+    assert found["Overload"] is CheckVerdict.ATTENTION
+    assert found["Channel probe_1"] is CheckVerdict.BLOCKS
 
 
 def test_too_little_room_and_a_missing_folder_block(tmp_path: Path) -> None:
@@ -331,9 +334,9 @@ def test_too_little_room_and_a_missing_folder_block(tmp_path: Path) -> None:
     missing = preflight(test, None, disk_facts(test, 960.0, tmp_path / "nowhere"), None)
     full = preflight(test, None, DiskFacts(tmp_path, 10**9, 10**6), None)
     for found in (missing, full):
-        disk = next(check for check in found if check.what == "Disk")
-        assert disk.verdict is Checked.BLOCKS
-    assert any(check.what == "Engine" and check.verdict is Checked.BLOCKS for check in full)
+        disk = next(check for check in found if check.name == "Disk")
+        assert disk.verdict is CheckVerdict.BLOCKS
+    assert any(check.name == "Engine" and check.verdict is CheckVerdict.BLOCKS for check in full)
 
 
 def test_the_list_follows_armed_test_and_engine(
@@ -347,7 +350,7 @@ def test_the_list_follows_armed_test_and_engine(
     def shown() -> dict[str, str]:
         worker.deliver()
         panel.show_news(News(ready(make_status)))
-        return {check.what: check.verdict.value for check in panel.checks.shown}
+        return {check.name: check.verdict.value for check in panel.checks.shown}
 
     qtbot.waitUntil(lambda: "Disk" in shown(), timeout=PATIENCE_MS)
     assert "good" in shown()["Disk"]
@@ -383,7 +386,7 @@ def test_window_and_command_line_show_one_list(
     def rows() -> list[list[str]]:
         worker.deliver()
         panel.show_news(News(status))
-        return [[one.verdict, one.what, one.finding, one.action] for one in panel.checks.shown]
+        return [[one.verdict, one.name, one.sentence, one.advice] for one in panel.checks.shown]
 
     qtbot.waitUntil(lambda: {"Disk", "Speed"} <= {row[1] for row in rows()}, timeout=PATIENCE_MS)
     marks = {"good": "ok", "attention": "note", "blocks": "BLOCKS"}
@@ -394,7 +397,7 @@ def test_window_and_command_line_show_one_list(
         free = finding.split(",")[0] if what == "Disk" else finding
         found = [line for line in lines if line.startswith(marks[verdict]) and what in line]
         assert any(free in line and action in line for line in found)
-        assert mark == MARKS[Checked(verdict)]
+        assert mark == MARKS[CheckVerdict(verdict)]
         assert title.startswith(what)
     worker.close()
 
@@ -414,7 +417,7 @@ def test_a_rig_file_that_became_unusable_blocks(
     def what() -> set[str]:
         worker.deliver()
         panel.show_news(News(ready(make_status)))
-        return {check.what for check in panel.checks.shown}
+        return {check.name for check in panel.checks.shown}
 
     qtbot.waitUntil(lambda: "Speed" in what(), timeout=PATIENCE_MS)
     rig.write_text(text.replace("[spindle]", "[spindel]"), encoding="utf-8")

@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rigapp.gui.data.pyramid import Pyramid, bucket_size, polyline
+from rigapp.viewer.pyramid import Pyramid, bucket_size, polyline
 
 VALUES = st.lists(
     st.one_of(st.floats(-1e6, 1e6, width=32), st.just(float("nan"))), min_size=1, max_size=1500

@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
-from rigapp.gui.data.news import News
 from rigapp.gui.panels.queue import QueuePanel
 from rigapp.schema.messages import RunState
 from rigapp.schema.queue import ItemState, QueuedTest
 from rigapp.storage import open_test
+from rigapp.viewer.news import News
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FIVE = tuple(
@@ -82,6 +82,7 @@ def test_a_queue_that_has_stopped_says_where_and_what_leads_on(
     ]
 
 
+@pytest.mark.long
 @pytest.mark.timeout(300)
 def test_two_tests_are_put_in_and_worked_off(operate: Any, tmp_path: Path) -> None:
     text = (EXAMPLES / "quick.toml").read_text(encoding="utf-8")

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rigapp.gui.data.frames import ForceFrame, to_frame
-from rigapp.gui.data.ranges import SteadyRange, nice_step
+from rigapp.viewer.frames import ForceFrame, to_frame
+from rigapp.viewer.ranges import SteadyRange, nice_step
 
 REFERENCE = Path(__file__).parent.parent / "data" / "gui_forces_spring.csv"
 

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QLineEdit
 from rigapp.config.loading import read_test
 from rigapp.gui.testfile.fields import form_fields
 from rigapp.gui.testfile.recipe import RecipePanel
-from rigapp.gui.testfile.tomltext import edited
+from rigapp.gui.testfile.selected_test import edited
 from rigapp.gui.testfile.unsaved import listed
 from rigapp.schema.messages import RunState
 

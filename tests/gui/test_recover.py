@@ -11,9 +11,9 @@ import pytest
 from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 
-from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.window.recover import KEY, RecoverPanel
 from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.tokens import DARK, LIGHT
 from rigapp.schema.messages import Alarm, Ends, Recovery, Remedy, Reply, RunState, Severity
 from rigapp.schema.states import ENDED
 from rigapp.storage import open_test
@@ -97,6 +97,7 @@ def test_the_button_stays_under_the_mouse_while_the_next_step_is_done(
     assert panel.button.mapTo(window, panel.button.rect().topLeft()) == place
 
 
+@pytest.mark.long
 def test_start_is_closed_with_the_next_step_as_its_reason(
     window: MainWindow, engine: Any, attach: Callable[[], None], qtbot: Any
 ) -> None:
@@ -117,6 +118,7 @@ def test_start_is_closed_with_the_next_step_as_its_reason(
     assert start.isEnabled()
 
 
+@pytest.mark.long
 @pytest.mark.timeout(300)
 def test_a_pulled_cable_is_recovered_from_by_the_panel_and_the_test_completed(
     operate: Any, tmp_path: Path
@@ -132,7 +134,7 @@ def test_a_pulled_cable_is_recovered_from_by_the_panel_and_the_test_completed(
         hands.sees_state(RunState.FAULT)
         hands.see(lambda: window.recover.isVisible())
         assert "daq" in window.recover.cause.text()
-        file = hands.status.file
+        file = hands.status.test.file
         hands.sees_step(Remedy.CONNECT)
         hands.press(Qt.Key.Key_F10)  # the cable is still out
         hands.see(lambda: "refused" in window.controls.answer.text())
@@ -141,18 +143,18 @@ def test_a_pulled_cable_is_recovered_from_by_the_panel_and_the_test_completed(
         hands.see(lambda: "clear fault: done" in window.controls.answer.text())
         hands.click(window.recover.button)
         hands.sees_step(Remedy.ACKNOWLEDGE)
-        assert hands.status.state is RunState.READY
+        assert hands.status.engine.state is RunState.READY
         hands.press(Qt.Key.Key_F10)
         hands.sees_step(Remedy.RESET)
         hands.click(window.recover.button)
         hands.sees_step(Remedy.GO_ON)
-        before = hands.status.revolution
+        before = hands.status.test.revolution
         hands.click(window.recover.button)
         hands.sees_state(RunState.RUNNING)
         assert not window.recover.isVisible()
-        assert hands.status.file == file
-        hands.see(lambda: hands.status.committed > before + 5)
-        host.engine.extend(hands.status.revolution + 40)
+        assert hands.status.test.file == file
+        hands.see(lambda: hands.status.test.committed > before + 5)
+        host.engine.extend(hands.status.test.revolution + 40)
         host.engine.wait(ENDED, 60.0)
         hands.sees_state(RunState.STOPPED)
         assert not window.recover.isVisible()

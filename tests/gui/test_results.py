@@ -16,9 +16,6 @@ from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 
-from rigapp.gui.data.news import News
-from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.panel import Act
 from rigapp.gui.panels.connecting import connection_steps
 from rigapp.gui.panels.documents import KINDS, DocumentPanel
@@ -29,9 +26,12 @@ from rigapp.gui.results.shelf import ResultReader, ResultShelf
 from rigapp.gui.window.tabs import NUMBERS
 from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.results import key_numbers, trust_lines
+from rigapp.presentation.tokens import DARK, LIGHT
 from rigapp.report.results import main, result_of
 from rigapp.schema.messages import Alarm, RunState, Severity, Status
 from rigapp.schema.results import NOT_READABLE, HowEnded, TestResult
+from rigapp.viewer.news import News
+from rigapp.viewer.tasks import TaskWorker
 
 Attach = Callable[[], None]
 
@@ -216,6 +216,7 @@ def test_only_what_has_changed_is_read_again(
     assert len(kept) == 3
 
 
+@pytest.mark.long
 def test_what_is_written_can_be_opened(recorded: Path, qtbot: Any, qapp: Any) -> None:
     said: list[tuple[str, bool]] = []
     shown: list[Path] = []
@@ -245,7 +246,7 @@ def test_what_is_written_can_be_opened(recorded: Path, qtbot: Any, qapp: Any) ->
 def test_the_reading_process_ends_with_its_reader(recorded: Path) -> None:
     reader = ResultReader([recorded] * 500)
     reader.close()
-    assert reader._process.returncode is not None
+    assert reader._process.status is not None
     assert not reader._thread.is_alive()
 
 
@@ -443,7 +444,7 @@ def test_connecting_is_told_step_by_step(make_status: Callable[..., Status]) -> 
     assert seen() == [("Engine", False, True), *later]
     there = ("Engine", True, False)
     assert seen(state=RunState.CONNECTING, devices=())[:2] == [there, ("Devices", False, True)]
-    daq, drive = make_status().devices
+    daq, drive = make_status().rig.devices
     found = msgspec.structs.replace(drive, connected=False)
     steps = seen(state=RunState.CONNECTING, devices=(daq, found), age=math.inf)
     assert steps[1:] == [

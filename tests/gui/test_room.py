@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 from rigapp.gui.language.catalogue import ENGLISH, speak_language
-from rigapp.gui.look.tokens import THEMES
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.window.tabs import NUMBERS
 from rigapp.gui.window.window import MainWindow
-from rigapp.schema.alarms import because
+from rigapp.presentation.tokens import THEMES
+from rigapp.schema.alarms import make_alarm
 from rigapp.schema.messages import Alarm, Recovery, Remedy, RunState, Severity
 from tests.gui.roominess import LONGEST_FIRST, SCALES, SIZES, cut_texts
 from tests.patience import PATIENCE_MS
@@ -33,7 +33,7 @@ def _unread(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def tripped() -> dict[str, Any]:
     """Return the status after an overload, which asks for the longest words of the shell."""
-    cause = because("overload", force_N=391.04, limit_N=380.0)
+    cause = make_alarm("overload", force_N=391.04, limit_N=380.0)
     alarm = Alarm(
         cause.key,
         Severity.CRITICAL,
@@ -53,6 +53,7 @@ def tripped() -> dict[str, Any]:
     }  # fmt: skip
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", LONGEST_FIRST)
 def test_no_text_is_cut_at_any_scale_size_and_theme(
     language: str, qapp: Any, qtbot: Any, engine: Any, request: pytest.FixtureRequest

@@ -18,18 +18,13 @@ from snapshots import ALARM, make_status, write_recorded
 from study.studies import finished
 
 from rigapp.config.loading import parse_test
-from rigapp.gui.data.commanding import CommandHolder
-from rigapp.gui.data.connection import EngineConnection
-from rigapp.gui.data.recording import StoredTest
-from rigapp.gui.data.series import LiveData
-from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.language.catalogue import ENGLISH, speak_language
 from rigapp.gui.look.sheet import style_sheet
-from rigapp.gui.look.tokens import DARK, LIGHT, THEMES
 from rigapp.gui.testfile.steps import STEPS
 from rigapp.gui.window.help import HelpWindow
 from rigapp.gui.window.window import MainWindow
-from rigapp.schema.alarms import because
+from rigapp.presentation.tokens import DARK, LIGHT, THEMES
+from rigapp.schema.alarms import make_alarm
 from rigapp.schema.messages import (
     Alarm,
     ChannelView,
@@ -40,6 +35,11 @@ from rigapp.schema.messages import (
     Severity,
 )
 from rigapp.schema.queue import ItemState, QueuedTest
+from rigapp.viewer.commanding import CommandHolder
+from rigapp.viewer.connection import EngineConnection
+from rigapp.viewer.recording import StoredTest
+from rigapp.viewer.series import LiveData
+from rigapp.viewer.showntest import ShownTest
 from tests.gui.roominess import LONGEST_FIRST, SCALES, SIZES, badly_placed, cut_texts
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -77,7 +77,7 @@ class Desk:
 
     def tell(self, **changes: Any) -> None:
         """Let the engine tell of a new cycle and whatever else has changed."""
-        first = self.window.news.status.revolution if self.window.news.status else 1
+        first = self.window.news.status.test.revolution if self.window.news.status else 1
         count = 400 if first == 1 else 1
         self.engine.say(first=first, count=count, **changes)
         self.attach()
@@ -148,7 +148,7 @@ def desk(
 def furnished() -> dict[str, Any]:
     """Return a status with long words: many channels, devices with warnings, a queue."""
     status = make_status()
-    daq, drive = status.devices
+    daq, drive = status.rig.devices
     counters = {"bytes_received": 123_456_789, "crc_errors": 2, "retries": 0}
     advice = "The cell's cable is longer than the amplifier was adjusted for"
     error = "/dev/pts/3 does not answer within 0.5 s; check its cable and its power"
@@ -158,7 +158,7 @@ def furnished() -> dict[str, Any]:
             msgspec.structs.replace(drive, connected=False, last_error=error),
         ),
         "channels": (
-            *status.channels,
+            *status.rig.channels,
             ChannelView("bushing_temperature", 0.41, "V", 41.0, "degC", "rig file", 0.5),
             ChannelView("motor_current", 1.4, "A", 1.4, "A", "rig file", None, 12.0),
         ),
@@ -181,7 +181,7 @@ def furnished() -> dict[str, Any]:
 
 def alarms() -> tuple[Alarm, ...]:
     """Return a first-out trip, a warning, and one that was acknowledged."""
-    cause = because("overload", force_N=391.04, limit_N=380.0)
+    cause = make_alarm("overload", force_N=391.04, limit_N=380.0)
     trip = Alarm(
         cause.key,
         Severity.CRITICAL,
@@ -230,6 +230,7 @@ def test_the_themes_differ_in_colours_alone() -> None:
     assert light == dark
 
 
+@pytest.mark.long
 def test_a_new_theme_leaves_every_widget_its_place(desk: Desk) -> None:
     """The sheets of single widgets change colours alone too."""
 
@@ -251,6 +252,7 @@ def test_a_new_theme_leaves_every_widget_its_place(desk: Desk) -> None:
     desk.window.dress(LIGHT)
 
 
+@pytest.mark.long
 def test_watching(desk: Desk) -> None:
     window, found = desk.window, set()
     window.tabs.show_page("log")
@@ -261,6 +263,7 @@ def test_watching(desk: Desk) -> None:
     assert sorted(found) == []
 
 
+@pytest.mark.long
 def test_a_trip_and_the_way_out_of_it(desk: Desk) -> None:
     window, found = desk.window, set()
     desk.tell(**tripped())
@@ -273,6 +276,7 @@ def test_a_trip_and_the_way_out_of_it(desk: Desk) -> None:
     assert sorted(found) == []
 
 
+@pytest.mark.long
 def test_before_a_test_and_after_it(desk: Desk) -> None:
     window, found = desk.window, set()
     desk.tell(state=RunState.STOPPED, file=str(desk.folder / "quick-20270101-080000.h5"))
@@ -293,6 +297,7 @@ def test_before_a_test_and_after_it(desk: Desk) -> None:
     assert sorted(found) == []
 
 
+@pytest.mark.long
 def test_preparing(desk: Desk) -> None:
     window, found = desk.window, set()
     window.tabs.show_page("prepare")
@@ -316,6 +321,7 @@ def test_preparing(desk: Desk) -> None:
     assert sorted(found) == []
 
 
+@pytest.mark.long
 def test_the_rig(desk: Desk) -> None:
     window, found = desk.window, set()
     window.tabs.show_page("devices")
@@ -329,6 +335,7 @@ def test_the_rig(desk: Desk) -> None:
     assert sorted(found) == []
 
 
+@pytest.mark.long
 def test_results_and_studies(desk: Desk) -> None:
     window, found = desk.window, set()
     window.tabs.show_page("results")
@@ -345,6 +352,7 @@ def test_results_and_studies(desk: Desk) -> None:
     assert sorted(found) == []
 
 
+@pytest.mark.long
 def test_bars_and_help(desk: Desk) -> None:
     window, found = desk.window, set()
     window.tabs.show_page("log")

@@ -92,6 +92,7 @@ def test_a_step_is_changed_added_moved_and_taken_out(panel: RecipePanel) -> None
     assert not panel.sequence.none.isHidden()
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("field", "text", "said"),
     [

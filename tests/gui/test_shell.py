@@ -15,15 +15,12 @@ from PySide6.QtWidgets import QAbstractButton, QDialog, QWidget
 
 from rigapp.config.loading import read_test
 from rigapp.config.recipe import LimitRule
-from rigapp.gui.data.connection import ConnectionState
-from rigapp.gui.data.margins import Margin, WatchedLimit, margins
-from rigapp.gui.data.news import News
 from rigapp.gui.look.sheet import style_sheet
-from rigapp.gui.look.tokens import DARK, LIGHT, THEMES, Theme
 from rigapp.gui.window.headline import headline, measured
 from rigapp.gui.window.places import RailPlace
 from rigapp.gui.window.tabs import TABS
 from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.tokens import DARK, LIGHT, THEMES, Theme
 from rigapp.schema.loglines import LIMIT_CHANGED, LimitChange
 from rigapp.schema.messages import (
     Alarm,
@@ -35,6 +32,9 @@ from rigapp.schema.messages import (
     Severity,
     Status,
 )
+from rigapp.viewer.connection import ConnectionState
+from rigapp.viewer.margins import Margin, WatchedLimit, margins
+from rigapp.viewer.news import News
 
 Attach = Callable[[], None]
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -149,6 +149,7 @@ SITUATIONS = (
 )
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [(1366, 768), (1440, 900)])
 def test_nothing_moves_because_of_a_state(
     window: MainWindow, engine: Any, attach: Attach, alarm: Alarm, qapp: Any, size: tuple[int, int]

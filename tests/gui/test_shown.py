@@ -13,20 +13,20 @@ from PySide6.QtCore import Qt
 from snapshots import ALARM, make_snapshot, make_status
 
 from rigapp.config.loading import parse_test
-from rigapp.gui.data.connection import LOST_AFTER_S, SILENT_AFTER_S, ConnectionState
-from rigapp.gui.data.margins import margins, nearest_margin
-from rigapp.gui.data.news import News
-from rigapp.gui.data.recording import TripCycles
-from rigapp.gui.data.series import LiveData
-from rigapp.gui.data.shown import Level, Renewed, age_of, level_of, quantity_level
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.window.headline import headline, measured
 from rigapp.gui.window.window import MainWindow
 from rigapp.page.view import _tiles as page_tiles
-from rigapp.schema.alarms import KINDS, because, rule_key
+from rigapp.presentation.tokens import LIGHT
+from rigapp.schema.alarms import KINDS, make_alarm, rule_key
 from rigapp.schema.messages import Alarm, Recovery, Remedy, RunState, Severity
 from rigapp.storage.reading.trip import LargestForce
+from rigapp.viewer.connection import LOST_AFTER_S, SILENT_AFTER_S, ConnectionState
+from rigapp.viewer.margins import margins, nearest_margin
+from rigapp.viewer.news import News
+from rigapp.viewer.recording import TripCycles
+from rigapp.viewer.series import LiveData
+from rigapp.viewer.shown import Level, Renewed, age_of, level_of, quantity_level
 
 Attach = Callable[[], None]
 QUICK = (Path(__file__).parents[2] / "examples" / "quick.toml").read_text(encoding="utf-8")
@@ -110,7 +110,7 @@ def test_after_an_overload_tile_and_margin_show_the_peak_of_the_unfinished_revol
 ) -> None:
     data = LiveData()
     data.take(make_snapshot(1, 9))
-    overload = because("overload:beyond_range", force_N=391.04, limit_N=380.0)
+    overload = make_alarm("overload:beyond_range", force_N=391.04, limit_N=380.0)
     raised = msgspec.structs.replace(
         alarm("overload:beyond_range", Severity.CRITICAL, "latched"), value=overload.value
     )

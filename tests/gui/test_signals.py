@@ -34,7 +34,9 @@ sys.exit(main(Running, rig_path=Path("rig.toml"), tests=[], results_folder=Path(
 """
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGHUP], ids=["INT", "HUP"])
+@pytest.mark.parametrize(
+    "number", [signal.SIGINT, pytest.param(signal.SIGHUP, marks=pytest.mark.long)]
+)
 def test_window_over_a_running_test_is_closed_by_a_signal(
     tmp_path: Path, number: signal.Signals
 ) -> None:

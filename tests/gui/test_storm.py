@@ -171,6 +171,7 @@ def refused(engine: Any) -> None:
     engine.reply = Reply(ok=False, sentence="There are no signals.")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("pages", "clicks"), [(20, 40), pytest.param(225, 500, marks=pytest.mark.soak)]
 )

@@ -11,11 +11,11 @@ from patience import PATIENCE_MS
 from study.studies import finished
 from study.test_folder import JOINTS, POWER_STUDY
 
-from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.panels.studies import StudiesPanel
 from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.tokens import DARK, LIGHT
 from rigapp.study.folder import IDENTITY
+from rigapp.viewer.tasks import TaskWorker
 
 Opened = Callable[[Path], StudiesPanel]
 
@@ -73,7 +73,7 @@ def test_a_study_is_drawn_and_what_it_depends_on_is_said(opened: Opened, tmp_pat
     rows = panel.depends.texts()
     assert {row[0] for row in rows} == {"joint.bushing_radius_mm", "run.force_N"}
     assert all(row[1].count("%") == row[2].count("%") == 1 for row in rows)
-    assert panel.depends_title.text().startswith("Depends most on ")
+    assert panel.depends_title.text().startswith("Too few points to say")  # 16 base points
     assert not panel._power.isVisible()
     plot.result.setCurrentIndex(1)
     plot.parameter.setCurrentIndex(1)
@@ -84,6 +84,7 @@ def test_a_study_is_drawn_and_what_it_depends_on_is_said(opened: Opened, tmp_pat
     panel.dress(DARK)
 
 
+@pytest.mark.long
 def test_texts_stand_at_the_axis_and_power_in_a_table(opened: Opened, tmp_path: Path) -> None:
     finished(tmp_path / "joints", JOINTS)
     finished(tmp_path / "power", POWER_STUDY)

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 from snapshots import PREDICTION_NAMES, make_predictions, make_snapshot
 
-from rigapp.gui.data.news import News
-from rigapp.gui.data.series import LiveData
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.plots.overlay import OverlayPanel
+from rigapp.presentation.tokens import LIGHT
+from rigapp.schema.deviations import DEVIATIONS
+from rigapp.viewer.news import News
+from rigapp.viewer.series import LiveData
 
 
 def seen(overlay: OverlayPanel, **columns: float) -> str:
@@ -52,3 +53,10 @@ def test_a_file_of_before_says_nothing(overlay: OverlayPanel) -> None:
     assert "model" in text
     assert "±" not in text
     assert len(overlay._model_bands["force"].low) == 0
+
+
+def test_what_explains_a_difference_stands_at_the_strip(overlay: OverlayPanel) -> None:
+    place = float(list(DEVIATIONS).index("slider mass"))
+    text = seen(overlay, deviation_cause=place, deviation=7.03, deviation_uncertainty=1.99)
+    assert text.endswith("▲ beyond tolerances: slider mass +7.0 ± 2.0 % would explain it")
+    assert "tolerances" not in seen(overlay, deviation_cause=0.0)

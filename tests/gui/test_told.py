@@ -1,4 +1,4 @@
-"""What others tell is said in the window's language: known again, quickly, with no English left."""
+"""What others say is said in the window's language, with no English left."""
 
 from __future__ import annotations
 
@@ -13,19 +13,24 @@ from typing import Any
 import numpy as np
 import pytest
 
+from rigapp.checks.start import preflight
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_rig, parse_test, read_parameters
 from rigapp.config.ranges import keys_of, refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
-from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, TOLD, contexts, speak_language
-from rigapp.presentation import told
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import language_changes, tr
+from rigapp.engine.engine import ended_by
+from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, contexts, speak_language
+from rigapp.presentation.translation import translate
 from rigapp.queue.items import Queue, removed
-from rigapp.schema.alarms import KINDS
-from rigapp.service.preflight import preflight
+from rigapp.report.results import _recorded_reason
+from rigapp.schema.alarms import KINDS, make_alarm
+from rigapp.schema.loglines import AlarmChange, alarm_change
+from rigapp.schema.messages import Event, FinishReason, RunState, Status
+from rigapp.schema.states import Ending
+from rigapp.schema.wire import decode, encode, tree_of
 from rigapp.storage.reading.reader import open_test
+from rigapp.texts import Sentence, joined, sentence_of_error
 from rigapp_calibration.load_cell.calibrate import calibrate_load_cell
 from rigapp_drivers.api import DeviceError
 from rigapp_drivers.cia402.protocol import describe_code
@@ -63,44 +68,6 @@ def english_words(language: str) -> set[str]:
     return {word for text, _ in found for word in words_of(text)} - said
 
 
-def filled(template: str, values: dict[str, str]) -> str:
-    return told._filled(template, values)
-
-
-def some_values(template: str) -> dict[str, str]:
-    """Return a value for each brace of a template: a number where it is one, else a name."""
-    found = {}
-    before = ""
-    for at, (before, name, spec) in enumerate(told._parts(template)):
-        if name and spec and spec[-1] in "gfde,%":
-            found[name] = f"{at + 3}.5"
-        elif name:
-            found[name] = f"x{at}.toml" if before or not at else ""
-    return found
-
-
-def test_each_template_is_known_again_with_its_values() -> None:
-    wrong = []
-    for template in contexts("de")[TOLD]:
-        core = template.strip(told.EDGES)
-        values = some_values(core)
-        wanted = filled(tr(template).strip(told.EDGES), values)
-        if retold(filled(core, values)).lower() != wanted.lower():
-            wrong.append(template)
-    assert wrong == []
-
-
-def test_few_templates_are_tried_for_a_sentence() -> None:
-    known = told._known_by(language_changes())
-    tried = [
-        len(known.like(filled(core, some_values(core))))
-        for core in (one.strip(told.EDGES) for one in contexts("de")[TOLD])
-    ]
-    assert len(tried) > 900
-    assert sum(tried) / len(tried) < 10
-    assert max(tried) < 40
-
-
 def of_alarms(folder: Path) -> Iterator[str]:
     for kind in KINDS.values():
         named = [
@@ -111,8 +78,8 @@ def of_alarms(folder: Path) -> Iterator[str]:
         ]
         values: dict[str, object] = {name: 1.5 if spec else "x.y" for name, spec in named}
         for text in (kind.title, kind.sentence):
-            yield text.format("x.y", **values)
-        yield from (kind.consequence, kind.action)
+            yield Sentence(text, "x.y", **values)
+        yield from map(Sentence, (kind.consequence, kind.action))
 
 
 def of_amplifier(folder: Path) -> Iterator[str]:
@@ -127,11 +94,8 @@ def of_drives(folder: Path) -> Iterator[str]:
             status = describe_status(1 << bit, bits)
             yield from (*status.faults, *status.warnings)
     status = describe_status(0xFFFF, 16)
-    yield ", ".join(status.faults)
+    yield joined(", ", status.faults)
     yield from map(describe_code, range(0x1000, 0x10000, 0x10))
-    yield "watchdog: the host was silent for 1.01 s and the drive has stopped the motor; " + (
-        "reset the fault before the next start."
-    )
 
 
 def of_settings(folder: Path) -> Iterator[str]:
@@ -141,7 +105,7 @@ def of_settings(folder: Path) -> Iterator[str]:
             try:
                 check_settings(info, {key: wrong}, "rig.toml")
             except SettingsError as error:
-                yield str(error)
+                yield sentence_of_error(error)
 
 
 WRONG: tuple[object, ...] = ("fast", -1e9, 1e30, 1.5, True, [], float("nan"))
@@ -152,7 +116,7 @@ def of_ports(folder: Path) -> Iterator[str]:
         try:
             SerialPort("amplifier.one", port, 9600).open()
         except DeviceError as error:
-            yield str(error)
+            yield sentence_of_error(error)
 
 
 def of_files(folder: Path) -> Iterator[str]:
@@ -164,7 +128,7 @@ def of_files(folder: Path) -> Iterator[str]:
                 try:
                     reader("\n".join([*lines[:at], spoilt, *lines[at + 1 :]]), name)
                 except UnusableInput as error:
-                    yield str(error)
+                    yield sentence_of_error(error)
     for number in keys_of(TestFile):
         yield refusal(number.path, -1e9)
         yield refusal(number.path, 1e30)
@@ -210,18 +174,18 @@ def of_the_disk(folder: Path) -> Iterator[str]:
     for path in (folder / "missing.h5", folder, folder / "empty.h5", folder / "text.h5"):
         with pytest.raises(UnusableInput) as refused:
             open_test(path)
-        yield str(refused.value)
+        yield sentence_of_error(refused.value)
         with pytest.raises(UnusableInput) as refused:
             read_parameters(path)
-        yield str(refused.value)
+        yield sentence_of_error(refused.value)
 
 
 def of_the_start(folder: Path) -> Iterator[str]:
     for check in preflight(None, None, None, None):
-        yield from (check.what, check.finding, check.action)
+        yield from (check.name, check.sentence, check.advice)
     with pytest.raises(Exception, match="no test") as refused:
         removed(Queue(), [7])
-    yield str(refused.value)
+    yield sentence_of_error(refused.value)
 
 
 def words_of_files() -> set[str]:
@@ -240,6 +204,7 @@ SOURCES: tuple[Callable[[Path], Iterator[str]], ...] = (
 )  # fmt: skip
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("source", SOURCES, ids=[one.__name__ for one in SOURCES])
 def test_no_english_word_is_left_of_what_is_told(
     source: Callable[[Path], Iterator[str]], tmp_path: Path
@@ -247,5 +212,42 @@ def test_no_english_word_is_left_of_what_is_told(
     english = english_words("de") - words_of_files()
     told_all = {sentence for sentence in source(tmp_path) if sentence}
     assert told_all
-    left = {one: (retold(one), words_of(retold(one)) & english) for one in told_all}
+    left = {one: (translate(one), words_of(translate(one)) & english) for one in told_all}
     assert [(one, *found) for one, found in left.items() if found[1]] == []
+
+
+def test_an_operators_note_is_never_translated() -> None:
+    """Also where it reads like a sentence of the engine, or like a part of one."""
+    ended = ended_by("Ada", "All revolutions are done. The drive was switched off.", off=False)
+    assert ended == "Ada stopped the test: All revolutions are done. The drive was switched off."
+    assert translate(ended) == (
+        "Ada hat den Versuch gestoppt: All revolutions are done. The drive was switched off."
+    )
+    assert translate(ended_by("", "", off=True)) == "Der Bediener hat den Antrieb ausgeschaltet."
+    for words in ("cable", "Start a test.", "vom Bediener", "the drive does not answer"):
+        assert translate(words) == words
+        ending = Ending(FinishReason.OPERATOR, ended_by("Ada", words, off=True))
+        status = decode(
+            encode(Status.of_flat({"state": RunState.STOPPED, "reason": ending.sentence})), Status
+        )
+        assert translate(status.engine.reason) == f"Ada hat den Antrieb ausgeschaltet: {words}"
+
+
+def test_an_end_in_a_file_is_said_as_it_was_on_the_rig() -> None:
+    for reason, said in (
+        ("The planned 30 revolutions are made and recorded.", "Die geplanten 30 Umdrehungen"),
+        ("Ada stopped the test: Start a test.", "Ada hat den Versuch gestoppt: Start a test."),
+        ("Start a test.", "Start a test."),
+    ):
+        assert translate(_recorded_reason(reason, 30, "ada")).startswith(said)
+
+
+def test_an_alarm_in_a_file_is_said_as_it_was_on_the_rig() -> None:
+    cause = make_alarm("input_saturated", "probe_1", wired="in 5", device="daq", span="10 V")
+    change = AlarmChange("raised", str(cause.title), action=cause.kind.action)
+    event = Event(0.0, 1, "alarm", "engine", "", key=cause.key, data=tree_of(change))
+    read = alarm_change(event)
+    assert read is not None
+    assert read == change
+    assert translate(read.title) == "Eingang übersteuert: probe_1"
+    assert translate(read.action).startswith("Stecker, Kabel und Sensor")

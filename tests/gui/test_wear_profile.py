@@ -8,16 +8,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rigapp.gui.data.news import News
-from rigapp.gui.data.profiles import shown_profile
-from rigapp.gui.data.recording import load_history
-from rigapp.gui.data.series import LiveData
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.plots.wearprofile import WearProfilePanel
+from rigapp.presentation.tokens import LIGHT
 from rigapp.replay.client import read_recording
 from rigapp.replay.messages import profile_message
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
 from rigapp.storage import open_test
+from rigapp.viewer.news import News
+from rigapp.viewer.profiles import shown_profile
+from rigapp.viewer.recording import load_history
+from rigapp.viewer.series import LiveData
 
 ANGLES = np.asarray(PROFILE_ANGLES_DEG, dtype=np.float64)
 

@@ -24,8 +24,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.tokens import DARK, LIGHT
 from rigapp.schema.messages import Alarm, Reply, RunState
 
 Attach = Callable[[], None]
@@ -180,6 +180,7 @@ def test_a_refusal_is_said_in_words(
     assert "▲" in window.controls.answer.whole
 
 
+@pytest.mark.long
 def test_buttons_apply_to_their_states(window: MainWindow, engine: Any, attach: Attach) -> None:
     for number, state in enumerate(RunState):
         engine.say(first=number + 1, count=1, state=state)
@@ -323,6 +324,7 @@ def test_no_access_key_is_taken_twice(
                 keys[key] = text
 
 
+@pytest.mark.long
 def test_thousands_of_updates_leak_neither_memory_nor_references(
     window: MainWindow, engine: Any, attach: Attach, qtbot: Any, qapp: Any
 ) -> None:
@@ -431,6 +433,7 @@ def test_values_that_are_not_known_yet_are_dashes(
         assert tile.value.whole == "–"
 
 
+@pytest.mark.long
 def test_light_and_dark_are_both_complete(
     window: MainWindow, engine: Any, attach: Attach, alarm: Alarm, qtbot: Any
 ) -> None:
@@ -447,6 +450,7 @@ def test_light_and_dark_are_both_complete(
         assert corner == background
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("tab", [0, 1])
 def test_another_test_begins_with_empty_plots(
     window: MainWindow, engine: Any, attach: Attach, tab: int

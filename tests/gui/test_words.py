@@ -9,7 +9,7 @@ import msgspec
 
 from rigapp.engine.judging.alarms import AlarmBook
 from rigapp.gui.panels.alarms import AlarmPanel
-from rigapp.schema.alarms import KINDS, because
+from rigapp.schema.alarms import KINDS, make_alarm
 from rigapp.schema.words import WORDS
 
 GUIDE = Path(__file__).parents[2] / "docs" / "operator.md"
@@ -29,8 +29,8 @@ def test_every_state_of_an_alarm_is_in_the_table() -> None:
     def look() -> None:
         seen.update(alarm.state for alarm in book.alarms())
 
-    book.raise_alarm(because("drive_warning", drive="drive", warnings="hot"))
-    book.raise_alarm(because("index_missed", revolutions=3.0))
+    book.raise_alarm(make_alarm("drive_warning", drive="drive", warnings="hot"))
+    book.raise_alarm(make_alarm("index_missed", revolutions=3.0))
     look()
     book.acknowledge("index_missed", "Ada")
     look()

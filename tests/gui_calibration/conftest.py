@@ -143,8 +143,8 @@ def wizard(
     qtbot: Any, scripted: ScriptedRig, simulated: Rig, settings_file: Path, tmp_path: Path
 ) -> Iterator[Any]:
     """Return the wizard on a scripted rig; the test ticks its bench by hand."""
-    from rigapp.gui.look.tokens import LIGHT
     from rigapp.gui.wizard.wizard import CalibrationWizard
+    from rigapp.presentation.tokens import LIGHT
 
     wizard = CalibrationWizard(scripted.line, simulated, LIGHT, tmp_path, settings_file)
     qtbot.addWidget(wizard)

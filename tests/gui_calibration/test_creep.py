@@ -23,7 +23,7 @@ from tests.calibration.test_procedure import at_the_creep
 from tests.gui_calibration.conftest import BUOYANCY, ScriptedRig
 
 REAL = Rig("Real rig", False)
-HANGS_AT_DEG = 270.0
+HANGS_AT_DEG = 90.0
 
 
 class CreepingRig(ScriptedRig):
@@ -189,11 +189,11 @@ def test_window_reads_it_by_itself_and_tells_what_is_left(
     rig.force = weight
     live.tick()
     assert live.take()
-    assert len(live.session.procedure.taken) == 44
+    assert len(live.session.procedure.taken) == 110
     for _ in range(90):
         live.tick()
     assert live.session.procedure.done
-    assert [one.hung for one in live.session.procedure.taken[44:]] == pytest.approx(
+    assert [one.hung for one in live.session.procedure.taken[110:]] == pytest.approx(
         [32.0, 302.0], abs=2.1
     )
     assert any(one.startswith("steady; 2") and one.endswith("time are left") for one in words)

@@ -11,8 +11,8 @@ from patience import PATIENCE_MS
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from shiboken6 import isValid
 
-from rigapp.gui.look.tokens import DARK
 from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.tokens import DARK
 from rigapp.schema.messages import Reply, RunState
 from tests.gui.conftest import attach, engine, light_application, no_history, window
 from tests.gui_calibration.conftest import ScriptedRig

@@ -11,9 +11,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from rigapp.calibrating.verification import verify
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.wizard.wizard import CalibrationWizard
+from rigapp.presentation.tokens import LIGHT
 from rigapp_calibration.records import unseal
 from tests.gui_calibration.test_probe_wizard import RIG, ScriptedProbes, go_ahead, judged
 from tests.gui_calibration.test_rolling import opened, pump
@@ -59,6 +61,7 @@ def taken_up(wizard: CalibrationWizard) -> None:
     assert wizard.currentPage() is wizard.readings, wizard.plan.problem.text()
 
 
+@pytest.mark.long
 def test_probes_are_taken_up_after_a_kill(qtbot: Any, tmp_path: Path) -> None:
     with killed_at("probes", tmp_path, 4):
         rig = ScriptedProbes()
@@ -75,6 +78,7 @@ def test_probes_are_taken_up_after_a_kill(qtbot: Any, tmp_path: Path) -> None:
     saved(wizard)
 
 
+@pytest.mark.long
 def test_rolls_are_taken_up_after_a_kill(qtbot: Any, line: HostLine, tmp_path: Path) -> None:
     text = (EXAMPLE.parent / "quick.toml").read_text("utf-8")
     # A loaded machine may hold the samples back for a while; that is not what is tested here.

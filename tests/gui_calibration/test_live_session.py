@@ -35,17 +35,20 @@ def begin(
     return LoadCellSession(given, rig, path, wanted, **more)
 
 
-def finish(session: LoadCellSession, scripted: Any, hands: SimulatedHands | None = None) -> None:
+def finish(
+    session: LoadCellSession, scripted: Any, hands: SimulatedHands | None = None
+) -> list[str]:
     said: list[str] = []
     hands = hands or SimulatedHands(session, scripted.ask)
     assert Terminal(session, scripted.ask, lambda _: "", said.append, hands).run()
+    return said
 
 
 def test_whole_calibration_finds_the_hidden_matrix(
     scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path, true_matrix: np.ndarray
 ) -> None:
     session = begin(tmp_path / "c.journal", settings_file, simulated)
-    finish(session, scripted)
+    assert not any("CHECK" in line for line in finish(session, scripted))
     outcome = session.judge()
     assert outcome.accepted, outcome.result["problems"]
     found = np.array(outcome.result["matrix_N_per_unit"])
@@ -67,7 +70,10 @@ def test_planted_mistake_is_named_and_nothing_is_saved(
 ) -> None:
     session = begin(tmp_path / "c.journal", settings_file, simulated)
     wrong = WeighingMistake.WRONG_WEIGHT
-    finish(session, scripted, ClumsyHands(session, scripted.ask, wrong, 8, only=True))
+    said = finish(session, scripted, ClumsyHands(session, scripted.ask, wrong, 8, only=True))
+    # The wrong piece is told at its own reading, and at no other one.
+    (told,) = (line for line in said if "CHECK THE PIECES" in line)
+    assert said.index(told) < 30
     outcome = session.judge()
     assert not outcome.accepted
     assert "wrong_weight" in {one["code"] for one in outcome.result["problems"]}
@@ -216,7 +222,7 @@ def test_series_with_a_wrong_weight_is_repeated_at_the_end(
     session.reject(wrong, "5 kg instead of 2 kg hung")
     assert session.procedure.step.kind is StepKind.SET_UP
     finish(session, scripted)
-    assert len(session.procedure.taken) == 44 + 2 + 11
+    assert len(session.procedure.taken) == 110 + 2 + 11
     outcome = session.judge()
     assert outcome.accepted
     session.save(outcome, tmp_path / "c.json")

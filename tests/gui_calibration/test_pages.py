@@ -12,7 +12,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 
 from rigapp.calibrating.session import Rig
-from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.wizard.scenes import (
     LevelScene,
     Picture,
@@ -24,6 +23,7 @@ from rigapp.gui.wizard.scenes import (
     stack_of,
 )
 from rigapp.gui.wizard.wizard import CalibrationWizard
+from rigapp.presentation.tokens import DARK, LIGHT
 from tests.gui_calibration.test_probe_wizard import ScriptedProbes
 
 
@@ -98,7 +98,7 @@ def test_each_page_has_one_primary_button_and_what_is_measured_is_large(
     assert page.measured.wanted.text() == f"It should be {wanted:.1f} N"
     assert isinstance(page.picture.scene, WeightScene)
     assert page.picture.scene.weight_N == pytest.approx(wanted)
-    assert wizard.steps.rows[2].line.whole.endswith(" of 46")
+    assert wizard.steps.rows[2].line.whole.endswith(" of 112")
 
 
 def test_probe_and_spindle_are_measured_and_drawn(qtbot: Any, tmp_path: Path) -> None:

@@ -19,9 +19,9 @@ from rigapp.calibrating.session import Rig
 from rigapp.commands.live.terminal import Terminal
 from rigapp.config.calibration_settings import ProbeFile
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.wizard.chooser import CalibrationChooser
 from rigapp.gui.wizard.wizard import CalibrationWizard
+from rigapp.presentation.tokens import LIGHT
 from rigapp.schema.messages import Reply
 from rigapp_calibration.probes.plans import ProbePlan
 from rigapp_calibration.records import unseal

@@ -11,8 +11,8 @@ import pytest
 from patience import PATIENCE_S
 
 from rigapp.config.loading import read_rig
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.wizard.wizard import CalibrationWizard
+from rigapp.presentation.tokens import LIGHT
 from rigapp_calibration.records import unseal
 from tests.gui_calibration.test_story import EXAMPLE, HostLine, line
 from tests.gui_calibration.tour import rolling_rig
@@ -39,6 +39,7 @@ def opened(qtbot: Any, line: HostLine, folder: Path) -> CalibrationWizard:
     return wizard
 
 
+@pytest.mark.long
 def test_rolls_are_taken_up_and_make_a_map_that_the_engine_uses(
     qtbot: Any, line: HostLine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -24,6 +24,13 @@ from tests.gui_calibration.tour import SUBJECTS, tour, tour_of_choices
 __all__ = ["attach", "engine", "light_application", "no_history", "window"]
 
 
+SCREENS = [
+    one if one in ("choices", "load cell") else pytest.param(one, marks=pytest.mark.long)
+    for one in ("choices", *SUBJECTS)
+]
+"""The guide with most pages by default, the others too in `make long`."""
+
+
 @pytest.fixture(autouse=True)
 def _english_afterwards(qapp: Any) -> Iterator[None]:
     yield
@@ -74,8 +81,9 @@ def out_of_sight(top: MainWindow, wizard: QWidget) -> Iterator[str]:
             yield f"{one.text()} is beyond the window"
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("language", LONGEST_FIRST)
-@pytest.mark.parametrize("subject", ["choices", *SUBJECTS])
+@pytest.mark.parametrize("subject", SCREENS)
 def test_no_text_of_a_page_is_cut_at_any_scale_and_size(
     subject: str,
     language: str,

@@ -14,14 +14,14 @@ import pytest
 from rigapp.calibrating.session import Rig
 from rigapp.commands.run import run_test
 from rigapp.config.loading import read_rig
-from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.wizard.wizard import CalibrationWizard
+from rigapp.presentation.tokens import LIGHT
 from rigapp.schema.messages import Request
 from rigapp.service.host import EngineHost
 from rigapp.simulation.constants import plant_section
 from rigapp.simulation.handle import start_simulated_rig
 from rigapp.storage import open_test
+from rigapp.viewer.tasks import TaskWorker
 from rigapp_calibration.load_cell.force_uncertainty import force_uncertainty
 from rigapp_calibration.load_cell.plans import CREEP_SERIES
 from rigapp_calibration.records import unseal
@@ -74,6 +74,7 @@ def pump(wizard: CalibrationWizard, line: HostLine, until: Any, what: str, withi
         time.sleep(0.005)
 
 
+@pytest.mark.long
 @pytest.mark.timeout(900)
 def test_wizard_tells_plugs_refuses_wrong_weights_and_a_test_with_its_record_tells_the_forces(
     qtbot: Any, line: HostLine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -164,7 +165,7 @@ def forces_of_a_test(
     truth = folder / "truth.npz"
     start = partial(start_simulated_rig, truth=truth)
     monkeypatch.setattr("rigapp.service.simulated.start_simulated_rig", start)
-    monkeypatch.setattr("rigapp.commands.run.compress_complete", lambda end: None)
+    monkeypatch.setattr("rigapp.commands.run.settle", lambda end: None)
     text = (EXAMPLE.parent / "quick.toml").read_text("utf-8")
     for old, new in (
         ("revolutions = 500", f"revolutions = {REVOLUTIONS}"),

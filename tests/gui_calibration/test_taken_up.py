@@ -107,6 +107,7 @@ def judged(session: AnySession) -> None:
     session.close()
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", PROCEDURES)
 def test_each_step_can_be_the_first_after_a_restart(
     name: str, settings_file: Path, tmp_path: Path
@@ -219,6 +220,7 @@ def runs_of(kind: str, folder: Path) -> list[SpindleRun]:
     return [SpindleRun(rpm, test, folder / f"map.{rpm:g}rpm") for rpm, test in tests]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", ["run-out", "running check"])
 def test_spindle_runs_are_taken_up_wherever_they_were_killed(
     kind: str, files: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import QApplication
 
 from rigapp.calibrating import subjects
 from rigapp.config.loading import read_rig
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.wizard.wizard import CalibrationWizard
+from rigapp.presentation.tokens import LIGHT
 from rigapp.service.host import EngineHost
 from tests.gui_calibration.test_probe_wizard import RIG, ScriptedProbes
 from tests.gui_calibration.test_rolling import FEW

@@ -14,7 +14,7 @@ import pytest
 from patience import PATIENCE_S
 
 FOLDER = Path(__file__).parents[2] / "benchmarks"
-OF_A_RIG = {"gui", "page", "screen", "service", "study", "trip", "start"}
+OF_A_RIG = {"gui", "length", "page", "screen", "service", "study", "trip", "start"}
 """Benchmarks that start processes of their own, or a window: minutes, so they are soak tests."""
 BENCHMARKS = {path.stem.removeprefix("bench_"): path for path in FOLDER.glob("bench_*.py")}
 SMALL = {"RIGAPP_BENCH_SMALL": "1"}
@@ -24,6 +24,7 @@ def collected(path: Path) -> list[dict[str, Any]]:
     return [json.loads(line) for line in path.read_text("utf-8").splitlines()]
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", sorted(BENCHMARKS.keys() - OF_A_RIG))
 def test_a_benchmark_runs(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     figures = tmp_path / "figures"

@@ -19,6 +19,7 @@ OPEN = {
     "rigapp.commands": "each module is a verb, loaded when it is called",
     "rigapp.calibrating": "each module is one subject, loaded when it is asked for",
     "rigapp.report": "each document is loaded when it is asked for",
+    "rigapp.viewer": "what window and page know: each module is one thing that they show",
     "rigapp.twin": "each side of the process is entered where it is",
     "rigapp_model": "a library of functions: each module is a part of the physics",
     "rigapp_calibration": "a library of functions: each package is what is calibrated",

@@ -76,11 +76,13 @@ def ended(changed: Path) -> subprocess.CompletedProcess[str]:
     return inside(changed, "-m", "rigapp", "run", "test.toml", *where)
 
 
+@pytest.mark.long
 def test_a_criterion_ends_a_test_and_says_so(ended: subprocess.CompletedProcess[str]) -> None:
     assert ended.returncode == 1, ended.stderr
     assert "The RMS of |F| was at or above 5 N in 12 revolutions" in ended.stdout + ended.stderr
 
 
+@pytest.mark.long
 def test_channels_are_recorded_limited_and_exported(
     changed: Path, ended: subprocess.CompletedProcess[str]
 ) -> None:
@@ -157,10 +159,10 @@ LOOK_AT_THE_PANEL = f"""
 import time
 from pathlib import Path
 from PySide6.QtWidgets import QApplication
-from rigapp.gui.data.connection import EngineConnection
-from rigapp.gui.data.showntest import ShownTest
+from rigapp.viewer.connection import EngineConnection
+from rigapp.viewer.showntest import ShownTest
 from rigapp.gui.panels.steadiness import SteadinessPanel
-from rigapp.gui.look.tokens import LIGHT
+from rigapp.presentation.tokens import LIGHT
 from rigapp.gui.window.window import MainWindow
 from rigapp.replay.client import ReplayClient
 application = QApplication([])

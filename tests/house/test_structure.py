@@ -50,6 +50,7 @@ EACH_DEVICE_HAS_ITS_OWN = "each device has its own, and one package never meets 
 SAME_NAME = dict.fromkeys(
     [
         "Command",
+        "Decoder",
         "Entry",
         "Link",
         "Plan",
@@ -106,3 +107,31 @@ def test_what_is_installed_has_one_unique_name() -> None:
     ]
     assert {name.partition(".")[0] for name in packages} == set(ROOTS)
     assert len(packages) == len(PACKAGES)
+
+
+SHOWN_IN_A_LANGUAGE = ("engine", "service", "checks", "queue", "config", "twin")
+
+
+def puts_sentence_into_text(node: ast.AST) -> bool:
+    """Tell whether an f-string swallows a sentence, whose parts nobody can translate after that."""
+    return isinstance(node, ast.JoinedStr) and any(
+        isinstance(one, ast.FormattedValue)
+        and (
+            (isinstance(one.value, ast.Attribute) and one.value.attr == "sentence")
+            or (isinstance(one.value, ast.Name) and one.value.id == "sentence")
+        )
+        for one in node.values
+    )
+
+
+def test_no_sentence_loses_its_parts_on_its_way_to_the_window() -> None:
+    # Descriptions of keys are made before any language is set.
+    allowed = {"rigapp.config.parameters", "rigapp.config.recipe"}
+    found = [
+        f"{name}:{node.lineno}"
+        for path, name in NAMES.items()
+        if name.partition(".")[2].partition(".")[0] in SHOWN_IN_A_LANGUAGE and name not in allowed
+        for node in ast.walk(ast.parse(path.read_text("utf-8")))
+        if puts_sentence_into_text(node)
+    ]
+    assert found == []

@@ -67,7 +67,7 @@ def sentences(path: Path) -> Iterator[str]:
         ("rigapp/commands/model/paper.py", ("paper",)),
         ("rigapp/report/paper/__init__.py", ("paper",)),
         ("rigapp/report/paper/pages.py", ("paper",)),
-        ("rigapp/report/paper/profiles.py", ("paper",)),
+        ("rigapp/report/paper/table2.py", ("paper",)),
     ],
 )
 def test_options_named_exist(module: str, names: tuple[str, ...]) -> None:

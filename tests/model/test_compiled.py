@@ -73,6 +73,7 @@ def change(path: Path, old: str, new: str) -> None:
     path.write_text(text.replace(old, new))
 
 
+@pytest.mark.long
 def test_a_caller_sees_what_has_changed_in_other_files(program: Path) -> None:
     assert run(program) == (122.0, 123.0, 0)
     assert run(program) == (122.0, 123.0, 2)
@@ -100,6 +101,7 @@ def test_a_changed_kernel_takes_the_place_of_the_old_one(program: Path) -> None:
     ]
 
 
+@pytest.mark.long
 def test_where_nothing_can_be_written_the_users_folder_keeps_the_kernels(
     program: Path, tmp_path: Path
 ) -> None:
@@ -115,6 +117,7 @@ def test_where_nothing_can_be_written_the_users_folder_keeps_the_kernels(
     assert run(program, **chosen) == (124.0, 125.0, 0)
 
 
+@pytest.mark.long
 def test_a_package_that_moves_with_its_cache_is_compiled_anew(program: Path) -> None:
     """Compiled code imports its own module again, by the name that the package had."""
     run(program)

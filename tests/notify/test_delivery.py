@@ -22,15 +22,19 @@ from receivers import MailServer, Receiver, free_port, until
 from rigapp.config.notify import NotifySection, PingSection
 from rigapp.notify import outbox, ways
 from rigapp.notify.courier import Courier
-from rigapp.notify.facts import CourierSetup, Fact, Seen, SignOfLife
+from rigapp.notify.facts import CourierSetup, Fact, Heartbeat, Seen
 from rigapp.notify.store import state_file
-from rigapp.schema.messages import Alarm, RunState, Severity
+from rigapp.schema.messages import Alarm, RunState, Severity, Status
 from rigapp.schema.notices import AlarmChanged
 
 pytest.importorskip("apprise", reason="needs the extra notify")
 pytestmark = pytest.mark.skipif(not hasattr(os, "killpg"), reason="needs groups of processes")
 
-RUNNING = SignOfLife("Rig", RunState.RUNNING, "Long test", revolution=420)
+RUNNING = Heartbeat(
+    Status.of_flat(
+        {"state": RunState.RUNNING, "rig": "Rig", "test": "Long test", "revolution": 420}
+    )
+)
 
 
 def changed(
@@ -105,6 +109,7 @@ def test_a_mail_says_what_happened_and_another_that_it_is_over(
     assert post.said == [f"{where}: Trouble a (raised)", f"{where}: Trouble a (recovered)"]
 
 
+@pytest.mark.long
 def test_a_server_that_is_down_costs_no_message_and_the_log_tells_it_once(
     tmp_path: Path, mail: MailServer
 ) -> None:
@@ -136,6 +141,7 @@ def test_a_server_that_refuses_is_asked_again(tmp_path: Path, mail: MailServer) 
     post.until(lambda: mail.subjects == ["Rig: WARNING: Trouble a"], "it is taken")
 
 
+@pytest.mark.long
 def test_a_server_that_hangs_holds_up_no_other_way_and_is_let_go(
     tmp_path: Path, mail: MailServer, receiver: Receiver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -221,6 +227,7 @@ def test_a_disk_that_takes_nothing_keeps_no_message_back(
     assert "cannot be written" in post.wrong
 
 
+@pytest.mark.long
 def test_trouble_at_random_with_outages_is_told_once_each_in_pairs(
     tmp_path: Path, mail: MailServer
 ) -> None:
@@ -281,7 +288,7 @@ def test_the_ping_comes_while_all_is_well_and_only_then(tmp_path: Path, receiver
     post.hear(RUNNING)
     post.until(lambda: len(receiver.pings) >= 2, "two pings have come")
     bad = changed("x", severity=Severity.CRITICAL).alarm
-    post.hear(msgspec.structs.replace(RUNNING, alarms=(bad,)))
+    post.hear(Heartbeat(Status.of_flat(RUNNING.status.flat() | {"alarms": (bad,)})))
     post.until(lambda: post.courier._ping is None, "the last one is through")
     number = len(receiver.pings)
     for _ in range(20):
@@ -340,7 +347,7 @@ class Nothing:
         time.sleep(min(timeout_s, 0.05))
 
 setup = msgspec.json.decode(Path(sys.argv[1]).read_bytes(), type=CourierSetup)
-status = Status(RunState.RUNNING, rig="Rig", test="Long test", revolution=420)
+status = Status.of_flat(dict(state=RunState.RUNNING, rig="Rig", test="Long test", revolution=420))
 link = CourierLink(setup, Nothing(), lambda: status, print, print, Path(sys.argv[2]))
 while True:
     print(link.courier_pid, link._heard, flush=True)
@@ -391,6 +398,7 @@ def test_a_killed_courier_is_started_again(engine: Any, receiver: Receiver) -> N
     assert receiver.bodies == []
 
 
+@pytest.mark.long
 def test_a_stopped_engine_is_told_and_that_it_is_heard_again(
     tmp_path: Path, receiver: Receiver
 ) -> None:

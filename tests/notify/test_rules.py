@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime
+from typing import Any
 
 import msgspec
 import pytest
@@ -10,11 +11,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rigapp.config.notify import NotifySection
-from rigapp.notify.facts import DiskSeen, Fact, Seen, SignOfLife, Silence
+from rigapp.notify.facts import DiskSeen, Fact, Heartbeat, Seen, Silence
 from rigapp.notify.message import Message
 from rigapp.notify.rules import Book, hear, pass_time
-from rigapp.schema.alarms import because
-from rigapp.schema.messages import Alarm, FinishReason, RunState, Severity
+from rigapp.schema.alarms import make_alarm
+from rigapp.schema.messages import Alarm, FinishReason, RunState, Severity, Status
 from rigapp.schema.notices import AlarmChanged, Finished, StateChanged
 
 ALL = NotifySection(
@@ -26,7 +27,7 @@ NIGHT = datetime.datetime(2026, 11, 23, 3, 0)
 
 
 def alarm(key: str = "disk_slow", *, active: bool = True, state: str = "") -> Alarm:
-    kind = because(key, seconds=3.0, force_N=400.0, limit_N=380.0)
+    kind = make_alarm(key, seconds=3.0, force_N=400.0, limit_N=380.0)
     return Alarm(
         key, kind.kind.severity, kind.title, kind.sentence, kind.kind.consequence,
         kind.kind.action, 0.0, 7, active=active, state=state or "unacknowledged",
@@ -98,9 +99,9 @@ def test_a_latched_alarm_whose_condition_is_over_says_that_it_waits() -> None:
 
 
 def test_the_list_of_a_sign_of_life_tells_what_no_notice_told() -> None:
-    listed = SignOfLife("rig", RunState.RUNNING, alarms=(alarm(),))
-    empty = SignOfLife("rig", RunState.RUNNING)
-    still = SignOfLife("rig", RunState.CONNECTING)
+    listed = running(alarms=(alarm(),))
+    empty = running()
+    still = Heartbeat(Status.of_flat({"state": RunState.CONNECTING, "rig": "rig"}))
     assert turns(told(ALL, (1.0, listed), (3.0, still), until=900.0)) == [
         ("alarm:disk_slow", "raised")
     ]
@@ -128,9 +129,21 @@ def test_a_pause_is_told_with_its_reason_and_its_end_only_where_the_test_goes_on
     assert told(ALL, rest, (60.0, StateChanged(RunState.RUNNING, ""))) == []
 
 
-def near(percent: float) -> SignOfLife:
-    return SignOfLife(
-        "rig", RunState.RUNNING, "Long test", criterion_percent=percent, criterion="wear depth"
+def running(**known: Any) -> Heartbeat:
+    return Heartbeat(Status.of_flat(dict(state=RunState.RUNNING, rig="rig", **known)))
+
+
+def near(percent: float) -> Heartbeat:
+    return Heartbeat(
+        Status.of_flat(
+            {
+                "state": RunState.RUNNING,
+                "rig": "rig",
+                "test": "Long test",
+                "criterion_percent": percent,
+                "criterion": "wear depth",
+            }
+        )
     )
 
 
@@ -150,7 +163,7 @@ def test_a_full_disk_is_told_and_that_there_is_room_again() -> None:
 
 
 def test_silence_is_told_by_its_length_or_at_once_when_the_process_is_gone() -> None:
-    sign = SignOfLife("rig", RunState.RUNNING, "Long test", revolution=420)
+    sign = running(test="Long test", revolution=420)
     assert told(ALL, (1.0, sign), (2.0, Silence(59.0, gone=False))) == []
     for silence in (Silence(61.0, gone=False), Silence(0.5, gone=True)):
         found = told(ALL, (1.0, sign), (2.0, silence), (3.0, silence), (9.0, sign))
@@ -159,7 +172,11 @@ def test_silence_is_told_by_its_length_or_at_once_when_the_process_is_gone() -> 
 
 
 def test_a_summary_comes_once_a_day_at_its_time_and_not_long_after_it() -> None:
-    book, _ = hear(ALL, Book(), Fact(0.0, SignOfLife("rig", RunState.RUNNING, "T", revolution=70)))
+    book, _ = hear(
+        ALL,
+        Book(),
+        Fact(0.0, running(test="T", revolution=70)),
+    )
     found: dict[str, int] = {}
     at = datetime.datetime(2026, 11, 23, 0, 0)
     while at < datetime.datetime(2026, 11, 25, 12, 0):
@@ -172,11 +189,22 @@ def test_a_summary_comes_once_a_day_at_its_time_and_not_long_after_it() -> None:
 
 
 def test_a_summary_says_how_the_test_stands() -> None:
-    sign = SignOfLife(
-        "rig", RunState.RUNNING, "Long test", "/data/t.h5", 5000, 21377,
-        worst_margin_percent=12.0, worst_margin="overload", alarms=(alarm(),),
-    )  # fmt: skip
-    book = msgspec.structs.replace(Book(), sign=sign, summary_revolution=3000)
+    sign = Heartbeat(
+        Status.of_flat(
+            {
+                "state": RunState.RUNNING,
+                "rig": "rig",
+                "test": "Long test",
+                "file": "/data/t.h5",
+                "revolution": 5000,
+                "planned": 21377,
+                "worst_margin_percent": 12.0,
+                "worst_margin": "overload",
+                "alarms": (alarm(),),
+            }
+        )
+    )
+    book = msgspec.structs.replace(Book(), status=sign.status, summary_revolution=3000)
     _, (found,) = pass_time(ALL, book, 0.0, datetime.datetime(2026, 11, 23, 7, 0))
     for words in ("5,000 of 21,377; 2,000 since", "12 % to overload", "Disk slow"):
         assert words in found.text
@@ -202,14 +230,14 @@ def test_whatever_happens_raised_and_recovered_alternate_and_all_is_closed_in_th
         active |= {key: one} if rises else {}
         seen: Seen = AlarmChanged(one)
         if how == "sign":
-            seen = SignOfLife("rig", RunState.RUNNING, alarms=tuple(active.values()))
+            seen = running(alarms=tuple(active.values()))
         book, messages = hear(way, book, Fact(now, seen))
         found += messages
         book, messages = pass_time(way, book, now, NIGHT)
         found += messages
     open_now = {name.removeprefix("alarm:") for name in book.open}
     assert active.keys() <= open_now, "what holds was told and is not told to be over"
-    book, messages = hear(way, book, Fact(now, SignOfLife("rig", RunState.RUNNING)))
+    book, messages = hear(way, book, Fact(now, running()))
     found += messages
     book, messages = pass_time(way, book, now + 61.0, NIGHT)
     found += messages

@@ -76,6 +76,7 @@ def test_a_secret_is_quoted_in_its_place_and_is_the_whole_url_as_it_stands() -> 
     assert redacted(f"{url} failed, {SECRET}", [SECRET]) == "mailtos://me:***@host failed, ***"
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("url", "good"),
     [
@@ -102,7 +103,7 @@ def test_a_url_with_a_secret_of_its_own_is_refused(tmp_path: Path, url: str, goo
     assert "abcdefg" not in found.reason
 
 
-@pytest.mark.parametrize("answer", [200, 500, 404])
+@pytest.mark.parametrize("answer", [200, 500, pytest.param(404, marks=pytest.mark.long)])
 def test_a_secret_arrives_and_no_reason_repeats_it(
     tmp_path: Path, receiver: Receiver, answer: int
 ) -> None:

@@ -67,6 +67,7 @@ def hosted(rig: Path) -> Iterator[EngineHost]:
         host.close()
 
 
+@pytest.mark.long
 def test_a_fault_is_told_once_and_its_end_once_and_so_is_the_end_of_the_test(
     tmp_path: Path, receiver: Receiver
 ) -> None:
@@ -105,6 +106,7 @@ def test_a_secret_that_others_can_read_ends_it_before_a_device_is_opened(
     assert receiver.tries == 0
 
 
+@pytest.mark.long
 def test_the_command_tries_every_way_and_says_what_became_of_it(
     tmp_path: Path, receiver: Receiver, mail: MailServer
 ) -> None:

@@ -25,6 +25,8 @@ from rigapp.schema.messages import Reply, Request, Snapshot
 from rigapp.service.registry import EngineEntry, announce, withdraw
 from rigapp.service.server import Server
 
+TOKEN = "q7Zp0x_Ww3vYb2Rk9LmN5tGhJ1sDfCaE"  # noqa: S105 - of these tests
+
 
 def eventually(condition: Callable[[], object], what: str) -> None:
     """Wait until something is so."""

@@ -53,6 +53,7 @@ def page(
     return page
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("size", SIZES)
 def test_the_page_fits_its_screen_and_is_live(
@@ -95,6 +96,7 @@ def test_the_switch_turns_the_colours_whatever_the_system_says(
     assert colours[0] == colours[2] != colours[1]
 
 
+@pytest.mark.long
 def test_a_page_that_loses_its_server_says_so_and_comes_back(
     chromium: Browser, page: OpenPage, show: Callable[..., OpenPage], rig: Path
 ) -> None:

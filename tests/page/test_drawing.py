@@ -7,8 +7,8 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from rigapp.gui.data.ranges import SteadyRange
 from rigapp.page.drawing import Curve, Drawing, Ribbon, svg
+from rigapp.viewer.ranges import SteadyRange
 
 X = np.arange(6.0)
 

@@ -8,10 +8,10 @@ import msgspec
 import numpy as np
 from snapshots import PREDICTION_NAMES, make_predictions, make_snapshot
 
-from rigapp.gui.data.news import News
-from rigapp.gui.data.series import LiveData
 from rigapp.page.plots import Painter
 from rigapp.schema.messages import Snapshot
+from rigapp.viewer.news import News
+from rigapp.viewer.series import LiveData
 
 
 def news_of(snapshot: Snapshot) -> News:

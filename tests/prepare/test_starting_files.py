@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 from patience import PATIENCE_S
 
-from rigapp.commands import init
-from rigapp.commands.init import NEXT, start_folder, starting_files
+from rigapp.commands.init import folder as init
+from rigapp.commands.init.folder import NEXT, start_folder, starting_files
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
 from rigapp.prepare import shipped
@@ -134,6 +134,7 @@ def rigapp(*arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
     )
 
 
+@pytest.mark.long
 def test_the_commands_that_it_offers_work_in_the_folder(tmp_path: Path) -> None:
     done = rigapp("init", folder=tmp_path)
     assert (done.returncode, done.stderr) == (0, "")

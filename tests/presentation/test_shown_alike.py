@@ -16,7 +16,7 @@ from rigapp.presentation.numbers import (
 )
 from rigapp.presentation.results import file_line, key_numbers, outcome_text, trust_lines
 from rigapp.presentation.states import state_line, state_word
-from rigapp.presentation.told import retold
+from rigapp.presentation.translation import translate
 from rigapp.schema.messages import (
     Alarm,
     FinishReason,
@@ -31,12 +31,18 @@ from rigapp.schema.results import TestResult, how_ended
 
 
 def test_a_rest_is_no_pause() -> None:
-    paused = Status(
-        RunState.PAUSED,
-        recovery=Recovery(Remedy.GO_ON, "resume", "Resume the paused test.", (Remedy.GO_ON,)),
+    paused = Status.of_flat(
+        {
+            "state": RunState.PAUSED,
+            "recovery": Recovery(
+                Remedy.GO_ON, "resume", "Resume the paused test.", (Remedy.GO_ON,)
+            ),
+        }
     )
     assert state_line(paused, "F10") == "Resume the paused test. (F10)"
-    resting = msgspec.structs.replace(paused, resting=True, rest_left_s=11.2, step=3, steps=5)
+    resting = Status.of_flat(
+        paused.flat() | {"resting": True, "rest_left_s": 11.2, "step": 3, "steps": 5}
+    )
     line = "Resting, 12 s left, step 3 of 5. The test resumes by itself."
     assert state_line(resting, "F10") == line
 
@@ -49,13 +55,15 @@ def test_a_test_with_an_alarm_does_not_run_as_planned() -> None:
     line = "Running. RMS of |F| above limit: RMS of |F| is 12, above the warning limit 10."
     for changed in ({}, {"acknowledged": True, "state": "acknowledged"}):
         alarm = msgspec.structs.replace(warning, **changed)
-        assert state_line(Status(RunState.RUNNING, alarms=(alarm,))) == line
+        assert state_line(Status.of_flat({"state": RunState.RUNNING, "alarms": (alarm,)})) == line
     first = msgspec.structs.replace(warning, key="b", title="Overspeed", raised_at=2.0)
     known = msgspec.structs.replace(warning, acknowledged=True, state="acknowledged")
-    assert "Overspeed" in state_line(Status(RunState.RUNNING, alarms=(known, first)))
+    assert "Overspeed" in state_line(
+        Status.of_flat({"state": RunState.RUNNING, "alarms": (known, first)})
+    )
     for over in ("normal", "shelved"):
         alarm = msgspec.structs.replace(warning, state=over)
-        status = Status(RunState.RUNNING, alarms=(alarm,))
+        status = Status.of_flat({"state": RunState.RUNNING, "alarms": (alarm,)})
         assert state_line(status) == "Running as planned."
 
 
@@ -73,7 +81,7 @@ def test_strip_and_card_say_the_same_of_an_end(
 ) -> None:
     result = TestResult("t.h5", status=status, reason_code=reason.value)
     state = RunState.FAULT if word == "Fault" else RunState.STOPPED
-    shown = Status(state, outcome=how_ended(status, reason))
+    shown = Status.of_flat({"state": state, "outcome": how_ended(status, reason)})
     assert state_word(shown) == outcome_text(result) == word
 
 
@@ -122,7 +130,7 @@ def test_a_result_says_what_to_bear_in_mind() -> None:
 
 def test_operators_see_no_error_numbers_powers_and_epoch_dates() -> None:
     told = "could not open port /dev/ttyUSB0: [Errno 2] No such file or directory"
-    assert retold(told) == "could not open port /dev/ttyUSB0: No such file or directory"
+    assert translate(told) == "could not open port /dev/ttyUSB0: No such file or directory"
     assert "run.revolutions = 5000000000 is" in refusal("run.revolutions", 5_000_000_000)
     assert file_line(TestResult("gone.h5")) == ""
     assert "1970" not in file_line(TestResult("broken.h5", 1.8e9, 100))

@@ -12,9 +12,8 @@ from commandline import program, rigapp
 from publishing_samples import ADA, RIG_TEXT, event, recorded
 
 from rigapp.commands.package import package_tests
+from rigapp.publishing.findings import RIG, Passage, found_in
 from rigapp.publishing.package import private_in, published
-from rigapp.publishing.places import RIG, Passage
-from rigapp.publishing.private import found_in
 from rigapp_calibration.records import seal
 
 ROOT = "/root"
@@ -168,6 +167,7 @@ def test_a_text_at_any_place_of_the_file_is_looked_at(folder: Path) -> None:
     ]
 
 
+@pytest.mark.long
 def test_the_verb_refuses_and_says_what_to_do(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.schema.columns import JOINT_CURVES
+from rigapp.schema.columns import AGREEMENT, JOINT_CURVES
 from rigapp.schema.messages import Event, Flag
 from rigapp.storage import FilePlan, TestMetadata, TestWriter, create_test
 from rigapp_calibration.records import seal
@@ -164,7 +164,7 @@ def append(
     writer.append_row(list(values.values()))
     if model:
         predicted = prediction(plan, revolution, measured_wear)
-        unknown = {one.name: np.full(ANGLES.size, np.nan) for one in JOINT_CURVES}
+        unknown = {one.name: np.full(ANGLES.size, np.nan) for one in (*JOINT_CURVES, AGREEMENT)}
         known = {**unknown, **curves(ANGLES)}
         kept = {name: one.astype(np.float32) for name, one in known.items()}
         writer.append_prediction(list(predicted.values()), kept if keep else None)

@@ -9,7 +9,7 @@ import pytest
 from report_samples import RPM, STARTED, metadata
 from reportpage import Page, read
 
-from rigapp.commands.report import write_report
+from rigapp.commands.files import write_report
 from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind
 from rigapp.storage import FilePlan, create_test, export_test
 
@@ -68,6 +68,7 @@ def page(file: Path, quick_folder: Path) -> Page:
     return read(target.read_bytes())
 
 
+@pytest.mark.long
 def test_the_report_has_free_channels_in_its_tables(page: Page) -> None:
     rows = {row[0]: row[1:] for row in page.rows("Extremes and RMS of every channel")}
     warm = rows["bushing temperature"]
@@ -77,6 +78,7 @@ def test_the_report_has_free_channels_in_its_tables(page: Page) -> None:
     assert "Oldest value at the end of a revolution: room 2.50 s." in page.text
 
 
+@pytest.mark.long
 def test_the_report_draws_them_against_revolution_and_over_a_cycle(page: Page) -> None:
     words = " ".join(one["alt"] for one in page.images)
     assert "bushing temperature between 29.0 and 34.0 °C." in words

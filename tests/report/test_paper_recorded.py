@@ -10,8 +10,7 @@ import pytest
 from report_samples import append, curves, metadata
 
 from rigapp.config.errors import UnusableInput
-from rigapp.report.paper.chapter import Chapter
-from rigapp.report.paper.pages import write_chapter
+from rigapp.report.paper.pages import Chapter, write_chapter
 from rigapp.report.paper.recorded import recorded_chapters
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, profile_columns
 from rigapp.schema.messages import Flag

@@ -14,11 +14,18 @@ from report_samples import TEST_TEXT, event
 
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.times import duration
-from rigapp.report.page.html import as_html
-from rigapp.report.page.manuscript import Listing, Manuscript, Section, Table, Text, is_number
+from rigapp.report.page.manuscript import (
+    Listing,
+    Manuscript,
+    Section,
+    Table,
+    Text,
+    as_html,
+    is_number,
+)
 from rigapp.report.page.pdf import as_pdf
 from rigapp.report.testreport.envelope import BUCKETS, envelope
-from rigapp.report.testreport.history import AlarmRecord, alarms_of, limits_of
+from rigapp.report.testreport.logsections import AlarmRecord, alarms_of, limits_of
 from rigapp.report.testreport.wording import flags, number, quantity, settings, size, stamp
 from rigapp.schema.messages import Event
 from rigapp.storage.reading.oldlog import translated

@@ -15,8 +15,9 @@ from commandline import program, rigapp
 from report_samples import append, event, eventful, new_test
 from reportpage import Page, read
 
-from rigapp.commands.report import write_report
+from rigapp.commands.files import write_report
 from rigapp.config.errors import UnusableInput
+from rigapp.presentation.tokens import LIGHT
 from rigapp.schema.messages import Flag
 from rigapp.storage import compact_test
 
@@ -37,7 +38,7 @@ def page(eventful_file: Path, quick_folder: Path) -> Page:
 
 
 def test_summary_says_what_who_when_and_how_it_ended(page: Page) -> None:
-    assert page.headings[:2] == ["Test report: PTFE, dry", "Summary"]
+    assert page.headings[:3] == ["Test report: PTFE, dry", "Result", "Summary"]
     found = {row[0]: row[1] for row in page.rows("Summary")}
     assert found["Operator"] == "Ann O'Hara & Bjørn"
     assert found["Rig"] == "Rig 2 <main hall>"
@@ -145,16 +146,17 @@ def test_page_needs_nothing_else_and_can_be_read_aloud(page: Page) -> None:
     assert page.header_cells > 60
     pictures = [page.picture(i).decode() for i in range(len(page.images))]
     assert not any(re.search(r'href="(?!#)', one) for one in pictures)
-    forces = pictures[0].lower()
-    assert "stroke-dasharray" in forces
-    assert "#d55e00" in forces
-    assert "#0072b2" in forces
+    wear = pictures[0].lower()
+    assert "stroke-dasharray" in wear
+    assert LIGHT.curves["model"] in wear
+    assert LIGHT.text in wear
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("ending", ["html", "pdf"])
 def test_same_file_gives_the_same_bytes(eventful_file: Path, tmp_path: Path, ending: str) -> None:
     script = (
-        "import sys; from pathlib import Path; from rigapp.commands.report import write_report;"
+        "import sys; from pathlib import Path; from rigapp.commands.files import write_report;"
         "write_report(Path(sys.argv[1]), Path(sys.argv[2]))"
     )
     first, second = tmp_path / f"one.{ending}", tmp_path / f"two.{ending.upper()}"
@@ -200,6 +202,7 @@ def test_running_and_interrupted_tests(quick_folder: Path, tmp_path: Path) -> No
     assert found.value("Summary", "Revolutions") == "30 of 400 planned"
 
 
+@pytest.mark.long
 def test_compacted_test_differs_only_in_what_the_file_is(
     quick_folder: Path, tmp_path: Path
 ) -> None:
@@ -233,6 +236,7 @@ def test_altered_log_is_told(quick_folder: Path, tmp_path: Path) -> None:
     assert found.startswith("BROKEN at line 3")
 
 
+@pytest.mark.long
 def test_unknown_flags_missing_values_and_odd_texts(quick_folder: Path, tmp_path: Path) -> None:
     path = quick_folder / "odd.h5"
     with new_test(path, cycles=1) as writer:
@@ -270,9 +274,9 @@ def test_its_texts_and_tables_are_told_as_values(
 ) -> None:
     assert write_report(eventful_file, None, as_json=True) == 0
     told = json.loads(capsys.readouterr().out)
-    assert [told["title"], *(one["title"] for one in told["sections"] if one["title"])] == (
-        page.headings
-    )
+    titles = [one["title"] for one in told["sections"] if one["title"]]
+    assert [told["title"], "Result", *titles] == page.headings
+    assert told["results"][0]["name"] == "Wear depth"
     (section,) = (one for one in told["sections"] if one["title"] == "Limits and alarms")
     rows = next(block["rows"] for block in section["blocks"] if block["kind"] == "table")
     limits = {row[0]: row[1:] for row in rows}
@@ -303,6 +307,7 @@ def test_not_a_test_file(tmp_path: Path, content: bytes) -> None:
     assert not target.exists()
 
 
+@pytest.mark.long
 def test_report_of_a_real_run(tmp_path: Path) -> None:
     path = tmp_path / "quick.h5"
     asked = ("--revolutions", "40", "--speed", "max", "--out", path)

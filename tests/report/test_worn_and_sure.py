@@ -10,7 +10,7 @@ import pytest
 from report_samples import CALIBRATION, append, cycle, event, metadata
 from reportpage import Page, read
 
-from rigapp.commands.report import write_report
+from rigapp.commands.files import write_report
 from rigapp.report.testreport.worn import extent_of
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, profile_columns
 from rigapp.storage import FilePlan, create_test
@@ -136,6 +136,7 @@ def test_files_of_before_say_that_there_is_nothing(eventful_file: Path, tmp_path
     assert old.value("Summary", "Uncertainty of a force").startswith("not stated")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("ending", ["html", "pdf"])
 def test_the_same_bytes_each_time(worn_file: Path, tmp_path: Path, ending: str) -> None:
     targets = [tmp_path / f"{i}.{ending}" for i in range(2)]

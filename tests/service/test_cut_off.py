@@ -54,6 +54,7 @@ def status(client: Client) -> dict[str, Any]:
     return dict(client.request("status", timeout_s=30.0).result)
 
 
+@pytest.mark.long
 def test_it_tells_where_the_test_was_cut_off_and_goes_on_only_when_asked(
     cut_off_test: Path, started: Client
 ) -> None:

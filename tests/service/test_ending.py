@@ -58,6 +58,7 @@ def running(folder: Path) -> Iterator[Running]:
     one.close()
 
 
+@pytest.mark.long
 def test_a_closed_terminal_ends_a_test_as_kill_does(running: Running, folder: Path) -> None:
     running.wait_for(lambda: "running" in running.states(), "the test runs")
     running.process.send_signal(signal.SIGHUP)
@@ -74,6 +75,7 @@ def test_a_closed_terminal_ends_a_test_as_kill_does(running: Running, folder: Pa
     assert list((folder / "temporary").glob("rigapp-sim-*")) == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("number", [signal.SIGHUP, signal.SIGTERM, signal.SIGINT])
 def test_a_signal_while_the_program_is_still_loaded_ends_it_too(
     folder: Path, number: signal.Signals
@@ -137,7 +139,9 @@ def test_a_hang_up_that_is_ignored_stays_so() -> None:
         signal.signal(signal.SIGHUP, before)
 
 
-@pytest.mark.parametrize(("patience", "times"), [("0.2", 1), ("1000", 2)], ids=["once", "twice"])
+@pytest.mark.parametrize(
+    ("patience", "times"), [("0.2", 1), pytest.param("1000", 2, marks=pytest.mark.long)]
+)
 def test_an_interruption_ends_a_start_that_hangs_in_a_device(
     folder: Path, patience: str, times: int
 ) -> None:
@@ -169,6 +173,7 @@ def test_an_interruption_ends_a_start_that_hangs_in_a_device(
     assert running_engines() == []
 
 
+@pytest.mark.long
 def test_an_interruption_while_connecting_starts_no_test(running: Running, folder: Path) -> None:
     running.wait_for(lambda: "connecting" in running.states(), "it connects")
     running.process.send_signal(signal.SIGINT)
@@ -222,6 +227,7 @@ def fail() -> None:
     raise ValueError("its own")
 
 
+@pytest.mark.long
 def test_what_a_killed_engine_leaves_is_cleaned_by_the_next_one(
     running: Running, folder: Path
 ) -> None:

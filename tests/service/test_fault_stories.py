@@ -55,8 +55,8 @@ assert client.request("take_command").ok
 shown = 0
 while True:
     snapshot = client.poll()
-    if snapshot is not None and snapshot.status.revolution > shown:
-        shown = snapshot.status.revolution
+    if snapshot is not None and snapshot.status.test.revolution > shown:
+        shown = snapshot.status.test.revolution
         print(shown, flush=True)
     time.sleep(0.02)
 """
@@ -67,6 +67,7 @@ def _own_runtime_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
 
 
+@pytest.mark.long
 def test_frozen_and_killed_viewer_costs_no_revolution(
     tmp_path: Path, running: Callable[..., Running]
 ) -> None:
@@ -102,6 +103,7 @@ def test_frozen_and_killed_viewer_costs_no_revolution(
     assert [event.after for event in log(out) if event.kind == "command"][:1] == ["Ada"]
 
 
+@pytest.mark.long
 def test_killed_and_stalled_twin_costs_no_revolution(
     tmp_path: Path, running: Callable[..., Running]
 ) -> None:
@@ -136,6 +138,7 @@ def test_killed_and_stalled_twin_costs_no_revolution(
     until(lambda: not Path(f"/proc/{second}").exists(), "the stalled twin has ended")
 
 
+@pytest.mark.long
 def test_disk_delayed_by_two_seconds_costs_no_revolution(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -146,7 +149,7 @@ def test_disk_delayed_by_two_seconds_costs_no_revolution(
     real, delays = os.fdatasync, [2.2, 2.2]
 
     def slow(descriptor: int) -> None:
-        if delays and host.engine.status().committed > 5:
+        if delays and host.engine.status().test.committed > 5:
             time.sleep(delays.pop())  # the fault itself
         real(descriptor)
 
@@ -165,7 +168,7 @@ def test_disk_delayed_by_two_seconds_costs_no_revolution(
     assert "the disk took" in told[0].text
 
 
-@pytest.mark.parametrize("seconds", [3.0, 10.0])
+@pytest.mark.parametrize("seconds", [3.0, pytest.param(10.0, marks=pytest.mark.long)])
 def test_suspended_engine_is_recorded_and_never_silent(
     tmp_path: Path, running: Callable[..., Running], seconds: float
 ) -> None:
@@ -198,6 +201,7 @@ def test_suspended_engine_is_recorded_and_never_silent(
     assert not any("sign of life" in event.text for event in events)
 
 
+@pytest.mark.long
 def test_the_watchdog_ends_lost_commands_at_full_speed(tmp_path: Path) -> None:
     document = read_rig(RIG)
     host = EngineHost(document, "max")
@@ -208,8 +212,8 @@ def test_the_watchdog_ends_lost_commands_at_full_speed(tmp_path: Path) -> None:
             "Ada",
             resume=False,
         )
-        until(lambda: host.engine.status().revolution >= 1, "the test runs")
-        drive = host._simulated.process
+        until(lambda: host.engine.status().test.revolution >= 1, "the test runs")
+        drive = host.simulated.process
         drive.inject({"kind": "lost_command", "device": "drive"})
         lost_s = time.monotonic()
         until(lambda: drive.state()["watchdog_tripped"], "the drive's watchdog fires")
@@ -221,6 +225,7 @@ def test_the_watchdog_ends_lost_commands_at_full_speed(tmp_path: Path) -> None:
         host.close()
 
 
+@pytest.mark.long
 def test_an_emergency_stop_before_the_start_is_said_at_once(
     tmp_path: Path, running: Callable[..., Running]
 ) -> None:
@@ -271,6 +276,7 @@ def kill_again_and_again(folder: Path, kills: int, chance: random.Random) -> Non
     assert summary(out)["revolutions"] == len(found) == planned
 
 
+@pytest.mark.long
 @pytest.mark.timeout(400)
 def test_killed_tests_are_resumed_to_the_exact_end(tmp_path: Path) -> None:
     def kill(seed: int) -> None:

@@ -37,9 +37,10 @@ def test_fault_is_injected_on_request(host: EngineHost) -> None:
     done = host.handle(Request(verb="inject_fault", arguments=pull))
     assert done.ok, done.sentence
     assert host.engine.wait((RunState.FAULT,), 30.0) is RunState.FAULT
-    assert "daq" in host.engine.status().reason
+    assert "daq" in host.engine.status().engine.reason
 
 
+@pytest.mark.long
 def test_a_reversed_encoder_ends_the_test_in_its_first_turn_and_names_the_key(
     host: EngineHost, tmp_path: Path
 ) -> None:

@@ -17,6 +17,7 @@ def _own_runtime_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
 
 
+@pytest.mark.long
 def test_deleted_and_moved_the_file_holds_every_revolution(
     tmp_path: Path, running: Callable[..., Running]
 ) -> None:

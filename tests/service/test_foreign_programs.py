@@ -21,6 +21,8 @@ from rigapp.storage.structure.hdf import is_bare
 
 RULE = '\n[[limits.rule]]\nquantity = "force_max"\nwarning_above = 1.0\n'
 ENGINES = ("h5netcdf", "netcdf4")
+FORMS = (pytest.param("interrupted", marks=pytest.mark.long), "stopped", "compact")
+"""Of one test: as a kill leaves it, ended, and made smaller afterwards."""
 
 
 @pytest.fixture(scope="module")
@@ -85,12 +87,14 @@ def assert_opens(path: Path) -> None:
         assert "force_max" in root["/entry/revolutions"].variables
 
 
-@pytest.mark.parametrize("form", ["interrupted", "stopped", "compact"])
+@pytest.mark.long
+@pytest.mark.parametrize("form", FORMS)
 def test_every_group_opens_by_both_engines(tests: dict[str, Path], form: str) -> None:
     assert_opens(tests[form])
 
 
-@pytest.mark.parametrize("form", ["interrupted", "stopped", "compact"])
+@pytest.mark.long
+@pytest.mark.parametrize("form", FORMS)
 def test_values_times_and_flags_are_those_of_the_reader(tests: dict[str, Path], form: str) -> None:
     path = tests[form]
     with open_test(path) as reader:
@@ -119,7 +123,7 @@ def quality_words(quality: xarray.DataArray) -> tuple[np.ndarray[Any, Any], list
     return quality.attrs["flag_masks"], quality.attrs["flag_meanings"].split()
 
 
-@pytest.mark.parametrize("form", ["interrupted", "stopped", "compact"])
+@pytest.mark.parametrize("form", FORMS)
 def test_every_number_says_what_it_is(tests: dict[str, Path], form: str) -> None:
     bare: list[str] = []
 

@@ -37,6 +37,7 @@ def mixed(folder: Path) -> Iterator[Path]:
         yield path
 
 
+@pytest.mark.long
 def test_a_real_thermometer_on_the_simulated_rig(folder: Path, mixed: Path) -> None:
     out = folder / "t.h5"
     done = program("run", recipe(folder, 40, twin=False), "--rig", mixed, "--out", out)
@@ -51,6 +52,7 @@ def test_a_real_thermometer_on_the_simulated_rig(folder: Path, mixed: Path) -> N
     assert "daq and drive were simulated: these are not measurements." in said
 
 
+@pytest.mark.long
 def test_a_simulated_thermometer_on_a_real_rig_is_alone_in_the_process(folder: Path) -> None:
     text = CHANNELS.read_text("utf-8")
     for name in ("gsv8", "roboclaw"):

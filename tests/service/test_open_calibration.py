@@ -13,7 +13,6 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-import msgspec
 import pytest
 from commandline import rigapp
 from patience import PATIENCE_S
@@ -89,7 +88,7 @@ def seen(client: Client) -> Status:
 
 
 def is_calibrating(client: Client) -> bool:
-    return seen(client).state is RunState.CALIBRATING
+    return seen(client).engine.state is RunState.CALIBRATING
 
 
 def refused(reply: Reply) -> None:
@@ -107,8 +106,8 @@ def test_whatever_turns_the_spindle_is_refused_in_every_viewer(
     for client in (ada, bo):
         until(partial(is_calibrating, client), "the state")
     status = seen(bo)
-    assert status.calibration is not None
-    assert (status.calibration.who, status.calibration.what) == ("Ada", "load cell")
+    assert status.engine.calibration is not None
+    assert (status.engine.calibration.who, status.engine.calibration.what) == ("Ada", "load cell")
     assert state_word(status) == "Calibrating"
     assert "load cell, by Ada, since" in state_line(status, "F10")
     assert "(F10)" not in state_line(status, "F10")
@@ -136,6 +135,7 @@ def test_whatever_turns_the_spindle_is_refused_in_every_viewer(
     assert not ada.request("calibration_end", {"key": key}).ok
 
 
+@pytest.mark.long
 def test_its_holder_alone_turns_the_spindle_as_fast_as_the_step_needs(
     viewer: Callable[[str], Client], tmp_path: Path, host: EngineHost
 ) -> None:
@@ -159,7 +159,7 @@ def test_its_holder_alone_turns_the_spindle_as_fast_as_the_step_needs(
     host.engine.wait((RunState.RUNNING,), PATIENCE_S)
     assert bo.request("stop").ok
     host.engine.wait((RunState.STOPPED,), PATIENCE_S)
-    until(lambda: seen(bo).state is RunState.CALIBRATING, "still occupied")
+    until(lambda: seen(bo).engine.state is RunState.CALIBRATING, "still occupied")
     assert ada.request("calibration_end", {"key": key}).ok
 
 
@@ -187,7 +187,9 @@ def test_the_queue_waits_and_fails_no_test(
 
 
 @pytest.mark.timeout(300)
-@pytest.mark.parametrize("end", ["calibration_end", "calibration_release"])
+@pytest.mark.parametrize(
+    "end", [pytest.param("calibration_end", marks=pytest.mark.long), "calibration_release"]
+)
 def test_the_crank_turns_after_a_training_that_ends_in_the_middle(
     viewer: Callable[[str], Client], tmp_path: Path, host: EngineHost, end: str
 ) -> None:
@@ -216,6 +218,7 @@ def test_the_crank_turns_after_a_training_that_ends_in_the_middle(
     turns("after.h5")
 
 
+@pytest.mark.long
 @pytest.mark.timeout(300)
 def test_a_killed_holder_leaves_it_until_it_is_released_on_purpose(
     viewer: Callable[[str], Client], tmp_path: Path, running: Callable[..., Running]
@@ -234,7 +237,7 @@ def test_a_killed_holder_leaves_it_until_it_is_released_on_purpose(
         assert holder.stdout.readline().strip() == "True"
         holder.send_signal(signal.SIGKILL)
     bo = viewer("Bo")
-    until(lambda: seen(bo).state is RunState.CALIBRATING, "it stays")
+    until(lambda: seen(bo).engine.state is RunState.CALIBRATING, "it stays")
     # Another engine of this rig, as after a restart, refuses as well.
     test = recipe(tmp_path, 3, twin=False)
     alone = running("run", test, "--rig", RIG, "--out", tmp_path / "t.h5")
@@ -304,11 +307,11 @@ def test_a_viewer_of_before_can_read_the_status() -> None:
     for state in RunState:
         if state is RunState.CALIBRATING:
             continue
-        sent = msgspec.msgpack.encode(Status(state=state, calibration=shown))
-        assert msgspec.msgpack.decode(sent)["state"] in OLD_STATES
-        status = msgspec.msgpack.decode(sent, type=Status).shown()
+        sent = Status.of_flat({"state": state, "calibration": shown}).tree()
+        assert sent["state"] in OLD_STATES
+        status = Status.of_tree(sent).shown()
         occupied = state in AT_REST
-        assert (status.state is RunState.CALIBRATING) == occupied
+        assert (status.engine.state is RunState.CALIBRATING) == occupied
         assert ("Calibrating" in state_line(status)) is True
 
 
@@ -320,6 +323,7 @@ def test_a_speed_that_is_none_begins_nothing(viewer: Callable[[str], Client], fa
     assert ada.request("status").result["calibration"] is None
 
 
+@pytest.mark.long
 def test_none_can_begin_while_a_test_is_under_way(
     viewer: Callable[[str], Client], tmp_path: Path, host: EngineHost
 ) -> None:

@@ -16,8 +16,8 @@ import zmq
 from stories import until
 
 from rigapp.config.errors import UnusableInput
+from rigapp.process.children import KEY, bind_link, connect_link, link_address
 from rigapp.process.leftovers import owner_lives, remove_left_behind
-from rigapp.process.link import KEY, bind_link, connect_link, link_address
 from rigapp.process.private import SMALL_BYTES
 from rigapp.service.registry import (
     EngineEntry,

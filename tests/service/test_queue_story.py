@@ -64,6 +64,7 @@ def recover(host: EngineHost) -> None:
     until(recovered, "the way out leads to going on")
 
 
+@pytest.mark.long
 @pytest.mark.timeout(400)
 def test_five_tests_with_a_fault_in_the_third_are_all_done(host: EngineHost, folder: Path) -> None:
     store = QueueStore(kept_of(RIG, "queues"), RIG)
@@ -117,6 +118,7 @@ def rigapp(*arguments: str | Path, status: int = 0) -> str:
     return done.stderr if status else done.stdout
 
 
+@pytest.mark.long
 @pytest.mark.timeout(400)
 def test_a_queue_survives_the_computer_and_begins_nothing_by_itself(folder: Path) -> None:
     first, second = a_test(folder, "first", NEVER_OVER), a_test(folder, "second", 6)

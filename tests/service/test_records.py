@@ -44,8 +44,8 @@ def test_numbers_of_the_record_are_used(tmp_path: Path) -> None:
     assert cell.matrix_N_per_mV_per_V == ((201.0, 1.0), (-2.0, 199.0))
     assert cell.zero_mV_per_V == (0.01, -0.02)
     assert cell.uncertainty_N == (2.5, 0.001)
-    assert not found.blocking
-    assert "due 2027-01-01" in found.remarks["load_cell"]
+    # These numbers have no readings behind them: a reason is wanted before they may be used.
+    assert "holds no readings" in found.blocking["load_cell"]
     assert found.texts["load_cell"] == (tmp_path / "cell.json").read_text()
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from patience import PATIENCE_S
 
-from rigapp.calibrating.rig_file import name_record
+from rigapp.calibrating.records_in_use import name_record
 from rigapp.config.loading import read_rig
 from rigapp.schema.messages import Reply, Request
 from rigapp.schema.states import ENDED
@@ -54,6 +54,7 @@ def cell(folder: Path, name: str, gain: float, due: str = "2097") -> Path:
     return folder / name
 
 
+@pytest.mark.long
 def test_a_record_counts_at_once_and_at_the_next_start(host: EngineHost, tmp_path: Path) -> None:
     rig = tmp_path / "rig.toml"
     assert "in use already" in ask(host, "use_records").sentence
@@ -81,6 +82,7 @@ def test_a_record_counts_at_once_and_at_the_next_start(host: EngineHost, tmp_pat
     assert not (tmp_path / "next.h5").exists()
 
 
+@pytest.mark.long
 def test_what_else_was_changed_waits_and_is_said(host: EngineHost, tmp_path: Path) -> None:
     rig = tmp_path / "rig.toml"
     name_record(rig, cell(tmp_path, "first.json", 201.0))

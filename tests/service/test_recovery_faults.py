@@ -47,10 +47,11 @@ def begin(host: EngineHost, path: Path) -> None:
     """Start a test and wait for its first revolution."""
     host.start(read_test(recipe(path.parent, LONG, twin=False)), path, "Ada", resume=False)
     until(
-        lambda: host.engine.status().revolution >= 1 or host.engine.state in ENDED, "the test runs"
+        lambda: host.engine.status().test.revolution >= 1 or host.engine.state in ENDED,
+        "the test runs",
     )
     if host.engine.state in ENDED:
-        raise TimeoutError(host.engine.status().reason)
+        raise TimeoutError(host.engine.status().engine.reason)
 
 
 def begin_anyhow(host: EngineHost, path: Path) -> None:
@@ -113,7 +114,7 @@ def leads_back(host: EngineHost, path: Path) -> None:
         if not refused:
             engine.wait(frozenset({RunState.RUNNING}) | ENDED, 60.0)
             with contextlib.suppress(Refused):
-                engine.extend(engine.status().revolution + 4)
+                engine.extend(engine.status().test.revolution + 4)
             engine.wait(ENDED, 60.0)
             outcome = engine.outcome
             assert outcome is not None
@@ -166,7 +167,7 @@ def test_ready_is_reached_from_every_walk_of_faults_and_actions(
                 else:
                     ask(host, deed)
                 time.sleep(chance.uniform(0.0, 1.5))  # the walk itself: nothing is waited for
-                safe = max(safe, host.engine.status().committed)
+                safe = max(safe, host.engine.status().test.committed)
             for choice in choices:
                 ask(host, "clear_fault", kind=choice.kind)
             print(deeds, flush=True)

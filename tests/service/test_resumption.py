@@ -221,6 +221,7 @@ def ask(host: EngineHost, verb: str, **arguments: Any) -> Reply:
     return host.handle(Request(verb=verb, arguments=arguments, operator="Ada"))
 
 
+@pytest.mark.long
 def test_a_stopped_test_goes_on_with_its_own_bushing(
     host: EngineHost, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -230,20 +231,20 @@ def test_a_stopped_test_goes_on_with_its_own_bushing(
     zeroed = host.engine.zero(operator="Ada", reason="as the daily check says")["load_cell"]
     assert math.hypot(*zeroed) > 0.01
     host.start(test, out, "Ada", resume=False)
-    until(lambda: host.engine.status().committed >= 60, "60 revolutions are safe")
+    until(lambda: host.engine.status().test.committed >= 60, "60 revolutions are safe")
     host.engine.stop("Ada", "until Monday")
     host.engine.wait(ENDED, 60.0)
     stopped_at = int(numbers(out)[-1])
     # a fresh simulated rig, and a cell that was calibrated again since
     host.engine.shutdown()
-    host._simulated.close()
-    text = host._records.rig.text
+    host.simulated.close()
+    text = host.records.rig.text
     cell = structs.replace(
-        host._records.rig.record.load_cell, matrix_N_per_mV_per_V=((202.0, 0.0), (0.0, 200.0))
+        host.records.rig.record.load_cell, matrix_N_per_mV_per_V=((202.0, 0.0), (0.0, 200.0))
     )
-    other = structs.replace(host._records.rig.record, load_cell=cell)
-    host._records = replace(host._records, rig=Document(RIG, text, other))
-    host.engine._core.rig = host._records.rig
+    other = structs.replace(host.records.rig.record, load_cell=cell)
+    host.records = replace(host.records, rig=Document(RIG, text, other))
+    host.engine._core.rig = host.records.rig
 
     looked = ask(host, "examine_file", file=str(out))
     assert looked.ok, looked.sentence
@@ -257,7 +258,7 @@ def test_a_stopped_test_goes_on_with_its_own_bushing(
     done = ask(host, "resume_file", file=str(out), reason="new certificate")
     assert done.ok, done.sentence
     assert host.engine._connection is not None
-    assert host.engine._connection.processor.calibration.load_cell.tare == pytest.approx(zeroed)
+    assert host.engine._connection.rig.processor.calibration.load_cell.tare == pytest.approx(zeroed)
     planned = end_soon(RIG)
     host.engine.wait(ENDED, 90.0)
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from rigapp.calibrating.rig_file import name_record
+from rigapp.calibrating.records_in_use import name_record
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp_calibration.records import seal

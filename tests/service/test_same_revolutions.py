@@ -14,8 +14,6 @@ from rigapp.commands.files import print_info
 from rigapp.commands.status import _lines, _told
 from rigapp.config.loading import read_rig, read_test
 from rigapp.engine.engine import Engine
-from rigapp.gui.data.connection import ConnectionState
-from rigapp.gui.data.news import News
 from rigapp.gui.window.headline import NewestMeasured, headline
 from rigapp.page.view import _tiles
 from rigapp.presentation.results import origin_of
@@ -26,6 +24,8 @@ from rigapp.schema.notices import Finished
 from rigapp.schema.states import ENDED
 from rigapp.service.simulated import SimulatedDevices, parse_speed
 from rigapp.storage import open_test
+from rigapp.viewer.connection import ConnectionState
+from rigapp.viewer.news import News
 
 PLANNED = 5000
 
@@ -46,8 +46,8 @@ def live_figures(status: Status) -> dict[str, int]:
         "terminal, safe": re.findall(r"(\d+) safe", line)[0],
     }
     done = {place: int(found[0]) for place, found in numbers.items()}
-    assert set(done.values()) == {status.revolution}
-    assert {int(one) for one in saved.values()} == {status.committed}
+    assert set(done.values()) == {status.test.revolution}
+    assert {int(one) for one in saved.values()} == {status.test.committed}
     return done
 
 
@@ -77,7 +77,7 @@ def in_report(path: Path) -> int:
     return int(found)
 
 
-@pytest.mark.parametrize("end", ["stop", "trip"])
+@pytest.mark.parametrize("end", [pytest.param("stop", marks=pytest.mark.long), "trip"])
 def test_every_place_shows_the_same_number_of_revolutions(
     end: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -94,7 +94,7 @@ def test_every_place_shows_the_same_number_of_revolutions(
         notices = engine.watch()
         engine.start(test, path, operator="Ada")
         engine.wait({RunState.RUNNING}, 60.0)
-        eventually(lambda: engine.status().revolution >= 3)
+        eventually(lambda: engine.status().test.revolution >= 3)
         live_figures(engine.status())
         if end == "stop":
             engine.stop("Ada")
@@ -111,5 +111,5 @@ def test_every_place_shows_the_same_number_of_revolutions(
         devices.close()
     assert finished is not None
     found = {**done, "finished": finished.revolutions, **ended_figures(path, capsys)}
-    assert set(found.values()) == {status.committed}, found
-    assert status.outcome is not None
+    assert set(found.values()) == {status.test.committed}, found
+    assert status.test.outcome is not None

@@ -6,61 +6,67 @@ import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from patience import PATIENCE_S
+from snapshots import make_status
 
 from rigapp.process.leftovers import process_alive
 from rigapp.schema.channels import BASE
 from rigapp.schema.messages import (
     PROTOCOL_VERSION,
+    EngineStatus,
     Reply,
     Request,
+    RigStatus,
     RunState,
     Snapshot,
     Status,
+    TestStatus,
     as_array,
 )
 from rigapp.schema.verbs import Lane
+from rigapp.schema.wire import decode
 from rigapp.service.client import Client, EngineUnreachable
-from rigapp.service.lanes import UNDER_WAY
 from rigapp.service.registry import (
     EngineEntry,
     announce,
     running_engines,
     withdraw,
 )
-from rigapp.service.server import HASTE_S, Server, _Haste
+from rigapp.service.server import HASTE_S, UNDER_WAY, Server, _Haste
 
 
 def status(revolution: int = 0) -> Status:
-    return Status(
-        state=RunState.IDLE,
-        reason="",
-        rig="rig",
-        test="",
-        file="",
-        revolution=revolution,
-        planned=0,
-        committed=0,
-        first_revolution=1,
-        target_rpm=0.0,
-        speed_rpm=0.0,
-        started_at=0.0,
-        expected_end_at=0.0,
-        data_age_s=0.0,
-        host_time=0.0,
-        simulated=True,
-        simulated_speed=1.0,
-        worst_margin_percent=100.0,
-        worst_margin="",
-        twin_revolution=0,
-        twin_age_s=0.0,
-        residual_rms_N=0.0,
+    return Status.of_flat(
+        {
+            "state": RunState.IDLE,
+            "reason": "",
+            "rig": "rig",
+            "test": "",
+            "file": "",
+            "revolution": revolution,
+            "planned": 0,
+            "committed": 0,
+            "first_revolution": 1,
+            "target_rpm": 0.0,
+            "speed_rpm": 0.0,
+            "started_at": 0.0,
+            "expected_end_at": 0.0,
+            "data_age_s": 0.0,
+            "host_time": 0.0,
+            "simulated": True,
+            "simulated_speed": 1.0,
+            "worst_margin_percent": 100.0,
+            "worst_margin": "",
+            "twin_revolution": 0,
+            "twin_age_s": 0.0,
+            "residual_rms_N": 0.0,
+        }
     )
 
 
@@ -127,6 +133,36 @@ def until(condition: object, seconds: float = PATIENCE_S) -> None:
     while not condition():  # type: ignore[operator]
         assert time.monotonic() < deadline, "the condition did not come true in time"
         time.sleep(0.005)
+
+
+def test_the_status_of_an_engine_of_before_is_understood(tmp_path: Path, handler: Handler) -> None:
+    """Protocol 3 had all fields of a status beside each other."""
+    shown = Status.of_flat(status(7).flat() | {"file": "t.h5", "in_command": "Ada"})
+    old = {"status": shown.tree(), "first_row": 0, "rows": b"", "predictions": b""}
+    source: Any = lambda: old  # noqa: E731
+    server = Server(handler, source, f"ipc://{tmp_path}/c", f"ipc://{tmp_path}/s")
+    server.start()
+    client = Client(EngineEntry(1, server.commands, server.stream, "rig.toml", 0.0, version=3))
+    try:
+        seen: list[Status] = []
+        until(lambda: seen.extend(one.status for one in [client.poll()] if one) or seen)
+        assert seen[0] == shown
+        assert "version 4" in client.request("status").sentence
+    finally:
+        client.close()
+        server.close()
+
+
+@pytest.mark.parametrize("changes", [{}, {"test": "Long"}, {"drive": None, "alarms": ()}])
+def test_a_status_is_the_same_after_its_flat_form(changes: dict[str, Any]) -> None:
+    shown = make_status(**changes)
+    assert Status.of_flat(shown.flat()) == Status.of_tree(shown.tree()) == shown
+    idle = Status(EngineStatus(RunState.IDLE))
+    assert Status.of_tree(idle.tree()) == idle
+    assert idle.test is None
+    parts = (EngineStatus, TestStatus, RigStatus)
+    names = [name for part in parts for name in part.__struct_fields__]
+    assert len(idle.flat()) == len(names) + 2, "two parts have a name of the answer alike"
 
 
 def test_request_is_answered_with_its_arguments(client: Client) -> None:
@@ -207,7 +243,7 @@ def test_rows_are_never_joined_over_a_gap(parts: list[tuple[bool, int, bool]]) -
         if other:
             place, file = 0, file + 1
         rows = np.repeat(np.arange(place, place + count, dtype=float), COLUMNS)
-        shown = msgspec.structs.replace(status(place), file=str(file))
+        shown = Status.of_flat(status(place).flat() | {"file": str(file)})
         if not lost:
             sent.append(Snapshot(shown, place, rows.tobytes(), predictions=b""))
         place += count
@@ -219,9 +255,11 @@ def test_rows_are_never_joined_over_a_gap(parts: list[tuple[bool, int, bool]]) -
     while (snapshot := client.poll()) is not None:
         values = as_array(snapshot.rows, "<f8")[::COLUMNS]
         assert np.array_equal(values, snapshot.first_row + np.arange(len(values)))
-        seen += [(snapshot.status.file, value) for value in values]
+        seen += [(snapshot.status.test.file, value) for value in values]
     assert seen == [
-        (one.status.file, value) for one in sent for value in as_array(one.rows, "<f8")[::COLUMNS]
+        (one.status.test.file, value)
+        for one in sent
+        for value in as_array(one.rows, "<f8")[::COLUMNS]
     ]
 
 
@@ -285,7 +323,7 @@ def test_unreadable_request_is_answered(server: Server) -> None:
     socket.connect(server.commands)
     socket.send(b"\xc1 garbage")
     assert socket.poll(5000)
-    assert not msgspec.msgpack.decode(socket.recv(), type=Reply).ok
+    assert not decode(socket.recv(), Reply).ok
     context.destroy(linger=0)
 
 

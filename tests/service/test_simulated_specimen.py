@@ -24,6 +24,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 RIG = EXAMPLES / "simulated.toml"
 
 
+@pytest.mark.long
 def test_each_specimen_is_a_bushing_of_its_own_wear() -> None:
     devices = SimulatedDevices(read_rig(RIG), "max")
     try:
@@ -66,6 +67,7 @@ def depths_um(out: Path) -> tuple[np.ndarray, np.ndarray]:
     return depth[known], doubt[known]
 
 
+@pytest.mark.long
 def test_the_second_test_of_a_specimen_goes_on_with_its_depth_and_a_moved_probe_is_told(
     host: EngineHost, tmp_path: Path
 ) -> None:
@@ -79,7 +81,7 @@ def test_the_second_test_of_a_specimen_goes_on_with_its_depth_and_a_moved_probe_
     assert known.depth_um > 2.0 * known.uncertainty_um
     # A simulated rig that is started again has the same bushing.
     host.engine.shutdown()
-    host._simulated.close()
+    host.simulated.close()
     made(host, test, second)
     depth, doubt = depths_um(second)
     assert abs(depth[0] - known.depth_um) < np.hypot(doubt[0], known.uncertainty_um)
@@ -103,6 +105,7 @@ def test_the_second_test_of_a_specimen_goes_on_with_its_depth_and_a_moved_probe_
     assert again.file == str(second), "the last depth that was believed"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "what",
     [
@@ -117,7 +120,7 @@ def test_a_depth_that_jumps_between_stop_and_resume_is_told(
     out, engine = tmp_path / "t.h5", host.engine
     test = read_test(recipe(tmp_path, 5000, twin=True, every=1000))
     host.start(test, out, "Ada", resume=False)
-    until(lambda: engine.status().revolution >= 150, "the bushing is worn")
+    until(lambda: engine.status().test.revolution >= 150, "the bushing is worn")
     engine.stop("Ada")
     engine.wait(ENDED, PATIENCE_S)
     host.handle(Request(verb="reset"))
@@ -127,11 +130,11 @@ def test_a_depth_that_jumps_between_stop_and_resume_is_told(
         fault = {"kind": "moved_probe", "channel": "probe_1", "value": 0.5}
         assert host.handle(Request(verb="inject_fault", arguments=fault)).ok
     elif what == "exchanged specimen":
-        assert host._simulated.process is not None
-        host._simulated.process.wear_to(0.0)
+        assert host.simulated.process is not None
+        host.simulated.process.wear_to(0.0)
     reply = host.handle(Request(verb="resume_file", arguments={"file": str(out)}))
     assert reply.ok, reply.sentence
-    engine.extend(engine.status().revolution + 60)
+    engine.extend(engine.status().test.revolution + 60)
     engine.wait(ENDED, PATIENCE_S)
     alarms = engine.status().alarms
     assert engine.outcome is not None

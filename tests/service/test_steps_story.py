@@ -11,7 +11,7 @@ from stories import EXAMPLES, RIG, Running, summary
 
 from rigapp.config.loading import read_test
 from rigapp.config.sequence import Sequence
-from rigapp.report.steps import sequence_of, step_numbers
+from rigapp.report.results import sequence_of, step_numbers
 from rigapp.schema.messages import Flag
 from rigapp.storage import export_test, open_test
 
@@ -42,6 +42,7 @@ def short_test(folder: Path) -> Path:
     return path
 
 
+@pytest.mark.long
 @pytest.mark.timeout(400)
 def test_five_steps_with_a_resume_in_the_third_are_made_and_predicted(
     folder: Path, running: Callable[..., Running]

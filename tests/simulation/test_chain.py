@@ -84,6 +84,7 @@ def host(rig: RigFile, rig_path: Path, truth_file: Path) -> Iterator[Host]:
         made.close()
 
 
+@pytest.mark.long
 def test_forces_and_pin_come_through_the_wire_with_sign_frame_and_angle(
     host: Host, truth_file: Path
 ) -> None:
@@ -126,6 +127,7 @@ def test_forces_and_pin_come_through_the_wire_with_sign_frame_and_angle(
     assert np.hypot(*position).max() == pytest.approx(515.0 + depth_um, abs=5.0)
 
 
+@pytest.mark.long
 def test_host_that_does_not_read_is_told_of_the_overrun(host: Host) -> None:
     host.source.start()
     host.read(100)

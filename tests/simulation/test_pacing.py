@@ -7,7 +7,7 @@ import math
 import pytest
 
 from rigapp.process.owntime import DEVICE_SHARE, LONGEST_PASS_S, OwnTime
-from rigapp.simulation.pacing import LONGEST_CATCH_UP_S, PlantPace
+from rigapp.simulation.rig import LONGEST_CATCH_UP_S, PlantPace
 
 
 def run(pace: PlantPace, wall_s: float, *, taken: bool, chunk_s: float = 0.01) -> float:

@@ -84,7 +84,9 @@ def command(rig_file: Path, *options: str) -> list[str]:
     return [sys.executable, "-m", "rigapp.simulation.process", str(rig_file), *options]
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize(
+    "number", [signal.SIGINT, pytest.param(signal.SIGTERM, marks=pytest.mark.long)]
+)
 def test_prints_one_line_of_urls_and_ends_quietly(rig_file: Path, number: signal.Signals) -> None:
     process = subprocess.Popen(
         command(rig_file),

@@ -18,7 +18,7 @@ from rigapp.simulation.constants import plant_constants
 from rigapp.simulation.handle import start_simulated_rig
 from rigapp.simulation.layout import Drive
 from rigapp.simulation.plant import Plant, Samples
-from rigapp.simulation.surroundings import DAY_S, FreeInputs, slow_values
+from rigapp.simulation.surroundings import HOUR_S, FreeInputs, slow_values
 from rigapp_drivers.modbus_sensor.driver import ModbusSensor
 
 SPEED = 2.0 * math.pi
@@ -79,7 +79,7 @@ def test_the_room_has_a_day_and_warmer_air_is_drier() -> None:
     plant = PlantSection(room_temperature_degC=20.0, room_swing_K=2.0, humidity_percent=50.0)
     names = ("temperature_C", "humidity_percent", "bushing_temperature_C", "colour_nm")
     start, noon, night = (
-        slow_values(names, plant, 5.0, part * DAY_S) for part in (0.0, 0.25, 0.75)
+        slow_values(names, plant, 5.0, part * 24.0 * HOUR_S) for part in (0.0, 0.25, 0.75)
     )
     assert start == {"temperature_C": 20.0, "humidity_percent": 50.0, "bushing_temperature_C": 25.0}
     assert (noon["temperature_C"], night["temperature_C"]) == pytest.approx((22.0, 18.0))

@@ -30,7 +30,7 @@ from rigapp.engine.drive.timing import Timing
 from rigapp.engine.recording.store import open_file
 from rigapp.schema.channels import BASE
 from rigapp.schema.messages import FinishReason, as_array
-from rigapp.schema.states import ACTIVE
+from rigapp.schema.states import ACTIVE, ENDED
 from rigapp.service.client import Client
 from rigapp.service.registry import running_engines
 from rigapp.storage import open_test
@@ -45,6 +45,8 @@ MOST_REVOLUTIONS_PER_S = 400
 WARM_REVOLUTIONS = 250
 """So many after the start every part has worked and its buffers are as large as they get."""
 BATCHES = 3
+WALKS = 25
+"""From a start through a fault to a reconnection; the first third and the last end alike."""
 LEAST_REVOLUTIONS = 60
 """Of a batch, however slow the computer is."""
 
@@ -123,6 +125,7 @@ def feed(path: Path, revolutions: int, monkeypatch: pytest.MonkeyPatch) -> None:
         assert reader.column("force_max").max() < 51.0
 
 
+@pytest.mark.long
 def test_fed_revolutions_leave_nothing_behind(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -138,6 +141,46 @@ def test_a_million_fed_revolutions_leave_nothing_behind(
     feed(tmp_path / "fed.h5", LONG_REVOLUTIONS, monkeypatch)
 
 
+def objects() -> int:
+    """Return how many objects the garbage collector knows after it has collected."""
+    gc.collect()
+    return len(gc.get_objects())
+
+
+@pytest.mark.long
+def test_faults_and_reconnections_leave_nothing_behind() -> None:
+    rig = MemoryRig()
+    found: list[tuple[Footprint, int]] = []
+    try:
+        for walk in range(WALKS):
+            rig.engine.connect()
+            engine_doubles.eventually(
+                lambda: not any(one.active for one in rig.engine.status().alarms)
+            )
+            if rig.engine.status().alarms:
+                rig.engine.acknowledge(operator="Ada")
+                rig.engine.reset("Ada")
+            rig.start(engine_doubles.a_test(1_000_000))
+            engine_doubles.eventually(lambda: len(rig.store.rows) >= 5)
+            rig.source.lost, rig.source.silent = walk % 2 == 0, walk % 2 == 1
+            rig.engine.wait(ENDED, 60.0)
+            rig.source.lost = rig.source.silent = False
+            rig.stores.clear()
+            rig.requests.clear()
+            rig.measured.clear()
+            rig.spindle.commands.clear()
+            if walk in (WALKS // 3, WALKS - 1):
+                found.append((footprint(os.getpid()), objects()))
+    finally:
+        rig.engine.shutdown(20.0)
+    (warm, before), (hot, after) = found
+    assert after - before < 10 * WALKS, "a walk leaves its notices in the log"
+    assert hot.memory - warm.memory < GROWTH
+    assert hot.threads <= warm.threads
+    assert hot.handles <= warm.handles
+
+
+@pytest.mark.long
 def test_slow_disk_costs_no_revolution(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Every sync takes 2 s; the revolutions go on meanwhile."""
     delays: list[float] = []
@@ -228,6 +271,7 @@ def over_the_wire(folder: Path, seconds: float, monkeypatch: pytest.MonkeyPatch)
     assert summary(out)["gaps"] == 0
 
 
+@pytest.mark.long
 def test_a_test_over_wire_bytes_grows_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

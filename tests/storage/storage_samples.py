@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, TestMetadata, TestReader, TestWriter, create_test
 
-PLAN = FilePlan(revolutions=300, cycles=40, samples_per_cycle=50, events=256)
+PLAN = FilePlan(
+    revolutions=300, cycles=40, samples_per_cycle=50, events=256, checksums=True, waiting_cycles=4
+)
 METADATA = TestMetadata(
     title="A test",
     rig_text='name = "rig"\n',

@@ -145,7 +145,7 @@ def test_a_replay_goes_on_over_a_damaged_cycle_and_says_so(quick_folder: Path) -
             assert time.monotonic() < deadline, f"{shown} rows were shown: {reason}"
             snapshot = client.poll()
             if snapshot is not None:
-                shown, reason = snapshot.status.committed, snapshot.status.reason
+                shown, reason = snapshot.status.test.committed, snapshot.status.engine.reason
             time.sleep(0.01)
     finally:
         client.close()

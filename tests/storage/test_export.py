@@ -87,8 +87,8 @@ def test_targets_are_never_overwritten_and_nothing_half_done_stays(
     with pytest.raises(UnusableInput, match=r"out\.csv: the file exists and is not overwritten"):
         export_test(recorded, target)
     assert target.read_text() == "mine"
-    with pytest.raises(UnusableInput, match=r"out\.xlsx: the file must end in \.csv or \.parquet"):
-        export_test(recorded, recorded.parent / "out.xlsx")
+    with pytest.raises(UnusableInput, match=r"out\.ods: the file must end in \.csv or \.parquet"):
+        export_test(recorded, recorded.parent / "out.ods")
     with pytest.raises(UnusableInput, match=r"folder .* does not exist"):
         export_test(recorded, recorded.parent / "none" / "out.csv")
 

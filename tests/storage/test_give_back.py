@@ -15,7 +15,7 @@ from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, compact_test, open_test, reopen_test
 from rigapp.storage.filesystem.disk import Disk
 from rigapp.storage.filesystem.folder import hidden_name, remove_stale
-from rigapp.storage.filesystem.holes import punch_hole
+from rigapp.storage.filesystem.posix import punch_hole
 
 MEGABYTE = 1 << 20
 
@@ -65,6 +65,7 @@ def test_a_long_test_that_was_stopped_early_takes_little_room(tmp_path: Path) ->
         assert check(reader) == 60
 
 
+@pytest.mark.long
 def test_a_kill_at_any_moment_of_the_giving_back_costs_nothing(
     quick_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -107,7 +108,7 @@ def test_a_kill_at_any_moment_of_the_giving_back_costs_nothing(
 def test_a_file_system_that_gives_nothing_back_is_no_fault(
     quick_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rigapp.storage.filesystem.holes._fallocate", lambda: None)
+    monkeypatch.setattr("rigapp.storage.filesystem.posix._fallocate", lambda: None)
     writer = new_test(quick_folder)
     write(writer, 1, 5)
     writer.finish("stopped", "operator", "enough")

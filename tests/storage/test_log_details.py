@@ -10,7 +10,7 @@ import pytest
 from storage_samples import PLAN, new_test, write
 
 from rigapp.engine.judging.alarms import AlarmBook
-from rigapp.schema.alarms import because, exceeded
+from rigapp.schema.alarms import exceeded, make_alarm
 from rigapp.schema.loglines import (
     AlarmChange,
     LimitChange,
@@ -35,17 +35,17 @@ def lines() -> list[Event]:
 
     book = AlarmBook(lambda: 0.0, changed)
     rule = exceeded("force_max", Severity.CRITICAL, 160.0, 150.0, True, "stop")
-    lost = because(
+    lost = make_alarm(
         "device_lost", "daq", port="/dev/ttyACM0", sentence="no answer: the cable. Look at it: now."
     )
-    blind = because("blind", "wear_depth_um", name="wear depth")
-    met = because("stop", "force_N", name="force", sentence="met.")
-    broken = because(
+    blind = make_alarm("blind", "wear_depth_um", name="wear depth")
+    met = make_alarm("stop", "force_N", name="force", sentence="met.")
+    broken = make_alarm(
         "input:saturated", "analog_1", device="daq", port="COM1", words="input 1 (analog_1)"
     )
-    speed = because("speed_lost", speed_rpm=3.0, target_rpm=30.0)
+    speed = make_alarm("speed_lost", speed_rpm=3.0, target_rpm=30.0)
     for one in (
-        because("lost_samples", sentence="3 samples of daq were lost in all."),
+        make_alarm("lost_samples", sentence="3 samples of daq were lost in all."),
         speed,
         lost,
         rule,

@@ -86,7 +86,10 @@ def saved(found: LookedAfter | None) -> str:
     return found.sentence
 
 
-@pytest.mark.parametrize("deed", DEEDS)
+@pytest.mark.parametrize(
+    "deed",
+    [pytest.param(one, marks=pytest.mark.long if at else ()) for at, one in enumerate(DEEDS)],
+)
 def test_nothing_is_lost_and_the_test_goes_on(quick_folder: Path, deed: str) -> None:
     path = quick_folder / "results" / "test.h5"
     with begun(path.parent) as writer:

@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 from storage_samples import METADATA, PLAN, check, curves, cycle, new_test, prediction, row, write
 
 from rigapp.schema.messages import Event
-from rigapp.storage import FilePlan, NoRoom, StorageFailed, open_test
+from rigapp.storage import FilePlan, NoRoom, StorageFailed, open_test, row_numbers
+from rigapp.storage.reading import blocks as blocks_module
 
 
 def test_rows_cycles_predictions_and_curves_come_back(quick_folder: Path) -> None:
@@ -263,3 +264,20 @@ def test_any_order_of_calls_reads_back(quick_folder: Path, steps: list[tuple[str
                 np.diff([*reader._file["/entry/cycles/first"][:cycles]]),
                 reader._file["/entry/cycles/count"][: max(0, cycles - 1)],
             )
+
+
+def test_numbers_of_rows_are_found_with_their_gaps(
+    quick_folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(blocks_module, "BLOCK_ROWS", 16)
+    numbers = [*range(1, 100), *range(104, 180), 200, *range(210, 260)]
+    with new_test(quick_folder) as writer:
+        for number in numbers:
+            writer.append_row(row(number))
+        writer.commit()
+        with open_test(writer.path) as reader:
+            found = row_numbers(reader)
+            assert found[:].tolist() == numbers
+            assert [found.searchsorted(one, "right") for one in (0, 99, 102, 104, 259, 300)] == [
+                0, 99, 99, 100, len(numbers), len(numbers),
+            ]  # fmt: skip

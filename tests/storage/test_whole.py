@@ -69,9 +69,7 @@ def test_resume_of_a_whole_test_ends_it_without_a_device(
 
     path = killed(quick_folder)
     ended: list[str] = []
-    monkeypatch.setattr(
-        "rigapp.service.recorded.compress_complete", lambda end: ended.append(end.file)
-    )
+    monkeypatch.setattr("rigapp.service.recorded.settle", lambda end: ended.append(end.file))
     assert run.resume_test(path, RIG, "json", None) == 0
     said = capsys.readouterr()
     event = json.loads(said.out)
@@ -89,7 +87,7 @@ def test_request_to_go_on_with_a_whole_test_ends_it(
     from rigapp.service.host import EngineHost
 
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
-    monkeypatch.setattr("rigapp.service.recorded.compress_complete", lambda end: None)
+    monkeypatch.setattr("rigapp.service.recorded.settle", lambda end: None)
     path = killed(quick_folder)
     host = EngineHost(read_rig(RIG), 1.0)
     try:

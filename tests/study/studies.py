@@ -13,8 +13,7 @@ import msgspec
 
 from rigapp.study.folder import IDENTITY
 from rigapp.study.points import Batch, StudyRow, computed
-from rigapp.study.power import write_power
-from rigapp.study.running import read_study
+from rigapp.study.running import read_study, write_power
 from rigapp.study.table import sensitivities, write_tables
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

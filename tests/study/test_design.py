@@ -8,8 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rigapp.config.errors import UnusableInput
-from rigapp.study.design import design_of
-from rigapp.study.file import DesignSection, Spread
+from rigapp.study.design import DesignSection, Spread, design_of
 
 VARY = {"a": Spread(1.0, 3.0, levels=3), "b": [5.0, 7.0], "c": Spread(0.1, 10.0, scale="log")}
 

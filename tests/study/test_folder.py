@@ -68,6 +68,7 @@ def test_texts_that_were_varied_have_places(tmp_path: Path) -> None:
     assert not study.sensitivities
 
 
+@pytest.mark.long
 def test_virtual_tests_bring_their_power(tmp_path: Path) -> None:
     study = only(finished(tmp_path / "power", POWER_STUDY))
     assert {(one.factor, one.tests) for one in study.power} == {(1.0, 3), (2.0, 3)}

@@ -61,22 +61,24 @@ def test_a_life_is_that_of_the_model(tmp_path: Path) -> None:
         assert row.numbers["tolerance_met"] == 1.0
 
 
+@pytest.mark.long
 def test_a_virtual_test_tells_its_coefficient_and_a_seed_gives_the_same(tmp_path: Path) -> None:
     text = (
         'schema = 1\nkind = "simulate"\nparameters = "parameters.toml"\n'
-        "[run]\nrpm = 30.0\nrevolutions = 400\n"
-        '[vary]\n"run.coefficient_factor" = [1.0, 2.0]\n[design]\nrepeats = 2\n'
+        "[run]\nrpm = 30.0\nrevolutions = 1500\n"
+        '[vary]\n"run.coefficient_factor" = [1.0, 4.0]\n[design]\nrepeats = 2\n'
     )
     found = rows(tmp_path, text)
     assert found == rows(tmp_path, text)
     coefficients = [row.numbers["wear_coefficient_mm3_per_Nm"] for row in found]
     assert len(set(coefficients)) == 4
     true = 1e9 * PARAMETERS.bushing.wear_coefficient
-    np.testing.assert_allclose(coefficients, true * np.array([1, 1, 2, 2]), rtol=0.25)
+    np.testing.assert_allclose(coefficients, true * np.array([1, 1, 4, 4]), rtol=0.25)
     assert "seen_revolution" not in found[0].numbers or found[0].numbers["covered"] == 0.0
-    assert all(row.numbers["seen_revolution"] <= 400 for row in found[2:])
+    assert all(row.numbers["seen_revolution"] <= 1500 for row in found[2:])
 
 
+@pytest.mark.long
 def test_recorded_tests_are_points_too(tmp_path: Path) -> None:
     record(tmp_path / "first.h5", 1.1, RECORDED)
     (tmp_path / "broken.h5").write_bytes(b"none")
@@ -123,3 +125,14 @@ def test_a_wrong_study_file_is_refused_with_its_key(
     with pytest.raises(UnusableInput, match=words) as refused:
         read_study(written(tmp_path, PRESSURE.replace(old, new, 1)))
     assert str(tmp_path) in str(refused.value)
+
+
+def test_what_the_single_command_says_about_a_life_stands_beside_it(tmp_path: Path) -> None:
+    text = (
+        'schema = 1\nkind = "life"\nparameters = "parameters.toml"\n'
+        "[run]\nrpm = 30.0\ncycles = 2000\ntolerance = 0.1\n"
+        '[vary]\n"run.joint" = ["contact", "continuous"]\n'
+    )
+    for row, joint in zip(rows(tmp_path, text), ("contact", "continuous"), strict=True):
+        found = life(PARAMETERS, SPEED, 2000.0, joint, 0.1)
+        assert row.notes == " ".join(map(str, found.notes))

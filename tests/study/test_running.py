@@ -73,6 +73,7 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "out"
 
 
+@pytest.mark.long
 def test_the_table_opens_with_names_units_and_what_it_was_made_of(whole: Path) -> None:
     data = table(whole)
     assert data.sizes["point"] == 32
@@ -89,6 +90,7 @@ def test_the_table_opens_with_names_units_and_what_it_was_made_of(whole: Path) -
     assert len((whole / "table.csv").read_text().splitlines()) == 33
 
 
+@pytest.mark.long
 def test_a_killed_study_goes_on_where_it_was(whole: Path, tmp_path: Path) -> None:
     study, out = written(tmp_path, LONG), tmp_path / "out"
     first = started(study, out, "--workers", "1")
@@ -107,6 +109,7 @@ def test_a_killed_study_goes_on_where_it_was(whole: Path, tmp_path: Path) -> Non
     xarray.testing.assert_identical(table(out), table(whole))
 
 
+@pytest.mark.long
 def test_workers_that_die_one_after_another_change_nothing(whole: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     process = started(written(tmp_path, LONG), out, "--workers", "2")
@@ -122,6 +125,7 @@ def test_workers_that_die_one_after_another_change_nothing(whole: Path, tmp_path
     xarray.testing.assert_identical(table(out), table(whole))
 
 
+@pytest.mark.long
 def test_an_interrupt_leaves_tables_and_a_scheduler_elsewhere_goes_on(
     whole: Path, tmp_path: Path
 ) -> None:
@@ -159,6 +163,7 @@ def test_an_interrupt_leaves_tables_and_a_scheduler_elsewhere_goes_on(
     xarray.testing.assert_identical(table(out), table(whole))
 
 
+@pytest.mark.long
 def test_points_without_a_result_are_told_and_a_silent_scheduler_too(tmp_path: Path) -> None:
     text = PRESSURE.partition("[vary]")[0] + '[vary]\n"joint.bushing_radius_mm" = [10.0, 9.0]\n'
     done = subprocess.run(

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rigapp.study.design import design_of
-from rigapp.study.file import DesignSection, Spread
+from rigapp.study.design import DesignSection, Spread, design_of
 from rigapp.study.sensitivity import indices_of
 
 A, B = 7.0, 0.1
@@ -57,3 +56,20 @@ def test_limits_narrow_with_the_points_and_missing_ones_are_left_out() -> None:
 @pytest.mark.parametrize("constant", [0.0, np.nan])
 def test_what_does_not_vary_depends_on_nothing(constant: float) -> None:
     assert indices_of(np.full((4, 16), constant), 1) is None
+
+
+def test_few_points_resolve_nothing_and_say_how_many_would() -> None:
+    blocks, count = values(40)
+    few = indices_of(blocks, seed=1)
+    assert few is not None
+    needed = few.points_needed(count)
+    assert needed > 4 * count
+    blocks, count = values(5 * needed)
+    assert count == needed
+    many = indices_of(blocks, seed=1)
+    assert many is not None
+    assert many.points_needed(count) <= 2 * count  # it was an estimate from very few points
+    blocks, count = values(20480)
+    most = indices_of(blocks, seed=1)
+    assert most is not None
+    assert most.points_needed(count) == 0

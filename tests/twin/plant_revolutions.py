@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from rigapp.config.loading import read_rig, read_test
-from rigapp.config.parameters import to_parameters
+from rigapp.config.parameters import ParameterFile, to_parameters
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import Prediction, as_array
 from rigapp.simulation.constants import plant_constants
@@ -24,12 +24,20 @@ SPEED = 2.0 * np.pi
 
 
 def measured_revolutions(
-    wear: float, number: int, **effects_off: float
+    wear: float,
+    number: int,
+    *,
+    seed: int = 3,
+    speed: float = SPEED,
+    counts: int = 0,
+    model: ParameterFile = TEST.model,
+    **effects_off: float,
 ) -> list[tuple[MeasuredRevolution, float]]:
     """Run the plant, its wear so many times the model's; return revolutions and true depths, m.
 
     Everything that the simulated rig has is on: noise, friction, cross-talk, run-out, ripple;
-    ``effects_off`` sets some of it otherwise.
+    ``effects_off`` sets some of it otherwise, model the mechanism. counts: of the encoder in a
+    turn, 0 for exact angles.
     """
     assert RIG.simulation is not None
     effects = msgspec.structs.replace(
@@ -37,9 +45,12 @@ def measured_revolutions(
     )
     simulation = msgspec.structs.replace(RIG.simulation, plant=effects)
     rig = msgspec.structs.replace(RIG, simulation=simulation)
-    plant = Plant(plant_constants(TEST.model, rig), seed=3, sample_rate_Hz=960.0)
-    samples = plant.advance(960 * (number + 3), Drive(VELOCITY, SPEED, SPEED, 0.0, 48.0, 0.0))
+    plant = Plant(plant_constants(model, rig), seed=seed, sample_rate_Hz=960.0)
+    samples_due = round(960 * (number * 2.0 * np.pi / speed + 3.0))
+    samples = plant.advance(samples_due, Drive(VELOCITY, speed, speed, 0.0, 48.0, 0.0))
     turns = samples.shaft_revolutions
+    if counts:
+        turns = np.floor(counts * turns) / counts
     force = -np.array(RIG.load_cell.matrix_N_per_mV_per_V) @ np.stack(
         [samples.bridge_1, samples.bridge_2]
     )
@@ -61,3 +72,12 @@ def measured_revolutions(
 def column(prediction: Prediction, name: str) -> float:
     names = [one.name for one in prediction_columns()]
     return float(as_array(prediction.values, "<f8")[names.index(name)])
+
+
+def moved(measured: MeasuredRevolution) -> MeasuredRevolution:
+    """Return a revolution without the samples at which the counter stood."""
+    on = np.diff(measured.angle, prepend=-1.0) > 0.0
+    curves = ("time", "angle", "force_1", "force_2", "probe_1", "probe_2")
+    return MeasuredRevolution(
+        measured.revolution, *(getattr(measured, name)[on] for name in curves)
+    )

@@ -49,6 +49,7 @@ def true_profile(revolutions: list[tuple[MeasuredRevolution, float]]) -> np.ndar
     return 1e3 * np.where(deepest > 0.0, deepest, np.nan)
 
 
+@pytest.mark.long
 def test_measured_profile_is_the_plants_within_its_uncertainty() -> None:
     revolutions = measured_revolutions(100.0, 60)
     predictions = followed(Twin(PARAMETERS, "continuous"), revolutions)
@@ -75,7 +76,7 @@ def test_measured_profile_is_the_plants_within_its_uncertainty() -> None:
     assert 1e-3 * column(predictions[-1], "measured_wear_depth") == pytest.approx(depth, rel=0.02)
 
 
-@pytest.mark.parametrize("factor", [0.8, 1.1])
+@pytest.mark.parametrize("factor", [0.8, pytest.param(1.1, marks=pytest.mark.long)])
 def test_measured_depth_is_the_plants_within_its_uncertainty(factor: float) -> None:
     # Within 220 revolutions the elastic approach falls by a third: 4 um at a wear of 8 to 11 um.
     revolutions = measured_revolutions(factor, 220)
@@ -106,6 +107,7 @@ def test_measured_depth_is_the_plants_over_thousands_of_revolutions() -> None:
         assert (errors <= 1.0).mean() >= 0.95
 
 
+@pytest.mark.long
 def test_wear_coefficients_a_tenth_apart_are_told_apart() -> None:
     depths, doubts = [], []
     for factor in (80.0, 88.0):
@@ -123,6 +125,7 @@ def test_wear_coefficients_a_tenth_apart_are_told_apart() -> None:
     assert high - low > 10.0 * abs((high - true_high) - (low - true_low))
 
 
+@pytest.mark.long
 def test_a_twin_goes_on_from_its_checkpoint_as_if_nothing_had_happened() -> None:
     revolutions = measured_revolutions(1.0, 36)
     unbroken, before = Twin(PARAMETERS, "continuous"), Twin(PARAMETERS, "continuous")
@@ -138,6 +141,7 @@ def test_a_twin_goes_on_from_its_checkpoint_as_if_nothing_had_happened() -> None
         assert column(rest[-1], name) == pytest.approx(column(whole[-1], name), rel=1e-3)
 
 
+@pytest.mark.long
 def test_another_test_of_the_specimen_goes_on_with_its_bushing() -> None:
     revolutions = measured_revolutions(1.0, 36)
     whole = followed(Twin(PARAMETERS, "continuous"), revolutions)

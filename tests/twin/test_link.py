@@ -113,6 +113,7 @@ def test_killed_worker_is_started_again_and_goes_on(
     assert any("after revolution 40" in text for text in reports)
 
 
+@pytest.mark.long
 def test_a_new_link_goes_on_from_a_checkpoint(link: TwinLink, inbox: Inbox, tmp_path: Path) -> None:
     assert link.wait_ready(60.0)
     for number in range(1, 31):

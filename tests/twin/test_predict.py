@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -136,7 +135,7 @@ ANY = st.one_of(st.floats(), st.floats(-10.0, 10.0))
 def test_no_history_makes_the_twin_fail(columns: tuple[list[float], ...], number: int) -> None:
     message = RevolutionMeasured(number, *(np.array(c, "<f8").tobytes() for c in columns))
     with np.errstate(all="ignore"):
-        reply = serve(Twin(PARAMETERS, "continuous"), msgspec.msgpack.encode(message))
+        reply = serve(Twin(PARAMETERS, "continuous"), message)
     assert not reply.failed, reply.failed
     assert (reply.prediction is None) == bool(reply.refused)
 

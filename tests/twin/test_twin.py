@@ -41,6 +41,7 @@ def values(prediction: Prediction) -> dict[str, float]:
     return dict(zip((c.name for c in prediction_columns()), numbers, strict=True))
 
 
+@pytest.mark.long
 def test_predicted_wear_is_that_of_the_whole_life_model() -> None:
     twin = Twin(PARAMETERS, "continuous")
     last = {}
@@ -52,6 +53,7 @@ def test_predicted_wear_is_that_of_the_whole_life_model() -> None:
     assert last["driven_wear_depth"] == pytest.approx(expected, rel=0.02)
 
 
+@pytest.mark.long
 def test_larger_measured_forces_wear_the_driven_bushing_only() -> None:
     twin = Twin(PARAMETERS, "continuous")
     for number in range(1, 200):

@@ -14,14 +14,15 @@ from typing import Any, Literal
 
 import numpy as np
 
+from rigapp.texts import say
 from rigapp_calibration.arrays import Array, Whole
 from rigapp_calibration.problems import Problem, blocked
 from rigapp_calibration.taking.readings import (
+    Rows,
     check_columns,
     check_steps,
     not_numbers,
     numbers,
-    read_table,
     series_and_steps,
     unused_columns,
 )
@@ -82,9 +83,8 @@ class ChannelCalibration:
         return not blocked(self.problems)
 
 
-def parse_channel(text: str) -> ChannelReadings:
-    """Read the CSV columns ``CHANNEL_COLUMNS``; raise ReadingsError."""
-    rows = read_table(text, CHANNEL_COLUMNS)
+def channel_table(rows: Rows) -> ChannelReadings:
+    """Return the readings of a table with the columns ``CHANNEL_COLUMNS``; raise ReadingsError."""
     return ChannelReadings(
         *series_and_steps(rows),
         reference=numbers(rows, "reference"),
@@ -134,9 +134,11 @@ def rule_of(result: Mapping[str, Any]) -> str:
     """Return how a value follows from a voltage, in words; of a result as a record keeps it."""
     if result["table"] is not None:
         ends = result["table"][0], result["table"][-1]
-        return f"Table of {len(result['table'])} points, {ends[0][0]:.4g} V to {ends[1][0]:.4g} V"
+        return say(
+            "Table of {} points, {:.4g} V to {:.4g} V", len(result["table"]), ends[0][0], ends[1][0]
+        )
     scale, offset = result["scale_per_V"], result["offset_V"]
-    return f"Value = {scale:.6g} {result['unit']}/V (voltage {-offset:+.6f} V)"
+    return say("Value = {:.6g} {}/V (voltage {:+.6f} V)", scale, result["unit"], -offset)
 
 
 def _unusable(readings: ChannelReadings) -> Iterator[Problem]:
@@ -150,12 +152,17 @@ def _unusable(readings: ChannelReadings) -> Iterator[Problem]:
     if count < FEWEST_POINTS or len(readings.signal) <= FEWEST_POINTS:
         yield Problem(
             "too_few_points",
-            f"{len(readings.signal)} readings at {count} references; take at least {FEWEST_POINTS}"
-            " references, up and down.",
+            say(
+                "{} readings at {} references; take at least {} references, up and down.",
+                len(readings.signal),
+                count,
+                FEWEST_POINTS,
+            ),
         )
     elif float(np.ptp(readings.signal)) < DEAD:
         yield Problem(
-            "signal_dead", "The voltage does not follow the reference; is the channel connected?"
+            "signal_dead",
+            say("The voltage does not follow the reference; is the channel connected?"),
         )
 
 
@@ -182,14 +189,19 @@ def _no_table(points: Array, readings: int) -> Iterator[Problem]:
         value = points[1, wrong[0] + 1]
         yield Problem(
             "not_monotonic",
-            f"The voltage at the reference {value:g} turns back: it would mean two values. Take the"
-            " reading again, or leave the point out.",
+            say(
+                "The voltage at the reference {:g} turns back: it would mean two values."
+                " Take the reading again, or leave the point out.",
+                value,
+            ),
         )
     if readings <= points.shape[1]:
         yield Problem(
             "no_repeats",
-            "Each reference was read once, which does not tell how well a reading repeats; take a"
-            " second series.",
+            say(
+                "Each reference was read once, which does not tell how well a reading"
+                " repeats; take a second series."
+            ),
         )
 
 
@@ -200,8 +212,8 @@ def _of_line(readings: ChannelReadings, points: Array) -> tuple[Contribution, ..
     away = np.abs(readings.reference - readings.reference.mean())
     fit = std * math.sqrt(1.0 / len(residual) + float(away.max() ** 2 / (away @ away)))
     return (
-        Contribution("residual of the line", std, free, "A"),
-        Contribution("line, at the end of its range", fit, free, "A"),
+        Contribution(say("residual of the line"), std, free, "A"),
+        Contribution(say("line, at the end of its range"), fit, free, "A"),
     )
 
 
@@ -222,9 +234,9 @@ def _of_table(readings: ChannelReadings, points: Array, place: Whole) -> tuple[C
         widths = np.diff(points[0, one - 1 : one + 2])
         between = max(between, 0.25 * off * float(widths.max() / widths.min()))
     return (
-        Contribution("repeatability of a reading", std, free, "A"),
-        Contribution("mean of a point", std / math.sqrt(fewest), free, "A"),
-        at_most("between the points", between),
+        Contribution(say("repeatability of a reading"), std, free, "A"),
+        Contribution(say("mean of a point"), std / math.sqrt(fewest), free, "A"),
+        at_most(say("between the points"), between),
     )
 
 
@@ -234,6 +246,12 @@ def _too_uncertain(budget: Budget, span: float) -> Iterator[Problem]:
     worst = max(budget.contributions, key=lambda one: one.uncertainty)
     yield Problem(
         "too_uncertain",
-        f"The expanded uncertainty {budget.expanded:.3g} is more than"
-        f" {100 * TOO_UNCERTAIN:g} % of the span {span:.4g}; its largest part is {worst.name}.",
+        say(
+            "The expanded uncertainty {:.3g} is more than {:g} % of the span {:.4g}; its"
+            " largest part is {}.",
+            budget.expanded,
+            100 * TOO_UNCERTAIN,
+            span,
+            worst.name,
+        ),
     )

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rigapp.texts import say
 from rigapp_calibration.arrays import ACROSS, Array
 from rigapp_calibration.load_cell.scatter import Scatter
 from rigapp_calibration.load_cell.settings import LoadCellSettings
@@ -15,6 +16,12 @@ from rigapp_calibration.load_cell.two_axis import design
 from rigapp_calibration.load_cell.weights import relative_force_uncertainty
 from rigapp_calibration.taking.uncertainty import Budget, Contribution, at_most, combine
 
+NEAR = 1.06
+"""Times the largest load that still counts as calibrated: pieces do not make full scale exactly."""
+IN_A_ZERO = 1.15
+"""Times the half width of the lean of a zero: a metal that remembers its loads always leans by
+about two thirds of the loop, whose root mean square is that of a rectangle so much wider. A zero in
+use that is taken at another angle has it in full."""
 DIRECTIONS = 16
 """Directions of the load of which the worst is stated: of eight or more angles all are alike."""
 
@@ -39,8 +46,8 @@ class LoadUncertainty:
 def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> LoadUncertainty:
     """Return the budgets of one reading at a load (N); the worst direction of the load is taken.
 
-    Along the force are scale, reproducibility, reversibility, creep, and what changes the gain;
-    across it is the angle reference. Zero, fit and repeatability are in both.
+    Along the force are scale, reproducibility, creep, and what changes the gain; across it is the
+    angle reference. Zero, reversibility, fit and repeatability are in both.
     """
     steps, scatters = _steps(parts, settings)
     use, full = settings.use, settings.cell.full_scale
@@ -48,29 +55,36 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
     points = parts.branches.points(load)
     free = float(parts.series - 1)
     along = (
-        Contribution("applied force (mass, gravity, buoyancy)", relative * load),
-        Contribution("reproducibility between series", parts.gain_between * load, free, "A"),
+        Contribution(say("applied force (mass, gravity, buoyancy)"), relative * load),
+        Contribution(say("reproducibility between series"), parts.gain_between * load, free, "A"),
+        at_most(say("creep, measured"), use.creep * load, "A")
+        if use.creep_measured
+        else at_most("creep", use.creep * load),
+        at_most(say("temperature, gain"), use.gain_per_kelvin * use.temperature * load),
+        at_most(say("change until the next calibration"), use.change * load),
+        at_most(say("hysteresis, no falling loads"), _loop(parts, settings, load)),
+    )
+    both = (
+        *_zeros(parts, settings),
+        # Each bridge remembers the loads of its own, whatever the direction of all of it.
         Contribution(
-            "reversibility and interpolation",
+            say("reversibility and interpolation"),
             math.sqrt(float(np.mean(np.square(points)))) if points else 0.0,
             evaluation="A",
             distribution="two-point",
             points=points,
         ),
-        at_most("creep, measured", use.creep * load, "A")
-        if use.creep_measured
-        else at_most("creep", use.creep * load),
-        at_most("temperature, gain", use.gain_per_kelvin * use.temperature * load),
-        at_most("change until the next calibration", use.change * load),
-    )
-    both = (
-        Contribution("zero between series", parts.zero_between, 2.0 * free, "A"),
-        at_most("zero drift during the calibration", parts.drift, "A"),
-        at_most("temperature, zero", use.zero_per_kelvin * use.temperature * full),
+        *(_introduction(use.introduction * load) if use.introduction else ()),
+        at_most(say("terms that the pin angles do not show"), _unseen(parts, settings, load)),
+        at_most(say("loads beyond the largest"), _beyond_largest(parts, settings, load)),
+        at_most(say("temperature, zero"), use.zero_per_kelvin * use.temperature * full),
         _display(parts, steps),
         Contribution("repeatability", scatters, parts.degrees, "A", averages=True),
     )
-    turned = (Contribution("angle reference", settings.angle_uncertainty * load),)
+    turned = (
+        Contribution(say("angle reference"), settings.angle_uncertainty * load),
+        at_most(say("angle in use"), use.angle * load),
+    )
     return LoadUncertainty(
         load,
         combine(load, (*along, _fit(parts, load, across=False), *both)),
@@ -78,15 +92,93 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
     )
 
 
+def _zeros(parts: Scatter, settings: LoadCellSettings) -> tuple[Contribution, ...]:
+    """Return what the zero, and the weight of the pin that is taken off, give a component."""
+    zeros = parts.zeros
+    more = IN_A_ZERO if settings.use.zeroed else 1.0
+    weight = (
+        Contribution(say("own weight of the pin"), zeros.weight_uncertainty, zeros.degrees, "A"),
+        # A zero leans towards the load of before, as the weight of a pin makes it do.
+        at_most(say("zero shift after a load"), more * _zero_shift(parts, settings), "A"),
+    )
+    if settings.use.zeroed:
+        return weight
+    rest = float(zeros.rest_uncertainty.max())
+    return (
+        *weight,
+        Contribution(say("zero of the calibration"), rest, zeros.degrees, "A"),
+        Contribution(say("zero between series"), parts.zero_between, zeros.degrees, "A"),
+        at_most(say("zero drift during the calibration"), parts.drift, "A"),
+    )
+
+
+def _zero_shift(parts: Scatter, settings: LoadCellSettings) -> float:
+    """Return how far (N) a zero may lean towards the load of before: the loop, and half the creep.
+
+    What a metal that remembers loads shows at no load depends on the loads of before, between
+    nothing and the widest loop; creep has half of its way back before a zero is read.
+    """
+    use, full = settings.use, settings.cell.full_scale
+    loop = parts.branches.widest() if parts.falling else use.loop * full
+    return loop + 0.5 * use.creep * full
+
+
+def _introduction(size: float) -> tuple[Contribution, ...]:
+    """Return the two lines of the load's introduction, half width N: each adapter has its own."""
+    return (
+        at_most(say("load introduction, in the calibration"), size),
+        at_most(say("load introduction, in use"), size),
+    )
+
+
+def _unseen(parts: Scatter, settings: LoadCellSettings, load: float) -> float:
+    """Return the half width (N) of cross terms that the pin angles of the plan do not show."""
+    if parts.shown:
+        return 0.0
+    return settings.use.cross_terms * load**2 / settings.cell.full_scale
+
+
+def _beyond_largest(parts: Scatter, settings: LoadCellSettings, load: float) -> float:
+    """Return the half width (N) of a bend, of third degree, beyond the largest load."""
+    largest, full = parts.branches.largest, settings.cell.full_scale
+    # Loads just short of full scale are the pieces' matter, not extrapolation.
+    if load <= NEAR * largest:
+        return 0.0
+    return settings.use.bend * load * (load**2 - largest**2) / full**2
+
+
+def _loop(parts: Scatter, settings: LoadCellSettings, load: float) -> float:
+    """Return the half width (N) of the hysteresis that is stated where it was not read."""
+    if parts.falling:
+        return 0.0
+    share = min(load / settings.cell.full_scale, 1.0)
+    return settings.use.loop * settings.cell.full_scale * math.sin(math.pi * share)
+
+
 def zero_uncertainty(parts: Scatter, settings: LoadCellSettings) -> tuple[Budget, Budget]:
     """Return the budgets of both zeros, signal unit, at the middle of the calibration."""
-    (terms,) = _terms(parts, np.zeros((1, 2)))
-    steps = parts.unloaded * _steps(parts, settings)[0]
+    zeros = parts.zeros
     one, two = (
-        (_told(parts, np.outer(row, terms)), _display(parts, steps * float(np.hypot(*row))))
+        (
+            Contribution(
+                "fit", float(np.hypot(*(row * zeros.rest_uncertainty))), zeros.degrees, "A"
+            ),
+            # All zeros are read on one step of the display.
+            _display(parts, _steps(parts, settings)[0] * float(np.hypot(*row))),
+        )
         for row in parts.found.sensitivity
     )
     return combine(0.0, one), combine(0.0, two)
+
+
+def pin_weight(parts: Scatter, settings: LoadCellSettings) -> Budget:
+    """Return the weight of what turns with the pin, N, as it acts where the loads hang."""
+    zeros = parts.zeros
+    lines = (
+        Contribution(say("zeros over the pin angle"), zeros.weight_uncertainty, zeros.degrees, "A"),
+        at_most(say("zero shift after a load"), _zero_shift(parts, settings), "A"),
+    )
+    return combine(zeros.weight, lines)
 
 
 def element_uncertainties(parts: Scatter, settings: LoadCellSettings) -> tuple[Budget, ...]:
@@ -109,9 +201,9 @@ def element_uncertainties(parts: Scatter, settings: LoadCellSettings) -> tuple[B
             combine(
                 float(matrix[row, column]),
                 (
-                    Contribution("applied force (mass, gravity, buoyancy)", relative * size),
+                    Contribution(say("applied force (mass, gravity, buoyancy)"), relative * size),
                     Contribution(
-                        "angle reference",
+                        say("angle reference"),
                         settings.angle_uncertainty * abs(float(turned[row, column])),
                     ),
                     Contribution(
@@ -153,7 +245,7 @@ def _steps(parts: Scatter, settings: LoadCellSettings) -> tuple[float, float]:
 
 
 def _display(parts: Scatter, steps: float) -> Contribution:
-    return Contribution("steps of the display in a mean", steps, parts.degrees, "A")
+    return Contribution(say("steps of the display in a mean"), steps, parts.degrees, "A")
 
 
 def _fit(parts: Scatter, load: float, *, across: bool) -> Contribution:
@@ -199,20 +291,31 @@ def classification(settings: LoadCellSettings, single: float) -> str:
     full, step = settings.cell.full_scale, settings.cell.resolution
     e74, iso = 400.0 * step, 500.0 * step
     if e74 <= full and iso <= full:
-        return (
-            f"With a resolution of {step:g} N the smallest force for ASTM E74 class A is {e74:g} N"
-            f" and for ISO 376 class 2 {iso:g} N; whether a class is reached is for a calibration"
-            " of one axis under these standards to show. This procedure follows them, it does not"
-            " comply."
+        return say(
+            "With a resolution of {:g} N the smallest force for ASTM E74 class A is"
+            " {:g} N and for ISO 376 class 2 {:g} N; whether a class is reached is for"
+            " a calibration of one axis under these standards to show. This procedure"
+            " follows them, it does not comply.",
+            step,
+            e74,
+            iso,
         )
     smallest = 80.0
     class_2, class_1 = smallest / 500.0, smallest / 1000.0
-    return (
-        f"Not classifiable: with a resolution of {step:g} N, ASTM E74 class A needs forces of at"
-        f" least {e74:g} N and ISO 376 class 2 of at least {iso:g} N, above the full scale of"
-        f" {full:g} N. The expanded uncertainty is stated instead of a class. For forces from"
-        f" {smallest:g} N upward, class 2 would need a resolution of {class_2:.2f} N and class 1 of"
-        f" {class_1:.2f} N{_averaging(single, class_2)}."
+    return say(
+        "Not classifiable: with a resolution of {:g} N, ASTM E74 class A needs forces"
+        " of at least {:g} N and ISO 376 class 2 of at least {:g} N, above the full"
+        " scale of {:g} N. The expanded uncertainty is stated instead of a class. For"
+        " forces from {:g} N upward, class 2 would need a resolution of {:.2f} N and"
+        " class 1 of {:.2f} N{}.",
+        step,
+        e74,
+        iso,
+        full,
+        smallest,
+        class_2,
+        class_1,
+        _averaging(single, class_2),
     )
 
 
@@ -222,11 +325,14 @@ def _averaging(single: float, wanted: float) -> str:
         return ""
     count = math.ceil((single / (wanted / math.sqrt(12.0))) ** 2)
     if count < 2:
-        return (
-            f". The readings of this calibration scatter by {single:.3f} N: if they are means of"
-            " many, such means would reach class 2; a single reading does not"
+        return say(
+            ". The readings of this calibration scatter by {:.3f} N: if they are means"
+            " of many, such means would reach class 2; a single reading does not",
+            single,
         )
-    return (
-        f". A reading scatters by {single:.2f} N: the mean of about {count} readings at each load"
-        " would reach class 2"
+    return say(
+        ". A reading scatters by {:.2f} N: the mean of about {} readings at each load"
+        " would reach class 2",
+        single,
+        count,
     )

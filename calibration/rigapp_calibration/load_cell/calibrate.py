@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from rigapp.texts import say
 from rigapp_calibration.arrays import Array
 from rigapp_calibration.load_cell.budget import (
     LoadUncertainty,
@@ -13,26 +15,32 @@ from rigapp_calibration.load_cell.budget import (
     element_uncertainties,
     expanded_line,
     matrix_covariance,
+    pin_weight,
     uncertainty_at,
     zero_uncertainty,
 )
 from rigapp_calibration.load_cell.characteristics import (
     Characteristics,
     Creep,
+    Loads,
+    angle_groups,
+    applied_force,
     characteristics,
     check_creep,
     creep,
+    examine,
     loads,
+    run_numbers,
     unusable_creep,
+    without_pin_weight,
+    zeros_of,
 )
 from rigapp_calibration.load_cell.checks import check_fit
-from rigapp_calibration.load_cell.evidence import examine
-from rigapp_calibration.load_cell.plausible import impossible
 from rigapp_calibration.load_cell.reading_checks import check_readings
 from rigapp_calibration.load_cell.readings import LoadCellReadings
 from rigapp_calibration.load_cell.scatter import Scatter, scatter
-from rigapp_calibration.load_cell.settings import LoadCellSettings
-from rigapp_calibration.load_cell.two_axis import TwoAxisFit, choose_terms
+from rigapp_calibration.load_cell.settings import LoadCellSettings, impossible
+from rigapp_calibration.load_cell.two_axis import Terms, TwoAxisFit, choose_terms, fit
 from rigapp_calibration.load_cell.weights import weight_force
 from rigapp_calibration.problems import Problem, blocked
 from rigapp_calibration.taking.uncertainty import Budget
@@ -42,6 +50,8 @@ STEADY_CODES = frozenset(
         "not_a_number",
         "too_few_angles",
         "too_few_readings",
+        "too_few_loads",
+        "no_zero",
         "bridge_dead",
         "negative_mass",
         "mass_unit",
@@ -64,7 +74,8 @@ class LoadCellCalibration:
     matrix, zero and what follows are None when nothing could be fitted. covariance: of the matrix
     elements 11, 12, 21, 22, elements: their budgets. by_load: the uncertainty from no load to full
     scale. zero: of the zeros of both axes, signal unit. expanded_line: a (N), b of U(F) = a + b F
-    of one reading of a component. creep: None where it was not measured, and U has the stated one.
+    of one reading of a component. pin_weight: as it acts where the loads hang, N. residual (n, 2):
+    N, of all readings. creep: None where it was not measured, and U has the stated one.
     """
 
     problems: tuple[Problem, ...]
@@ -77,8 +88,10 @@ class LoadCellCalibration:
     by_load: tuple[LoadUncertainty, ...] = ()
     elements: tuple[Budget, ...] = ()
     zero: tuple[Budget, Budget] | None = None
+    pin_weight: Budget | None = None
     expanded_line: tuple[float, float] | None = None
     applied: Array | None = None
+    residual: Array | None = None
     creep: Creep | None = None
 
     @property
@@ -92,30 +105,62 @@ class LoadCellCalibration:
         return self.fit is not None and not blocked(self.problems)
 
 
-def calibrate_load_cell(
-    readings: LoadCellReadings, settings: LoadCellSettings, drift: bool | None = None
-) -> LoadCellCalibration:
-    """Fit, check and judge; a calibration with a blocking problem is not accepted.
+@dataclass(frozen=True, slots=True, eq=False)
+class CellFit:
+    """A fit of readings, without any check. applied, residual (n, 2): N, of all readings."""
 
-    drift: whether the zero's drift is fitted, where it is not for the readings to say.
+    fit: TwoAxisFit
+    terms: str
+    parts: Scatter
+    loads: Loads
+    applied: Array
+    residual: Array
+
+
+def fit_readings(
+    readings: LoadCellReadings, settings: LoadCellSettings, about: Array | None = None
+) -> CellFit:
+    """Fit the loaded readings less the zeros of their series, and take the rest apart.
+
+    about (2, 2): the sensitivity nearly, None where the readings tell it themselves. Raises
+    numpy.linalg.LinAlgError when the loads do not span both axes.
     """
+    applied = applied_force(readings, settings)
+    loaded = np.hypot(*applied.T) > 0.0
+    runs = run_numbers(readings.series, angle_groups(readings.angle))
+    if about is None:
+        about = fit(applied, readings.signal, Terms()).sensitivity
+    zeros = zeros_of(readings, settings, about)
+    found, terms = choose_terms(applied[loaded], (readings.signal - zeros.own)[loaded], zeros.rest)
+    zeros = zeros_of(readings, settings, found.sensitivity)
+    found = replace(found, rest=zeros.rest)
+    # Zeros are seen about the common one, so that their drift and scatter shows.
+    about_rest = np.where(loaded[:, None], zeros.own - zeros.rest, zeros.circle)
+    seen = loads(readings, applied, found.force(readings.signal - about_rest))
+    residual = (readings.signal - zeros.own) @ found.matrix.T
+    residual[loaded] = found.residual
+    per_run = float(np.count_nonzero(~loaded)) / max(len(np.unique(runs[~loaded])), 1)
+    parts = scatter(found, applied[loaded], seen.only(loaded), zeros, per_run)
+    return CellFit(found, terms, parts, seen, applied, residual)
+
+
+def calibrate_load_cell(
+    readings: LoadCellReadings, settings: LoadCellSettings
+) -> LoadCellCalibration:
+    """Fit, check and judge; a calibration with a blocking problem is not accepted."""
     problems = list(check_readings(readings, settings))
     refused = LoadCellCalibration(tuple(problems), classification(settings, 0.0))
     if STEADY_CODES & {problem.code for problem in problems} or any(impossible(settings)):
         return refused
     try:
-        evidence = examine(readings, settings)
+        evidence = without_pin_weight(examine(readings, settings))
+        fitted = fit_readings(readings, settings, evidence.found.sensitivity)
     except np.linalg.LinAlgError:
-        words = "The loads do not tell the two axes apart; take more pin angles and loads."
+        words = say("The loads do not tell the two axes apart; take more pin angles and loads.")
         return replace(refused, problems=(*problems, Problem("not_solvable", words)))
     problems += check_fit(evidence)
-    applied = evidence.force
-    found, terms = choose_terms(applied, readings.signal, drift)
-    measured = found.force(readings.signal)
-    full = settings.cell.full_scale
-    seen = loads(readings, applied, measured)
-    traits = characteristics(seen, full, found.residual)
-    parts = scatter(found, applied, seen)
+    full, found, parts = settings.cell.full_scale, fitted.fit, fitted.parts
+    traits = characteristics(fitted.loads, full, fitted.residual)
     crept = _creep(readings, settings, found, parts)
     if crept is not None:
         problems += check_creep(crept)
@@ -124,10 +169,12 @@ def calibrate_load_cell(
     elif readings.hung is not None:
         problems += unusable_creep(readings.hung)
     by_load = tuple(uncertainty_at(parts, settings, share * full) for share in BUDGET_AT)
+    if not blocked(problems):
+        problems += check_rated_output(found.sensitivity, settings, by_load[-1])
     return LoadCellCalibration(
         problems=tuple(problems),
         classification=classification(settings, found.residual_std),
-        terms=terms,
+        terms=fitted.terms,
         fit=found,
         covariance=matrix_covariance(parts, settings),
         elements=element_uncertainties(parts, settings),
@@ -135,10 +182,43 @@ def calibrate_load_cell(
         parts=parts,
         by_load=by_load,
         zero=zero_uncertainty(parts, settings),
+        pin_weight=pin_weight(parts, settings),
         expanded_line=expanded_line([one.component for one in by_load]),
-        applied=applied,
+        applied=fitted.applied,
+        residual=fitted.residual,
         creep=crept,
     )
+
+
+def check_rated_output(
+    sensitivity: Array, settings: LoadCellSettings, at_full_scale: LoadUncertainty
+) -> Iterator[Problem]:
+    """Yield a bridge whose output at full scale is not that of the data sheet.
+
+    A unit of mass taken for another one, and a cable that always carries a part of each load, leave
+    no residual: only something that was known before shows them.
+    """
+    cell = settings.cell
+    if cell.rated_output is None:
+        return
+    outputs = np.diag(sensitivity) * cell.full_scale
+    allowed = cell.rated_tolerance + at_full_scale.magnitude.expanded / cell.full_scale
+    off = outputs / cell.rated_output - 1.0
+    axis = int(np.abs(off).argmax())
+    if abs(off[axis]) > allowed:
+        yield Problem(
+            "rated_output",
+            say(
+                "Bridge {} gives {:.4g} mV/V at full scale, {:+.1f} % from the rated {:.4g} mV/V;"
+                " {:.1f} % are allowed. Check unit and mass of the weights, and whether something"
+                " carries a part of the load.",
+                axis + 1,
+                float(outputs[axis]),
+                100.0 * float(off[axis]),
+                cell.rated_output,
+                100.0 * allowed,
+            ),
+        )
 
 
 def _creep(

@@ -6,15 +6,19 @@ per cent of the force (of full scale for zero return), computed from the reading
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 
+from rigapp.texts import joined, say
 from rigapp_calibration.arrays import Array, Marks, Whole
 from rigapp_calibration.load_cell.readings import HungReadings, LoadCellReadings
-from rigapp_calibration.load_cell.two_axis import TwoAxisFit
+from rigapp_calibration.load_cell.settings import LoadCellSettings
+from rigapp_calibration.load_cell.two_axis import TwoAxisFit, robust_fit
+from rigapp_calibration.load_cell.weights import force_per_mass, pin_force, weight_force
+from rigapp_calibration.load_cell.zeros import Zeros, examine_zeros
 from rigapp_calibration.problems import Problem, note
 from rigapp_calibration.taking.readings import each_series
 
@@ -64,9 +68,26 @@ class Loads:
 
     def runs(self) -> Whole:
         """Return the number (n,) of the run (a series at one pin angle) of each, as taken."""
-        numbers: dict[tuple[str, int], int] = {}
-        runs = zip(self.series, self.group.tolist(), strict=True)
-        return np.array([numbers.setdefault(one, len(numbers)) for one in runs], dtype=np.int64)
+        return run_numbers(self.series, self.group)
+
+    def only(self, kept: Marks) -> Loads:
+        """Return some of the readings."""
+        return Loads(
+            self.applied[kept],
+            self.along[kept],
+            self.across[kept],
+            self.group[kept],
+            self.rising[kept],
+            tuple(one for one, stays in zip(self.series, kept, strict=True) if stays),
+            self.direction[kept],
+        )
+
+
+def run_numbers(series: Sequence[str], group: Whole) -> Whole:
+    """Return the number (n,) of the run of each reading, as taken: a series at one pin angle."""
+    numbers: dict[tuple[str, int], int] = {}
+    runs = zip(series, group.tolist(), strict=True)
+    return np.array([numbers.setdefault(one, len(numbers)) for one in runs], dtype=np.int64)
 
 
 def angle_groups(angle: Array) -> Whole:
@@ -238,22 +259,25 @@ class Creep:
 
 def unusable_creep(hung: HungReadings) -> Iterator[Problem]:
     """Yield a note where readings under a load that stays on tell no creep of ISO 376."""
-    wanted = " and ".join(f"{one:g} s" for one in CREEP_AT)
+    wanted = joined(say(" and "), (f"{one:g} s" for one in CREEP_AT))
     why = ""
     if len(hung.time) != len(CREEP_AT):
-        why = f"there are {len(hung.time)} and not {len(CREEP_AT)}"
+        why = say("there are {} and not {}", len(hung.time), len(CREEP_AT))
     elif not np.isfinite(np.column_stack((hung.mass, hung.angle, hung.time, hung.signal))).all():
-        why = "one is not a number"
+        why = say("one is not a number")
     elif np.any(np.abs(hung.time / CREEP_AT - 1.0) > CREEP_TIMES):
-        taken = " and ".join(f"{one:.0f} s" for one in hung.time)
-        why = f"they were taken {taken} after loading, not {wanted}"
+        taken = joined(say(" and "), (f"{one:.0f} s" for one in hung.time))
+        why = say("they were taken {} after loading, not {}", taken, wanted)
     elif hung.mass[0] != hung.mass[1] or not hung.mass[0] > 0.0:
-        why = "they are not of one load"
+        why = say("they are not of one load")
     if why:
         yield note(
             "creep_unusable",
-            f"The readings of the creep are passed over, {why}: the creep that the settings state"
-            " counts.",
+            say(
+                "The readings of the creep are passed over, {}: the creep that the settings"
+                " state counts.",
+                why,
+            ),
         )
 
 
@@ -277,19 +301,96 @@ def check_creep(found: Creep) -> Iterator[Problem]:
     if abs(found.change) > LARGEST_CREEP * found.load:
         yield Problem(
             "creep",
-            f"Between {found.times[0]:.0f} s and {found.times[1]:.0f} s under {found.load:.1f} N"
-            f" the indication changes by {found.change:+.2f} N, {found.percent:.1f} % of the load."
-            " No cell creeps so far: was the load touched? Take the creep again, or leave it out.",
+            say(
+                "Between {:.0f} s and {:.0f} s under {:.1f} N the indication changes by"
+                " {:+.2f} N, {:.1f} % of the load. No cell creeps so far: was the load"
+                " touched? Take the creep again, or leave it out.",
+                found.times[0],
+                found.times[1],
+                found.load,
+                found.change,
+                found.percent,
+            ),
         )
 
 
 def creep_words(found: Creep | None, stated: float) -> str:
     """Return what U has of the creep: the measured one, else the stated part of the load."""
     if found is None:
-        return f"Creep: not measured; U has the {100.0 * stated:g} % that the settings state."
+        return say("Creep: not measured; U has the {:g} % that the settings state.", 100.0 * stated)
     early, late = found.times
-    return (
-        f"Creep at {found.load:.1f} N, from {early:.0f} s to {late:.0f} s after loading:"
-        f" {found.change:+.3f} N; U has {100.0 * found.half_width:.3f} %, the scatter of the two"
-        " readings included."
+    return say(
+        "Creep at {:.1f} N, from {:.0f} s to {:.0f} s after loading: {:+.3f} N; U has"
+        " {:.3f} %, the scatter of the two readings included.",
+        found.load,
+        early,
+        late,
+        found.change,
+        100.0 * found.half_width,
     )
+
+
+SURE = 5.0
+"""Standard deviations from which on a difference is no noise."""
+SURE_WEIGHT = 3.0
+"""And the weight of the pin no scatter of the zeros: its size is far less than any mistake's."""
+
+
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """What the second round looks at: readings, robust fit, noise (N), loads, N per kg.
+
+    force (n, 2): applied to the pin, N.
+    """
+
+    readings: LoadCellReadings
+    settings: LoadCellSettings
+    found: TwoAxisFit
+    noise: float
+    loads: Loads
+    newton_per_kg: float
+    force: Array
+
+
+def applied_force(readings: LoadCellReadings, settings: LoadCellSettings) -> Array:
+    """Return the forces (n, 2), N, that the weights put on the pin, in its frame."""
+    weight = weight_force(readings.mass, settings.weights, settings.place)
+    return pin_force(weight, readings.angle, settings.angle_offset)
+
+
+def zeros_of(readings: LoadCellReadings, settings: LoadCellSettings, sensitivity: Array) -> Zeros:
+    """Return what the unloaded readings tell; sensitivity (2, 2): signal per newton."""
+    hanging = settings.weights.at_zero * force_per_mass(settings.weights, settings.place)
+    return examine_zeros(
+        readings.signal,
+        readings.mass == 0.0,
+        run_numbers(readings.series, angle_groups(readings.angle)),
+        pin_force(1.0, readings.angle, settings.angle_offset),
+        sensitivity,
+        hanging,
+    )
+
+
+def examine(readings: LoadCellReadings, settings: LoadCellSettings) -> Evidence:
+    """Fit robustly; raise numpy.linalg.LinAlgError when the loads do not span both axes."""
+    applied = applied_force(readings, settings)
+    found, noise = robust_fit(applied, readings.signal, settings.cell.resolution / np.sqrt(12.0))
+    seen = loads(readings, applied, found.force(readings.signal))
+    newton_per_kg = force_per_mass(settings.weights, settings.place)
+    return Evidence(readings, settings, found, noise, seen, newton_per_kg, applied)
+
+
+def without_pin_weight(evidence: Evidence) -> Evidence:
+    """Return the evidence without what turns with the pin, where the zeros show it for sure.
+
+    A constant load is otherwise named as a hanger that nobody weighed.
+    """
+    readings = evidence.readings
+    if not np.any(readings.mass == 0.0):
+        return evidence
+    zeros = zeros_of(readings, evidence.settings, evidence.found.sensitivity)
+    hanging = evidence.settings.weights.at_zero * evidence.newton_per_kg
+    if abs(zeros.weight + hanging) <= SURE_WEIGHT * zeros.weight_uncertainty:
+        return evidence
+    flat = replace(readings, signal=readings.signal - zeros.circle)
+    return examine(flat, evidence.settings)

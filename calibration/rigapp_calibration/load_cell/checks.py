@@ -13,9 +13,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from rigapp.texts import say
 from rigapp_calibration.arrays import Array
-from rigapp_calibration.load_cell.characteristics import hysteresis_by_load
-from rigapp_calibration.load_cell.evidence import SURE, Evidence, examine
+from rigapp_calibration.load_cell.characteristics import SURE, Evidence, examine, hysteresis_by_load
 from rigapp_calibration.load_cell.patterns import check_patterns
 from rigapp_calibration.load_cell.reading_checks import coarse
 from rigapp_calibration.load_cell.reading_faults import single_faults
@@ -66,10 +66,14 @@ def _no_reference(evidence: Evidence) -> Iterator[Problem]:
         full = evidence.settings.cell.full_scale
         yield note(
             "no_angle_reference",
-            "No angle reference is stated: an error that all pin angles have in common leaves no"
-            f" trace in the readings (1 degree turns every force by {full * np.radians(1.0):.1f} N"
-            f" at {full:g} N), and U does not hold it. Take it with a level on the flat of the"
-            " crank, and write [angle] offset_deg.",
+            say(
+                "No angle reference is stated: an error that all pin angles have in common"
+                " leaves no trace in the readings (1 degree turns every force by {:.1f} N"
+                " at {:g} N), and U does not hold it. Take it with a level on the flat of"
+                " the crank, and write [angle] offset_deg.",
+                full * np.radians(1.0),
+                full,
+            ),
         )
 
 
@@ -79,26 +83,37 @@ def _axes(evidence: Evidence) -> Iterator[Problem]:
     if crossed > straight:
         yield Problem(
             "axes_swapped",
-            "The two signals are swapped: signal_1 follows the force across the crank; exchange the"
-            " two bridges' inputs."
+            say(
+                "The two signals are swapped: signal_1 follows the force across the crank;"
+                " exchange the two bridges' inputs."
+            )
             if np.linalg.det(a) < 0.0
-            else "The two signals are swapped and one of them is reversed, or every pin angle is a"
-            " quarter of a turn off; check the inputs, the wires and the angle reference.",
+            else say(
+                "The two signals are swapped and one of them is reversed, or every pin"
+                " angle is a quarter of a turn off; check the inputs, the wires and the"
+                " angle reference."
+            ),
         )
         return
     reversed_axes = [axis + 1 for axis in range(2) if a[axis, axis] < 0.0]
     if len(reversed_axes) == 2:
         yield Problem(
             "axes_reversed",
-            "Both signals have the wrong sign: the pin stands half a turn off, or both bridges are"
-            " reversed; check the angle reference.",
+            say(
+                "Both signals have the wrong sign: the pin stands half a turn off, or both"
+                " bridges are reversed; check the angle reference."
+            ),
         )
     elif reversed_axes:
-        other = ". Or the pin angle counts the wrong way" if reversed_axes[0] == 1 else ""
+        other = say(". Or the pin angle counts the wrong way") if reversed_axes[0] == 1 else ""
         yield Problem(
             "axis_reversed",
-            f"signal_{reversed_axes[0]} has the wrong sign: that bridge is reversed; exchange its"
-            f" two signal wires{other}.",
+            say(
+                "signal_{} has the wrong sign: that bridge is reversed; exchange its two"
+                " signal wires{}.",
+                reversed_axes[0],
+                other,
+            ),
         )
     else:
         yield from _turned(a)
@@ -111,14 +126,21 @@ def _turned(a: Array) -> Iterator[Problem]:
     if share > 20.0 or abs(turn) > BLOCKING_TURN:
         yield Problem(
             "angle_reference",
-            f"Each signal sees up to {share:.0f} % of the other axis, as if every pin angle were"
-            f" {abs(np.degrees(turn)):.1f} degrees off; repeat the angle reference step.",
+            say(
+                "Each signal sees up to {:.0f} % of the other axis, as if every pin angle"
+                " were {:.1f} degrees off; repeat the angle reference step.",
+                share,
+                abs(np.degrees(turn)),
+            ),
         )
     elif abs(turn) > NOTED_TURN:
         yield note(
             "angle_reference",
-            f"The axes stand as if every pin angle were {abs(np.degrees(turn)):.1f} degrees off."
-            " It can be the cell's own cross-talk; only the angle reference step can tell.",
+            say(
+                "The axes stand as if every pin angle were {:.1f} degrees off. It can be"
+                " the cell's own cross-talk; only the angle reference step can tell.",
+                abs(np.degrees(turn)),
+            ),
         )
 
 
@@ -153,9 +175,13 @@ def _saturated(evidence: Evidence) -> Iterator[Problem]:
             index, axis = (int(one) for one in np.argwhere(at)[0])
             yield Problem(
                 "saturated",
-                f"signal_{axis + 1} stands still at {signal[index, axis]:g} from"
-                f" {place_of(readings, index)} while the load grows: the input is saturated;"
-                " choose a larger range.",
+                say(
+                    "signal_{} stands still at {:g} from {} while the load grows: the input"
+                    " is saturated; choose a larger range.",
+                    axis + 1,
+                    signal[index, axis],
+                    place_of(readings, index),
+                ),
             )
             return
 
@@ -198,8 +224,13 @@ def _jump(evidence: Evidence) -> tuple[Problem, Array] | None:
     return (
         Problem(
             "zero_jump",
-            f"The zero jumps by {size:.1f} N between {before} and {after}: did something touch"
-            " cable or amplifier? Take the readings again.",
+            say(
+                "The zero jumps by {:.1f} N between {} and {}: did something touch cable or"
+                " amplifier? Take the readings again.",
+                size,
+                before,
+                after,
+            ),
         ),
         offset,
     )
@@ -232,8 +263,11 @@ def _drift(evidence: Evidence) -> tuple[Problem, Array] | None:
     return (
         Problem(
             "drift",
-            f"The zero drifts by {size:.1f} N over the calibration; let the cell warm up and take"
-            " the readings again.",
+            say(
+                "The zero drifts by {:.1f} N over the calibration; let the cell warm up and"
+                " take the readings again.",
+                size,
+            ),
         ),
         ramp,
     )
@@ -245,8 +279,10 @@ def _hysteresis(evidence: Evidence) -> tuple[Problem | None, Evidence]:
         return (
             note(
                 "no_descending_series",
-                "No load was read both going up and going down, so hysteresis is unknown; add a"
-                " descending series.",
+                say(
+                    "No load was read both going up and going down, so hysteresis is"
+                    " unknown; add a descending series."
+                ),
             ),
             evidence,
         )
@@ -259,8 +295,12 @@ def _hysteresis(evidence: Evidence) -> tuple[Problem | None, Evidence]:
     return (
         Problem(
             "hysteresis",
-            f"Going down the cell reads {largest:+.1f} N against going up, more than 1 % of full"
-            " scale: something rubs, slips or was overloaded; find it before calibrating.",
+            say(
+                "Going down the cell reads {:+.1f} N against going up, more than 1 % of"
+                " full scale: something rubs, slips or was overloaded; find it before"
+                " calibrating.",
+                largest,
+            ),
         ),
         replace(
             evidence,
@@ -275,6 +315,10 @@ def _range(evidence: Evidence) -> Iterator[Problem]:
     if heaviest < 0.8 * full:
         yield note(
             "range_not_covered",
-            f"The largest load is {heaviest:.0f} N of {full:.0f} N; above it the calibration is"
-            " extrapolated.",
+            say(
+                "The largest load is {:.0f} N of {:.0f} N; above it the calibration is"
+                " extrapolated.",
+                heaviest,
+                full,
+            ),
         )

@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.stats import t as student
 
+from rigapp.texts import say
 from rigapp_calibration.arrays import Array
+from rigapp_calibration.coverage import COVERAGE, NORMAL_FACTOR
 from rigapp_calibration.load_cell.characteristics import loads
 from rigapp_calibration.load_cell.readings import LoadCellReadings
 from rigapp_calibration.load_cell.settings import LoadCellSettings
 from rigapp_calibration.load_cell.two_axis import forces
-from rigapp_calibration.load_cell.weights import pin_force, weight_force
+from rigapp_calibration.load_cell.weights import (
+    pin_force,
+    relative_force_uncertainty,
+    weight_force,
+)
 from rigapp_calibration.taking.readings import each_series
 
 WEIGHT_SHARE = 0.005
@@ -28,7 +36,8 @@ class DailyCheck:
     elements (2, 2): felt force = elements applied force, by least squares; the identity when the
     calibration in use is right. sensitivity: mean ratio of felt to applied force. cross_talk: mean
     share felt across. zero: (2,) mean zero less the calibration's, N. largest: the largest
-    deviation, N. allowed, zero_allowed: N. weight: the heaviest that hung, N.
+    deviation, N. allowed, zero_allowed: N. weight: the heaviest that hung, N. expanded: U of what
+    is judged, N: along the weight, across it, of the zero. rule: by which it is judged, in words.
     """
 
     passed: bool
@@ -42,6 +51,8 @@ class DailyCheck:
     zero_allowed: float
     sentence: str
     weight: float
+    expanded: tuple[float, float, float]
+    rule: str
 
 
 def daily_check(
@@ -54,8 +65,9 @@ def daily_check(
     """Compare the forces that the calibration in use tells with the weights that hung.
 
     The limit is one resolution of the cell, or half a percent of the weight if that is more; of the
-    zero, one resolution or a percent of full scale. Raises ValueError when a series has no zero,
-    nothing hung, or the weight hung along one axis only.
+    zero, one resolution or a percent of full scale. By the decision rule of JCGM 106, 8.3, U of the
+    check is taken off it (guard band w = U), unless the settings say simple acceptance. Raises
+    ValueError when a series has no zero, nothing hung, or the weight hung along one axis only.
     """
     weight = weight_force(readings.mass, settings.weights, settings.place)
     applied = pin_force(weight, readings.angle, settings.angle_offset)
@@ -65,24 +77,28 @@ def daily_check(
     for name, members in each_series(readings.series):
         zeros = felt[members & empty]
         if not len(zeros):
-            raise ValueError(f"series {name} has no reading without weights")
+            raise ValueError(say("series {} has no reading without weights", name))
         rest[members] = zeros.mean(axis=0)
     loaded = ~empty
     if not loaded.any():
-        raise ValueError("no reading has a weight on it")
+        raise ValueError(say("no reading has a weight on it"))
     net, size = felt - rest, weight[loaded]
     seen = loads(readings, applied, net)
     along, parallel, crossed = (one[loaded] for one in (seen.direction, seen.along, seen.across))
     deviation = np.stack((parallel - size, crossed), axis=-1)
     if np.linalg.matrix_rank(along, tol=0.1) < 2:
-        raise ValueError("the weight hung along one axis only; hang it at angles of both")
+        raise ValueError(say("the weight hung along one axis only; hang it at angles of both"))
     elements = np.linalg.lstsq(applied[loaded], net[loaded], rcond=None)[0].T
     zero = felt[empty].mean(axis=0)
     largest = float(np.abs(deviation).max())
     resolution = settings.cell.resolution
     allowed = max(resolution, WEIGHT_SHARE * float(size.max()))
     zero_allowed = max(resolution, ZERO_SHARE * settings.cell.full_scale)
-    told, at_rest = largest <= allowed, float(np.abs(zero).max()) <= zero_allowed
+    scatter = net[loaded] - applied[loaded] @ elements.T
+    expanded = _expanded(scatter, rest, settings, float(size.max()))
+    guard = np.array(expanded if settings.cell.guarded else (0.0, 0.0, 0.0))
+    told = bool(np.all(np.abs(deviation) <= allowed - guard[:2]))
+    at_rest = bool(np.abs(zero).max() <= zero_allowed - guard[2])
     return DailyCheck(
         passed=told and at_rest,
         deviation=deviation,
@@ -93,30 +109,108 @@ def daily_check(
         largest=largest,
         allowed=allowed,
         zero_allowed=zero_allowed,
-        sentence=_sentence(elements, largest, allowed, zero, zero_allowed),
+        sentence=_sentence(elements, largest, allowed, told, zero, zero_allowed, at_rest),
         weight=float(size.max()),
+        expanded=expanded,
+        rule=_rule(allowed, zero_allowed, expanded, guarded=settings.cell.guarded),
+    )
+
+
+def _expanded(
+    scatter: Array, rest: Array, settings: LoadCellSettings, weight: float
+) -> tuple[float, float, float]:
+    """Return U of a deviation along the weight and across it, and of the zero, N.
+
+    Weights and gravity along, the pin's angle across; in all what the readings scatter by about
+    their own fit, in which the steps of the display are.
+    """
+    degrees = max(scatter.size - 4, 1)
+    noise = math.sqrt(float(np.sum(scatter**2)) / degrees)
+    random = float(student.ppf(0.5 + 0.5 * COVERAGE, degrees)) * noise
+    force = NORMAL_FACTOR * relative_force_uncertainty(settings.weights, settings.place) * weight
+    turned = NORMAL_FACTOR * settings.angle_uncertainty * weight
+    zeros = np.unique(rest, axis=0)
+    of_mean = 0.0
+    if len(zeros) > 1:
+        spread = float(zeros.std(axis=0, ddof=1).max())
+        factor = float(student.ppf(0.5 + 0.5 * COVERAGE, len(zeros) - 1))
+        of_mean = factor * spread / math.sqrt(len(zeros))
+    return math.hypot(force, random), math.hypot(turned, random), of_mean
+
+
+def _rule(
+    allowed: float, zero_allowed: float, expanded: tuple[float, float, float], *, guarded: bool
+) -> str:
+    """Return the decision rule in words."""
+    along, across, zero = expanded
+    words: str = say(
+        "U of the check (95 %) is {:.2g} N along the weight, {:.2g} N across it and {:.2g} N of the"
+        " zero.",
+        along,
+        across,
+        zero,
+    )
+    if not guarded:
+        return words + say(
+            " Decision rule: simple acceptance (JCGM 106), passed up to {:.2f} N ({:.2f} N of the"
+            " zero); a cell at the limit may as well be beyond it.",
+            allowed,
+            zero_allowed,
+        )
+    return words + say(
+        " Decision rule: guard band w = U (JCGM 106), passed up to {:.2f} N along, {:.2f} N"
+        " across and {:.2f} N of the zero; a cell that is passed is beyond {:.2f} N in at most 2.5"
+        " of 100.",
+        max(0.0, allowed - along),
+        max(0.0, allowed - across),
+        max(0.0, zero_allowed - zero),
+        allowed,
     )
 
 
 def _sentence(
-    elements: Array, largest: float, allowed: float, zero: Array, zero_allowed: float
+    elements: Array,
+    largest: float,
+    allowed: float,
+    told: bool,
+    zero: Array,
+    zero_allowed: float,
+    at_rest: bool,
 ) -> str:
     """Say whether the cell tells the weight, where not, and whether its zero stands."""
-    words = f"The cell tells the weight within {largest:.2f} N ({allowed:.2f} N are allowed)."
+    words: str = say(
+        "The cell tells the weight within {:.2f} N ({:.2f} N are allowed).", largest, allowed
+    )
     if largest > allowed:
         off = elements - np.eye(2)
         row, of = divmod(int(np.abs(off).argmax()), 2)
-        words = (
-            f"The cell is off by {largest:.2f} N, {allowed:.2f} N are allowed: axis {row + 1} tells"
-            f" {100.0 * float(off[row, of]):+.2f} % of the force along axis {of + 1}"
-            f"{' too much' if row == of else ''}. Check the weight that hung; if it was right,"
-            " calibrate the load cell again."
+        words = say(
+            "The cell is off by {:.2f} N, {:.2f} N are allowed: axis {} tells {:+.2f} %"
+            " of the force along axis {}{}. Check the weight that hung; if it was"
+            " right, calibrate the load cell again.",
+            largest,
+            allowed,
+            row + 1,
+            100.0 * float(off[row, of]),
+            of + 1,
+            say(" too much") if row == of else "",
+        )
+    elif not told:
+        words = say(
+            "The cell tells the weight within {:.2f} N, {:.2f} N are allowed, but U of the check"
+            " leaves it open whether it is within. Repeat the check, with a heavier weight or a"
+            " better angle.",
+            largest,
+            allowed,
         )
     axis = int(np.abs(zero).argmax())
-    if abs(float(zero[axis])) > zero_allowed:
-        words += (
-            f" The zero of axis {axis + 1} stands {float(zero[axis]):+.2f} N off that of the"
-            f" calibration, {zero_allowed:.2f} N are allowed: was the cell overloaded, or is a"
-            " cable off? Zero it; if it moves again, have it looked after."
+    if not at_rest:
+        words += say(
+            " The zero of axis {} stands {:+.2f} N off that of the calibration, {:.2f}"
+            " N are allowed: was the cell overloaded, or is a cable off? Zero it; if it"
+            " moves again, have it looked after.",
+            axis + 1,
+            float(zero[axis]),
+            zero_allowed,
         )
     return words

@@ -24,6 +24,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rigapp.texts import say
 from rigapp_calibration.arrays import Array
 from rigapp_calibration.coverage import COVERAGE, NORMAL_FACTOR
 from rigapp_calibration.records import RecordError, unseal
@@ -100,7 +101,7 @@ class ForceUncertainty:
         """Return the line as it is printed."""
         line = f"{self.constant_N:.2f} N + {self.relative:.5f} |F|"
         noise = (
-            f", one sample besides ± {self.coverage_factor * self.noise_N:.2f} N"
+            say(", one sample besides ± {:.2f} N", self.coverage_factor * self.noise_N)
             if self.noise_N
             else ""
         )
@@ -127,7 +128,7 @@ def stated_uncertainty(record: str, line: tuple[float, float] | None) -> ForceUn
     """Return what a sealed record states, else the line of the rig file, else None."""
     found = _of_record(record)
     if found is None and line is not None:
-        found = ForceUncertainty(line[0], line[1], RIG_FILE_FACTOR, "rig file")
+        found = ForceUncertainty(line[0], line[1], RIG_FILE_FACTOR, say("rig file"))
     return _known(found)
 
 
@@ -135,9 +136,12 @@ def too_uncertain(expanded_N: float, full_scale_N: float) -> str:
     """Return why an expanded uncertainty at full scale is no result, empty when it is one."""
     if expanded_N <= LARGEST_SHARE * full_scale_N:
         return ""
-    return (
-        f"states an uncertainty of {expanded_N:.3g} N at {full_scale_N:g} N, more than the"
-        f" {100.0 * LARGEST_SHARE:.0f} % by which a cell without calibration may be wrong"
+    return say(
+        "states an uncertainty of {:.3g} N at {:g} N, more than the {:.0f} % by which a"
+        " cell without calibration may be wrong",
+        expanded_N,
+        full_scale_N,
+        100.0 * LARGEST_SHARE,
     )
 
 
@@ -153,8 +157,8 @@ def noise_of_sample(
     if noise is not None and all(map(math.isfinite, noise)):
         seen = float(np.sqrt((matrix**2 @ np.square(noise)).max()))
         if seen > steps:
-            return seen, "signals at rest before the start"
-    return steps, "resolution of the load cell"
+            return seen, say("signals at rest before the start")
+    return steps, say("resolution of the load cell")
 
 
 def uncertainty_record(
@@ -162,20 +166,22 @@ def uncertainty_record(
 ) -> dict[str, Any]:
     """Return the group of the file, units in the keys; NaN where nothing is stated."""
     nothing = ForceUncertainty(
-        math.nan, math.nan, RIG_FILE_FACTOR, "not stated: calibrate the load cell"
+        math.nan, math.nan, RIG_FILE_FACTOR, say("not stated: calibrate the load cell")
     )
     known = replace(stated or nothing, noise_N=noise_N)
     of_magnitude = known.magnitude or (known.constant_N, known.relative)
     forces = full_scale_N * np.array(SHARES_OF_FULL_SCALE)
     return {
-        "description": "expanded uncertainty U of a measured force, of one component as of |F|, "
-        "that is a mean of n samples (n = 1: one sample): "
-        "U = sqrt((constant_N + relative |F|)^2 + (coverage_factor noise_N)^2 / n); of |F| with "
-        "magnitude_constant_N and magnitude_relative it is as small as a line may state it. "
-        "These lines bound U; by_load_along_N (that of |F|) and by_load_across_N are U of a mean "
-        "of many at the loads by_load_N, linear between them, where the calibration states it. "
-        "|F|: magnitude of the whole force, also for a component; for the largest of a revolution "
-        "force_max, for a mean or RMS force_rms",
+        "description": say(
+            "expanded uncertainty U of a measured force, of one component as of |F|, that"
+            " is a mean of n samples (n = 1: one sample): U = sqrt((constant_N + relative"
+            " |F|)^2 + (coverage_factor noise_N)^2 / n); of |F| with magnitude_constant_N"
+            " and magnitude_relative it is as small as a line may state it. These lines"
+            " bound U; by_load_along_N (that of |F|) and by_load_across_N are U of a mean"
+            " of many at the loads by_load_N, linear between them, where the calibration"
+            " states it. |F|: magnitude of the whole force, also for a component; for the"
+            " largest of a revolution force_max, for a mean or RMS force_rms"
+        ),
         "source": known.source,
         "coverage_factor": known.coverage_factor,
         "coverage_probability": COVERAGE,
@@ -189,10 +195,13 @@ def uncertainty_record(
         "force_N": forces.tolist(),
         "one_sample_N": known.at(forces).tolist(),
         "mean_of_many_N": known.at(forces, math.inf).tolist(),
-        "not_included": "drift of the zero during the test and temperature beyond what the "
-        "calibration states, response of filter and cell to fast changes; the largest of n samples "
-        "reads high by their noise, about noise_N sqrt(2 ln n), and so does |F| where it is not "
-        "larger than its uncertainty; the samples of a mean count as independent",
+        "not_included": say(
+            "drift of the zero during the test and temperature beyond what the calibration"
+            " states, response of filter and cell to fast changes; the largest of n samples"
+            " reads high by their noise, about noise_N sqrt(2 ln n), and so does |F| where"
+            " it is not larger than its uncertainty; the samples of a mean count as"
+            " independent"
+        ),
     }
 
 
@@ -225,7 +234,7 @@ def _of_record(text: str) -> ForceUncertainty | None:
     try:
         record = unseal(text.encode())
         result = record.content["result"]
-        source = f"record {record.number}"
+        source = say("record {}", record.number)
         lines = result.get("uncertainty_lines_of_mean_N")
         if lines is None:
             line, factor = result["uncertainty_line_N"], float(result["coverage_factor"])

@@ -15,9 +15,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy import special
 
+from rigapp.texts import say
 from rigapp_calibration.arrays import Array, Whole
-from rigapp_calibration.load_cell.evidence import Evidence, examine
-from rigapp_calibration.load_cell.two_axis import HUBER, Terms, design
+from rigapp_calibration.load_cell.characteristics import Evidence, examine
+from rigapp_calibration.load_cell.two_axis import HUBER, Terms, cubes, design
 from rigapp_calibration.problems import Problem
 from rigapp_calibration.taking.readings import place_of
 
@@ -35,6 +36,8 @@ ROUNDS = 4
 
 RAYLEIGH_MEDIAN = 1.1774
 """Of the length of a vector whose two parts have standard deviation 1."""
+ANGLES_OF_CUBES = 7
+"""So many pin angles tell terms of third degree, which good cells have, from what came later."""
 FEWEST_DEGREES = 8
 """Fewer know the noise to no better than a quarter: nothing is told of patterns then."""
 
@@ -61,7 +64,7 @@ class Averages:
 
     run, load (cells): numbers of both; force (cells, 2) applied, off: measured less applied, N;
     time: 0 .. 1 over the calibration; loads: N, rising; bow: half the hysteresis loop may be, N;
-    repeats: share of the cells whose readings are equal in all digits.
+    repeats: share of the cells whose readings are equal in all digits; angles: how many.
     """
 
     of: tuple[Whole, Whole]
@@ -73,6 +76,7 @@ class Averages:
     loads: Array
     bow: float
     repeats: float
+    angles: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,6 +122,7 @@ def _cells(evidence: Evidence) -> Averages:
         loads=loads,
         bow=_half_loop(evidence, cell),
         repeats=_repeats(evidence.readings.signal, cell),
+        angles=len(np.unique(evidence.loads.group)),
     )
 
 
@@ -185,6 +190,9 @@ def _honest(cells: Averages, terms: Terms) -> Array:
     The arch is half the hysteresis loop, which the mean of rising and falling readings may hold.
     """
     rows = np.column_stack((design(cells.force, terms), cells.time))
+    if cells.angles >= ANGLES_OF_CUBES:
+        size = float(np.abs(cells.force).max())
+        rows = np.column_stack((rows, cubes(cells.force / size)))
     both = [np.column_stack((one, 0.0 * one)) for one in rows.T]
     both += [one[:, ::-1] for one in both]
     across = np.column_stack((-cells.force[:, 1], cells.force[:, 0]))
@@ -207,7 +215,7 @@ def _search(evidence: Evidence, cells: Averages) -> Found | None:
     fewer = np.array([_fewer(one, cells.repeats) for one in tried])
     weights, found = np.ones(len(cells.run)), None
     for _ in range(ROUNDS):
-        left, degrees = _left(evidence, cells, Terms(), columns, weights)
+        left, degrees = _left(evidence, cells, evidence.found.terms, columns, weights)
         off, shapes = left[:, 0], left[:, 1:]
         power = np.maximum(np.einsum("ij,ij->j", shapes, shapes), 1e-12)
         sizes = shapes.T @ off / power
@@ -223,8 +231,6 @@ def _search(evidence: Evidence, cells: Averages) -> Found | None:
         sure = abs(size) > max(limit * sigma, tried[best].least)
         found = Found(tried[best], size, sure)
         weights = _weights(off - size * shapes[:, best], weights, evidence.noise / np.sqrt(2.0))
-    if found is not None and found.sure and evidence.found.terms.quadratic:
-        return replace(found, sure=not _bends(evidence, cells, weights, float(rest[best]), degrees))
     return found
 
 
@@ -237,20 +243,6 @@ def _fewer(pattern: Pattern, repeats: float) -> float:
     """
     often = 1.0 + repeats**2
     return often if pattern.bridges else (1.0 + repeats) * often
-
-
-def _bends(evidence: Evidence, cells: Averages, weights: Array, rest: float, degrees: int) -> bool:
-    """Tell whether the quadratic terms of the cell explain the cells better than a pattern does.
-
-    rest: the squares that the pattern leaves. Schwarz's criterion weighs their six coefficients
-    against its one.
-    """
-    left, free = _left(
-        evidence, cells, evidence.found.terms, np.empty((cells.off.size, 0)), weights
-    )
-    count = 2.0 * float(weights.sum())
-    gain = count * np.log(rest / max(float(left[:, 0] @ left[:, 0]), 1e-12))
-    return bool(gain > (degrees - 1 - free) * np.log(count))
 
 
 def _left(
@@ -290,29 +282,48 @@ def _weights(rest: Array, weights: Array, noise: float) -> Array:
 def _named(evidence: Evidence, cells: Averages, found: Found) -> Problem:
     pattern, size = found.pattern, found.size
     if pattern.bridges:
-        who = f"signal_{pattern.bridges[0] + 1} reads"
+        who = say("signal_{} reads", pattern.bridges[0] + 1)
         if len(pattern.bridges) == 2:
-            who = "both signals read"
+            who = say("both signals read")
         first = int(np.flatnonzero(cells.of[0] == pattern.place)[0])
-        since = f"From {place_of(evidence.readings, first)} on" if pattern.steady else "Slowly"
+        since = (
+            say("From {} on", place_of(evidence.readings, first))
+            if pattern.steady
+            else say("Slowly")
+        )
         return Problem(
             "gain_changed",
-            f"{since}: {who} {abs(100.0 * size):.1f} % {'more' if size > 0.0 else 'less'} of the"
-            " same load than before: the gain changed (range, excitation, filter or cable?). Find"
-            " out why, and take all series again.",
+            say(
+                "{}: {} {:.1f} % {} of the same load than before: the gain changed (range,"
+                " excitation, filter or cable?). Find out why, and take all series again.",
+                since,
+                who,
+                abs(100.0 * size),
+                say("more") if size > 0.0 else say("less"),
+            ),
         )
-    words = f"{abs(size):.2f} kg {'heavier' if size > 0.0 else 'lighter'} than written"
+    words = say(
+        "{:.2f} kg {} than written", abs(size), say("heavier") if size > 0.0 else say("lighter")
+    )
     mass = float(cells.loads[pattern.place]) / evidence.newton_per_kg
     if pattern.place == 1 and not pattern.only:
         return Problem(
             "hanger_mass",
-            f"Every load seems {words}, while the zeros are right: is hanger_mass_kg what hangs"
-            " beside the pieces at every load, and is the first piece what its mark says?",
+            say(
+                "Every load seems {}, while the zeros are right: is hanger_mass_kg what"
+                " hangs beside the pieces at every load, and is the first piece what its"
+                " mark says?",
+                words,
+            ),
         )
-    which = f"At {mass:.3g} kg the load" if pattern.only else f"From {mass:.3g} kg on every load"
+    which = (
+        say("At {:.3g} kg the load", mass)
+        if pattern.only
+        else say("From {:.3g} kg on every load", mass)
+    )
     return Problem(
         "wrong_piece",
-        f"{which} seems {words}, at every pin angle: weigh the piece that joins there.",
+        say("{} seems {}, at every pin angle: weigh the piece that joins there.", which, words),
     )
 
 

@@ -7,12 +7,17 @@ from itertools import combinations
 
 import numpy as np
 
+from rigapp.texts import joined, say
 from rigapp_calibration.arrays import Whole
 from rigapp_calibration.load_cell.characteristics import angle_groups
-from rigapp_calibration.load_cell.plausible import RATED_OUTPUT, check_settings, heaviest_mass
 from rigapp_calibration.load_cell.readings import LoadCellReadings
-from rigapp_calibration.load_cell.settings import LoadCellSettings
-from rigapp_calibration.load_cell.weights import weight_force
+from rigapp_calibration.load_cell.settings import (
+    RATED_OUTPUT,
+    LoadCellSettings,
+    check_settings,
+    heaviest_mass,
+)
+from rigapp_calibration.load_cell.weights import FEWEST_LOADS, weight_force
 from rigapp_calibration.problems import Problem, blocked
 from rigapp_calibration.taking.readings import (
     check_columns,
@@ -55,34 +60,74 @@ def check_readings(readings: LoadCellReadings, settings: LoadCellSettings) -> It
     if loaded < FEWEST_LOADED:
         yield Problem(
             "too_few_readings",
-            f"Only {loaded} readings with weights; take at least {FEWEST_LOADED}, better 40"
-            " (4 pin angles, 5 loads up and down).",
+            say(
+                "Only {} readings with weights; take at least {}, better 40 (4 pin angles,"
+                " 5 loads up and down).",
+                loaded,
+                FEWEST_LOADED,
+            ),
         )
+    yield from _few_loads(readings)
     if not np.any(readings.mass == 0.0):
-        yield Problem("no_zero", "There is no reading without weights; take a zero in each series.")
+        yield Problem(
+            "no_zero", say("There is no reading without weights; take a zero in each series.")
+        )
+
+
+def _few_loads(readings: LoadCellReadings) -> Iterator[Problem]:
+    loads = np.unique(np.round(readings.mass[readings.mass > 0.0], 3))
+    if 0 < len(loads) < FEWEST_LOADS:
+        heaviest = float(loads[-1])
+        missing = [
+            share
+            for share in np.arange(1, FEWEST_LOADS + 1) * heaviest / FEWEST_LOADS
+            if np.abs(loads - share).min() > 0.2 * heaviest
+        ]
+        missing = missing or [0.5 * (float(loads[0]) + heaviest)]
+        yield Problem(
+            "too_few_loads",
+            say(
+                "Only {} different loads hung ({} kg): at least {} are needed above zero. Take"
+                " others as well, for example {} kg.",
+                len(loads),
+                joined(" and ", (f"{one:g}" for one in loads)),
+                FEWEST_LOADS,
+                joined(" and ", (f"{one:.3g}" for one in missing)),
+            ),
+        )
 
 
 def _impossible_masses(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
     heaviest = float(np.nanmax(readings.mass, initial=0.0))
     if np.nanmin(readings.mass, initial=0.0) < 0.0:
-        yield Problem("negative_mass", "A mass is negative; masses are written in kg, from 0 up.")
+        yield Problem(
+            "negative_mass", say("A mass is negative; masses are written in kg, from 0 up.")
+        )
     limit = heaviest_mass(settings)
     if heaviest > 50.0 * limit:
         yield Problem(
             "mass_unit",
-            f"A mass of {heaviest:g} kg is written; was it meant in grams? Write kilograms.",
+            say("A mass of {:g} kg is written; was it meant in grams? Write kilograms.", heaviest),
         )
     elif 0.0 < heaviest < LIGHTEST_SHARE * limit:
         yield Problem(
             "mass_unit",
-            f"The heaviest mass is {heaviest:g} kg, the cell may bear {limit:.1f} kg: nothing can"
-            " be told from so little; write kilograms, not tonnes.",
+            say(
+                "The heaviest mass is {:g} kg, the cell may bear {:.1f} kg: nothing can be"
+                " told from so little; write kilograms, not tonnes.",
+                heaviest,
+                limit,
+            ),
         )
     elif heaviest > limit:
         yield Problem(
             "overload",
-            f"{heaviest:g} kg is more than the cell may bear ({limit:.1f} kg); check the mass,"
-            " which is written in kilograms, not in grams, newtons or pounds.",
+            say(
+                "{:g} kg is more than the cell may bear ({:.1f} kg); check the mass, which"
+                " is written in kilograms, not in grams, newtons or pounds.",
+                heaviest,
+                limit,
+            ),
         )
 
 
@@ -95,7 +140,7 @@ def _angles(readings: LoadCellReadings) -> Iterator[Problem]:
     if np.ptp(degrees) > 0.5 and np.abs(degrees).max() < 6.3 and len(np.unique(degrees)) >= 4:
         yield Problem(
             "angle_unit",
-            "All pin angles lie between 0 and 6.3; they look like radians, write degrees.",
+            say("All pin angles lie between 0 and 6.3; they look like radians, write degrees."),
         )
         return
     groups = angle_groups(angle)
@@ -103,8 +148,13 @@ def _angles(readings: LoadCellReadings) -> Iterator[Problem]:
     if count < FEWEST_ANGLES:
         yield Problem(
             "too_few_angles",
-            f"Only {count} pin angle{'s' if count > 1 else ''}: the two axes cannot be told apart;"
-            f" take at least {FEWEST_ANGLES}, evenly round the turn.",
+            say(
+                "Only {} pin angle{}: the two axes cannot be told apart; take at least {},"
+                " evenly round the turn.",
+                count,
+                "s" if count > 1 else "",
+                FEWEST_ANGLES,
+            ),
         )
         return
     turned = np.sort(np.mod([angle[groups == g].mean() for g in np.unique(groups)], 2 * np.pi))
@@ -112,8 +162,10 @@ def _angles(readings: LoadCellReadings) -> Iterator[Problem]:
     if gap > WIDEST_GAP:
         yield Problem(
             "angles_uneven",
-            f"No pin angle within {np.degrees(gap):.0f} degrees of the turn; spread the angles"
-            " evenly.",
+            say(
+                "No pin angle within {:.0f} degrees of the turn; spread the angles evenly.",
+                np.degrees(gap),
+            ),
         )
 
 
@@ -125,8 +177,11 @@ def _dead_or_stuck(readings: LoadCellReadings, settings: LoadCellSettings) -> It
         if np.ptp(signal[:, axis]) == 0.0:
             yield Problem(
                 "bridge_dead",
-                f"signal_{axis + 1} never changes ({signal[0, axis]:g}); is the bridge connected"
-                " and switched on?",
+                say(
+                    "signal_{} never changes ({:g}); is the bridge connected and switched on?",
+                    axis + 1,
+                    signal[0, axis],
+                ),
             )
     yield from _copied(readings)
     yield from _duplicated(readings)
@@ -143,10 +198,10 @@ def _rated_output(readings: LoadCellReadings, settings: LoadCellSettings) -> Ite
     force = weight_force(readings.mass[rows], settings.weights, settings.place)
     # Of a cell with one dead bridge half of the readings tell: the upper quartile is one of them.
     rated = float(np.percentile(change / force, 75.0)) * settings.cell.full_scale
-    words = RATED_OUTPUT.objection("The signal at full scale", rated)
+    words = RATED_OUTPUT.objection(say("The signal at full scale"), rated)
     if words:
         yield Problem(
-            "signal_unit", f"{words} Are the signals volts of an amplifier, counts, or N?"
+            "signal_unit", say("{} Are the signals volts of an amplifier, counts, or N?", words)
         )
 
 
@@ -161,11 +216,15 @@ def _duplicated(readings: LoadCellReadings) -> Iterator[Problem]:
     rows = [(*one, *two) for one, two in zip(steps, values, strict=True)]
     again, same = _seen_before(steps), _seen_before(rows)
     if same and (again == same or not coarse(readings)):
-        more = f" ({len(same) - 1} more like it)" if len(same) > 1 else ""
+        more = say(" ({} more like it)", len(same) - 1) if len(same) > 1 else ""
         yield Problem(
             "duplicated_rows",
-            f"The reading at {place_of(readings, same[0])} stands twice in the table{more}; remove"
-            " what was pasted twice. A second run has series of its own.",
+            say(
+                "The reading at {} stands twice in the table{}; remove what was pasted"
+                " twice. A second run has series of its own.",
+                place_of(readings, same[0]),
+                more,
+            ),
         )
     else:
         yield from check_steps(readings, _runs_of(readings))
@@ -206,11 +265,15 @@ def _copied(readings: LoadCellReadings) -> Iterator[Problem]:
     ]
     if copies:
         name, other = copies[0]
-        more = f" (and {len(copies) - 1} more)" if len(copies) > 1 else ""
+        more = say(" (and {} more)", len(copies) - 1) if len(copies) > 1 else ""
         yield Problem(
             "copied_series",
-            f"Series {name} repeats series {other} digit for digit{more}; was it copied instead"
-            " of taken?",
+            say(
+                "Series {} repeats series {} digit for digit{}; was it copied instead of taken?",
+                name,
+                other,
+                more,
+            ),
         )
 
 

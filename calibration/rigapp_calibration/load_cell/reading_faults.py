@@ -9,8 +9,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from rigapp.texts import say
 from rigapp_calibration.arrays import Array, Marks
-from rigapp_calibration.load_cell.evidence import SURE, Evidence
+from rigapp_calibration.load_cell.characteristics import SURE, Evidence
 from rigapp_calibration.problems import Problem
 from rigapp_calibration.taking.readings import each_series, place_of
 
@@ -73,9 +74,14 @@ def _angle_off(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     index = int(np.flatnonzero(block)[0])
     yield Problem(
         "angle_off",
-        f"At the pin angle of {np.degrees(readings.angle[index]):.1f} degrees (series"
-        f" {readings.series[index]}) every load seems turned by {np.degrees(worst):+.2f} degrees:"
-        " the angle written there, or at the opposite position, is off; take it from the encoder.",
+        say(
+            "At the pin angle of {:.1f} degrees (series {}) every load seems turned by"
+            " {:+.2f} degrees: the angle written there, or at the opposite position, is"
+            " off; take it from the encoder.",
+            np.degrees(readings.angle[index]),
+            readings.series[index],
+            np.degrees(worst),
+        ),
     )
 
 
@@ -126,9 +132,13 @@ def _angle_of_one(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
             explained[index] = True
             yield Problem(
                 "angle_off",
-                f"The pin angle of {np.degrees(readings.angle[index]):.1f} degrees at"
-                f" {place_of(readings, int(index))} is off by about"
-                f" {abs(np.degrees(turn)):.1f} degrees; take it from the encoder.",
+                say(
+                    "The pin angle of {:.1f} degrees at {} is off by about {:.1f} degrees;"
+                    " take it from the encoder.",
+                    np.degrees(readings.angle[index]),
+                    place_of(readings, int(index)),
+                    abs(np.degrees(turn)),
+                ),
             )
 
 
@@ -150,8 +160,11 @@ def _shifted(
     """A run of readings that each fit the next (or previous) step's mass: a step was skipped."""
     found, sure = evidence.loads, SURE * evidence.noise
     for shift, code, words in (
-        (1, "skipped_step", "a step was skipped there: each reading belongs to the next load"),
-        (-1, "repeated_step", "a step was taken twice there: each reading belongs to the last one"),
+        (1, "skipped_step", say("a step was skipped there: each reading belongs to the next load")),
+        (
+            -1, "repeated_step",
+            say("a step was taken twice there: each reading belongs to the last one"),
+        ),
     ):  # fmt: skip
         run = [
             i
@@ -165,7 +178,7 @@ def _shifted(
         if len(run) >= 2:
             group = found.group[run[0]]
             explained[[i for i in members if i >= run[0] and found.group[i] == group]] = True
-            yield Problem(code, f"From {place_of(evidence.readings, run[0])} on, {words}.")
+            yield Problem(code, say("From {} on, {}.", place_of(evidence.readings, run[0]), words))
 
 
 def _swapped(
@@ -186,8 +199,12 @@ def _swapped(
                 explained[[first, second]] = True
                 yield Problem(
                     "swapped_steps",
-                    f"In series {readings.series[first]} the readings of steps"
-                    f" {readings.step[first]} and {readings.step[second]} are swapped.",
+                    say(
+                        "In series {} the readings of steps {} and {} are swapped.",
+                        readings.series[first],
+                        readings.step[first],
+                        readings.step[second],
+                    ),
                 )
 
 
@@ -229,9 +246,14 @@ def _loose_cable(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     axis = int(np.argmax(jump[index]))
     yield Problem(
         "cable_loose",
-        f"signal_{axis + 1} jumps by {jump[index, axis]:.0f} N at {place_of(readings, index)}"
-        + (f" (and at {count - 1} more)" if count > 1 else "")
-        + ", whatever hangs there: is a cable or the slip ring loose?",
+        say(
+            "signal_{} jumps by {:.0f} N at {}",
+            axis + 1,
+            jump[index, axis],
+            place_of(readings, index),
+        )
+        + (say(" (and at {} more)", count - 1) if count > 1 else "")
+        + say(", whatever hangs there: is a cable or the slip ring loose?"),
     )
 
 
@@ -245,8 +267,13 @@ def _wrong_weight(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
         felt = found.along[index] / evidence.newton_per_kg
         yield Problem(
             "wrong_weight",
-            f"At {place_of(readings, int(index))} the cell felt {felt:.2f} kg, but"
-            f" {readings.mass[index]:g} kg is written; check the weights that hung there.",
+            say(
+                "At {} the cell felt {:.2f} kg, but {:g} kg is written; check the weights"
+                " that hung there.",
+                place_of(readings, int(index)),
+                felt,
+                readings.mass[index],
+            ),
         )
 
 
@@ -264,9 +291,14 @@ def _not_monotonic(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
         if applied != 0.0 and seen * np.sign(applied) < -SURE * evidence.noise:
             yield Problem(
                 "not_monotonic",
-                f"From step {readings.step[index - 1]} to {readings.step[index]} of series"
-                f" {readings.series[index]} the load {'grew' if applied > 0 else 'fell'} but the"
-                " reading went the other way; check what hung there.",
+                say(
+                    "From step {} to {} of series {} the load {} but the reading went the"
+                    " other way; check what hung there.",
+                    readings.step[index - 1],
+                    readings.step[index],
+                    readings.series[index],
+                    say("grew") if applied > 0 else say("fell"),
+                ),
             )
             return
 
@@ -289,15 +321,21 @@ def _scatter(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     if rest[index] > max(8.0 * evidence.noise, 3.0 * allowed):
         yield Problem(
             "scatter",
-            f"The reading at {place_of(readings, index)} is {rest[index]:.1f} N off, not only along"
-            " its load: was the weight still swinging? Take it again.",
+            say(
+                "The reading at {} is {:.1f} N off, not only along its load: was the weight"
+                " still swinging? Take it again.",
+                place_of(readings, index),
+                rest[index],
+            ),
         )
 
 
 def _scatter_words(name: str, spread: float) -> str:
-    return (
-        f"The readings of series {name} scatter by {spread:.1f} N: was the weight still swinging?"
-        " Wait until it hangs still."
+    return say(
+        "The readings of series {} scatter by {:.1f} N: was the weight still swinging?"
+        " Wait until it hangs still.",
+        name,
+        spread,
     )
 
 
@@ -316,6 +354,8 @@ def _few(problems: list[Problem]) -> list[Problem]:
     return [
         problem
         if count[code] == 1
-        else Problem(code, f"{problem.sentence} ({count[code] - 1} more like it.)", problem.blocks)
+        else Problem(
+            code, say("{} ({} more like it.)", problem.sentence, count[code] - 1), problem.blocks
+        )
         for code, problem in kept.items()
     ]

@@ -9,7 +9,7 @@ import numpy as np
 from rigapp_calibration.arrays import Array, Whole
 from rigapp_calibration.taking.readings import (
     ReadingsError,
-    Row,
+    Rows,
     numbers,
     read_table,
     series_and_steps,
@@ -54,11 +54,17 @@ class LoadCellReadings:
 
 def parse_load_cell(text: str) -> LoadCellReadings:
     """Read the CSV columns ``LOAD_CELL_COLUMNS``, ``HUNG_COLUMN`` if there; raise ReadingsError."""
-    table = read_table(text, LOAD_CELL_COLUMNS)
-    creep = [one for one in table if (one[1].get(HUNG_COLUMN) or "").strip()]
+    return load_cell_table(read_table(text, LOAD_CELL_COLUMNS))
+
+
+def load_cell_table(table: Rows) -> LoadCellReadings:
+    """Return the readings of a table in SI; raise ReadingsError."""
+    creep = [one for one in table if str(one[1].get(HUNG_COLUMN) or "").strip()]
     rows = [one for one in table if one not in creep]
     if not rows:
-        raise ReadingsError(f"every reading has a time in {HUNG_COLUMN}: all would be of the creep")
+        raise ReadingsError(
+            "every reading has a time in {}: all would be of the creep", HUNG_COLUMN
+        )
     return LoadCellReadings(
         *series_and_steps(rows),
         *_loads(rows),
@@ -67,7 +73,7 @@ def parse_load_cell(text: str) -> LoadCellReadings:
     )
 
 
-def _loads(rows: list[Row]) -> tuple[Array, Array, Array]:
+def _loads(rows: Rows) -> tuple[Array, Array, Array]:
     """Return mass, angle and signals."""
     return (
         numbers(rows, "mass_kg"),

@@ -15,8 +15,8 @@ import numpy as np
 
 from rigapp_calibration.arrays import ACROSS, Array, Whole
 from rigapp_calibration.load_cell.characteristics import Loads
-from rigapp_calibration.load_cell.two_axis import TwoAxisFit, design
-from rigapp_calibration.taking.clustered import SeriesScores, series_scores
+from rigapp_calibration.load_cell.two_axis import Terms, TwoAxisFit, design, supported
+from rigapp_calibration.load_cell.zeros import Zeros
 
 FEWEST_LOADS = 3
 """Loads that three shapes follow whatever they are; more tell something."""
@@ -43,6 +43,15 @@ class Branches:
         noise = float(np.einsum("i,bij,j->", row, self.covariance, row))
         return tuple((_beyond(float(values @ values), noise) * values).tolist())
 
+    def widest(self) -> float:
+        """Return the hysteresis where it is widest, N, noise taken off; 0 without both branches."""
+        if len(self.coefficients) < 2:
+            return 0.0
+        rows = _shapes(np.linspace(0.0, 1.0, 11))
+        gap = rows @ (self.coefficients[1] - self.coefficients[0])
+        noise = np.einsum("ni,ij,nj->n", rows, self.covariance.sum(axis=0), rows)
+        return math.sqrt(max(0.0, float(np.max(gap**2 - noise))))
+
     def gain(self) -> float:
         """Return by how much the rising loads' own gain differs from the fit's, noise taken off.
 
@@ -61,21 +70,24 @@ class Scatter:
 
     scores: of the fit's errors, series by series. repeatability: of one reading within its series,
     with its degrees of freedom. steps: part of it that comes back at the same load and does not
-    average out, as steps of the display in means do. unloaded: part of the readings that are zeros.
+    average out, as steps of the display in means do.
     zero_between, gain_between: of series, beyond the noise. drift: half the change of the zero
-    during the calibration, beyond the noise.
+    during the calibration, beyond the noise. zeros: what the unloaded readings tell. shown: the
+    loads determine all terms of second degree; falling: loads were read from above as well.
     """
 
     found: TwoAxisFit
+    zeros: Zeros
     scores: SeriesScores
     branches: Branches
     repeatability: float
     degrees: float
     steps: float
-    unloaded: float
     zero_between: float
     gain_between: float
     drift: float
+    shown: bool = True
+    falling: bool = True
 
     @property
     def series(self) -> int:
@@ -83,8 +95,11 @@ class Scatter:
         return len(self.scores.scores)
 
 
-def scatter(found: TwoAxisFit, force: Array, seen: Loads) -> Scatter:
-    """Take the residuals of a fit apart; force (n, 2) applied, N."""
+def scatter(found: TwoAxisFit, force: Array, seen: Loads, zeros: Zeros, per_run: float) -> Scatter:
+    """Take the residuals of a fit of loaded readings apart; force (n, 2) applied, N.
+
+    per_run: how many zeros a run has.
+    """
     across = seen.direction @ ACROSS
     largest, runs = float(seen.applied.max()), seen.runs()
     along = np.einsum("ni,ni->n", found.residual, seen.direction)
@@ -104,6 +119,7 @@ def scatter(found: TwoAxisFit, force: Array, seen: Loads) -> Scatter:
     noise = float(np.sum(scores.rest**2)) / free if enough else found.residual_std**2
     return Scatter(
         found=found,
+        zeros=zeros,
         scores=scores,
         branches=Branches(
             np.array(solved).reshape(-1, 3),
@@ -117,10 +133,11 @@ def scatter(found: TwoAxisFit, force: Array, seen: Loads) -> Scatter:
         repeatability=math.sqrt(noise),
         degrees=float(free if enough else 2 * found.degrees),
         steps=_comes_back(scores.rest, free, runs, seen.applied),
-        unloaded=float(np.mean(seen.applied == 0.0)),
-        zero_between=_between(scores, 0, noise, slice(None)) if enough else 0.0,
+        zero_between=math.sqrt(max(0.0, zeros.scatter**2 - noise / per_run)),
         gain_between=_between(scores, 1, noise, slice(0, 1)) / largest if enough else 0.0,
-        drift=_drift(found, scores),
+        drift=zeros.drift,
+        shown=supported(force, Terms(quadratic=True, own_zeros=True)),
+        falling=not seen.rising.all(),
     )
 
 
@@ -185,17 +202,122 @@ def _between(scores: SeriesScores, power: int, noise: float, axes: slice) -> flo
     return math.sqrt(max(0.0, float(np.mean(found**2)) - own))
 
 
-def _drift(found: TwoAxisFit, scores: SeriesScores) -> float:
-    """Return half the change of the zero of one component, beyond its noise, N."""
-    if not found.terms.drift:
-        return 0.0
-    p = found.terms.count
-    place = [p - 1, 2 * p - 1]
-    change = found.coefficients[-1] @ found.matrix.T
-    own = float(np.trace(scores.coefficients()[np.ix_(place, place)]))
-    return math.sqrt(max(0.0, float(change @ change) - own) / 2.0) / 2.0
-
-
 def _beyond(square: float, noise: float) -> float:
     """Return the factor by which a root shrinks when the noise's part of its square goes."""
     return math.sqrt(max(0.0, 1.0 - noise / square)) if square > 0.0 else 0.0
+
+
+FULL_LEVERAGE = 1e-6
+"""Part of a score, of the freest, that must be free to tell an error; below, the fit follows it."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SeriesScores:
+    """What J series tell of the errors of p coefficients of two axes, by m scores each.
+
+    scores (J, m, 2): of the residuals, along and across the load, leverage corrected. covariance
+    (2 m, 2 m): of those of the errors. influence (J, 2 p, 2 m): of the scores on the coefficients,
+    axis-major. spread (J 2 m, J 2 m): covariance of the residuals' scores that follows. shape
+    (J, m, m): of the scores on the coefficients of the functions of the load, 1, w, w^2 ... of w,
+    the load over the largest. rest (n, 2): what the scores leave of the residuals, with its degrees
+    of freedom ``free``.
+    """
+
+    scores: Array
+    covariance: Array
+    influence: Array
+    spread: Array
+    shape: Array
+    rest: Array
+    free: int
+
+    def coefficients(self) -> Array:
+        """Return the covariance (2 p, 2 p) of the coefficients, axis-major."""
+        return np.asarray(
+            np.einsum("jus,st,jvt->uv", self.influence, self.covariance, self.influence), np.float64
+        )
+
+    def variance(self, combination: Array) -> tuple[float, float]:
+        """Return the variance of a combination (2 p,) of coefficients, and its degrees of freedom.
+
+        Degrees: 2 E^2 / Var of the variance, a quadratic form of the residuals' scores.
+        """
+        count = len(self.scores)
+        weight = combination @ self.influence
+        form = weight.T @ weight
+        found = float(np.sum(self.covariance * form))
+        size = len(form)
+        shaped = self.spread.reshape(count, size, count, size) @ form
+        expected = float(np.einsum("jsjs->", shaped))
+        squared = float(np.einsum("jskt,ktjs->", shaped, shaped))
+        return found, expected**2 / squared if squared > 0.0 else 1.0
+
+
+def series_scores(
+    design: Array, residual: Array, load: Array, frame: Array, series: Whole, degree: int
+) -> SeriesScores:
+    """Return the scores of a fit of vectors (n, 2) by a common design (n, p).
+
+    load (n,): along which errors of a series may grow, as polynomials of ``degree``. frame
+    (n, 2, 2): columns along and across the load, the same within a series. Where a series has too
+    few loads for these, every row counts as a series of its own.
+    """
+    powers = np.vander(load / max(float(np.abs(load).max()), 1e-300), degree + 1, increasing=True)
+    members = [np.flatnonzero(series == one) for one in np.unique(series)]
+    if any(np.linalg.matrix_rank(powers[rows], tol=1e-3) <= degree for rows in members):
+        powers, members = powers[:, :1], [np.array([row]) for row in range(len(load))]
+    bread = np.linalg.inv(design.T @ design)
+    factors = [np.linalg.qr(powers[rows]) for rows in members]
+    own = np.array([q.T @ design[rows] for (q, _), rows in zip(factors, members, strict=True)])
+    turn = frame[[rows[0] for rows in members]]
+    count, m, p = own.shape
+    free = np.eye(count * m) - own.reshape(-1, p) @ bread @ own.reshape(-1, p).T
+    blocks = free.reshape(count, m, count, m)
+    raise_up = _power(blocks[np.arange(count), :, np.arange(count)], -0.5)
+    found = np.array([q.T @ residual[rows] for (q, _), rows in zip(factors, members, strict=True)])
+    scores = raise_up @ found @ turn
+    made = np.einsum("jab,jbkc->jakc", raise_up, blocks).reshape(count * m, count * m)
+    # Scores of residuals from scores of errors, both along and across the load of their series.
+    made = np.einsum("jskt,jua,kub->jsaktb", made.reshape(count, m, count, m), turn, turn)
+    made = made.reshape(count, 2 * m, count, 2 * m)
+    influence = np.einsum("pq,jsq,jua->jupsa", bread, own, turn)
+    flat = scores.reshape(count, 2 * m)
+    covariance, spread = _set_right(flat.T @ flat / count, made)
+    rest = residual.copy()
+    for (q, _), rows, score in zip(factors, members, found, strict=True):
+        rest[rows] -= q @ score
+    return SeriesScores(
+        scores=scores,
+        covariance=covariance,
+        influence=influence.reshape(count, 2 * p, 2 * m),
+        spread=spread,
+        shape=np.array([np.linalg.inv(r) for _, r in factors]),
+        rest=rest,
+        free=2 * (len(load) - count * m),
+    )
+
+
+def _set_right(mean: Array, made: Array) -> tuple[Array, Array]:
+    """Return the covariance (s, s) of one series' errors, and that of all scores that follows.
+
+    mean: mean square of the residuals' scores. made (J, s, J, s): how they follow from the errors'.
+    """
+    count, size = made.shape[:2]
+
+    def follows(covariance: Array) -> Array:
+        root = made @ _power(covariance, 0.5)
+        flat = root.reshape(count * size, -1)
+        return np.asarray(flat @ flat.T, np.float64)
+
+    expected = np.einsum("jsjt->st", follows(mean).reshape(count, size, count, size)) / count
+    raised = _power(mean, 0.5) @ _power(expected, -0.5)
+    covariance = raised @ mean @ raised.T
+    return covariance, follows(covariance)
+
+
+def _power(matrix: Array, exponent: float) -> Array:
+    """Return powers of symmetric matrices (..., s, s); of what is 0, 0."""
+    values, vectors = np.linalg.eigh(matrix)
+    least = FULL_LEVERAGE * np.maximum(values[..., -1:], 0.0)
+    powers = np.where(values > least, np.maximum(values, 1e-300) ** exponent, 0.0)
+    return np.asarray(vectors * powers[..., None, :] @ np.swapaxes(vectors, -1, -2), np.float64)

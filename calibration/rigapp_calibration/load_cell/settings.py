@@ -2,19 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rigapp_calibration.load_cell.weights import Place, WeightSet
+from rigapp.texts import say
+from rigapp_calibration.load_cell.weights import STANDARD_GRAVITY, Place, WeightSet
+from rigapp_calibration.problems import Problem, note
 
 
 @dataclass(frozen=True, slots=True)
 class CellSettings:
-    """Name a load cell: full scale (N), resolution (N), unit of its signal."""
+    """Name a load cell: full scale (N), resolution (N), unit of its signal.
+
+    rated_output: signal at full scale by its data sheet, None where it is not stated, with its
+    relative tolerance. guarded: a daily check is passed within what is allowed less U (JCGM 106),
+    not up to it.
+    """
 
     name: str
     full_scale: float
     resolution: float
     signal_unit: str
+    rated_output: float | None = None
+    rated_tolerance: float = 0.01
+    guarded: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +35,12 @@ class Use:
     temperature: difference of the cell's temperature to that of the calibration, K. gain_per_kelvin
     relative; zero_per_kelvin: part of full scale, since the zero was taken last. creep: between
     seconds and minutes under load, part of the load; creep_measured: by this calibration. change:
-    of the gain until the next calibration, relative.
+    of the gain until the next calibration, relative. introduction: of the load by an adapter, in
+    the calibration and in use, part of the load. angle: of the pin in use, rad (an eccentric
+    encoder). zeroed: the zero is taken before a test, so that that of the calibration is not used.
+    What no reading of the calibration shows, parts of full scale: cross_terms f1 f2 at full scale,
+    of each bridge; bend, of the characteristic beyond the largest load; loop, the width of the
+    hysteresis where no falling loads were read.
     """
 
     temperature: float = 0.0
@@ -33,6 +49,12 @@ class Use:
     creep: float = 0.0
     change: float = 0.0
     creep_measured: bool = False
+    introduction: float = 0.0
+    angle: float = 0.0
+    zeroed: bool = False
+    cross_terms: float = 0.0125
+    bend: float = 0.005
+    loop: float = 0.005
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,3 +75,151 @@ class LoadCellSettings:
     gravity_stated: bool = True
     gravity_expected: float | None = None
     use: Use = Use()
+
+
+OVERLOADING = 1.2
+"""A cell bears so many times its full scale: the safe load that makers of such cells state."""
+GRAVITY_FITS = 5e-4
+"""Relative: a stated gravity may differ by so much from what latitude and height give, since local
+anomalies reach some 1e-4 of it and a wrong latitude or height means more."""
+
+
+@dataclass(frozen=True, slots=True)
+class Plausible:
+    """A range, why it ends there, and the units typed by mistake with their factor to its own."""
+
+    low: float
+    high: float
+    unit: str
+    why: str
+    others: tuple[tuple[str, float], ...]
+
+    def objection(self, key: str, value: float) -> str:
+        """Return what is wrong with a value in one sentence; empty when nothing is."""
+        if self.low <= value <= self.high:
+            return ""
+        meant = next(
+            (
+                say("; did you mean {}? Then write {:.6g}", unit, value * factor)
+                for unit, factor in self.others
+                if self.low <= value * factor <= self.high
+            ),
+            "",
+        )
+        bounds = say("{:g} .. {:g} {}", self.low, self.high, self.unit)
+        return say("{} = {:g} is not plausible ({}: {}){}.", key, value, bounds, self.why, meant)
+
+
+WEIGHT_DENSITY = Plausible(
+    1500.0,
+    22_700.0,
+    "kg/m^3",
+    say("steel has 8000, brass 8400, aluminium 2700"),
+    (("g/cm^3", 1e3), ("g/m^3", 1e-3)),
+)
+GRAVITY = Plausible(
+    9.76,
+    9.84,
+    "m/s^2",
+    say("what is found on the ground"),
+    (
+        (say("cm/s^2 (Gal)"), 1e-2),
+        ("mm/s^2", 1e-3),
+        (say("units of 9.80665 m/s^2"), STANDARD_GRAVITY),
+    ),
+)
+AIR_DENSITY = Plausible(
+    0.6,
+    1.5,
+    "kg/m^3",
+    say("1.2 near the sea, 0.7 at 5000 m"),
+    (("g/cm^3", 1e3), ("g/m^3", 1e-3)),
+)
+
+
+SIGNAL_UNIT = "mV/V"
+"""What the engine reads a strain-gauge cell in: bridge voltage over excitation. A record in another
+unit serves no rig."""
+RATED_OUTPUT = Plausible(
+    0.05,
+    4.5,
+    SIGNAL_UNIT,
+    say(
+        "a full bridge of foil gauges gives its gauge factor, 2, times the strain: 4 at the"
+        " 0.2 % that hardened steel bears, about 2 in most cells"
+    ),
+    (("uV/V", 1e-3), ("V/V", 1e3)),
+)
+"""Signal at full scale. Its low end: a two-hundredth of that, a step of the resolution, is what a
+good amplifier's noise is."""
+
+
+def impossible(settings: LoadCellSettings) -> Iterator[Problem]:
+    """Yield what cannot be true of cell, weights, air and place: no force is told by it."""
+    unit = settings.cell.signal_unit
+    if unit != SIGNAL_UNIT:
+        yield Problem(
+            "signal_unit",
+            say(
+                "signal_unit = {}, but a rig reads its load cell in {}; write signal_unit ="
+                " {} and the signals as the amplifier's mV of the bridge per V of"
+                " excitation.",
+                repr(unit),
+                SIGNAL_UNIT,
+                repr(SIGNAL_UNIT),
+            ),
+        )
+    for code, key, plausible, value in (
+        ("weight_density", "density_kg_per_m3", WEIGHT_DENSITY, settings.weights.density),
+        ("air_density", "air_density_kg_per_m3", AIR_DENSITY, settings.place.air_density),
+        ("wrong_gravity", "gravity_m_s2", GRAVITY, settings.place.gravity),
+    ):
+        words = plausible.objection(key, value)
+        if words:
+            yield Problem(code, words)
+
+
+def check_settings(settings: LoadCellSettings) -> Iterator[Problem]:
+    """Yield what cannot be true of weights, air and place, and what does not fit together."""
+    yield from impossible(settings)
+    heaviest = heaviest_mass(settings)
+    if settings.weights.hanger_mass > heaviest:
+        yield Problem(
+            "hanger_mass",
+            say(
+                "hanger_mass_kg = {:g} is more than the cell may bear ({:.1f} kg); it is"
+                " written in kg, not in g.",
+                settings.weights.hanger_mass,
+                heaviest,
+            ),
+        )
+    yield from _gravity(settings)
+
+
+def heaviest_mass(settings: LoadCellSettings) -> float:
+    """Return the mass (kg) that the cell may bear at most."""
+    return OVERLOADING * settings.cell.full_scale / STANDARD_GRAVITY
+
+
+def _gravity(settings: LoadCellSettings) -> Iterator[Problem]:
+    gravity, expected = settings.place.gravity, settings.gravity_expected
+    if GRAVITY.objection("", gravity):
+        return
+    if expected is not None and abs(gravity / expected - 1.0) > GRAVITY_FITS:
+        yield Problem(
+            "wrong_gravity",
+            say(
+                "gravity_m_s2 = {:g} does not belong to the latitude and height given,"
+                " which mean {:.4f} m/s2; correct one of them.",
+                gravity,
+                expected,
+            ),
+        )
+    elif settings.gravity_stated and expected is None and abs(gravity - STANDARD_GRAVITY) < 5e-6:
+        yield note(
+            "standard_gravity",
+            say(
+                "gravity_m_s2 = 9.80665 is the standard value, not a local one (up to 0.27"
+                " % off); write the local value, or latitude and height."
+            ),
+        )

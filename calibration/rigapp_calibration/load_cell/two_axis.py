@@ -7,31 +7,39 @@ The errors are in the signals, so signals are fitted from forces and the result 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy import special
 
+from rigapp.texts import say
 from rigapp_calibration.arrays import Array
 
 HUBER = 2.0
 """Residuals longer than so many standard deviations of an axis lose weight: of honest readings one
 in seven (Rayleigh distribution), which costs little of their precision."""
+LEAST_SHOWN = 0.08
+"""Of the largest force: of eight even angles and five loads f1 f2 shows by 0.2, of four within two
+degrees of the axes by 0.02."""
 ITERATIONS = 30
 """The weights settle in about ten; more only where the readings contradict each other."""
 
 
 @dataclass(frozen=True, slots=True)
 class Terms:
-    """Say which terms the forward model has beside A and the zero."""
+    """Say which terms the forward model has beside A and the zero.
+
+    own_zeros: the zero is no term, each series' own was taken off.
+    """
 
     quadratic: bool = False
     drift: bool = False
+    own_zeros: bool = False
 
     @property
     def count(self) -> int:
         """Return the coefficients per axis."""
-        return 3 + 3 * self.quadratic + self.drift
+        return 3 - self.own_zeros + 3 * self.quadratic + self.drift
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +49,7 @@ class TwoAxisFit:
     sensitivity: A (2, 2) signal per newton. matrix: its inverse, N per signal unit. zero: (2,)
     signal at no load, at the middle of the series. residual: (n, 2) in N. degrees: of freedom per
     axis. covariance (2 p, 2 p): of the coefficients, axis-major, as if all readings were
-    independent (``scatter`` knows better).
+    independent (``scatter`` knows better). rest: the zero, where it is no term of the fit.
     """
 
     terms: Terms
@@ -50,6 +58,7 @@ class TwoAxisFit:
     residual: Array
     residual_signal: Array
     degrees: int
+    rest: Array | None = None
 
     @property
     def sensitivity(self) -> Array:
@@ -64,12 +73,13 @@ class TwoAxisFit:
     @property
     def zero(self) -> Array:
         """Return the signals (2,) at no load."""
-        return self.coefficients[2].copy()
+        return (self.coefficients[2] if self.rest is None else self.rest).copy()
 
     @property
     def quadratic(self) -> Array | None:
         """Return the coefficients (2, 3) of f1^2, f1 f2, f2^2, None when there are none."""
-        return self.coefficients[3:6].T.copy() if self.terms.quadratic else None
+        first = 3 - self.terms.own_zeros
+        return self.coefficients[first : first + 3].T.copy() if self.terms.quadratic else None
 
     @property
     def residual_std(self) -> float:
@@ -103,7 +113,7 @@ def forces(signal: Array, matrix: Array, zero: Array, quadratic: Array | None = 
 
 def design(force: Array, terms: Terms) -> Array:
     """Return the design matrix (n, terms) of forces (n, 2) in the order taken."""
-    columns = [force, np.ones((len(force), 1))]
+    columns = [force] if terms.own_zeros else [force, np.ones((len(force), 1))]
     if terms.quadratic:
         columns.append(_squares(force))
     if terms.drift:
@@ -121,7 +131,7 @@ def fit(force: Array, signal: Array, terms: Terms, weights: Array | None = None)
     root = np.ones(len(rows)) if weights is None else np.sqrt(weights)
     scaled = rows / scale * root[:, None]
     if np.linalg.matrix_rank(scaled, tol=1e-6 * math.sqrt(len(rows))) < terms.count:
-        raise np.linalg.LinAlgError("the loads do not span both axes")
+        raise np.linalg.LinAlgError(say("the loads do not span both axes"))
     solution = np.linalg.lstsq(scaled, signal * root[:, None], rcond=None)[0]
     coefficients = solution / scale[:, None]
     remainder = signal - rows @ coefficients
@@ -143,15 +153,12 @@ def robust_fit(force: Array, signal: Array, floor: float) -> tuple[TwoAxisFit, f
     """Fit so that single wrong readings have little pull; return the fit and the noise in N.
 
     ``floor`` (N) is the smallest noise believed in (resolution / sqrt(12)). Quadratic terms are
-    used where the loads determine them and half of the readings come nearer by a third.
+    used where the loads determine them: a cross term of a good cell is no wrong weight.
     """
-    found, scale = huber_fit(force, signal, floor, Terms())
-    noise = max(floor, scale)
     curved = Terms(quadratic=True)
-    if not _supported(force, curved):
-        return found, noise
-    bent, less = huber_fit(force, signal, floor, curved)
-    return (bent, max(floor, less)) if less < scale / 1.5 else (found, noise)
+    terms = curved if supported(force, curved) else Terms()
+    found, scale = huber_fit(force, signal, floor, terms)
+    return found, max(floor, scale)
 
 
 def huber_fit(force: Array, signal: Array, floor: float, terms: Terms) -> tuple[TwoAxisFit, float]:
@@ -181,44 +188,57 @@ def huber_fit(force: Array, signal: Array, floor: float, terms: Terms) -> tuple[
     return found, scale
 
 
-def choose_terms(force: Array, signal: Array, drift: bool | None = None) -> tuple[TwoAxisFit, str]:
-    """Return the fit with the terms that the readings justify, and the reason in words.
+def choose_terms(force: Array, signal: Array, rest: Array) -> tuple[TwoAxisFit, str]:
+    """Return the fit of loaded readings with the terms that they justify, and the reason in words.
 
-    A drift of the zero is fitted wherever the readings determine it: a real one that no test shows
-    would turn the matrix, and it costs little; ``drift`` says otherwise where an evaluation of
-    before chose. Quadratic terms are added when they lower the
-    corrected Akaike criterion by more than 10 and an F test rejects the smaller model at 97.5 %
-    (the level of ASTM E74, annex A1). Never above degree 2: a cell of 200 counts cannot support it.
+    signal (n, 2): less the own zeros of each series; rest (2,): the signals at no load. Quadratic
+    terms are added when they lower the corrected Akaike criterion by more than 10 and an F test
+    rejects the smaller model at 97.5 % (the level of ASTM E74, annex A1). Never above degree 2: a
+    cell of 200 counts cannot support it.
     """
-    if drift is None:
-        drift = _supported(force, Terms(drift=True))
-    chosen = fit(force, signal, Terms(drift=drift))
-    words = "degree 1, zero drift" if drift else "degree 1"
-    curved = Terms(quadratic=True, drift=drift)
-    if _supported(force, curved):
-        larger = fit(force, signal, curved)
-        gain = _akaike(chosen) - _akaike(larger)
-        if gain > 10.0 and _f_test(chosen, larger) > 0.975:
-            return (
-                larger,
-                f"{words}, quadratic terms (corrected Akaike criterion lower by {gain:.0f})",
+    chosen = replace(fit(force, signal, Terms(own_zeros=True)), rest=rest)
+    words = say("degree 1, zeros by series")
+    curved = Terms(quadratic=True, own_zeros=True)
+    if supported(force, curved):
+        larger = replace(fit(force, signal, curved), rest=rest)
+        gain = better_by(chosen, larger)
+        if gain > 0.0:
+            words = say(
+                "{}, quadratic terms (corrected Akaike criterion lower by {:.0f})", words, gain
             )
+            return larger, words
     return chosen, words
 
 
-def _supported(force: Array, terms: Terms) -> bool:
-    """Tell whether readings are many enough for the terms, and determine them."""
-    return len(force) > 2 * terms.count + 4 and _determined(force, terms)
+def better_by(smaller: TwoAxisFit, larger: TwoAxisFit) -> float:
+    """Return by how much a larger model lowers Akaike's criterion, 0 where it is not justified."""
+    gain = _akaike(smaller) - _akaike(larger)
+    return gain if gain > 10.0 and _f_test(smaller, larger) > 0.975 else 0.0
 
 
-def _determined(force: Array, terms: Terms) -> bool:
-    """Tell whether the loads determine the terms: four angles on the axes do not tell f1 f2."""
-    rows = design(force, terms)
-    size = float(np.max(np.abs(force)))
-    if terms.quadratic and np.max(np.abs(rows[:, 4])) < 0.02 * size * size:
+def enough(force: Array, terms: Terms) -> bool:
+    """Tell whether readings are many enough for the terms."""
+    return len(force) > 2 * terms.count + 4
+
+
+def supported(force: Array, terms: Terms) -> bool:
+    """Tell whether readings are many enough for the terms, and determine them.
+
+    Each combination of the terms, all in parts of the largest force, must show in the readings by
+    its root mean square: angles set by hand near the axes show f1 f2 by a few hundredths.
+    """
+    loaded = force[np.hypot(*force.T) > 0.0]
+    if not enough(force, terms) or not len(loaded):
         return False
-    scaled = rows / np.maximum(np.abs(rows).max(axis=0), 1e-300)
-    return bool(np.linalg.cond(scaled) < 1e4)
+    rows = design(loaded / np.hypot(*loaded.T).max(), terms)
+    sizes = np.linalg.svd(rows / math.sqrt(len(rows)), compute_uv=False)
+    return bool(sizes[-1] > LEAST_SHOWN)
+
+
+def cubes(force: Array) -> Array:
+    """Return the terms (n, 4) of third degree of forces (n, 2)."""
+    x, y = force.T
+    return np.column_stack((x**3, x * x * y, x * y * y, y**3))
 
 
 def _squares(force: Array) -> Array:

@@ -12,8 +12,9 @@ from itertools import combinations
 
 import numpy as np
 
+from rigapp.texts import joined, say
 from rigapp_calibration.arrays import Array, Marks
-from rigapp_calibration.load_cell.evidence import Evidence
+from rigapp_calibration.load_cell.characteristics import Evidence
 from rigapp_calibration.problems import Problem
 
 FITS = 0.1
@@ -45,14 +46,14 @@ class Wiring:
 
 
 def _wirings() -> Iterator[Wiring]:
-    swapped = "the two signals are swapped: exchange the two bridges' plugs"
+    swapped = say("the two signals are swapped: exchange the two bridges' plugs")
     yield Wiring("axes_swapped", ((0.0, 1.0), (1.0, 0.0)), swapped)
-    turned = "has the wrong sign: turn its plug, or exchange its two signal wires"
-    yield Wiring("axis_reversed", ((-1.0, 0.0), (0.0, 1.0)), f"signal_1 {turned}")
-    yield Wiring("axis_reversed", ((1.0, 0.0), (0.0, -1.0)), f"signal_2 {turned}")
-    dead = "does not follow the load: is its bridge connected and switched on?"
-    yield Wiring("bridge_dead", ((0.0, 0.0), (0.0, 1.0)), f"signal_1 {dead}")
-    yield Wiring("bridge_dead", ((1.0, 0.0), (0.0, 0.0)), f"signal_2 {dead}")
+    turned = say("has the wrong sign: turn its plug, or exchange its two signal wires")
+    yield Wiring("axis_reversed", ((-1.0, 0.0), (0.0, 1.0)), say("signal_1 {}", turned))
+    yield Wiring("axis_reversed", ((1.0, 0.0), (0.0, -1.0)), say("signal_2 {}", turned))
+    dead = say("does not follow the load: is its bridge connected and switched on?")
+    yield Wiring("bridge_dead", ((0.0, 0.0), (0.0, 1.0)), say("signal_1 {}", dead))
+    yield Wiring("bridge_dead", ((1.0, 0.0), (0.0, 0.0)), say("signal_2 {}", dead))
 
 
 WIRINGS = tuple(_wirings())
@@ -71,7 +72,7 @@ def told_by_one_load(change: Array, direction: Array) -> Problem | None:
         if wiring.code != "bridge_dead":
             expected = np.array(wiring.change) @ direction
             if float(change @ expected) / size > DIRECTION_FITS:
-                return Problem(wiring.code, f"As the load shows, {_sentence(wiring.words)}")
+                return Problem(wiring.code, say("As the load shows, {}", _sentence(wiring.words)))
     return None
 
 
@@ -96,9 +97,12 @@ def check_wiring(evidence: Evidence) -> Iterator[Problem]:
     if largest[weak] < DEAD * largest[1 - weak]:
         yield Problem(
             "bridge_dead",
-            f"signal_{weak + 1} hardly follows the load"
-            f" ({100.0 * largest[weak] / largest.max():.1f} % of the other signal): is the bridge"
-            " connected and switched on?",
+            say(
+                "signal_{} hardly follows the load ({:.1f} % of the other signal): is the"
+                " bridge connected and switched on?",
+                weak + 1,
+                100.0 * largest[weak] / largest.max(),
+            ),
         )
         return
     fitting = _best(seen, towards)
@@ -112,11 +116,13 @@ def check_wiring(evidence: Evidence) -> Iterator[Problem]:
         if wrong.any():
             left &= ~wrong
             where = _where(names, wrong, ~as_is | fits)
-            yield Problem(wiring.code, f"{where}: {_sentence(wiring.words)} Then take them again.")
+            yield Problem(
+                wiring.code, say("{}: {} Then take them again.", where, _sentence(wiring.words))
+            )
 
 
 def _sentence(words: str) -> str:
-    return words if words.endswith("?") else f"{words}."
+    return words if words.endswith("?") else say("{}.", words)
 
 
 def _slope(loads: Array, signal: Array) -> Array:
@@ -157,8 +163,8 @@ def _where(names: Sequence[str], wrong: Marks, may_be: Marks) -> str:
     """Return in which series it is so; may_be: runs that look the same either way count with it."""
     first, last = (int(one) for one in np.flatnonzero(wrong)[[0, -1]])
     if first and may_be[first:].all():
-        return f"From series {names[first]} on"
+        return say("From series {} on", names[first])
     if last > first and may_be[first : last + 1].all():
-        return f"In series {names[first]} to {names[last]}"
+        return say("In series {} to {}", names[first], names[last])
     found = dict.fromkeys(name for name, one in zip(names, wrong, strict=True) if one)
-    return f"In series {', '.join(found)}"
+    return say("In series {}", joined(", ", found))

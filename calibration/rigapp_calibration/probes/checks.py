@@ -4,16 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 
-from rigapp_calibration.arrays import Marks
-from rigapp_calibration.probes.positions import RobustLine, falling, positions, robust_line
-from rigapp_calibration.probes.readings import FEWEST_POSITIONS, ProbeReadings
-from rigapp_calibration.probes.settings import ProbeSettings
+from rigapp.texts import say
+from rigapp_calibration.arrays import Array, Marks
+from rigapp_calibration.probes.readings import FEWEST_POSITIONS, ProbeReadings, ProbeSettings
 from rigapp_calibration.problems import Problem, blocked, note
-from rigapp_calibration.taking.readings import check_columns, check_steps, each_series, not_numbers
+from rigapp_calibration.taking.readings import (
+    check_columns,
+    check_steps,
+    each_series,
+    not_numbers,
+    place_of,
+)
 
 GOOD_POSITIONS = 11
 """With ten steps a bend of the line stands out from what single positions are off."""
@@ -45,8 +51,12 @@ def unusable(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Probl
     if count < FEWEST_POSITIONS:
         yield Problem(
             "too_few_positions",
-            f"Only {count} micrometer positions; take at least {FEWEST_POSITIONS}, better"
-            f" {GOOD_POSITIONS}, up and down.",
+            say(
+                "Only {} micrometer positions; take at least {}, better {}, up and down.",
+                count,
+                FEWEST_POSITIONS,
+                GOOD_POSITIONS,
+            ),
         )
         return
     numbering = list(check_steps(readings, readings.series))
@@ -56,8 +66,12 @@ def unusable(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Probl
     if settings.gap_at_zero and settings.gap_at_zero + float(readings.position.min()) <= 0.0:
         yield Problem(
             "gap",
-            f"With a gap of {1e6 * settings.gap_at_zero:g} um at position 0 the target would touch"
-            f" the probe at {1e6 * float(readings.position.min()):g} um; correct gap_at_zero_um.",
+            say(
+                "With a gap of {:g} um at position 0 the target would touch the probe at"
+                " {:g} um; correct gap_at_zero_um.",
+                1e6 * settings.gap_at_zero,
+                1e6 * float(readings.position.min()),
+            ),
         )
     yield from _motion(readings, settings)
 
@@ -70,14 +84,20 @@ def _motion(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Proble
     if readings.other is not None and float(np.ptp(readings.other)) > max(3.0 * moved, least):
         yield Problem(
             "wrong_probe",
-            f"The other probe moved by {np.ptp(readings.other):.3f} V, this one by {moved:.3f} V:"
-            " the target stands before the wrong probe, or the two plugs are exchanged.",
+            say(
+                "The other probe moved by {:.3f} V, this one by {:.3f} V: the target stands"
+                " before the wrong probe, or the two plugs are exchanged.",
+                np.ptp(readings.other),
+                moved,
+            ),
         )
     elif moved < 1e-4 * settings.range_volts:
         yield Problem(
             "probe_dead",
-            "The voltage does not change with the position; is the probe connected and the target"
-            " grounded?",
+            say(
+                "The voltage does not change with the position; is the probe connected and"
+                " the target grounded?"
+            ),
         )
 
 
@@ -95,12 +115,12 @@ def checks(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -
     if len(np.unique(readings.position)) < GOOD_POSITIONS:
         yield note(
             "few_positions",
-            f"Fewer than {GOOD_POSITIONS} positions; linearity is known only roughly.",
+            say("Fewer than {} positions; linearity is known only roughly.", GOOD_POSITIONS),
         )
     if not np.any(falling(readings)):
         yield note(
             "one_direction",
-            "No position was read both going out and coming back; backlash is unknown.",
+            say("No position was read both going out and coming back; backlash is unknown."),
         )
 
 
@@ -113,21 +133,33 @@ def _scale(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -
     if abs(ratio) < 1.0 / UNIT_OFF or abs(ratio) > UNIT_OFF or (small and not expected):
         yield Problem(
             "unit",
-            f"The positions span {1e6 * span:g} um and the sensitivity would be {found:.4g} um/V:"
-            " positions are written in micrometres, not in millimetres (1 mm = 1000 um).",
+            say(
+                "The positions span {:g} um and the sensitivity would be {:.4g} um/V:"
+                " positions are written in micrometres, not in millimetres (1 mm = 1000 um).",
+                1e6 * span,
+                found,
+            ),
         )
     elif ratio < 0.0:
         yield Problem(
             "direction_reversed",
-            f"The sensitivity is {found:+.2f} um/V where {1e6 * (expected or 0.0):+.2f} is"
-            " expected: the micrometer was turned the other way, or its scale counts the other"
-            " way. Positive is along the axis of the follower (probe 1) or across it (probe 2).",
+            say(
+                "The sensitivity is {:+.2f} um/V where {:+.2f} is expected: the micrometer"
+                " was turned the other way, or its scale counts the other way. Positive is"
+                " along the axis of the follower (probe 1) or across it (probe 2).",
+                found,
+                1e6 * (expected or 0.0),
+            ),
         )
     elif abs(ratio - 1.0) > SENSITIVITY_OFF:
         yield Problem(
             "wrong_sensitivity",
-            f"The sensitivity is {found:.2f} um/V where {1e6 * (expected or 0.0):.2f} is expected:"
-            " another range of the probe's electronics, or another micrometer screw?",
+            say(
+                "The sensitivity is {:.2f} um/V where {:.2f} is expected: another range of"
+                " the probe's electronics, or another micrometer screw?",
+                found,
+                1e6 * (expected or 0.0),
+            ),
         )
 
 
@@ -137,9 +169,12 @@ def _saturation(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Pr
         at = int(saturated[0])
         yield Problem(
             "saturated",
-            f"The voltage reaches {readings.signal[at]:.2f} V at"
-            f" {1e6 * readings.position[at]:.0f} um, the end of the range; move the probe or choose"
-            " a larger range.",
+            say(
+                "The voltage reaches {:.2f} V at {:.0f} um, the end of the range; move the"
+                " probe or choose a larger range.",
+                readings.signal[at],
+                1e6 * readings.position[at],
+            ),
         )
 
 
@@ -154,7 +189,7 @@ def _copies(readings: ProbeReadings) -> Iterator[Problem]:
         if long and values[name] == values[earlier] and np.any(_rough(values[name])):
             yield Problem(
                 "copied_series",
-                f"Series {name} repeats series {earlier} digit for digit; take it again.",
+                say("Series {} repeats series {} digit for digit; take it again.", name, earlier),
             )
             return
 
@@ -173,8 +208,12 @@ def _monotonic(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
         if backward and readings.series[first] == readings.series[second]:
             yield Problem(
                 "not_monotonic",
-                f"From step {readings.step[first]} to {readings.step[second]} of series"
-                f" {readings.series[first]} the voltage went the wrong way.",
+                say(
+                    "From step {} to {} of series {} the voltage went the wrong way.",
+                    readings.step[first],
+                    readings.step[second],
+                    readings.series[first],
+                ),
             )
             return
 
@@ -193,28 +232,40 @@ def _systematic(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
     if abs(drift) > limit:
         yield Problem(
             "drift",
-            f"From the first to the last reading the voltage wanders by {um * drift:+.2f} um:"
-            " let probe, electronics and micrometer warm up, and clamp everything.",
+            say(
+                "From the first to the last reading the voltage wanders by {:+.2f} um: let"
+                " probe, electronics and micrometer warm up, and clamp everything.",
+                um * drift,
+            ),
         )
     if abs(offset) > limit:
         yield Problem(
             "backlash",
-            f"Coming back reads {um * offset:+.2f} um against going out: approach every position"
-            " from one side.",
+            say(
+                "Coming back reads {:+.2f} um against going out: approach every position"
+                " from one side.",
+                um * offset,
+            ),
         )
     if abs(curve) > max(NONLINEAR * span, noise):
         yield Problem(
             "nonlinear",
-            f"The voltage bends by {um * curve:+.2f} um over the span: stay inside the probe's"
-            " linear range, and see that target and probe are parallel.",
+            say(
+                "The voltage bends by {:+.2f} um over the span: stay inside the probe's"
+                " linear range, and see that target and probe are parallel.",
+                um * curve,
+            ),
         )
     if readings.other is not None:
         other = robust_line(readings.position, readings.other).slope
         if abs(other) > OTHER_MOVES * abs(line.slope):
             yield Problem(
                 "crooked",
-                f"The other probe shows {100.0 * abs(other / line.slope):.0f} % of the motion: the"
-                " micrometer does not move along this probe's axis; set it up again.",
+                say(
+                    "The other probe shows {:.0f} % of the motion: the micrometer does not"
+                    " move along this probe's axis; set it up again.",
+                    100.0 * abs(other / line.slope),
+                ),
             )
 
 
@@ -238,3 +289,146 @@ def systematic(readings: ProbeReadings) -> tuple[float, float, float, float]:
     spread = math.sqrt(float(rest @ rest) / free) / abs(slope)
     offset = found[4] / slope if len(found) > 4 else 0.0
     return float(offset), float(found[2] / slope), float(found[3] / slope), spread
+
+
+WRONG_POSITION = 0.01
+"""Part of the span from which one reading counts as wrong."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RobustLine:
+    """A robust straight line through readings: slope (V/m), residual (V, n), noise (V)."""
+
+    slope: float
+    residual: Array
+    noise: float
+
+
+def robust_line(position: Array, signal: Array) -> RobustLine:
+    """Fit a line that a few wrong readings do not bend (iteratively reweighted least squares)."""
+    weights = np.ones(len(position))
+    slope, noise = 0.0, 0.0
+    for _ in range(20):
+        slope, intercept = np.polyfit(position, signal, 1, w=np.sqrt(weights))
+        residual = signal - intercept - slope * position
+        noise = max(1.4826 * float(np.median(np.abs(residual))), 1e-9)
+        weights = np.minimum(1.0, 2.0 * noise / np.maximum(np.abs(residual), 1e-30)) ** 2
+    residual = signal - intercept - slope * position
+    return RobustLine(float(slope), residual, noise)
+
+
+def positions(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
+    """Yield a wrong, a skipped or a repeated position, or a wrong probe moved at one step."""
+    um = 1e6 * line.residual / line.slope
+    span = 1e6 * float(np.ptp(readings.position))
+    jumps = np.diff(um)
+    noise = 1.4826 * float(np.median(np.abs(jumps))) / math.sqrt(2.0)
+    limit = max(6.0 * noise, WRONG_POSITION * span)
+    down = falling(readings)
+    for at in np.flatnonzero(np.abs(jumps) > limit):
+        before, after = int(at), int(at) + 1
+        alone = after + 1 == len(um) or abs(um[after + 1] - um[after]) > 0.5 * abs(jumps[at])
+        if readings.series[before] != readings.series[after]:
+            if alone:
+                yield _wrong(readings, um, after)
+                return
+            continue
+        turns = down[before] != down[after]
+        if turns and not alone:
+            continue
+        step = 1e6 * (readings.position[after] - readings.position[before])
+        if after + 1 < len(um) and _swapped(um[before : after + 2], step):
+            yield Problem(
+                "swapped_steps",
+                say(
+                    "At {} and the step after it each voltage belongs to the other one's"
+                    " position: the two readings were exchanged.",
+                    place_of(readings, after),
+                ),
+            )
+            return
+        goes_back = after + 1 < len(um) and (
+            readings.series[after + 1] != readings.series[after]
+            or abs(um[after + 1] - um[before]) < 0.5 * abs(jumps[at])
+        )
+        if goes_back or step == 0.0 or not 0.5 < abs(jumps[at] / step) < 1.5:
+            wrong = after if abs(um[after]) >= abs(um[before]) else before
+            yield _other_or_wrong(readings, um, wrong)
+        elif jumps[at] / step > 0.0:
+            yield Problem(
+                "skipped_step",
+                say(
+                    "From {} on every voltage belongs to the next position: a position was"
+                    " skipped. {:g} um is written, the voltage belongs to {:.0f} um.",
+                    place_of(readings, after),
+                    1e6 * readings.position[after],
+                    1e6 * readings.position[after] + um[after],
+                ),
+            )
+        else:
+            yield Problem(
+                "repeated_step",
+                say(
+                    "At {} the micrometer was not turned on: the voltage is that of the"
+                    " step before. {:g} um is written.",
+                    place_of(readings, after),
+                    1e6 * readings.position[after],
+                ),
+            )
+        return
+
+
+def _swapped(um: Array, step: float) -> bool:
+    """Tell whether of three residuals (um) the last two are one step up and one step down."""
+    first, second = um[1] - um[0], um[2] - um[0]
+    return bool(abs(first - step) < 0.3 * abs(step) and abs(second + step) < 0.3 * abs(step))
+
+
+def _other_or_wrong(readings: ProbeReadings, um: Array, at: int) -> Problem:
+    other = readings.other
+    if other is not None:
+        rest = robust_line(readings.position, other)
+        moved = abs(rest.residual[at])
+        own = abs(robust_line(readings.position, readings.signal).residual[at])
+        if moved > max(6.0 * rest.noise, 0.3 * own):
+            return Problem(
+                "wrong_probe",
+                say(
+                    "At {} the other probe moved by {:.3f} V and this one stayed behind:"
+                    " the wrong micrometer was turned.",
+                    place_of(readings, at),
+                    moved,
+                ),
+            )
+    return _wrong(readings, um, at)
+
+
+def _wrong(readings: ProbeReadings, um: Array, at: int) -> Problem:
+    written = 1e6 * readings.position[at]
+    return Problem(
+        "wrong_position",
+        say(
+            "At {} the voltage belongs to {:.1f} um, but {:.1f} um is written; check the"
+            " micrometer.",
+            place_of(readings, at),
+            written + um[at],
+            written,
+        ),
+    )
+
+
+def falling(readings: ProbeReadings) -> Marks:
+    """Tell which readings were reached coming back, within their series.
+
+    A position that is read twice in a row at the turning point belongs to both ways.
+    """
+    count = len(readings.position)
+    result = np.zeros(count, dtype=np.bool_)
+    for index in range(1, count):
+        if readings.series[index] != readings.series[index - 1]:
+            continue
+        step = readings.position[index] - readings.position[index - 1]
+        if step == 0.0 and index + 1 < count:
+            step = readings.position[index + 1] - readings.position[index]
+        result[index] = step < 0.0
+    return result

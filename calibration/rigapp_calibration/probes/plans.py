@@ -13,6 +13,8 @@ from dataclasses import asdict, dataclass
 
 import numpy as np
 
+from rigapp.texts import say
+from rigapp_calibration.arrays import Array
 from rigapp_calibration.probes.readings import FEWEST_POSITIONS, ProbeReadings
 from rigapp_calibration.taking.procedure import (
     Event,
@@ -21,6 +23,14 @@ from rigapp_calibration.taking.procedure import (
     ProcedureError,
     Step,
     StepKind,
+)
+from rigapp_calibration.taking.signals import (
+    Judgement,
+    Readiness,
+    SignalState,
+    SignalWindow,
+    Steadiness,
+    assess,
 )
 
 MOST_POSITIONS = 101
@@ -57,16 +67,18 @@ class ProbePlan:
         if not (math.isfinite(self.reach) and self.reach > 0.0):
             raise ProcedureError("the reach of the micrometer is a length above 0")
         if not FEWEST_POSITIONS <= self.positions <= MOST_POSITIONS:
-            raise ProcedureError(f"take {FEWEST_POSITIONS} to {MOST_POSITIONS} positions")
+            raise ProcedureError("take {} to {} positions", FEWEST_POSITIONS, MOST_POSITIONS)
         if not 1 <= self.runs <= MOST_RUNS:
-            raise ProcedureError(f"take 1 to {MOST_RUNS} runs up and down")
+            raise ProcedureError("take 1 to {} runs up and down", MOST_RUNS)
         return tuple(step for probe in self.probes for step in self._steps(probe))
 
     def _steps(self, probe: int) -> Iterator[Step]:
-        words = (
-            f"Put the micrometer's target before probe {probe}, at right angles to it, and turn the"
-            f" micrometer until probe {probe} shows about 0 V: that is position 0. Nothing may move"
-            " before the other probe."
+        words: str = say(
+            "Put the micrometer's target before probe {}, at right angles to it, and"
+            " turn the micrometer until probe {} shows about 0 V: that is position 0."
+            " Nothing may move before the other probe.",
+            probe,
+            probe,
         )
         yield Step(StepKind.SET_UP, words, float(probe), handling=MOUNTING_S)
         line = np.linspace(-self.reach, self.reach, self.positions)
@@ -81,16 +93,18 @@ class ProbePlan:
                 )  # fmt: skip
 
     def _words(self, probe: int, number: int, position: float, *, falling: bool) -> str:
-        at = f"{1e6 * position:g} um"
-        past = f"{1e6 * (position - OVERSHOOT * self.step_size):g} um"
+        at = say("{:g} um", 1e6 * position)
+        past = say("{:g} um", 1e6 * (position - OVERSHOOT * self.step_size))
         if number == 1:
-            return f"Turn the micrometer {probe} back to {past}, then forward to {at}."
+            return say("Turn the micrometer {} back to {}, then forward to {}.", probe, past, at)
         if falling:
-            return (
-                f"Turn the micrometer {probe} back past the position, to {past},"
-                f" then forward to {at}."
+            return say(
+                "Turn the micrometer {} back past the position, to {}, then forward to {}.",
+                probe,
+                past,
+                at,
             )
-        return f"Turn the micrometer {probe} forward to {at}. Do not turn past it."
+        return say("Turn the micrometer {} forward to {}. Do not turn past it.", probe, at)
 
 
 # --- the journal ----------------------------------------------------------------------------------
@@ -109,7 +123,7 @@ MEASURING = Method(
     place="probe",
     value="position",
     wrongly=lambda probe, step: (
-        "" if probe == step.set_up else f"probe {probe:g} is set up, not {step.set_up:g}"
+        "" if probe == step.set_up else say("probe {:g} is set up, not {:g}", probe, step.set_up)
     ),
     afresh=False,
 )
@@ -119,3 +133,59 @@ def probe_readings(procedure: Procedure[ProbePlan], probe: int) -> ProbeReadings
     """Return the readings of a probe that stand, in the order taken."""
     series, step, position, _, signal = procedure.columns(of=lambda step: step.set_up == probe)
     return ProbeReadings(series, step, position, signal[:, probe - 1], signal[:, 2 - probe])
+
+
+SPREAD_OF_RANGE = 0.002
+"""Part of the probe's range that a steady voltage may spread, beside the noise of its samples:
+a tenth of the smallest fault that the checks name (a hundredth of the span)."""
+SLOPE_OF_RANGE = 2e-4
+"""Part of the range by which a steady voltage may change in a second: less than the checks tell in
+the time that a run takes."""
+NEAR_ZERO = 0.25
+"""Part of the range: a target that is set up so near to 0 V leaves room for the run either way."""
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class ProbeWindow(SignalWindow):
+    """The voltages of the last seconds.
+
+    sensitivity (2,) m/V, offset (2,) V: the calibration in use. range_volts: of the inputs.
+    """
+
+    sensitivity: Array
+    offset: Array
+    range_volts: float = 10.0
+
+
+def assess_probe(window: ProbeWindow, step: Step, since: float, wait: float) -> Readiness:
+    """Judge a window for a step; ``felt`` is the position (m) that the calibration in use shows.
+
+    since, wait: see ``assess``.
+    """
+    probe = int(step.set_up or 1) - 1
+    return assess(
+        window,
+        since=since,
+        wait=wait,
+        spread=window.range_volts * SPREAD_OF_RANGE * (0.25 + window.noise_share),
+        slope=window.range_volts * SLOPE_OF_RANGE,
+        first=None
+        if window.stands
+        else (SignalState.MOVING, say("the crank turns; it must stand")),
+        set_up=lambda found: _mounted(window, step, found),
+        felt=lambda mean: float(window.sensitivity[probe] * (mean[probe] - window.offset[probe])),
+        unsteady=say("still moving"),
+    )
+
+
+def _mounted(window: ProbeWindow, step: Step, found: Steadiness) -> Judgement | None:
+    if step.kind is not StepKind.SET_UP:
+        return None
+    probe = int(step.set_up or 1)
+    shown = float(found.mean[probe - 1])
+    if math.isnan(shown):
+        return SignalState.WAITING, "listening"
+    words = say("probe {} shows {:+.2f} V", probe, shown)
+    if abs(shown) > NEAR_ZERO * window.range_volts:
+        return SignalState.WAITING, say("{}; move it or the target until it shows about 0 V", words)
+    return SignalState.STEADY, words

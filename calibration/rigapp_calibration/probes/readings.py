@@ -5,7 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rigapp_calibration.arrays import Array, Whole
-from rigapp_calibration.taking.readings import numbers, read_table, series_and_steps, unused_columns
+from rigapp_calibration.taking.readings import (
+    Rows,
+    numbers,
+    read_table,
+    series_and_steps,
+    unused_columns,
+)
 
 FEWEST_POSITIONS = 5
 """Fewer do not tell a bend from a wrong position."""
@@ -32,7 +38,11 @@ class ProbeReadings:
 
 def parse_probe(text: str) -> ProbeReadings:
     """Read the CSV columns ``PROBE_COLUMNS``, ``OTHER_COLUMN`` if there; raise ReadingsError."""
-    rows = read_table(text, PROBE_COLUMNS)
+    return probe_table(read_table(text, PROBE_COLUMNS))
+
+
+def probe_table(rows: Rows) -> ProbeReadings:
+    """Return the readings of a table in SI; raise ReadingsError."""
     other = all(row.get(OTHER_COLUMN) not in (None, "") for _, row in rows)
     return ProbeReadings(
         *series_and_steps(rows),
@@ -41,3 +51,26 @@ def parse_probe(text: str) -> ProbeReadings:
         other=numbers(rows, OTHER_COLUMN) if other else None,
         unused=unused_columns(rows, (*PROBE_COLUMNS, OTHER_COLUMN)),
     )
+
+
+@dataclass(frozen=True, slots=True)
+class ProbeSettings:
+    """Gather the settings of a probe calibration; lengths in m.
+
+    target_radius: of the cylindrical pin, None for a flat target. sensor_radius: of the guarded
+    sensing area. gap_at_zero: gap at the micrometer's zero, needed for the cylinder correction.
+    nominal: expected sensitivity, m/V with its sign, None when unknown. off_axis: how far the pin
+    moves across the probe's axis in use. direction: standard uncertainty (rad) of the direction in
+    which the micrometer moves, against the follower's axis.
+    """
+
+    name: str
+    range_volts: float
+    micrometer_uncertainty: float
+    resolution_volts: float = 0.0
+    target_radius: float | None = None
+    sensor_radius: float | None = None
+    gap_at_zero: float | None = None
+    nominal: float | None = None
+    off_axis: float = 0.0
+    direction: float = 0.0

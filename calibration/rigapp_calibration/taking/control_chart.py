@@ -16,6 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import special
 
+from rigapp.texts import say
 from rigapp_calibration.arrays import Array
 
 ENOUGH = 8
@@ -90,36 +91,53 @@ def _promise(values: Array, promised: float, expanded: float | None) -> Iterator
     if len(values) and expanded is not None and abs(values[-1] - promised) > expanded:
         yield ChartFinding(
             "beyond_uncertainty",
-            f"The last check is {values[-1] - promised:+.5f} off what the calibration says,"
-            f" more than its uncertainty of {expanded:.5f}: calibrate again.",
+            say(
+                "The last check is {:+.5f} off what the calibration says, more than its"
+                " uncertainty of {:.5f}: calibrate again.",
+                values[-1] - promised,
+                expanded,
+            ),
         )
 
 
 def _rules(z: Array) -> Iterator[ChartFinding]:
     """Judge values in standard deviations from the centre, by the first rule that holds."""
     side = float(np.sign(z[-1]))
-    above = "above" if side > 0 else "below"
+    above = say("above") if side > 0 else say("below")
     if abs(z[-1]) > limit_factor(len(z) - 1):
         yield ChartFinding(
             "beyond_limits",
-            f"The last check lies {abs(z[-1]):.1f} standard deviations {above} the mean of all"
-            " before: repeat it; if it stays, look for the cause before testing.",
+            say(
+                "The last check lies {:.1f} standard deviations {} the mean of all before:"
+                " repeat it; if it stays, look for the cause before testing.",
+                abs(z[-1]),
+                above,
+            ),
         )
         return
     if len(z) >= 8 and np.all(side * z[-8:] > 0.0):
         yield ChartFinding(
             "shift",
-            f"Eight checks in a row lie {above} the mean: the cell has shifted; plan a new"
-            " calibration.",
+            say(
+                "Eight checks in a row lie {} the mean: the cell has shifted; plan a new"
+                " calibration.",
+                above,
+            ),
         )
         return
     for code, window, count, bound in (("two_of_three", 3, 2, 2.0), ("four_of_five", 5, 4, 1.0)):
         if len(z) >= window and np.count_nonzero(side * z[-window:] > bound) >= count:
             yield ChartFinding(
                 code,
-                f"{count} of the last {window} checks lie more than {bound:g} standard"
-                f" deviation{'s' if bound > 1 else ''} {above} the mean: something begins to"
-                " change; watch it.",
+                say(
+                    "{} of the last {} checks lie more than {:g} standard deviation{} {}"
+                    " the mean: something begins to change; watch it.",
+                    count,
+                    window,
+                    bound,
+                    "s" if bound > 1 else "",
+                    above,
+                ),
                 action=False,
             )
             return
@@ -128,9 +146,13 @@ def _rules(z: Array) -> Iterator[ChartFinding]:
 def _trend(values: Array) -> Iterator[ChartFinding]:
     steps = np.diff(values[-7:])
     if len(steps) == 6 and (np.all(steps > 0.0) or np.all(steps < 0.0)):
-        way = "rose" if steps[0] > 0.0 else "fell"
+        way = say("rose") if steps[0] > 0.0 else say("fell")
         yield ChartFinding(
             "trend",
-            f"The value {way} seven checks in a row, by {abs(float(steps.sum())):.5f} in all: the"
-            " cell drifts; plan a new calibration.",
+            say(
+                "The value {} seven checks in a row, by {:.5f} in all: the cell drifts;"
+                " plan a new calibration.",
+                way,
+                abs(float(steps.sum())),
+            ),
         )

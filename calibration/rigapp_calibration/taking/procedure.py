@@ -24,13 +24,14 @@ from typing import Any, Generic, Protocol, Self, TypeVar
 
 import numpy as np
 
+from rigapp.texts import SentenceError, joined, say
 from rigapp_calibration.arrays import Array, Whole
 
 Event = Mapping[str, Any]
 Signals = Sequence[float] | Array
 
 
-class ProcedureError(ValueError):
+class ProcedureError(SentenceError, ValueError):
     """Say why an event is not possible now."""
 
 
@@ -147,14 +148,14 @@ class Procedure(Generic[PlanType]):
     @property
     def instruction(self) -> str:
         """Return what the operator does now, as a technician would say it."""
-        return "All readings are taken. Look at the result." if self.done else self.step.words
+        return say("All readings are taken. Look at the result.") if self.done else self.step.words
 
     @property
     def progress(self) -> str:
         """Return where the calibration stands: step n of N, time left."""
         count = len(self.steps)
         left = duration_words(self.steps[self.position :])
-        return f"step {min(self.position + 1, count)} of {count}, {left} left"
+        return say("step {} of {}, {} left", min(self.position + 1, count), count, left)
 
     @property
     def under_way(self) -> str:
@@ -191,7 +192,7 @@ class Procedure(Generic[PlanType]):
 
     def _expect(self, kind: StepKind) -> Step:
         if self.step.kind is not kind:
-            raise ProcedureError(f"now comes {self.step.kind}, not {kind}: {self.step.words}")
+            raise ProcedureError("now comes {}, not {}: {}", self.step.kind, kind, self.step.words)
         return self.step
 
     def reference(self, offset: float, uncertainty: float, shown: Sequence[float] = ()) -> Self:
@@ -225,8 +226,8 @@ class Procedure(Generic[PlanType]):
         if not self.step.optional:
             raise ProcedureError("this step cannot be left out")
         series = self.step.series
-        after = self._rejected(series, "left out")
-        event = {"event": "left out", "series": series}
+        after = self._rejected(series, say("left out"))
+        event = {"event": say("left out"), "series": series}
         return after._go_on(event, left_out=self.left_out | {series})
 
     def again(self, reason: str) -> Self:
@@ -261,9 +262,13 @@ class Procedure(Generic[PlanType]):
             hung=float(hung),
         )
         if not np.isfinite([*reading.signal, reading.value, reading.place]).all():
-            names = [f"signal {n}" for n, one in enumerate(reading.signal, 1) if one - one != 0.0]
-            culprit = f": {' and '.join(names)}" if names else ""
-            raise ProcedureError(f"the reading is not a number{culprit}; check cable and amplifier")
+            names = [
+                say("signal {}", n) for n, one in enumerate(reading.signal, 1) if one - one != 0.0
+            ]
+            culprit = say(": {}", joined(say(" and "), names)) if names else ""
+            raise ProcedureError(
+                "the reading is not a number{}; check cable and amplifier", culprit
+            )
         event = {
             "event": "record",
             "signal": list(reading.signal),
@@ -287,21 +292,22 @@ class Procedure(Generic[PlanType]):
         if not words:
             raise ProcedureError("a reading is rejected with a reason; write one")
         if not 0 <= index < len(self.taken):
-            raise ProcedureError(f"there is no reading number {index + 1}")
+            raise ProcedureError("there is no reading number {}", index + 1)
         first = self.taken[index]
         if first.rejected:
             raise ProcedureError("this reading is rejected already")
         series = self.steps[first.step].series
         if self.under_way not in (series, ""):
             raise ProcedureError(
-                f"series {self.under_way} is under way; finish it first, then reject and repeat"
-                f" series {series}"
+                "series {} is under way; finish it first, then reject and repeat series {}",
+                self.under_way,
+                series,
             )
         start = next(i for i, step in enumerate(self.steps) if step.series == series)
         wanted = self.steps[start].set_up
         if not self._stands_for(self.steps[start]):
             start = next(i for i, step in enumerate(self.steps) if step.set_up == wanted)
-        taken = self._rejected(series, f"series repeated: {words}").taken
+        taken = self._rejected(series, say("series repeated: {}", words)).taken
         taken = (*taken[:index], replace(first, rejected=words), *taken[index + 1 :])
         event = {"event": "reject", "index": index, "reason": words}
         return replace(self, position=start, taken=taken, events=(*self.events, event))
@@ -381,7 +387,7 @@ def take_up(method: Method[PlanType], events: Iterable[Event]) -> Procedure[Plan
                 procedure = _after(procedure, event)
         except (KeyError, TypeError, ValueError) as error:
             raise ProcedureError(
-                f"line {number} of the journal is not usable ‹{error!r}›"
+                "line {} of the journal is not usable ‹{}›", number, repr(error)
             ) from error
     if procedure is None:
         raise ProcedureError("the journal is empty")
@@ -413,4 +419,4 @@ def _after(procedure: Procedure[PlanType], event: Event) -> Procedure[PlanType]:
             place=place,
             hung=event.get("hung", 0.0),
         )
-    raise ProcedureError(f"unknown event {kind!r}")
+    raise ProcedureError("unknown event {}", repr(kind))

@@ -5,12 +5,13 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
+from rigapp.texts import SentenceError, joined, say
 from rigapp_calibration.arrays import Array, Marks, Whole
 from rigapp_calibration.problems import Problem, note
 
@@ -20,7 +21,7 @@ LARGEST_STEP = 1_000_000_000
 """So that a step is surely a whole number in double precision and in int64."""
 
 
-class ReadingsError(ValueError):
+class ReadingsError(SentenceError, ValueError):
     """Say which column or line of the readings cannot be used, and what to do."""
 
 
@@ -38,7 +39,7 @@ class Stepwise(Protocol):
 
 def place_of(readings: Stepwise, index: int) -> str:
     """Return where a reading stands, in words."""
-    return f"series {readings.series[index]}, step {readings.step[index]}"
+    return say("series {}, step {}", readings.series[index], readings.step[index])
 
 
 def each_series(names: Sequence[str]) -> Iterator[tuple[str, Marks]]:
@@ -51,9 +52,9 @@ def not_numbers(readings: Stepwise, columns: Array) -> Iterator[Problem]:
     """Yield which reading has a value that is no number; columns (n, any)."""
     bad = np.flatnonzero(~np.isfinite(columns).all(axis=1))
     if len(bad):
-        more = f" (and {len(bad) - 1} more)" if len(bad) > 1 else ""
-        words = f"The reading at {place_of(readings, int(bad[0]))} is not a number{more}"
-        yield Problem("not_a_number", f"{words}; take it again.")
+        more = say(" (and {} more)", len(bad) - 1) if len(bad) > 1 else ""
+        words = say("The reading at {} is not a number{}", place_of(readings, int(bad[0])), more)
+        yield Problem("not_a_number", say("{}; take it again.", words))
 
 
 FEWEST_OF_A_RUN = 3
@@ -71,8 +72,11 @@ def check_steps(readings: Stepwise, runs: Sequence[Hashable]) -> Iterator[Proble
     if twice is not None:
         yield Problem(
             "duplicated_step",
-            f"The step number of {place_of(readings, twice)} stands twice in its series at this"
-            " place; give each reading of a series a number of its own, in the order taken.",
+            say(
+                "The step number of {} stands twice in its series at this place; give each"
+                " reading of a series a number of its own, in the order taken.",
+                place_of(readings, twice),
+            ),
         )
         return
     left_out: list[str] = []
@@ -82,18 +86,25 @@ def check_steps(readings: Stepwise, runs: Sequence[Hashable]) -> Iterator[Proble
         if backward is not None:
             yield Problem(
                 "unordered_steps",
-                f"The step numbers go back at {place_of(readings, backward)}; write the readings in"
-                " the order taken (sorted as text, 11 stands before 2).",
+                say(
+                    "The step numbers go back at {}; write the readings in the order taken"
+                    " (sorted as text, 11 stands before 2).",
+                    place_of(readings, backward),
+                ),
             )
             return
         usual = min((stride for stride, _ in strides), default=1)
         left_out += [place_of(readings, index) for stride, index in strides if stride != usual]
     if left_out:
-        more = f" (and at {len(left_out) - 1} more)" if len(left_out) > 1 else ""
+        more = say(" (and at {} more)", len(left_out) - 1) if len(left_out) > 1 else ""
         yield note(
             "missing_step",
-            f"A step number is left out before {left_out[0]}{more}: a reading that does not count"
-            " is better kept as a comment with its reason.",
+            say(
+                "A step number is left out before {}{}: a reading that does not count is"
+                " better kept as a comment with its reason.",
+                left_out[0],
+                more,
+            ),
         )
 
 
@@ -130,18 +141,19 @@ def _runs(runs: Sequence[Hashable], steps: Sequence[int]) -> Iterator[list[int]]
 def check_columns(unused: tuple[str, ...]) -> Iterator[Problem]:
     """Yield a note on columns of the table that nothing reads: one may be misspelt."""
     if unused:
-        names = ", ".join(unused)
+        names = joined(", ", unused)
         yield note(
             "unused_columns",
-            f"The table has columns that are passed over: {names}; is one of them misspelt?",
+            say("The table has columns that are passed over: {}; is one of them misspelt?", names),
         )
 
 
-Row = tuple[int, dict[str, str]]
-"""Number of the line in the file, and its fields by column."""
+Row = tuple[int, Mapping[str, Any]]
+"""Number of the line in the file, and its fields by column: text, or as taken live."""
+Rows = Sequence[Row]
 
 
-def read_table(text: str, columns: tuple[str, ...]) -> list[Row]:
+def read_table(text: str, columns: Sequence[str]) -> list[Row]:
     """Return the readings of a CSV as (line, fields); comment lines and empty ones are left out.
 
     Raises ReadingsError for another separator than the comma, a missing column, a name twice, an
@@ -153,31 +165,38 @@ def read_table(text: str, columns: tuple[str, ...]) -> list[Row]:
         if line.strip() and not line.lstrip().startswith("#")
     ]
     if not lines:
-        raise ReadingsError(f"the file is empty; columns {', '.join(columns)} are needed")
+        raise ReadingsError("the file is empty; columns {} are needed", joined(", ", columns))
     reader = csv.DictReader(io.StringIO("\n".join(line for _, line in lines)))
     names = [name.strip() for name in reader.fieldnames or ()]
     missing = [name for name in columns if name not in names]
     if missing:
         _refuse_other_separator(lines[0][1])
         raise ReadingsError(
-            f"column {', '.join(missing)} is missing; the header must name {', '.join(columns)}"
+            "column {} is missing; the header must name {}",
+            joined(", ", missing),
+            joined(", ", columns),
         )
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
-        raise ReadingsError(f"the header names column {', '.join(twice)} twice; take one out")
+        raise ReadingsError("the header names column {} twice; take one out", joined(", ", twice))
     reader.fieldnames = names
-    rows = []
+    rows: list[Row] = []
     for (number, _), row in zip(lines[1:], reader, strict=True):
         if None in row:
-            extra = ", ".join(map(repr, row[None]))
+            extra = joined(", ", map(repr, row[None]))
             raise ReadingsError(
-                f"line {number} has more fields than the header's {len(names)}: {extra} at its end;"
-                " take out what is too much, and write decimal points, not commas"
+                "line {} has more fields than the header's {}: {} at its end; take out"
+                " what is too much, and write decimal points, not commas",
+                number,
+                len(names),
+                extra,
             )
         empty = [name for name in columns if row.get(name) in (None, "")]
         if empty:
             raise ReadingsError(
-                f"line {number} has an empty field ({', '.join(empty)}); complete or remove it"
+                "line {} has an empty field ({}); complete or remove it",
+                number,
+                joined(", ", empty),
             )
         rows.append((number, row))
     if not rows:
@@ -185,7 +204,7 @@ def read_table(text: str, columns: tuple[str, ...]) -> list[Row]:
     return rows
 
 
-SEPARATORS = {";": "semicolons", "\t": "tabs", "|": "vertical bars"}
+SEPARATORS = {";": "semicolons", "\t": "tabs", "|": say("vertical bars")}
 """What spreadsheets put between fields in place of a comma, and what it is called."""
 
 
@@ -194,20 +213,23 @@ def _refuse_other_separator(header: str) -> None:
     separator = max(SEPARATORS, key=header.count)
     if separator in header:
         raise ReadingsError(
-            f"the fields are separated by {SEPARATORS[separator]}; separate them by commas, with"
-            " decimal points (a spreadsheet does so when it saves as CSV in English)"
+            "the fields are separated by {}; separate them by commas, with decimal"
+            " points (a spreadsheet does so when it saves as CSV in English)",
+            SEPARATORS[separator],
         )
 
 
-def unused_columns(rows: list[Row], columns: tuple[str, ...]) -> tuple[str, ...]:
+def unused_columns(rows: Rows, columns: Sequence[str]) -> tuple[str, ...]:
     """Return the columns of a table beside those named; one without name and content is none."""
     names = [name for name in rows[0][1] if name not in columns]
     return tuple(
-        name or "one without a name" for name in names if name or any(row[name] for _, row in rows)
+        name or say("one without a name")
+        for name in names
+        if name or any(row[name] for _, row in rows)
     )
 
 
-def _step(line: int, row: dict[str, str]) -> int:
+def _step(line: int, row: Mapping[str, Any]) -> int:
     try:
         step = float(row["step"])
         if not (step.is_integer() and 0 <= step <= LARGEST_STEP):
@@ -215,25 +237,29 @@ def _step(line: int, row: dict[str, str]) -> int:
         return int(step)
     except ValueError as error:
         raise ReadingsError(
-            f"line {line}: step {row['step']!r} is not a whole number from 0 on"
+            "line {}: step {} is not a whole number from 0 on", line, repr(row["step"])
         ) from error
 
 
-def numbers(rows: list[Row], name: str) -> Array:
+def numbers(rows: Rows, name: str) -> Array:
     """Return a column; NaN for what is written as infinite or as no number."""
     values = np.empty(len(rows))
     for index, (line, row) in enumerate(rows):
         try:
             value = float(row[name])
         except ValueError as error:
-            raise ReadingsError(f"line {line}: {name} {row[name]!r} is not a number") from error
+            raise ReadingsError(
+                "line {}: {} {} is not a number", line, name, repr(row[name])
+            ) from error
         if LARGEST < abs(value) < math.inf:
-            raise ReadingsError(f"line {line}: {name} {row[name]!r} is larger than any reading")
+            raise ReadingsError(
+                "line {}: {} {} is larger than any reading", line, name, repr(row[name])
+            )
         values[index] = value if math.isfinite(value) else math.nan
     return values
 
 
-def series_and_steps(rows: list[Row]) -> tuple[tuple[str, ...], Whole]:
+def series_and_steps(rows: Rows) -> tuple[tuple[str, ...], Whole]:
     """Return the columns ``series`` and ``step``; raise ReadingsError."""
     series = tuple(row["series"].strip() for _, row in rows)
     return series, np.array([_step(line, row) for line, row in rows], dtype=np.int64)

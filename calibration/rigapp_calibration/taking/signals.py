@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rigapp.texts import say
 from rigapp_calibration.arrays import Array
 
 WINDOW_S = 3.0
@@ -93,7 +94,7 @@ def judge(
     t = np.asarray(time, dtype=np.float64)
     values = np.asarray(signal, dtype=np.float64)
     if len(t) < FEWEST_SAMPLES or t[-1] <= t[0]:
-        return Steadiness(False, "waiting for samples", np.full(2, np.nan), np.inf)
+        return Steadiness(False, say("waiting for samples"), np.full(2, np.nan), np.inf)
     mean = values.mean(axis=0)
     centred = t - t.mean()
     slopes = centred @ (values - mean) / float(centred @ centred)
@@ -102,11 +103,11 @@ def judge(
     slope_noise = spread / np.sqrt(float(centred @ centred))
     reason = "steady"
     if not np.isfinite(values).all():
-        reason = "the signal is not a number"
+        reason = say("the signal is not a number")
     elif spread > spread_limit:
-        reason = "swinging: wait until it hangs still"
+        reason = say("swinging: wait until it hangs still")
     elif np.abs(slopes).max() > slope_limit + 3.0 * slope_noise:
-        reason = "still changing"
+        reason = say("still changing")
     return Steadiness(reason == "steady", reason, mean, spread)
 
 
@@ -138,7 +139,7 @@ def assess(
 
     def judged() -> Judgement:
         if not len(window.time):
-            return SignalState.WAITING, "waiting for samples"
+            return SignalState.WAITING, say("waiting for samples")
         if first is not None:
             return first
         if len(time) < 2:
@@ -151,7 +152,9 @@ def assess(
             numbers = bool(np.isfinite(found.mean).all())
             return SignalState.MOVING, unsteady if numbers and unsteady else found.reason
         if left > 0.0:
-            return SignalState.WAITING, f"steady; {math.ceil(left)} s of the waiting time are left"
+            return SignalState.WAITING, say(
+                "steady; {} s of the waiting time are left", math.ceil(left)
+            )
         return SignalState.STEADY, "steady"
 
     return Readiness(*judged(), found, felt(found.mean), left)

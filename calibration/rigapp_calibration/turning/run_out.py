@@ -22,6 +22,7 @@ from dataclasses import dataclass
 import numpy as np
 from GTC import reporting
 
+from rigapp.texts import SentenceError, say
 from rigapp_calibration.arrays import Array
 from rigapp_calibration.problems import Problem, blocked, note
 
@@ -49,7 +50,7 @@ MODEL = 0.3
 """Relative standard uncertainty of that part: that it grows with the square is a model."""
 
 
-class RunOutError(ValueError):
+class RunOutError(SentenceError, ValueError):
     """Say why no map can be made at all."""
 
 
@@ -138,7 +139,7 @@ def make_map(rolls: Sequence[Roll], orders: int, elastic_doubts: Sequence[Array]
     motion it is one standard uncertainty. Raises RunOutError where there is nothing to develop.
     """
     if not 1 <= orders <= MOST_ORDERS:
-        raise RunOutError(f"orders: choose 1 to {MOST_ORDERS}")
+        raise RunOutError("orders: choose 1 to {}", MOST_ORDERS)
     problems = list(_unusable(rolls, orders))
     if blocked(problems):
         return RunOutMap(False, tuple(problems))
@@ -286,46 +287,67 @@ def _unusable(rolls: Sequence[Roll], orders: int) -> Iterator[Problem]:
         if count < FEWEST_REVOLUTIONS:
             yield Problem(
                 "too_few_revolutions",
-                f"{roll.label}: only {count} whole, undisturbed revolutions; take at least"
-                f" {FEWEST_REVOLUTIONS}, better {GOOD_REVOLUTIONS}.",
+                say(
+                    "{}: only {} whole, undisturbed revolutions; take at least {}, better {}.",
+                    roll.label,
+                    count,
+                    FEWEST_REVOLUTIONS,
+                    GOOD_REVOLUTIONS,
+                ),
             )
             continue
         if count < GOOD_REVOLUTIONS:
             yield note(
                 "few_revolutions",
-                f"{roll.label}: {count} revolutions; with {GOOD_REVOLUTIONS} the spread is known"
-                " better.",
+                say(
+                    "{}: {} revolutions; with {} the spread is known better.",
+                    roll.label,
+                    count,
+                    GOOD_REVOLUTIONS,
+                ),
             )
         if not 0.0 < abs(roll.speed) <= OVER * FASTEST:
             yield Problem(
                 "too_fast",
-                f"{roll.label}: {60.0 * abs(roll.speed) / (2.0 * math.pi):.1f} rpm is no slow roll:"
-                f" inertia moves the pin. Turn at {60.0 * FASTEST / (2.0 * math.pi):.0f} rpm or"
-                " less.",
+                say(
+                    "{}: {:.1f} rpm is no slow roll: inertia moves the pin. Turn at {:.0f}"
+                    " rpm or less.",
+                    roll.label,
+                    60.0 * abs(roll.speed) / (2.0 * math.pi),
+                    60.0 * FASTEST / (2.0 * math.pi),
+                ),
             )
         yield from _unusable_turns(roll, orders)
 
 
 def _unusable_turns(roll: Roll, orders: int) -> Iterator[Problem]:
     for turn in roll.turns:
-        where = f"{roll.label}, revolution {turn.number}"
+        where = say("{}, revolution {}", roll.label, turn.number)
         if not (np.isfinite(turn.probes).all() and np.isfinite(turn.angle).all()):
-            yield Problem("not_a_number", f"{where}: a value is not a number; roll again.")
+            yield Problem("not_a_number", say("{}: a value is not a number; roll again.", where))
             return
         if len(turn.angle) < SAMPLES_PER_ORDER * orders:
             yield Problem(
                 "too_few_samples",
-                f"{where}: {len(turn.angle)} samples are too few for {orders} orders; sample"
-                " faster, or ask for fewer orders.",
+                say(
+                    "{}: {} samples are too few for {} orders; sample faster, or ask for"
+                    " fewer orders.",
+                    where,
+                    len(turn.angle),
+                    orders,
+                ),
             )
             return
         if turn.saturated:
-            yield Problem("saturated", f"{where}: a probe is at the end of its range; move it.")
+            yield Problem(
+                "saturated", say("{}: a probe is at the end of its range; move it.", where)
+            )
             return
     for probe in range(2):
         if all(np.ptp(turn.probes[probe]) == 0.0 for turn in roll.turns):
             yield Problem(
-                "probe_dead", f"{roll.label}: probe {probe + 1} never changes; is it connected?"
+                "probe_dead",
+                say("{}: probe {} never changes; is it connected?", roll.label, probe + 1),
             )
 
 
@@ -334,30 +356,46 @@ def _judge(
 ) -> Iterator[Problem]:
     um = 1e6
     for probe in range(2):
-        name, size = f"Probe {probe + 1}", float(np.abs(curve[probe]).max())
+        name, size = say("Probe {}", probe + 1), float(np.abs(curve[probe]).max())
         if size > LARGE:
             yield Problem(
                 "too_large",
-                f"{name}: a run-out of {um * size:.0f} um is no run-out of a ground pin: the pin"
-                " is loose, bent, or turns about another axis.",
+                say(
+                    "{}: a run-out of {:.0f} um is no run-out of a ground pin: the pin is"
+                    " loose, bent, or turns about another axis.",
+                    name,
+                    um * size,
+                ),
             )
         if drift[probe] > max(UNSTEADY * size, 6.0 * within[probe]):
             yield Problem(
                 "unsteady",
-                f"{name}: from the first to the last half the map changes by"
-                f" {um * drift[probe]:.2f} um: let the rig warm up and run in, and roll again.",
+                say(
+                    "{}: from the first to the last half the map changes by {:.2f} um: let"
+                    " the rig warm up and run in, and roll again.",
+                    name,
+                    um * drift[probe],
+                ),
             )
         if between is not None and between[probe] > max(BETWEEN * size, 4.0 * within[probe]):
             yield note(
                 "not_run_out",
-                f"{name}: the rolls differ by {um * between[probe]:.2f} um from the map: the pin"
-                " moves in the follower with the load. That part is no run-out; it is"
-                " counted as uncertainty.",
+                say(
+                    "{}: the rolls differ by {:.2f} um from the map: the pin moves in the"
+                    " follower with the load. That part is no run-out; it is counted as"
+                    " uncertainty.",
+                    name,
+                    um * between[probe],
+                ),
             )
         if size < 2.0 * combined[probe]:
             yield note(
                 "below_uncertainty",
-                f"{name}: the run-out is not larger than its uncertainty"
-                f" ({um * size:.2f} um, u = {um * combined[probe]:.2f} um); applying the map gains"
-                " nothing.",
+                say(
+                    "{}: the run-out is not larger than its uncertainty ({:.2f} um, u ="
+                    " {:.2f} um); applying the map gains nothing.",
+                    name,
+                    um * size,
+                    um * combined[probe],
+                ),
             )

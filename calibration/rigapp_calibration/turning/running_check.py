@@ -17,6 +17,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rigapp.texts import say
 from rigapp_calibration.arrays import Array
 from rigapp_calibration.problems import Problem, blocked, note
 
@@ -82,7 +83,7 @@ def running_check(runs: Sequence[SpeedRun], known: Known) -> RunningCheck:
     """Compare what the speeds change with the known term; raise ValueError below two speeds."""
     order = sorted(runs, key=lambda run: float(run.speed.mean()) if len(run.speed) else 0.0)
     if len(order) < 2:
-        raise ValueError("two speeds are the least: the slowest is the zero")
+        raise ValueError(say("two speeds are the least: the slowest is the zero"))
     short = tuple(_short(run) for run in order if len(run.speed) < LEAST_REVOLUTIONS)
     if short:
         return RunningCheck(False, short, (), None, None, short[0].sentence)
@@ -95,8 +96,12 @@ def running_check(runs: Sequence[SpeedRun], known: Known) -> RunningCheck:
         faults += (
             note(
                 "too_slow",
-                f"At the fastest speed the known term is {abs(fast.known[0]):.2f} N, less than the"
-                f" uncertainty of {fast.expanded:.2f} N: this tells little; run faster.",
+                say(
+                    "At the fastest speed the known term is {:.2f} N, less than the"
+                    " uncertainty of {:.2f} N: this tells little; run faster.",
+                    abs(fast.known[0]),
+                    fast.expanded,
+                ),
             ),
         )
     accepted = not blocked(faults)
@@ -122,7 +127,11 @@ def dither_error(spread: float, resolution: float) -> float:
 def _short(run: SpeedRun) -> Problem:
     return Problem(
         "too_few_revolutions",
-        f"Only {len(run.speed)} revolutions at a steady speed; take at least {LEAST_REVOLUTIONS}.",
+        say(
+            "Only {} revolutions at a steady speed; take at least {}.",
+            len(run.speed),
+            LEAST_REVOLUTIONS,
+        ),
     )
 
 
@@ -155,25 +164,43 @@ def _problem(one: Comparison, moment: float) -> Problem:
     if abs(across) > one.expanded:
         return Problem(
             "across",
-            f"At {rpm:.0f} rpm the force across the crank changes by {across:+.2f} N, which inertia"
-            f" cannot do (uncertainty {one.expanded:.2f} N): are the axes and the angle reference"
-            " right, and is the follower off?",
+            say(
+                "At {:.0f} rpm the force across the crank changes by {:+.2f} N, which"
+                " inertia cannot do (uncertainty {:.2f} N): are the axes and the angle"
+                " reference right, and is the follower off?",
+                rpm,
+                across,
+                one.expanded,
+            ),
         )
     return Problem(
         "inertia_differs",
-        f"At {rpm:.0f} rpm force_1 changes by {one.measured[0]:+.2f} N instead of"
-        f" {one.known[0]:+.2f} N, {along:+.2f} N off (uncertainty {one.expanded:.2f} N), as if mass"
-        f" times radius were {1e3 * moment:.3f} kg mm: check that mass, the sign of force_1, and"
-        " that the follower is off.",
+        say(
+            "At {:.0f} rpm force_1 changes by {:+.2f} N instead of {:+.2f} N, {:+.2f} N off"
+            " (uncertainty {:.2f} N), as if mass times radius were {:.3f} kg mm: check that"
+            " mass, the sign of force_1, and that the follower is off.",
+            rpm,
+            one.measured[0],
+            one.known[0],
+            along,
+            one.expanded,
+            1000.0 * moment,
+        ),
     )
 
 
 def _sentence(accepted: bool, fast: Comparison, moment: float, expanded: float) -> str:
     rpm = fast.speed * 30.0 / math.pi
     if not accepted:
-        return "The running check failed: the turning cell does not show the known inertia."
-    return (
-        f"The running check is passed: at {rpm:.0f} rpm force_1 changes by {fast.measured[0]:+.2f}"
-        f" N, {fast.known[0]:+.2f} N are known, the uncertainty is {fast.expanded:.2f} N. The cell"
-        f" tells mass times radius as {1e3 * moment:.3f} kg mm, +- {1e3 * expanded:.3f}."
+        return say("The running check failed: the turning cell does not show the known inertia.")
+    return say(
+        "The running check is passed: at {:.0f} rpm force_1 changes by {:+.2f} N,"
+        " {:+.2f} N are known, the uncertainty is {:.2f} N. The cell tells mass times"
+        " radius as {:.3f} kg mm, +- {:.3f}.",
+        rpm,
+        fast.measured[0],
+        fast.known[0],
+        fast.expanded,
+        1000.0 * moment,
+        1000.0 * expanded,
     )

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, Final
 
+from rigapp.texts import joined, say
 from rigapp_drivers.api import DriveRequest, ReplyTimeout, SettingRefused
 from rigapp_drivers.cia402.monitor import NodeMonitor
 from rigapp_drivers.cia402.network import CanNode
@@ -45,12 +46,34 @@ _SHORTEST_WATCHDOG_S: Final = 0.05  # a computer that is busy feeds no faster
 _LONGEST_HEARTBEAT_MS: Final = 0xFFFF  # 16 bits of object 1016
 _COARSE_RPM: Final = 0.1  # wear tests turn at some tens of rpm, and such a step is 0.3 % of 30 rpm
 _ROUNDING: Final = 0.01  # of a speed: less is lost in the speed loop of any drive
+_RAMPS: Final = (0x6083, 0x6084)
 _CONTROL_ONLY: Final = (mapping_entry(0x6040, 0, 16),)
 
 Place = tuple[int, int]
 """Index and subindex of an object."""
 SUPERVISION: Final[tuple[Place, ...]] = ((0x1016, 1), (0x6007, 0), (0x1017, 0))
 """What lets the drive stop by itself when this computer is silent, and shows that it lives."""
+REQUIRED: Final[Mapping[Place, str]] = {
+    (0x6040, 0): say("commands"),
+    (0x6041, 0): say("its state"),
+    (0x6060, 0): say("its mode"),
+    (0x606C, 0): say("its speed"),
+    (0x6064, 0): say("its position"),
+    (0x60FF, 0): say("the speed to turn at"),
+    (0x1016, 1): say("the watch over this computer"),
+    (0x1017, 0): say("its sign of life"),
+}
+PROFILE_QUANTITIES: Final[Mapping[str, tuple[int, float, int]]] = {
+    "current_A": (0x6078, 1e-6, 0x6075),
+    "torque_Nm": (0x6077, 1e-6, 0x6076),
+    "supply_V": (0x6079, 1e-3, 0),
+}
+"""Quantity -> object, unit, and the object whose value (mA, mNm) that is per mille of (0: none)."""
+_EPOS_QUANTITIES: Final[Mapping[str, tuple[Place, str]]] = {
+    "current_A": ((0x30D1, 1), "current_unit_A"),
+    "supply_V": ((0x2200, 1), "supply_unit_V"),
+    "temperature_C": ((0x3201, 1), "temperature_unit_C"),
+}
 
 Readback = dict[str, str | float | int]
 
@@ -62,7 +85,9 @@ class Setup:
     velocity_unit: rev/s of the crank per step of 606C and 60FF. acceleration_unit: rev/s2 of the
     crank per step.
     synchronous: speed and position come as TPDOs after a SYNC. control_pdo: RPDO1 carries 6040.
-    kept: objects that were set, and their values, which must stay.
+    ramps: the objects that take an acceleration, of those that the drive has. quantities: what it
+    tells of itself, each with its object and the unit of that. kept: objects that were set, and
+    their values, which must stay.
     """
 
     request: DriveRequest
@@ -71,7 +96,8 @@ class Setup:
     acceleration_unit: float
     synchronous: bool
     control_pdo: bool
-    epos: bool
+    ramps: Sequence[int]
+    quantities: Mapping[str, tuple[Place, float]]
     boot_ups: int
     readback: Mapping[str, str | float | int]
     kept: Mapping[Place, int]
@@ -81,7 +107,9 @@ def check_watchdog(request: DriveRequest) -> None:
     """Raise ValueError for a time-out that the heartbeat cannot carry."""
     if not _SHORTEST_WATCHDOG_S <= request.watchdog_timeout_s <= _LONGEST_HEARTBEAT_MS * 1e-3:
         raise ValueError(
-            f"a watchdog time-out of {request.watchdog_timeout_s:g} s is outside 0.05 to 65 s."
+            say(
+                "a watchdog time-out of {:g} s is outside 0.05 to 65 s.", request.watchdog_timeout_s
+            )
         )
 
 
@@ -96,12 +124,14 @@ class Commissioning:
         self._settings = settings
         self._epos = epos
         self._readback: Readback = {}
+        self._advice: list[str] = []
         self._kept: dict[Place, int] = {}
 
     def run(self, request: DriveRequest) -> Setup:
         """Set the drive up; raise SettingRefused, ReplyTimeout, DeviceLost."""
         node = self._node
         refuse_request(node, request, self._settings, check_watchdog)
+        self._require()
         node.stop_beating()
         node.write(0x6040, Control.DISABLE_VOLTAGE)
         node.write(0x60FF, 0)
@@ -111,6 +141,8 @@ class Commissioning:
         unit = self._choose_unit(request)
         self._compare_encoder(request)
         synchronous, control_pdo = self._map_pdos()
+        ramps = self._find_ramps()
+        quantities = self._find_quantities()
         self._note_options()
         boot_ups = self._start()
         acceleration = float(self._settings["acceleration_unit_rpm_per_s"]) / 60.0
@@ -122,6 +154,8 @@ class Commissioning:
             "direction": request.direction,
             "counts_per_revolution": request.counts_per_revolution,
         }
+        if self._advice:
+            self._readback["advice"] = joined("; ", self._advice)
         return Setup(
             request=request,
             watchdog_s=watchdog_s,
@@ -129,7 +163,8 @@ class Commissioning:
             acceleration_unit=acceleration / request.gear_ratio,
             synchronous=synchronous,
             control_pdo=control_pdo,
-            epos=self._epos,
+            ramps=ramps,
+            quantities=quantities,
             boot_ups=boot_ups,
             readback=self._readback,
             kept=self._kept,
@@ -143,14 +178,21 @@ class Commissioning:
         host_id = int(self._settings["host_node_id"])
         self._set(0x1016, 0, 1)
         self._set(0x1016, consumer_heartbeat(host_id, milliseconds), 1)
-        self._set(0x6007, ABORT_QUICK_STOP)
         self._set(0x1017, int(self._settings["heartbeat_ms"]))
         self._readback |= {
             "watchdog_timeout_s": milliseconds * 1e-3,
             "host_node_id": host_id,
-            "abort_connection_option": ABORT_QUICK_STOP,
             "heartbeat_ms": int(self._settings["heartbeat_ms"]),
         }
+        if self._set_if_there(0x6007, ABORT_QUICK_STOP):
+            self._readback["abort_connection_option"] = ABORT_QUICK_STOP
+        else:
+            self._advice.append(
+                say(
+                    "what it does when this computer is silent cannot be set: pull the cable at a"
+                    " low speed before the first test and watch ‹no object 6007›"
+                )
+            )
         return milliseconds * 1e-3
 
     def _start(self) -> int:
@@ -166,8 +208,10 @@ class Commissioning:
             if time.monotonic() > deadline:
                 raise ReplyTimeout.at(
                     node,
-                    f"node {node.node_id} tells no heartbeat as one that operates within "
-                    f"{_START_S:g} s; its heartbeat cannot be supervised.",
+                    "node {} tells no heartbeat as one that operates within {:g} s; its"
+                    " heartbeat cannot be supervised.",
+                    node.node_id,
+                    _START_S,
                 )
         return boot_ups
 
@@ -176,43 +220,114 @@ class Commissioning:
     def _choose_mode(self) -> None:
         supported = self._node.read_if_there(0x6502)
         if supported is not None and not supported & PROFILE_VELOCITY_BIT:
-            raise self._refused("the drive has no profile velocity mode ‹object 6502›.")
+            raise self._refused(say("the drive has no profile velocity mode ‹object 6502›."))
         self._node.write(0x6060, PROFILE_VELOCITY)
+        shown = 0x6060 if self._node.read_if_there(0x6061) is None else 0x6061
         deadline = time.monotonic() + _MODE_S
-        while (mode := self._node.read(0x6061)) != PROFILE_VELOCITY:
+        while (mode := self._node.read(shown)) != PROFILE_VELOCITY:
             if time.monotonic() > deadline:
-                raise self._refused(f"the drive stays in mode {mode} instead of profile velocity.")
-        self._readback["mode"] = self._kept[0x6061, 0] = PROFILE_VELOCITY
+                raise self._refused(
+                    say("the drive stays in mode {} instead of profile velocity.", mode)
+                )
+        self._readback["mode"] = self._kept[shown, 0] = PROFILE_VELOCITY
 
     def _choose_unit(self, request: DriveRequest) -> float:
-        wanted = _UNITS.get(str(self._settings["velocity_unit"]))
-        if wanted is not None:
-            self._set(0x60A9, wanted)
-        raw = self._kept[0x60A9, 0] = self._node.read(0x60A9)
-        unit = velocity_unit_rev_per_s(raw)
-        if unit is None:
-            raise self._refused(
-                "the velocity unit is unknown; set rpm in the drive "
-                f"‹object 60A9 is {raw:08X}, rpm is 00B44700›."
-            )
-        unit /= request.gear_ratio
+        unit = self._velocity_unit() / request.gear_ratio
         highest = math.ceil(request.maximum_speed_rev_per_s / unit - 1e-9)
-        self._set(0x607F, highest)
         motor = self._node.read_if_there(0x6080)
         self._readback |= {
-            "velocity_unit": f"{raw:08X}",
             "velocity_step_rev_per_s": unit,
             "maximum_speed_rev_per_s": highest * unit,
             "maximum_motor_speed": -1 if motor is None else motor,
         }
+        if not self._set_if_there(0x607F, highest):
+            self._advice.append(
+                say("it has no limit of speed to set; rigapp alone keeps it ‹no object 607F›")
+            )
         step_rpm = unit * 60.0
         if step_rpm > _COARSE_RPM:
-            self._readback["advice"] = (
-                f"it takes speeds in whole steps of {step_rpm:g} rpm of the crank, so that one "
-                f"below {step_rpm / 2.0 / _ROUNDING:g} rpm may be more than {_ROUNDING:.0%} beside "
-                "what was asked for; choose a finer velocity_unit for those."
+            self._advice.append(
+                say(
+                    "it takes speeds in whole steps of {:g} rpm of the crank, so that one"
+                    " below {:g} rpm may be more than {:.0%} beside what was asked for;"
+                    " choose a finer velocity_unit for those.",
+                    step_rpm,
+                    step_rpm / 2.0 / _ROUNDING,
+                    _ROUNDING,
+                )
             )
         return unit
+
+    def _velocity_unit(self) -> float:
+        """Return rev/s of the motor per step: by object 60A9, else by the setting."""
+        wanted = _UNITS.get(str(self._settings["velocity_unit"]))
+        given = float(self._settings["velocity_step_rpm"]) / 60.0
+        raw = self._node.read_if_there(0x60A9)
+        if raw is not None and wanted is not None:
+            self._set(0x60A9, raw := wanted)
+        unit = None if raw is None else velocity_unit_rev_per_s(raw)
+        if unit is None and not given:
+            raise self._refused(
+                say(
+                    "it does not tell in which unit it takes speeds; give velocity_step_rpm from"
+                    " its manual ‹object 60A9 is {}, rpm is 00B44700›.",
+                    say("not there") if raw is None else f"{raw:08X}",
+                )
+            )
+        if unit is not None and given and not math.isclose(unit, given, rel_tol=1e-6):
+            raise self._refused(
+                say(
+                    "it takes speeds in steps of {:g} rpm ‹object 60A9›, the rig file says"
+                    " velocity_step_rpm = {:g}: one of them is wrong, and so would be the speed.",
+                    unit * 60.0,
+                    given * 60.0,
+                )
+            )
+        if raw is not None:
+            self._kept[0x60A9, 0] = raw
+        self._readback["velocity_unit"] = say("not there") if raw is None else f"{raw:08X}"
+        return given if unit is None else unit
+
+    def _find_ramps(self) -> tuple[int, ...]:
+        ramps = tuple(one for one in _RAMPS if self._node.read_if_there(one) is not None)
+        if len(ramps) < len(_RAMPS):
+            lacking = joined(", ", (f"{one:04X}" for one in _RAMPS if one not in ramps))
+            self._advice.append(
+                say(
+                    "it turns up or down along a ramp of its own, whatever the test file says;"
+                    " set that in the drive ‹no object {}›",
+                    lacking,
+                )
+            )
+        return ramps
+
+    def _find_quantities(self) -> dict[str, tuple[Place, float]]:
+        """Return what the drive tells of itself: objects of the EPOS4, or of CiA 402 if there."""
+        if self._epos:
+            return {
+                quantity: (place, float(self._settings[unit]))
+                for quantity, (place, unit) in _EPOS_QUANTITIES.items()
+            }
+        found = {}
+        for quantity, (index, unit, rated) in PROFILE_QUANTITIES.items():
+            whole = self._node.read_if_there(rated) if rated else 1
+            if whole and self._node.read_if_there(index) is not None:
+                found[quantity] = ((index, 0), unit * whole)
+        self._readback["quantities"] = joined(", ", found)
+        return found
+
+    def _require(self) -> None:
+        """Refuse a drive that lacks what nothing can replace, before anything is set."""
+        for (index, subindex), what in REQUIRED.items():
+            if not self._is_there(index, subindex):
+                raise self._refused(
+                    say(
+                        "the drive cannot be used: it has nothing for {} ‹object {}:{}›.",
+                        what,
+                        f"{index:04X}",
+                        subindex,
+                    )
+                )
 
     def _compare_encoder(self, request: DriveRequest) -> None:
         if not self._epos:
@@ -220,9 +335,12 @@ class Commissioning:
         counts = 4 * self._node.read(0x3010, 1)
         if counts != request.counts_per_revolution:
             raise self._refused(
-                f"the drive has {counts} counts per revolution ‹four times object 3010:1›, the rig "
-                f"file {request.counts_per_revolution}: one of them is wrong, and so would be the "
-                "speed."
+                say(
+                    "the drive has {} counts per revolution ‹four times object 3010:1›, the"
+                    " rig file {}: one of them is wrong, and so would be the speed.",
+                    counts,
+                    request.counts_per_revolution,
+                )
             )
 
     def _note_options(self) -> None:
@@ -292,14 +410,33 @@ class Commissioning:
 
     # --- helpers ---------------------------------------------------------------------------------
 
+    def _is_there(self, index: int, subindex: int) -> bool:
+        try:
+            return self._node.read_if_there(index, subindex) is not None
+        except SettingRefused:  # it may be written only
+            return True
+
+    def _set_if_there(self, index: int, value: int) -> bool:
+        """Write a number and read it back; False where the drive has no such object."""
+        if self._node.read_if_there(index) is None:
+            return False
+        self._set(index, value)
+        return True
+
     def _set(self, index: int, value: int, subindex: int = 0) -> None:
         """Write a number and read it back."""
         self._node.write(index, value, subindex)
         found = self._node.read(index, subindex)
         if found != value:
             raise self._refused(
-                "the drive did not keep a setting; check its firmware and that it is not locked "
-                f"‹object {index:04X}:{subindex} reads {found} after {value} was set›."
+                say(
+                    "the drive did not keep a setting; check its firmware and that it is"
+                    " not locked ‹object {}:{} reads {} after {} was set›.",
+                    f"{index:04X}",
+                    subindex,
+                    found,
+                    value,
+                )
             )
         self._kept[index, subindex] = value
 

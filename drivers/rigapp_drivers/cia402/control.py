@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from typing import Final
 
+from rigapp.texts import say
 from rigapp_drivers.api import DeviceFault, ReplyTimeout
 from rigapp_drivers.cia402.monitor import NodeMonitor
 from rigapp_drivers.cia402.network import CanNode
@@ -53,7 +54,7 @@ class DriveControl:
         state = self.state()
         while state is not State.ENABLED:
             if state in (State.FAULT, State.FAULT_REACTION):
-                raise self._fault(f"the drive is in fault, {self.error()}; reset it first.")
+                raise self._fault(say("the drive is in fault, {}; reset it first.", self.error()))
             self.give_way()
             step = step_towards_enabled(state)
             if step is not None:
@@ -63,7 +64,7 @@ class DriveControl:
     def give_way(self) -> None:
         """Raise DeviceFault when another thread wants to stop."""
         if self._node.stop_requests != self._stop_requests:
-            raise self._fault("a stop came before the speed was set.")
+            raise self._fault(say("a stop came before the speed was set."))
 
     def _wait_to_leave(self, state: State | None) -> State | None:
         deadline = time.monotonic() + STEP_S
@@ -71,8 +72,11 @@ class DriveControl:
             self.give_way()
             if time.monotonic() > deadline:
                 raise self._stuck(
-                    f"the drive stays in state {state or 'unknown'} on its way to operation "
-                    "enabled; look at its safe-torque-off inputs and its supply."
+                    say(
+                        "the drive stays in state {} on its way to operation enabled; look"
+                        " at its safe-torque-off inputs and its supply.",
+                        state or say("unknown"),
+                    )
                 )
         return now
 
@@ -84,8 +88,11 @@ class DriveControl:
         while (state := self.state()) not in _POWERLESS:
             if time.monotonic() > deadline:
                 raise self._stuck(
-                    f"the drive stays in state {state or 'unknown'} after disable voltage; use the "
-                    "emergency stop."
+                    say(
+                        "the drive stays in state {} after disable voltage; use the"
+                        " emergency stop.",
+                        state or say("unknown"),
+                    )
                 )
             node.write(0x6040, Control.DISABLE_VOLTAGE)
         node.write(0x60FF, 0)
@@ -105,13 +112,13 @@ class DriveControl:
             self.give_way()
             if time.monotonic() > deadline:
                 raise self._fault(
-                    f"the drive stays in fault, {self.error()}; remove its cause first."
+                    say("the drive stays in fault, {}; remove its cause first.", self.error())
                 )
         node.write(0x6040, Control.DISABLE_VOLTAGE)
 
     def error(self) -> str:
         """Return the drive's last error code (603F) in words."""
-        return describe_code(self._node.read(0x603F))
+        return describe_code(self._node.read_if_there(0x603F))
 
     def _fault(self, sentence: str) -> DeviceFault:
         return DeviceFault.at(self._node, sentence)

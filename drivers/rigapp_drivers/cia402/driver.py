@@ -13,6 +13,7 @@ import time
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, Final
 
+from rigapp.texts import say
 from rigapp_drivers.api import (
     ConnectionFailed,
     DeviceError,
@@ -35,9 +36,9 @@ from rigapp_drivers.cia402.commission import (
     check_watchdog,
 )
 from rigapp_drivers.cia402.control import DriveControl
-from rigapp_drivers.cia402.identify import identify
+from rigapp_drivers.cia402.decode import Decoder
 from rigapp_drivers.cia402.monitor import AxisMotion, NodeMonitor
-from rigapp_drivers.cia402.network import TRIES, CanNode
+from rigapp_drivers.cia402.network import TRIES, CanNode, identify
 from rigapp_drivers.cia402.probe import PROBE
 from rigapp_drivers.cia402.protocol import (
     EMERGENCY_BASE,
@@ -52,13 +53,11 @@ from rigapp_drivers.cia402.protocol import (
 from rigapp_drivers.cia402.readings import Condition, Readings
 from rigapp_drivers.cia402.settings import SETTINGS, bus_options
 from rigapp_drivers.spindles import (
-    NEEDED,
     QUANTITIES,
     note_survived_silence,
     refuse_speed,
     settings_lost,
     silenced,
-    torque_Nm,
     whole_ramp,
 )
 
@@ -101,7 +100,7 @@ class Cia402Drive:
             try:
                 options = bus_options(self.port, self._settings)
             except ValueError as error:
-                raise ConnectionFailed.at(self, f"{error}.") from error
+                raise ConnectionFailed.at(self, "{}.", error) from error
             timeout_s = float(self._settings["sdo_timeout_ms"]) * 1e-3
             node = CanNode(self.name, self.port, node_id, options, timeout_s)
             self._monitor = monitor = NodeMonitor()
@@ -132,7 +131,7 @@ class Cia402Drive:
             setup = commissioning.run(request)
             self._trip = ""
             self._monitor.forget_active()
-            self._readings = Readings(node, self._monitor, setup, self._settings)
+            self._readings = Readings(node, self._monitor, setup, self._settings, self._epos)
             self._setup = setup
             return setup.readback
 
@@ -174,12 +173,12 @@ class Cia402Drive:
             if target == 0 and state is not State.ENABLED:
                 return
             if target != 0 and self._trip:
-                raise DeviceFault.at(self, f"{self._trip}; reset the fault before the next start.")
+                raise DeviceFault.at(self, "{}; reset the fault before the next start.", self._trip)
             enable = target != 0 and state is not State.ENABLED
             if enable:
                 self._check_setup(node, setup.kept, setup)
-            node.write(0x6083, ramp)
-            node.write(0x6084, ramp)
+            for index in setup.ramps:
+                node.write(index, ramp)
             if enable:
                 control.enable()
             control.give_way()
@@ -192,7 +191,10 @@ class Cia402Drive:
         steps = round(setup.request.direction * speed_rev_per_s / setup.velocity_unit)
         if abs(steps) > _INT32:
             raise self._refused(
-                f"{speed_rev_per_s * 60:.1f} rpm is more than the drive can be told ‹object 60FF›."
+                say(
+                    "{:.1f} rpm is more than the drive can be told ‹object 60FF›.",
+                    speed_rev_per_s * 60,
+                )
             )
         return steps
 
@@ -314,7 +316,7 @@ class Cia402Drive:
             current_A=condition.current_A,
             supply_V=condition.supply_V,
             temperature_C=condition.temperature_C,
-            torque_Nm=torque_Nm(condition.current_A, self._settings),
+            torque_Nm=condition.torque_Nm,
             enabled=enabled and not faults,
             emergency_stop=condition.torque_off,
             faults=tuple(dict.fromkeys(faults)),
@@ -347,8 +349,8 @@ class Cia402Drive:
         A restart may lose some of it and keep the rest, and its only message may be lost.
         """
         for index, subindex in objects:
-            found, wanted = node.read(index, subindex), setup.kept[index, subindex]
-            if found == wanted:
+            wanted = setup.kept.get((index, subindex))  # None: the drive has no such object
+            if wanted is None or (found := node.read(index, subindex)) == wanted:
                 continue
             _log.warning(
                 "%s on %s: object %04X:%d reads %d after %d was set",
@@ -384,7 +386,7 @@ class Cia402Drive:
 
     def _configured(self) -> Setup:
         if self._setup is None:
-            raise self._refused("the drive is not supervised yet; configure the drive first.")
+            raise self._refused(say("the drive is not supervised yet; configure the drive first."))
         return self._setup
 
     def _refused(self, sentence: str) -> SettingRefused:
@@ -393,7 +395,7 @@ class Cia402Drive:
 
 DRIVER: Final = DriverInfo(
     name="cia402",
-    title="maxon EPOS4 or another CiA 402 drive (CANopen)",
+    title=say("maxon EPOS4 or another CiA 402 drive (CANopen)"),
     kind=DriverKind.SPINDLE,
     factory=Cia402Drive,
     settings=SETTINGS,
@@ -401,5 +403,6 @@ DRIVER: Final = DriverInfo(
     probe=PROBE,
     check=check_watchdog,
     quantities=QUANTITIES,
-    needed=NEEDED,
+    decoder=Decoder,
+    protocol="slcan",
 )

@@ -18,22 +18,31 @@ import can
 import canopen
 from canopen.sdo import SdoClient
 
+from rigapp.texts import say, sentence_of_error
 from rigapp_drivers.api import (
     ConnectionFailed,
     DeviceError,
     DeviceLost,
+    Identity,
     ReplyTimeout,
     SettingRefused,
+    WrongDevice,
 )
 from rigapp_drivers.cia402.protocol import (
     HEARTBEAT_BASE,
     NMT_ID,
+    PROFILE_402,
     SDO_REPLY_BASE,
     SDO_REQUEST_BASE,
+    VENDOR_MAXON,
     Nmt,
     NodeState,
 )
+from rigapp_drivers.cia402.slcan import Frame, encode_frame
+from rigapp_drivers.exchange import NamedQuestions
 from rigapp_drivers.transport import SerialPort
+from rigapp_drivers.wire.ports import RECORDED, PortNotFound, actual_port
+from rigapp_drivers.wire.recorder import WireRecorder, recorder_of
 
 TRIES: Final = 3  # one lost frame must not stop a test; a node that is silent thrice is gone
 FIRST_TRIES: Final = 10  # until it is identified nothing turns, and a busy computer may be late
@@ -44,6 +53,7 @@ _SEND_S: Final = 1.0
 """An adapter that takes no frame for so long is lost. Not shorter: pyserial calls a frame that went
 out whole late when the computer let the program wait; the drive's heartbeat stops it meanwhile."""
 _JOIN_S: Final = 2.0  # many times the wait of the receiver
+_NAMES_OBJECT: Final = (2, 3, 4)  # begun upload, begun download, abort (CiA 301, 7.2.4.3)
 _MISSING: Final = (0x0602_0000, 0x0609_0011)  # no such object, no such sub-index (CiA 301)
 
 Taker = Callable[[bytes, int], None]
@@ -87,12 +97,14 @@ class CanNode:
         self._timeout_s = timeout_s
         self._host_id: int | None = None
         self._bus: Any = None
+        self._recorder: WireRecorder | None = None
         self._thread: threading.Thread | None = None
         self._closing = threading.Event()
         self._failure: Exception | None = None
         self._takers: dict[int, Taker] = {}
         self._sending = threading.Lock()
         self._transfer = threading.RLock()
+        self._asked = NamedQuestions(device, timeout_s, "sdo_timeout_ms", 1e3)
         self._network = _Bus(self.send)
         self._sdo = self._client()
 
@@ -101,7 +113,15 @@ class CanNode:
         client = SdoClient(SDO_REQUEST_BASE + self.node_id, SDO_REPLY_BASE + self.node_id, objects)
         client.RESPONSE_TIMEOUT = self._timeout_s
         client.network = self._network
-        self._takers[SDO_REPLY_BASE + self.node_id] = lambda data, _: client.on_response(0, data, 0)
+
+        def answered(data: bytes, host_time_ns: int) -> None:
+            # canopen compares the object of a read only, so a late answer could confirm a write.
+            named = data[:1] and data[0] >> 5 in _NAMES_OBJECT
+            if named and not self._asked.is_answer(data[1:4]):
+                return
+            client.on_response(0, data, 0)
+
+        self._takers[SDO_REPLY_BASE + self.node_id] = answered
         return client
 
     # --- bus -------------------------------------------------------------------------------------
@@ -110,25 +130,37 @@ class CanNode:
         """Open the bus and start to receive; raise ConnectionFailed."""
         try:
             self._refuse_shared_port()
-            self._bus = can.Bus(**self._bus_options)
+            options = dict(self._bus_options)
+            channel = str(options["channel"])
+            if channel.startswith(RECORDED):  # whatever adapter it was recorded with
+                options |= {"interface": "slcan", "timeout": 0.01, "sleep_after_open": 0.0}
+            if options["interface"] == "slcan":
+                options["channel"] = actual_port(channel)
+            self._bus = can.Bus(**options)
             _hold_port(self._bus)
         except ConnectionFailed:
             raise
+        except PortNotFound as error:
+            raise ConnectionFailed.at(self, sentence_of_error(error)) from error
         except Exception as error:  # each interface has errors of its own
             interface = self._bus_options["interface"]
             raise ConnectionFailed.at(
                 self,
-                f"the CAN interface {interface} cannot be opened ‹{error}›; check the channel's "
-                "name, the adapter and that no other program uses it.",
+                "the CAN interface {} cannot be opened ‹{}›; check the channel's name,"
+                " the adapter and that no other program uses it.",
+                interface,
+                error,
             ) from error
-        name = f"{self.device} CAN receiver"
+        self._recorder = recorder_of(self.device, self.port)
+        name = say("{} CAN receiver", self.device)
         self._thread = threading.Thread(target=self._receive, name=name, daemon=True)
         self._thread.start()
 
     def _refuse_shared_port(self) -> None:
         """Leave an slcan adapter alone that another program uses; python-can would share it."""
         channel = str(self._bus_options["channel"])
-        if self._bus_options["interface"] != "slcan" or "://" in channel:
+        recorded = channel.startswith(RECORDED)
+        if self._bus_options["interface"] != "slcan" or "://" in channel or recorded:
             return
         line = SerialPort(self.device, channel.partition("@")[0], _SLCAN_BAUD_RATE)
         try:
@@ -149,6 +181,8 @@ class CanNode:
         message = can.Message(arbitration_id=identifier, data=data, is_extended_id=False)
         try:
             with self._sending:
+                if self._recorder is not None:
+                    self._recorder.sent(encode_frame(Frame(identifier, bytes(data))))
                 self._bus.send(message, timeout=_SEND_S)
                 self.frames_sent += 1
         except Exception as error:
@@ -166,15 +200,25 @@ class CanNode:
                 bus.shutdown()
             except Exception:
                 _close_port(bus)
+        if self._recorder is not None:
+            self._recorder.close()
 
     def _receive(self) -> None:
         bus = self._bus
         while not self._closing.is_set():
+            message = None
             try:
                 message = bus.recv(_WAIT_S)
             except (ValueError, IndexError):  # slcan: a line that is no frame
                 self.bad_frames += 1
                 continue
+            except can.CanOperationError as error:
+                if not isinstance(error.__cause__, UnicodeDecodeError):
+                    self._failure = error
+                    return
+                # python-can would decode a byte that is no ASCII again and again with what follows.
+                self.bad_frames += 1
+                bus._buffer.clear()
             except Exception as error:
                 self._failure = error
                 return
@@ -188,6 +232,8 @@ class CanNode:
             self.bad_frames += 1
             return
         self.frames_received += 1
+        if self._recorder is not None:
+            self._recorder.received(_line_of(message))
         taker = self._takers.get(message.arbitration_id)
         if taker is not None and not message.is_remote_frame and not message.is_extended_id:
             taker(bytes(message.data), time.monotonic_ns())
@@ -201,7 +247,7 @@ class CanNode:
 
     def _lost(self, error: Exception) -> DeviceError:
         return DeviceLost.at(
-            self, f"the CAN adapter broke off ‹{error}›; check its cable and the bus."
+            self, say("the CAN adapter broke off ‹{}›; check its cable and the bus.", error)
         )
 
     # --- node ------------------------------------------------------------------------------------
@@ -234,7 +280,7 @@ class CanNode:
         try:
             return int(variable.decode_raw(data))
         except Exception as error:
-            raise self._refused(index, subindex, f"{data.hex()}, {error}") from error
+            raise self._refused(index, subindex, say("{}, {}", data.hex(), error)) from error
 
     def read_if_there(self, index: int, subindex: int = 0) -> int | None:
         """Return a number, None when the drive has no such object."""
@@ -273,35 +319,68 @@ class CanNode:
     ) -> Any:
         most = self.tries if tries is None else tries
         with self._transfer:
+            self._asked.begin(struct.pack("<HB", index, subindex))
             for attempt in range(1, most + 1):
                 self._check()
                 self.beat()
                 self.retries += attempt > 1
+                self._asked.asked()
                 try:
-                    return transfer()
+                    result = transfer()
+                    self._asked.leave(answered=True)
+                    return result
                 except canopen.SdoAbortedError as error:
-                    raise self._refused(index, subindex, str(error)) from error
+                    self._asked.leave(answered=True)
+                    raise self._refused(index, subindex, sentence_of_error(error)) from error
                 except canopen.SdoCommunicationError as error:
                     self._check()
-                    if attempt == most or self.hurry.is_set():
+                    if attempt < most and not self.hurry.is_set():
+                        continue
+                    self._asked.leave(answered=False)
+                    if self._asked.late_s:
                         raise ReplyTimeout.at(
                             self,
-                            f"node {self.node_id} did not answer in {attempt} tries of "
-                            f"{self._timeout_s * 1e3:.0f} ms: check power, wiring, terminators, "
-                            f"node id and bit rate ‹object {_shown(index, subindex)}›.",
+                            "no answer of node {} in time; {} ‹object {}›.",
+                            self.node_id,
+                            self._asked.words(),
+                            _shown(index, subindex),
                         ) from error
-        raise AssertionError("at least one try")
+                    raise ReplyTimeout.at(
+                        self,
+                        "node {} did not answer in {} tries of {:.0f} ms: check"
+                        " power, wiring, terminators, node id and bit rate ‹object"
+                        " {}›.",
+                        self.node_id,
+                        attempt,
+                        self._timeout_s * 1000.0,
+                        _shown(index, subindex),
+                    ) from error
+        raise AssertionError(say("at least one try"))
 
     def _refused(self, index: int, subindex: int, what: str) -> SettingRefused:
         return SettingRefused.at(
             self,
-            f"node {self.node_id} refused to be read or set; check the drive's manual and its "
-            f"settings ‹object {_shown(index, subindex)}: {what}›.",
+            say(
+                "node {} refused to be read or set; check the drive's manual and its"
+                " settings ‹object {}: {}›.",
+                self.node_id,
+                _shown(index, subindex),
+                what,
+            ),
         )
 
 
 def _shown(index: int, subindex: int) -> str:
     return f"{index:04X}:{subindex}"
+
+
+def _line_of(message: Any) -> bytes:
+    """Return a received frame as the slcan line by which it is recorded, of whatever adapter."""
+    remote = bool(message.is_remote_frame)
+    data = b"" if remote else bytes(message.data)
+    return encode_frame(
+        Frame(message.arbitration_id, data, bool(message.is_extended_id), remote, message.dlc)
+    )
 
 
 def _hold_port(bus: Any) -> None:
@@ -325,3 +404,45 @@ def _close_port(bus: Any) -> None:
             port.close()
         except Exception:
             return
+
+
+_WAKING_TRIES: Final = 3  # the first is lost while a drive finds its bit rate
+
+
+def identify(node: CanNode, interface: str, objects: str) -> Identity:
+    """Return the drive's identity; details["objects"] is "epos4" or "generic".
+
+    objects: the setting. Raises ConnectionFailed when the node does not answer, WrongDevice when
+    it is no CiA 402 drive.
+    """
+    try:
+        device_type = _wake(node)
+    except ReplyTimeout as error:
+        raise ConnectionFailed.at(node, error.sentence) from error
+    if device_type & 0xFFFF != PROFILE_402:
+        raise WrongDevice.at(
+            node,
+            "node {} is no CiA 402 drive ‹device type {}›.",
+            node.node_id,
+            f"{device_type:08X}",
+        )
+    vendor, product, revision, serial = (node.read_if_there(0x1018, sub) for sub in range(1, 5))
+    if objects == "auto":
+        objects = "epos4" if vendor == VENDOR_MAXON else "generic"
+    return Identity(
+        maker="maxon" if vendor == VENDOR_MAXON else say("vendor {}", f"{vendor or 0:08X}"),
+        model=node.read_text(0x1008) or say("product {}", f"{product or 0:08X}"),
+        firmware=f"{(revision or 0) >> 16:04X}",
+        serial_number=f"{serial:08X}" if serial else "",
+        port=node.port,
+        details={"node_id": str(node.node_id), "interface": interface, "objects": objects},
+    )
+
+
+def _wake(node: CanNode) -> int:
+    """Return the device type; a stopped node, or one that finds the bit rate, needs a push."""
+    try:
+        return node.read(0x1000, tries=_WAKING_TRIES)
+    except ReplyTimeout:
+        node.command(Nmt.PRE_OPERATIONAL)
+        return node.read(0x1000)

@@ -1,22 +1,31 @@
-"""Look for CANopen nodes without a word on the bus: heartbeats are listened to, nothing is sent.
+"""Look for CANopen nodes by their heartbeats, with nothing sent until one is heard.
 
-On a serial port an slcan adapter is asked for its version and opened listen-only. A drive says a
-heartbeat only when it was told to (object 1017), and a boot-up message when its power comes.
+On a serial port an slcan adapter is asked for its version and opened listen-only. A node that was
+heard is then asked which objects it has: values are read, none is set. A drive says a heartbeat
+only when it was told to (object 1017), and a boot-up message when its power comes.
 """
 
 from __future__ import annotations
 
 import contextlib
 import re
+import struct
 import time
 from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
 import can
 
+from rigapp.texts import joined, say
 from rigapp_drivers.api import BytePort, ConnectionFailed, DeviceError, Identity, Probe
-from rigapp_drivers.cia402.protocol import HEARTBEAT_BASE, NodeState
-from rigapp_drivers.cia402.slcan import decode_frame
+from rigapp_drivers.cia402.protocol import (
+    HEARTBEAT_BASE,
+    PROFILE_VELOCITY_BIT,
+    SDO_REPLY_BASE,
+    SDO_REQUEST_BASE,
+    NodeState,
+)
+from rigapp_drivers.cia402.slcan import Frame, decode_frame, encode_frame
 
 _USUAL_RATES: Final[Mapping[int, str]] = {
     500_000: "S6",
@@ -27,6 +36,21 @@ _USUAL_RATES: Final[Mapping[int, str]] = {
 _MOST_BYTES: Final = 65536
 _LISTEN_S: Final = 0.6  # six periods of a usual heartbeat
 _MOST_NODES: Final = 127
+_MOST_ASKED: Final = 8
+_ABORT: Final = 0x80
+ABILITIES: Final[Mapping[tuple[int, int], str]] = {
+    (0x6502, 0): say("profile velocity mode"),
+    (0x1016, 1): say("watch over this computer"),
+    (0x6007, 0): say("reaction to its silence"),
+    (0x60A9, 0): say("unit of speeds"),
+    (0x607F, 0): say("highest speed"),
+    (0x6083, 0): say("acceleration"),
+    (0x6084, 0): say("deceleration"),
+    (0x6078, 0): say("motor current"),
+    (0x6077, 0): say("torque"),
+    (0x6079, 0): say("supply voltage"),
+}
+"""What a CiA 402 drive may have or lack, by the object that holds it."""
 
 
 def ask(line: BytePort, timeout_s: float) -> Identity | None:
@@ -36,21 +60,52 @@ def ask(line: BytePort, timeout_s: float) -> Identity | None:
     if version is None:
         return None
     nodes: dict[int, int] = {}
-    heard_at = 0
+    details: dict[str, str] = {}
     try:
         for rate, code in _USUAL_RATES.items():
             line.write(f"C\r{code}\rL\r".encode())
             nodes = _heartbeats(_until(line, None, _LISTEN_S).decode("ascii", "replace"))
             if nodes:
-                heard_at = rate
+                details["bit_rate"] = str(rate)
+                line.write(b"C\rO\r")
+                for node in sorted(nodes)[:_MOST_ASKED]:
+                    details |= _abilities(line, node, timeout_s)
                 break
     finally:
         with contextlib.suppress(DeviceError):
             line.write(b"C\r")
-    details = {"nodes": node_words(nodes)}
-    if heard_at:
-        details["bit_rate"] = str(heard_at)
-    return Identity("", "slcan CAN adapter", version[1].decode("ascii"), "", line.port, details)
+    details = {"nodes": node_words(nodes), **details}
+    return Identity(
+        "", say("slcan CAN adapter"), version[1].decode("ascii"), "", line.port, details
+    )
+
+
+def _abilities(line: BytePort, node: int, timeout_s: float) -> dict[str, str]:
+    """Return what a node has and lacks of what a drive may have, by the objects that it reads."""
+    found: dict[bool, list[str]] = {True: [], False: []}
+    for (index, subindex), what in ABILITIES.items():
+        value = _read(line, node, index, subindex, timeout_s)
+        if value is None:
+            return {f"node_{node}": say("does not answer")}
+        has = value is not False and (index != 0x6502 or bool(value & PROFILE_VELOCITY_BIT))
+        found[has].append(say("{} ‹{}›", what, f"{index:04X}"))
+    words = {f"node_{node}_has": found[True], f"node_{node}_lacks": found[False]}
+    return {key: joined(", ", objects) for key, objects in words.items() if objects}
+
+
+def _read(line: BytePort, node: int, index: int, subindex: int, timeout_s: float) -> int | None:
+    """Return the number of an object, False where it is not there, None without an answer."""
+    place = struct.pack("<HB", index, subindex)
+    line.write(encode_frame(Frame(SDO_REQUEST_BASE + node, b"\x40" + place + bytes(4))))
+    data, deadline = "", time.monotonic() + timeout_s
+    while (left := deadline - time.monotonic()) > 0.0 and len(data) < _MOST_BYTES:
+        data += line.read_some(_MOST_BYTES, left).decode("ascii", "replace")
+        *lines, data = data.split("\r")
+        for frame in filter(None, map(decode_frame, lines)):
+            answer = frame.data
+            if frame.identifier == SDO_REPLY_BASE + node and answer[1:4] == place:
+                return answer[0] != _ABORT and int.from_bytes(answer[4:8], "little")
+    return None
 
 
 def listen(interface: str, channel: str, seconds: float = 1.0, **options: Any) -> dict[int, int]:
@@ -68,7 +123,7 @@ def listen(interface: str, channel: str, seconds: float = 1.0, **options: Any) -
                     _note(nodes, message.arbitration_id, bytes(message.data))
     except Exception as error:  # each interface has errors of its own
         raise ConnectionFailed(
-            "CAN", channel, f"the CAN interface {interface} cannot be listened to ‹{error}›."
+            "CAN", channel, "the CAN interface {} cannot be listened to ‹{}›.", interface, error
         ) from error
     return nodes
 
@@ -76,15 +131,15 @@ def listen(interface: str, channel: str, seconds: float = 1.0, **options: Any) -
 def node_words(nodes: Mapping[int, int]) -> str:
     """Return the nodes and their states in words."""
     if not nodes:
-        return "no heartbeat heard"
-    return ", ".join(f"node {node} ({_state(nodes[node])})" for node in sorted(nodes))
+        return say("no heartbeat heard")
+    return joined(", ", (say("node {} ({})", node, _state(nodes[node])) for node in sorted(nodes)))
 
 
 def _state(state: int) -> str:
     try:
         return NodeState(state).name.lower().replace("_", "-")
     except ValueError:
-        return f"state {state}"
+        return say("state {}", state)
 
 
 def _heartbeats(text: str) -> dict[int, int]:

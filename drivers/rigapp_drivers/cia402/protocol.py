@@ -12,6 +12,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
+from rigapp.texts import say
+
 PROFILE_402: Final = 0x0192
 VENDOR_MAXON: Final = 0x0000_00FB
 PROFILE_VELOCITY: Final = 3
@@ -135,53 +137,55 @@ def velocity_unit_rev_per_s(unit: int) -> float | None:
 # --- emergencies ----------------------------------------------------------------------------------
 
 _EPOS_CODES: Final[Mapping[int, str]] = {
-    0x1000: "generic error",
-    0x2310: "over-current",
-    0x3210: "over-voltage",
-    0x3220: "under-voltage",
-    0x4210: "over-temperature",
-    0x5113: "5 V supply low",
-    0x6100: "internal software error",
-    0x6320: "wrong parameter",
-    0x7320: "position sensor error",
-    0x8110: "CAN overrun",
-    0x8111: "CAN overrun",
-    0x8120: "CAN error passive",
-    0x8130: "heartbeat of the host lost",
-    0x8150: "two senders use one identifier",
-    0x81FD: "CAN bus off",
-    0x81FE: "CAN receive queue overrun",
-    0x81FF: "CAN transmit queue overrun",
-    0x8210: "a message of a wrong length",
-    0x8611: "following error",
-    0xFF0B: "overload",
+    0x1000: say("generic error"),
+    0x2310: say("over-current"),
+    0x3210: say("over-voltage"),
+    0x3220: say("under-voltage"),
+    0x4210: say("over-temperature"),
+    0x5113: say("5 V supply low"),
+    0x6100: say("internal software error"),
+    0x6320: say("wrong parameter"),
+    0x7320: say("position sensor error"),
+    0x8110: say("CAN overrun"),
+    0x8111: say("CAN overrun"),
+    0x8120: say("CAN error passive"),
+    0x8130: say("heartbeat of the host lost"),
+    0x8150: say("two senders use one identifier"),
+    0x81FD: say("CAN bus off"),
+    0x81FE: say("CAN receive queue overrun"),
+    0x81FF: say("CAN transmit queue overrun"),
+    0x8210: say("a message of a wrong length"),
+    0x8611: say("following error"),
+    0xFF0B: say("overload"),
 }
 
 _CLASSES: Final[Mapping[int, str]] = {
-    0x1: "generic error",
-    0x2: "current",
-    0x3: "voltage",
-    0x4: "temperature",
-    0x5: "hardware",
-    0x6: "software",
-    0x7: "additional modules or sensors",
-    0x8: "communication or monitoring",
-    0x9: "external error",
-    0xF: "specific to the drive",
+    0x1: say("generic error"),
+    0x2: say("current"),
+    0x3: say("voltage"),
+    0x4: say("temperature"),
+    0x5: say("hardware"),
+    0x6: say("software"),
+    0x7: say("additional modules or sensors"),
+    0x8: say("communication or monitoring"),
+    0x9: say("external error"),
+    0xF: say("specific to the drive"),
 }
 
 
-def describe_code(code: int) -> str:
-    """Return an error code (603F, emergency) in words, always with its number.
+def describe_code(code: int | None) -> str:
+    """Return an error code (603F, emergency) in words, always with its number; None: none is told.
 
     The words of known codes are those of the EPOS1 generation and say so; an unknown code gets the
     words of its class (CiA 301).
     """
+    if code is None:
+        return say("a fault of which it gives no code")
     if code in _EPOS_CODES:
-        return f"{_EPOS_CODES[code]} ‹EPOS1, error {code:04X}›"
+        return say("{} ‹EPOS1, error {}›", _EPOS_CODES[code], f"{code:04X}")
     if 0xFF01 <= code <= 0xFF0A:
-        return f"Hall sensor or encoder ‹EPOS1, error {code:04X}›"
-    return f"{_CLASSES.get(code >> 12, 'unknown error')} ‹error {code:04X}›"
+        return say("Hall sensor or encoder ‹EPOS1, error {}›", f"{code:04X}")
+    return say("{} ‹error {}›", _CLASSES.get(code >> 12, say("unknown error")), f"{code:04X}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,7 +200,7 @@ class Emergency:
     @property
     def words(self) -> str:
         """Return the message in words."""
-        return describe_code(self.code) if self.code else "errors are gone"
+        return describe_code(self.code) if self.code else say("errors are gone")
 
 
 def parse_emergency(data: bytes, host_time_ns: int) -> Emergency | None:

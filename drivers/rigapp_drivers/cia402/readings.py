@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
+from rigapp.texts import say
 from rigapp_drivers.cia402.commission import Setup
 from rigapp_drivers.cia402.monitor import AxisMotion, NodeMonitor
 from rigapp_drivers.cia402.network import CanNode
@@ -20,10 +21,11 @@ from rigapp_drivers.cia402.protocol import (
     describe_code,
     state_of,
 )
-from rigapp_drivers.spindles import WATCHDOG_PERIOD
+from rigapp_drivers.spindles import WATCHDOG_PERIOD, torque_Nm
 
 _log = logging.getLogger(__name__)
 
+_IN_TURN: Final = ("supply_V", "temperature_C")
 _HEARTBEATS_MISSED: Final = 12  # a host that is late loses some; a drive that is off loses all
 _HEARTBEAT_LEAST_S: Final = 2.0
 """A drive that is gone answers no question, which is known at once; only one that answers without a
@@ -39,6 +41,7 @@ class Condition:
     current_A: float = math.nan
     supply_V: float = math.nan
     temperature_C: float = math.nan
+    torque_Nm: float = math.nan
     torque_off: bool = False
 
 
@@ -46,12 +49,18 @@ class Readings:
     """Read one drive as it was set up: PDOs on SYNC where it can, SDOs otherwise."""
 
     def __init__(
-        self, node: CanNode, monitor: NodeMonitor, setup: Setup, settings: Mapping[str, Any]
+        self,
+        node: CanNode,
+        monitor: NodeMonitor,
+        setup: Setup,
+        settings: Mapping[str, Any],
+        epos: bool,
     ) -> None:
         self._node = node
         self._monitor = monitor
         self._setup = setup
         self._settings = settings
+        self._epos = epos
         self._polls = 0
         self._motions = 0
         self._condition = Condition()
@@ -83,22 +92,30 @@ class Readings:
         return self._motions % WATCHDOG_PERIOD == 0
 
     def condition(self) -> Condition:
-        """Return the current, and in turn a new supply, temperature or safe torque off."""
-        if not self._setup.epos:
-            return self._condition
-        node, last = self._node, self._condition
-        supply, temperature, torque_off = last.supply_V, last.temperature_C, last.torque_off
+        """Return current and torque, and in turn a new supply, temperature or safe torque off."""
+        objects, last, node = self._setup.quantities, self._condition, self._node
         turns = (0, 1, 2) if self._polls == 0 else (self._polls % 3,)
         self._polls += 1
-        if 0 in turns:
-            supply = node.read(0x2200, 1) * float(self._settings["supply_unit_V"])
-        if 1 in turns:
-            temperature = node.read(0x3201, 1) * float(self._settings["temperature_unit_C"])
-        if 2 in turns:
-            wanted = int(self._settings["torque_on_inputs"])
-            torque_off = node.read(0x3202, 1) & wanted != wanted
-        current = node.read(0x30D1, 1) * float(self._settings["current_unit_A"])
-        self._condition = Condition(current, supply, temperature, torque_off)
+        wanted = {"current_A", "torque_Nm"}
+        wanted |= {name for turn, name in enumerate(_IN_TURN) if turn in turns}
+        new = {
+            name: node.read(*place) * unit
+            for name, (place, unit) in objects.items()
+            if name in wanted
+        }
+        torque_off = last.torque_off
+        if self._epos and 2 in turns:
+            inputs = int(self._settings["torque_on_inputs"])
+            torque_off = node.read(0x3202, 1) & inputs != inputs
+        current = new.get("current_A", math.nan)
+        by_current = torque_Nm(current, self._settings)
+        self._condition = Condition(
+            current,
+            new.get("supply_V", last.supply_V),
+            new.get("temperature_C", last.temperature_C),
+            by_current if math.isfinite(by_current) else new.get("torque_Nm", math.nan),
+            torque_off,
+        )
         return self._condition
 
     def faults(self, motion: AxisMotion, condition: Condition, running: bool) -> list[str]:
@@ -106,12 +123,14 @@ class Readings:
         faults = [emergency.words for emergency in self._monitor.active()]
         state = state_of(motion.status_word)
         if state in (State.FAULT, State.FAULT_REACTION):
-            faults.append(describe_code(self._node.read(0x603F)))
+            faults.append(describe_code(self._node.read_if_there(0x603F)))
         if condition.torque_off:
-            faults.append("safe torque off is active")
+            faults.append(say("safe torque off is active"))
         faults += self._supervision()
         if running and state is not State.ENABLED:
-            faults.append(f"the drive has left operation enabled: {state or 'unknown state'}")
+            faults.append(
+                say("the drive has left operation enabled: {}", state or say("unknown state"))
+            )
         return faults
 
     def _supervision(self) -> list[str]:
@@ -120,18 +139,20 @@ class Readings:
         limit_s = max(_HEARTBEATS_MISSED * period_s, _HEARTBEAT_LEAST_S)
         if not monitor.wait_for_heartbeat(limit_s, _CATCH_UP_S):
             age_s = monitor.heartbeat_age_s()
-            told = "never came" if age_s is None else f"is missing for {age_s:.2f} s"
-            return [f"the drive's heartbeat {told}"]
+            told = say("never came") if age_s is None else say("is missing for {:.2f} s", age_s)
+            return [say("the drive's heartbeat {}", told)]
         node_state = monitor.node_state
         if node_state not in (NodeState.OPERATIONAL, NodeState.BOOT_UP):
-            return [f"the node does not operate any more ‹state {node_state}›"]
+            return [say("the node does not operate any more ‹state {}›", node_state)]
         return []
 
     def warnings(self, motion: AxisMotion) -> list[str]:
         """Return what the operator should know, in words."""
-        warnings = [f"came and went: {e.words}" for e in self._monitor.take_passed()]
+        warnings: list[str] = [
+            say("came and went: {}", e.words) for e in self._monitor.take_passed()
+        ]
         if motion.status_word & WARNING_BIT:
-            warnings.append("the drive warns ‹bit 7 of the status word›")
+            warnings.append(say("the drive warns ‹bit 7 of the status word›"))
         if motion.status_word & INTERNAL_LIMIT_BIT:
-            warnings.append("an internal limit of the drive is active")
+            warnings.append(say("an internal limit of the drive is active"))
         return warnings

@@ -32,6 +32,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
+from rigapp.texts import joined, say, sentence_of_error
 from rigapp_drivers.api import (
     Block,
     ConnectionFailed,
@@ -49,6 +50,7 @@ from rigapp_drivers.api import (
     filled,
 )
 from rigapp_drivers.dataq import protocol as p
+from rigapp_drivers.dataq.decode import Decoder
 from rigapp_drivers.dataq.link import Link
 from rigapp_drivers.dataq.plan import Plan, make_plan
 from rigapp_drivers.dataq.probe import PROBE, identity_of, version_words
@@ -94,7 +96,7 @@ class Dataq:
         try:
             plan = make_plan(request, settings)
         except Unplannable as error:
-            raise SettingRefused.at(self, str(error)) from error
+            raise SettingRefused.at(self, sentence_of_error(error)) from error
         self._check_model(settings["model"])
         self._settings = settings
         self._link.reply_timeout_s = settings["reply_timeout_s"]
@@ -132,7 +134,9 @@ class Dataq:
     def zero(self, inputs: Sequence[str]) -> None:
         """Refuse: the device cannot zero its inputs."""
         raise SettingRefused.at(
-            self, f"it cannot zero {', '.join(inputs)} itself; the zero belongs to the calibration."
+            self,
+            "it cannot zero {} itself; the zero belongs to the calibration.",
+            joined(", ", inputs),
         )
 
     def stop(self) -> None:
@@ -179,13 +183,14 @@ class Dataq:
         if self._link.heard:
             raise WrongDevice.at(
                 self,
-                "something sends data, but does not answer stop as a DATAQ instrument does; check "
-                "the port in the rig file, and switch the device off and on.",
+                "something sends data, but does not answer stop as a DATAQ instrument"
+                " does; check the port in the rig file, and switch the device off and"
+                " on.",
             )
         raise ConnectionFailed.at(
             self,
-            "nothing answers stop; check power and cable, and that the LED blinks yellow (CDC "
-            "mode).",
+            "nothing answers stop; check power and cable, and that the LED blinks"
+            " yellow (CDC mode).",
         )
 
     def _identify(self) -> Identity:
@@ -207,12 +212,12 @@ class Dataq:
         if self._model == wanted:
             return
         advice = (
-            f"set model = {self._model} in the rig file"
+            say("set model = {} in the rig file", self._model)
             if self._model in p.MODELS
-            else "check the port in the rig file"
+            else say("check the port in the rig file")
         )
         raise WrongDevice.at(
-            self, f"a DI-{self._model} answers, and the rig file says DI-{wanted}; {advice}."
+            self, "a DI-{} answers, and the rig file says DI-{}; {}.", self._model, wanted, advice
         )
 
     def _advice(self) -> dict[str, str]:
@@ -220,15 +225,23 @@ class Dataq:
         advice = []
         if 0 < self._firmware < p.ADVISED_FIRMWARE:
             advice.append(
-                f"firmware {version_words(self._firmware)} is known to fail in binary mode and at "
-                f"high rates; load {version_words(p.ADVISED_FIRMWARE)} or newer."
+                say(
+                    "firmware {} is known to fail in binary mode and at high rates; load {}"
+                    " or newer.",
+                    version_words(self._firmware),
+                    version_words(p.ADVISED_FIRMWARE),
+                )
             )
         if self._master_clock != str(p.MASTER_CLOCK_HZ):
             advice.append(
-                f"it says that its scan rates divide {self._master_clock} Hz, where "
-                f"{p.MASTER_CLOCK_HZ} Hz is known: compare its sample rate with a clock."
+                say(
+                    "it says that its scan rates divide {} Hz, where {} Hz is known:"
+                    " compare its sample rate with a clock.",
+                    self._master_clock,
+                    p.MASTER_CLOCK_HZ,
+                )
             )
-        return {"advice": " ".join(advice)} if advice else {}
+        return {"advice": joined(" ", advice)} if advice else {}
 
     def _readback(self, plan: Plan) -> dict[str, str | float | int]:
         encoder = plan.clock is Clock.ENCODER
@@ -239,9 +252,9 @@ class Dataq:
             "dec": plan.rate.dec,
             "deca": plan.rate.deca,
             "sample_rate_Hz": plan.sample_rate_Hz,
-            "sample_index": "pulse of the encoder; sample_rate_Hz is nominal"
+            "sample_index": say("pulse of the encoder; sample_rate_Hz is nominal")
             if encoder
-            else "scan of the internal clock",
+            else say("scan of the internal clock"),
             "scan_list": " ".join(str(word) for word in plan.scan_list),
             "filter": plan.filter_mode,
             "packet_bytes": p.PACKET_SIZES[plan.packet_code],
@@ -250,8 +263,11 @@ class Dataq:
             "pulses_per_revolution": plan.pulses_per_revolution,
             "largest_counter_step": plan.steps.highest,
             "odds_of_unseen_byte_loss_per_scan": plan.steps.odds,
-            "assumed": "the counter counts on while the device does not scan; the pulse edge, "
-            f"width and highest rate on {p.CLOCK_LINE}",
+            "assumed": say(
+                "the counter counts on while the device does not scan; the pulse edge,"
+                " width and highest rate on {}",
+                p.CLOCK_LINE,
+            ),
             **self._advice(),
         }
 
@@ -260,10 +276,10 @@ def _counter_words(plan: Plan) -> str:
     told = {"direction": plan.direction_line, "index": plan.index_line}
     known = [name for name, line in told.items() if line is not None]
     missing = [name for name, line in told.items() if line is None]
-    words = ["16 bit, pulses of one input edge"]
-    words += [f"with {' and '.join(known)} by digital lines"] if known else []
-    words += [f"without {' or '.join(missing)}"] if missing else []
-    return ", ".join(words)
+    words = [say("16 bit, pulses of one input edge")]
+    words += [say("with {} by digital lines", joined(say(" and "), known))] if known else []
+    words += [say("without {}", joined(say(" or "), missing))] if missing else []
+    return joined(", ", words)
 
 
 def check(request: DataRequest) -> None:
@@ -273,7 +289,7 @@ def check(request: DataRequest) -> None:
 
 DRIVER = DriverInfo(
     name="dataq",
-    title="DATAQ DI-2108 or DI-4108 data acquisition",
+    title=say("DATAQ DI-2108 or DI-4108 data acquisition"),
     kind=DriverKind.DATA_SOURCE,
     factory=Dataq,
     settings=SETTINGS,
@@ -281,4 +297,5 @@ DRIVER = DriverInfo(
     usb_ids=((_USB_VENDOR, None),),
     probe=PROBE,
     check=check,
+    decoder=Decoder,
 )

@@ -7,6 +7,7 @@ from typing import Final
 
 from rigapp_drivers.api import BytePort, ProtocolError, ReplyTimeout
 from rigapp_drivers.dataq.protocol import BadReply, Info, line, query_value, split_replies
+from rigapp_drivers.exchange import NamedQuestions
 
 READ_BYTES: Final = 1 << 18
 TRIES: Final = 2  # a command that is lost once is sent again; the echo proves it
@@ -18,7 +19,8 @@ _SHOWN: Final = 40
 class Link:
     """Speak with one instrument; one thread at a time.
 
-    heard: bytes that came in answer to the latest ``stop``, its echo among them.
+    heard: bytes that came in answer to the latest ``stop``, its echo among them. An answer repeats
+    its command, so that a late one is known and passed over. tail: what came behind the latest.
     """
 
     def __init__(self, port: BytePort, reply_timeout_s: float, pause_s: float) -> None:
@@ -27,6 +29,8 @@ class Link:
         self.pause_s = pause_s
         self.heard = 0
         self.retries = 0
+        self.tail = b""
+        self._asked = NamedQuestions(port.device, reply_timeout_s, "reply_timeout_s")
 
     def set(self, command: bytes) -> None:
         """Send a command and wait for its echo; raise ReplyTimeout or ProtocolError."""
@@ -35,8 +39,10 @@ class Link:
         if reply.strip() != wanted:
             raise ProtocolError.at(
                 self.port,
-                f"{wanted!r} was answered with {reply[:_SHOWN]!r} instead of its echo; check that "
-                "no other program uses the device, and switch it off and on.",
+                "{} was answered with {} instead of its echo; check that no other"
+                " program uses the device, and switch it off and on.",
+                repr(wanted),
+                repr(reply[:_SHOWN]),
             )
         time.sleep(self.pause_s)
 
@@ -49,7 +55,8 @@ class Link:
         except BadReply as error:
             raise ProtocolError.at(
                 self.port,
-                f"{error}; check the port in the rig file, and that the device is in CDC mode.",
+                "{}; check the port in the rig file, and that the device is in CDC mode.",
+                error,
             ) from error
 
     def stop(self) -> bytes | None:
@@ -72,27 +79,38 @@ class Link:
     def _exchange(self, command: bytes, tries: int = TRIES) -> str:
         """Return the answering line; a line that is not for this command is passed over."""
         wanted = _words(command)
-        stray = ""
+        stray, rest = "", b""
+        self._asked.timeout_s = self.reply_timeout_s
+        self._asked.begin(wanted)
         for attempt in range(tries):
-            if attempt:
-                self.retries += 1
-                self.port.drain()
+            self.retries += bool(attempt)
+            waits = self._asked.first_wait() if attempt == 0 and tries > 1 else 1.0
             self.port.write(command)
-            rest = b""
-            deadline = time.monotonic() + self.reply_timeout_s
+            self._asked.asked()
+            deadline = time.monotonic() + waits * self.reply_timeout_s
             while (left := deadline - time.monotonic()) > 0.0:
                 rest += self.port.read_some(READ_BYTES, min(left, _SLICE_S))
+                self.tail = rest[rest.rfind(b"\r") + 1 :]
                 lines, rest = split_replies(rest)
-                for reply in lines:
-                    if reply == wanted or reply.startswith(f"{wanted} "):
+                for reply in filter(None, lines):
+                    of_query = " ".join(reply.split()[:2]) if reply.startswith("info ") else reply
+                    if self._asked.is_answer(of_query):
+                        self._asked.leave(answered=True)
                         return reply
-                    stray = reply or stray
+                    stray = reply
+        self._asked.leave(answered=False)
+        if self._asked.late_s:
+            words = self._asked.words()
+            raise ReplyTimeout.at(self.port, "no answer in time; {} ‹{}›.", words, wanted)
         if stray:
             return stray
         raise ReplyTimeout.at(
             self.port,
-            f"no answer within {self.reply_timeout_s:g} s, {tries} tries; check cable and power, "
-            f"and that the LED blinks yellow (CDC mode) ‹{wanted}›.",
+            "no answer within {:g} s, {} tries; check cable and power, and that the LED"
+            " blinks yellow (CDC mode) ‹{}›.",
+            self.reply_timeout_s,
+            tries,
+            wanted,
         )
 
 

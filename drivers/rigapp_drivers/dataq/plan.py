@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
+from rigapp.texts import joined, say, sentence_of_error
 from rigapp_drivers.api import ChannelSpec, DataRequest, Unplannable
 from rigapp_drivers.dataq import protocol as p
 from rigapp_drivers.dataq.protocol import Clock, Function, Model
@@ -90,8 +91,9 @@ def make_plan(request: DataRequest, settings: Mapping[str, Any]) -> Plan:
     layout = Layout(len(analog), digital, bool(rate_range_Hz), model.mask)
     if layout.words > p.MOST_ENTRIES:
         raise Unplannable(
-            f"{layout.words} entries in the scan list, {p.MOST_ENTRIES} at most; "
-            "take analog inputs out."
+            "{} entries in the scan list, {} at most; take analog inputs out.",
+            layout.words,
+            p.MOST_ENTRIES,
         )
     words = [p.analog_word(n - 1, model.ranges_V.index(analog[n].range_V)) for n in analog]
     if digital:
@@ -127,17 +129,20 @@ def _lines(settings: Mapping[str, Any], clock: Clock) -> tuple[int | None, int |
     for key, line in used.items():
         if clock is not Clock.ENCODER:
             raise Unplannable(
-                f'{key} = "{line}" needs clock = "encoder": scans of the internal clock miss its '
-                "changes; take it out."
+                '{} = "{}" needs clock = "encoder": scans of the internal clock miss'
+                " its changes; take it out.",
+                key,
+                line,
             )
         if line == p.RATE_LINE and settings["rate_range_Hz"]:
             raise Unplannable(
-                f'{key} = "{line}" is the rate input, which rate_range_Hz records; choose another '
-                "line."
+                '{} = "{}" is the rate input, which rate_range_Hz records; choose another line.',
+                key,
+                line,
             )
     if len(used) == 2 and len(set(used.values())) == 1:
         raise Unplannable(
-            f'direction_line and index_line are both "{named["index_line"]}"; each needs its own.'
+            'direction_line and index_line are both "{}"; each needs its own.', named["index_line"]
         )
     direction, index = (int(used[key][1:]) if key in used else None for key in named)
     return direction, index
@@ -146,14 +151,14 @@ def _lines(settings: Mapping[str, Any], clock: Clock) -> tuple[int | None, int |
 def _wiring(settings: Mapping[str, Any], clock: Clock) -> str:
     """Say which line of the encoder goes where."""
     by_encoder = clock is Clock.ENCODER
-    places = [f"{p.CLOCK_LINE} (scan clock)"] if by_encoder else []
-    places.append(f"{p.COUNTER_LINE} (counter)")
-    places += [f"{p.RATE_LINE} (rate)"] if settings["rate_range_Hz"] else []
-    words = [f"encoder line A to {', '.join(places)}"]
+    places = [say("{} (scan clock)", p.CLOCK_LINE)] if by_encoder else []
+    places.append(say("{} (counter)", p.COUNTER_LINE))
+    places += [say("{} (rate)", p.RATE_LINE)] if settings["rate_range_Hz"] else []
+    words = [say("encoder line A to {}", joined(", ", places))]
     for name, key in (("B", "direction_line"), ("Z", "index_line")):
         if settings[key] != NO_LINE:
-            words.append(f"line {name} to {settings[key]}")
-    return ", ".join(words)
+            words.append(say("line {} to {}", name, settings[key]))
+    return joined(", ", words)
 
 
 def _analog(request: DataRequest, model: Model, amplifiers: Mapping[str, Any]) -> dict[int, Analog]:
@@ -162,19 +167,25 @@ def _analog(request: DataRequest, model: Model, amplifiers: Mapping[str, Any]) -
     for name, (kind, wanted) in request.inputs.items():
         if kind == "counter":
             if name != COUNTER:
-                raise Unplannable(f"{name}: the device has one counter, {COUNTER}.")
+                raise Unplannable("{}: the device has one counter, {}.", name, COUNTER)
             continue
         match = re.fullmatch(r"analog_([1-8])", name)
         if match is None:
-            raise Unplannable(f"{name} is not an input; write analog_1 to analog_8 or {COUNTER}.")
+            raise Unplannable(
+                "{} is not an input; write analog_1 to analog_8 or {}.", name, COUNTER
+            )
         if kind == "bridge":
             analog[int(match[1])] = _bridge(name, wanted, model, amplifiers)
             continue
         if kind != "voltage":
-            raise Unplannable(f"{name}: a {kind} input does not exist; declare it as a voltage.")
+            raise Unplannable("{}: a {} input does not exist; declare it as a voltage.", name, kind)
         if wanted not in model.ranges_V:
             raise Unplannable(
-                f"{name}: the {model.name} has no range of {wanted:g} V; it has {_ranges(model)} V."
+                "{}: the {} has no range of {:g} V; it has {} V.",
+                name,
+                model.name,
+                wanted,
+                _ranges(model),
             )
         analog[int(match[1])] = Analog(wanted)
     return dict(sorted(analog.items()))
@@ -184,35 +195,48 @@ def _bridge(name: str, range_mV_per_V: float, model: Model, gains: Mapping[str, 
     """Return a bridge behind an external amplifier, in the smallest range that holds it."""
     if name not in gains:
         raise Unplannable(
-            f"{name} is declared as a bridge, and the {model.name} has no bridge inputs; put a "
-            "bridge amplifier with a voltage output before it and tell its output in V for 1 mV/V "
-            f"as bridge_amplifiers = {{ {name} = ... }}."
+            "{} is declared as a bridge, and the {} has no bridge inputs; put a bridge"
+            " amplifier with a voltage output before it and tell its output in V for 1"
+            " mV/V as bridge_amplifiers = {{ {} = ... }}.",
+            name,
+            model.name,
+            name,
         )
     gain = gains[name]
     usable = isinstance(gain, int | float) and not isinstance(gain, bool)
     if not (usable and math.isfinite(gain) and gain > 0.0):
         raise Unplannable(
-            f"bridge_amplifiers.{name} = {gain!r} is no gain; give the amplifier's output in V for "
-            "1 mV/V, a number above 0."
+            "bridge_amplifiers.{} = {} is no gain; give the amplifier's output in V for"
+            " 1 mV/V, a number above 0.",
+            name,
+            repr(gain),
         )
     needed = range_mV_per_V * gain
     fitting = [volts for volts in model.ranges_V if volts >= needed * (1.0 - 1e-9)]
     if not fitting:
         raise Unplannable(
-            f"{name}: {range_mV_per_V:g} mV/V make {needed:g} V behind the amplifier of {gain:g} V "
-            f"for 1 mV/V; the {model.name} has {_ranges(model)} V; lower range_mV_per_V."
+            "{}: {:g} mV/V make {:g} V behind the amplifier of {:g} V for 1 mV/V; the"
+            " {} has {} V; lower range_mV_per_V.",
+            name,
+            range_mV_per_V,
+            needed,
+            gain,
+            model.name,
+            _ranges(model),
         )
     return Analog(min(fitting), float(gain))
 
 
 def _ranges(model: Model) -> str:
-    return ", ".join(f"{volts:g}" for volts in model.ranges_V)
+    return joined(", ", (f"{volts:g}" for volts in model.ranges_V))
 
 
 def _pulses_per_revolution(request: DataRequest) -> float:
     pulses = request.inputs.get(COUNTER, ("counter", 3600.0))[1]
     if not (math.isfinite(pulses) and pulses >= 1.0):
-        raise Unplannable(f"{COUNTER}: {pulses:g} counts per revolution cannot be; give 1 or more.")
+        raise Unplannable(
+            "{}: {:g} counts per revolution cannot be; give 1 or more.", COUNTER, pulses
+        )
     return float(pulses)
 
 
@@ -221,15 +245,17 @@ def _rate(wanted_Hz: float, clock: Clock, entries: int) -> tuple[Rate, float]:
         rate = encoder_rate(entries)
         if not 0.0 < wanted_Hz <= rate.sample_rate_Hz:
             raise Unplannable(
-                f"sample_rate_Hz = {wanted_Hz:g} is the nominal rate of the encoder's pulses; "
-                f"with {entries} entries in the scan list it can be {rate.sample_rate_Hz:g} at "
-                "most."
+                "sample_rate_Hz = {:g} is the nominal rate of the encoder's pulses;"
+                " with {} entries in the scan list it can be {:g} at most.",
+                wanted_Hz,
+                entries,
+                rate.sample_rate_Hz,
             )
         return rate, float(wanted_Hz)
     try:
         rate = rate_for(wanted_Hz, entries)
     except NoSuchRate as error:
-        raise Unplannable(str(error)) from error
+        raise Unplannable(sentence_of_error(error)) from error
     return rate, rate.sample_rate_Hz
 
 
@@ -241,9 +267,12 @@ def _steps(clock: Clock, rate_Hz: float, pulses: float, settings: Mapping[str, A
     highest = math.ceil(speed * pulses / rate_Hz) + _SPARE_STEPS
     if highest > p.COUNTER_SPAN // 4:
         raise Unplannable(
-            f"at {rate_Hz:g} scans/s and maximum_speed_rpm = {settings['maximum_speed_rpm']:g} the "
-            f"16-bit counter may step by {highest} from scan to scan, too much to prove that no "
-            "byte is lost; raise sample_rate_Hz or lower maximum_speed_rpm."
+            "at {:g} scans/s and maximum_speed_rpm = {:g} the 16-bit counter may step"
+            " by {} from scan to scan, too much to prove that no byte is lost; raise"
+            " sample_rate_Hz or lower maximum_speed_rpm.",
+            rate_Hz,
+            settings["maximum_speed_rpm"],
+            highest,
         )
     acceleration = settings["maximum_acceleration_rev_per_s2"]
     change = math.ceil(acceleration * pulses / rate_Hz**2) + _SPARE_STEPS

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from typing import Final
 
+from rigapp.texts import say
 from rigapp_drivers.api import BytePort, Identity, Probe, ProtocolError, ReplyTimeout
 from rigapp_drivers.dataq.link import Link
 from rigapp_drivers.dataq.protocol import Info
@@ -36,7 +37,9 @@ def identity_of(model: str, firmware: str, serial: str, port: str) -> Identity:
     """Return who answers, by what it says; its firmware's version comes as hundredths in hex."""
     if re.fullmatch(r"[0-9A-Fa-f]+", firmware):
         firmware = version_words(int(firmware, 16))
-    return Identity("DATAQ Instruments", f"DI-{model}", firmware, serial[:_SERIAL_DIGITS], port)
+    return Identity(
+        say("DATAQ Instruments"), f"DI-{model}", firmware, serial[:_SERIAL_DIGITS], port
+    )
 
 
 def version_words(hundredths: int) -> str:

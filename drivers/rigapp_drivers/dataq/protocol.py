@@ -16,6 +16,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.texts import say
+
 MASTER_CLOCK_HZ: Final = 60_000_000
 END_OF_LIST: Final = 65535
 MOST_ENTRIES: Final = 11
@@ -92,14 +94,14 @@ class BadReply(ValueError):
 def analog_word(channel: int, range_code: int) -> int:
     """Return the scan-list word of an analog channel (0 to 7)."""
     if not 0 <= channel < ANALOG_CHANNELS:
-        raise ValueError(f"analog channel {channel} is not 0 to {ANALOG_CHANNELS - 1}")
+        raise ValueError(say("analog channel {} is not 0 to {}", channel, ANALOG_CHANNELS - 1))
     return range_code << 8 | channel
 
 
 def rate_word(range_Hz: float) -> int:
     """Return the scan-list word of the rate input; raise ValueError for a range it has not."""
     if range_Hz not in RATE_RANGES_HZ:
-        raise ValueError(f"the rate input has no range of {range_Hz:g} Hz")
+        raise ValueError(say("the rate input has no range of {:g} Hz", range_Hz))
     return (RATE_RANGES_HZ.index(range_Hz) + 1) << 8 | Function.RATE
 
 
@@ -130,25 +132,29 @@ def query_value(command: bytes, reply: str) -> str:
     asked = command.rstrip(b"\r").decode("ascii").strip()
     value = reply.removeprefix(asked)
     if value == reply or not value.strip():
-        raise BadReply(f"{asked!r} was answered with {reply!r}")
+        raise BadReply(say("{} was answered with {}", repr(asked), repr(reply)))
     return value.strip()
 
 
-def echoes_of(command: bytes) -> tuple[bytes, ...]:
-    """Return what may stand before the first sample: the echo of ``start``, in either form."""
-    return tuple(dict.fromkeys((command, b"start\r")))
+def echoes_of(command: bytes, nuls: int = 0) -> tuple[bytes, ...]:
+    """Return what may stand before the first sample: the echo of ``start``, in either form.
+
+    nuls: so many stood behind the echo of the command before; zeros may also be a sample.
+    """
+    bare = tuple(dict.fromkeys((command, b"start\r")))
+    return (*(echo + bytes(nuls) for echo in bare if nuls), *bare)
 
 
 def without_echo(data: bytes, echoes: tuple[bytes, ...]) -> bytes | None:
     """Return the stream without an echo at its very beginning; None: too few bytes to tell.
 
-    Only an exact echo is taken off: a sample may contain 0D.
+    Only an exact echo is taken off, the longest: a sample may contain 0D.
     """
+    if any(len(data) < len(echo) and echo.startswith(data) for echo in echoes):
+        return None
     for echo in echoes:
         if data.startswith(echo):
             return data[len(echo) :]
-    if any(echo.startswith(data) for echo in echoes):
-        return None
     return data
 
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from operator import attrgetter
 from typing import Final
 
+from rigapp.texts import SentenceError, joined, say
 from rigapp_drivers.dataq.protocol import MASTER_CLOCK_HZ
 
 SMALLEST_SRATE: Final = 375  # of the published range
@@ -29,7 +30,7 @@ _ROUNDING: Final = 1e-12  # of a quotient that is a whole number of ticks
 _EXACT: Final = 1e-5  # 10 ppm, less than the error of the device's own quartz
 
 
-class NoSuchRate(ValueError):
+class NoSuchRate(SentenceError, ValueError):
     """Say which rate cannot be had, and the nearest ones that can."""
 
 
@@ -73,15 +74,20 @@ def rate_for(sample_rate_Hz: float, entries: int) -> Rate:
     entries: words of the scan list.
     """
     if not (math.isfinite(sample_rate_Hz) and sample_rate_Hz > 0.0):
-        raise NoSuchRate(f"sample_rate_Hz = {sample_rate_Hz:g} is not a rate; give a number > 0.")
+        raise NoSuchRate("sample_rate_Hz = {:g} is not a rate; give a number > 0.", sample_rate_Hz)
     near = nearest_rates(sample_rate_Hz, entries)
     best = min(near, key=lambda rate: abs(rate.sample_rate_Hz - sample_rate_Hz))
     if abs(best.sample_rate_Hz - sample_rate_Hz) <= _EXACT * sample_rate_Hz:
         return best
-    possible = " or ".join(f"{rate:.9g}" for rate in sorted({r.sample_rate_Hz for r in near}))
+    possible = joined(
+        say(" or "), (f"{rate:.9g}" for rate in sorted({r.sample_rate_Hz for r in near}))
+    )
     raise NoSuchRate(
-        f"sample_rate_Hz = {sample_rate_Hz:.9g} is not possible with {entries} entries in the scan "
-        f"list; the nearest possible: {possible}."
+        "sample_rate_Hz = {:.9g} is not possible with {} entries in the scan list; the"
+        " nearest possible: {}.",
+        sample_rate_Hz,
+        entries,
+        possible,
     )
 
 

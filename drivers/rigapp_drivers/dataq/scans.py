@@ -24,6 +24,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.texts import say
 from rigapp_drivers.api import Quality
 from rigapp_drivers.dataq.protocol import (
     COUNTER_SPAN,
@@ -116,7 +117,7 @@ class ScanParser:
         self.broken: str | None = None
         self.received = 0
         self.discarded_bytes = 0
-        self._echoes = echoes
+        self.echoes = echoes
         self._begun = False
         self._resumed = False
         self._bytes = b""
@@ -159,7 +160,7 @@ class ScanParser:
 
     def _take(self, data: bytes, guard: int) -> list[Run]:
         if not self._begun:
-            stripped = without_echo(data, self._echoes)
+            stripped = without_echo(data, self.echoes)
             if stripped is None:
                 self._bytes = data
                 return []
@@ -293,8 +294,11 @@ class ScanParser:
 
     def _reason(self, step: int) -> str:
         signed = step - COUNTER_SPAN if step > MOST_LOST else step
-        wanted = "1" if self.steps.exact else f"{self.steps.lowest} to {self.steps.highest}"
-        return (
-            f"the counter stepped by {signed} from one scan to the next, where {wanted} "
-            f"(and a change of {self.steps.change} at most) is possible"
+        wanted = "1" if self.steps.exact else say("{} to {}", self.steps.lowest, self.steps.highest)
+        return say(
+            "the counter stepped by {} from one scan to the next, where {} (and a"
+            " change of {} at most) is possible",
+            signed,
+            wanted,
+            self.steps.change,
         )

@@ -11,7 +11,9 @@ from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
+from rigapp.texts import say
 from rigapp_drivers.api import (
     Block,
     DeviceError,
@@ -25,7 +27,48 @@ from rigapp_drivers.dataq.link import READ_BYTES, Link
 from rigapp_drivers.dataq.plan import Plan
 from rigapp_drivers.dataq.protocol import Clock, echoes_of, line, start_line
 from rigapp_drivers.dataq.scans import Run, ScanParser
-from rigapp_drivers.dataq.sense import Sense
+
+Ints = NDArray[np.int64]
+
+_PULSES = (1 << 32) - 1
+
+
+@dataclass(slots=True)
+class Sense:
+    """Follow direction and index from block to block.
+
+    direction_line, index_line: numbers of the digital lines of B and Z; None: not there.
+    """
+
+    direction_line: int | None = None
+    index_line: int | None = None
+    _count: int = 0
+    _pulses: int | None = None
+    _index_was_high: bool = False
+
+    def counts(self, lines: Ints, pulses: Ints) -> NDArray[np.int32]:
+        """Return the count of each scan.
+
+        lines: (n,) states of the digital lines as bits. pulses: (n,) pulses of line A so far,
+        modulo 2**32; those of lost scans count in the direction of the scan behind.
+        """
+        before = pulses[0] - 1 if self._pulses is None else self._pulses
+        steps = np.diff(pulses, prepend=before) & _PULSES
+        if self.direction_line is not None:
+            steps = np.where(lines >> self.direction_line & 1, -steps, steps)
+        count = self._count + np.cumsum(steps)
+        if self.index_line is not None:
+            count -= self._set_to_zero(count, (lines >> self.index_line & 1).astype(np.bool_))
+        self._count, self._pulses = int(count[-1]), int(pulses[-1])
+        return count.astype(np.int32)
+
+    def _set_to_zero(self, count: Ints, high: NDArray[np.bool_]) -> Ints:
+        """Return what the latest index takes off each count; 0 before the first."""
+        before = np.concatenate(([self._index_was_high], high[:-1]))
+        self._index_was_high = bool(high[-1])
+        place = np.maximum.accumulate(np.where(high & ~before, np.arange(count.size), -1))
+        return np.where(place >= 0, count[place], 0)
+
 
 _log = logging.getLogger(__name__)
 
@@ -99,7 +142,8 @@ class Stream:
         """Set the counter to 0 and start scanning."""
         with self._lock:
             self._link.set(line("reset", 1))
-            self._link.port.drain()
+            nuls = (self._link.tail + self._link.port.drain()).count(0)
+            self._parser.echoes = echoes_of(self._start, nuls)
             self._begin()
             self._anchor = (time.monotonic_ns(), 0)
             self._running = True
@@ -125,7 +169,7 @@ class Stream:
         patience_s = 5.0 * self._link.reply_timeout_s + 1.0
         if not self._lock.acquire(timeout=patience_s):
             raise self._error(
-                ReplyTimeout, f"the device is busy for {patience_s:g} s ‹reading thread›."
+                ReplyTimeout, say("the device is busy for {:g} s ‹reading thread›.", patience_s)
             )
         try:
             self._end()
@@ -156,7 +200,7 @@ class Stream:
         self._running = False
         raise self._error(
             DeviceLost,
-            "it answers stop no more; switch it off and on and check the cable.",
+            say("it answers stop no more; switch it off and on and check the cable."),
         )
 
     def _keep(self, data: bytes) -> None:
@@ -202,9 +246,12 @@ class Stream:
         self._running = False
         raise self._error(
             DeviceLost,
-            f"nothing came for {silent_s:.1f} s though it answers: it was probably reset (power, "
-            "USB) and has lost its settings and its count; connect it again and find the index "
-            "again.",
+            say(
+                "nothing came for {:.1f} s though it answers: it was probably reset (power,"
+                " USB) and has lost its settings and its count; connect it again and find"
+                " the index again.",
+                silent_s,
+            ),
         )
 
     def _parse(self) -> None:
@@ -223,16 +270,21 @@ class Stream:
         """Stop, flush and start again; raise ProtocolError when that has not helped."""
         self.tally.restarts += 1
         self._bad_restarts += 1
-        self._say(f"data were lost or added on the line; the stream was restarted ‹{why}›.")
+        self._say(say("data were lost or added on the line; the stream was restarted ‹{}›.", why))
         if self._bad_restarts > _MOST_RESTARTS:
             with contextlib.suppress(DeviceError):
                 self._halt()
             self._running = False
             raise self._error(
                 ProtocolError,
-                f"{why}, still so after {_MOST_RESTARTS} restarts; check that the encoder drives "
-                "the counter input, maximum_speed_rpm and maximum_acceleration_rev_per_s2, and "
-                "that the device was not reset (its settings and its count are lost then).",
+                say(
+                    "{}, still so after {} restarts; check that the encoder drives the"
+                    " counter input, maximum_speed_rpm and maximum_acceleration_rev_per_s2,"
+                    " and that the device was not reset (its settings and its count are"
+                    " lost then).",
+                    why,
+                    _MOST_RESTARTS,
+                ),
             )
         self._halt()
         self._parser.restart()
@@ -248,7 +300,7 @@ class Stream:
         if lost:
             self.tally.gaps += 1
             self.tally.lost_scans += lost
-            self._say(f"{lost} scans are missing before sample {self._next_sample + lost}.")
+            self._say(say("{} scans are missing before sample {}.", lost, self._next_sample + lost))
         self._watch_stuck(run)
         if self._sense is not None:
             lines = run.values[self._plan.layout.analog].astype(np.int64)
@@ -306,13 +358,15 @@ class Stream:
             name = self._plan.channels[row].name
             turns = self._still[row] / self._plan.pulses_per_revolution
             if turns >= _STUCK_REVOLUTIONS and not any(name in f.inputs for f in self.tally.faults):
-                words = (
-                    f"{name} has shown the very same value for {turns:.1f} turns; check its "
-                    "sensor, amplifier and cable"
+                words = say(
+                    "{} has shown the very same value for {:.1f} turns; check its"
+                    " sensor, amplifier and cable",
+                    name,
+                    turns,
                 )
                 fault = InputFault(InputFaultKind.STUCK, (name,), words, time.monotonic_ns())
                 self.tally.faults += (fault,)
-                self._say(f"{words}.")
+                self._say(say("{}.", words))
 
     def _say(self, sentence: str) -> None:
         self.tally.sentences.append(sentence)

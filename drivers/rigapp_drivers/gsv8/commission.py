@@ -12,7 +12,8 @@ import math
 from dataclasses import replace
 from typing import Any
 
-from rigapp_drivers.api import SettingRefused
+from rigapp.texts import say
+from rigapp_drivers.api import ReplyTimeout, SettingRefused
 from rigapp_drivers.gsv8 import protocol as p
 from rigapp_drivers.gsv8 import registers as r
 from rigapp_drivers.gsv8.frames import FrameLayout
@@ -77,7 +78,7 @@ class Commissioner:
 
     def _check_firmware(self, plan: Plan) -> None:
         needs = (
-            (bool(plan.counters), p.COUNTER_FIRMWARE, "the encoder input"),
+            (bool(plan.counters), p.COUNTER_FIRMWARE, say("the encoder input")),
             (plan.command_checksum, p.CHECKSUM_FIRMWARE, "command_checksum"),
             (bool(plan.data_checksum), p.CHECKSUM_FIRMWARE, "data_checksum"),
             (plan.high_speed, p.HIGH_SPEED_FIRMWARE, "high_speed_frames"),
@@ -85,8 +86,13 @@ class Commissioner:
         for wanted, least, what in needs:
             if wanted and self._firmware < least:
                 raise self._refused(
-                    f"{what} needs firmware {p.version_words(least)} or newer, this device has "
-                    f"{p.version_words(self._firmware)}; let the maker update it."
+                    say(
+                        "{} needs firmware {} or newer, this device has {}; let the maker"
+                        " update it.",
+                        what,
+                        p.version_words(least),
+                        p.version_words(self._firmware),
+                    )
                 )
 
     def _choose_checksum(self, plan: Plan) -> tuple[Plan, p.InterfaceReply]:
@@ -106,7 +112,7 @@ class Commissioner:
         wanted = bool(plan.data_checksum)
         reply = self._registers.open_session(high_speed=plan.high_speed, data_checksum=wanted)
         if reply.data_checksum != wanted:
-            raise self._refused("the device did not take the setting data_checksum.")
+            raise self._refused(say("the device did not take the setting data_checksum."))
         if reply.write_protected:
             _log.warning("%s: the device reports write protection", self._name)
         return reply
@@ -117,11 +123,11 @@ class Commissioner:
         setting = self._registers.interface_setting(number)
         if setting is None:
             facts["interface"] = "unknown"
-            facts["integers"] = "offset-binary (assumed)"
+            facts["integers"] = say("offset-binary (assumed)")
             return True
         offset_binary = bool(setting.data & p.OFFSET_BINARY_FLAG)
-        facts["interface"] = p.INTERFACE_KINDS.get(setting.kind, f"kind {setting.kind}")
-        facts["integers"] = "offset-binary" if offset_binary else "two's complement"
+        facts["interface"] = p.INTERFACE_KINDS.get(setting.kind, say("kind {}", setting.kind))
+        facts["integers"] = "offset-binary" if offset_binary else say("two's complement")
         if setting.kind in _SERIAL_LINES:
             self._check_capacity(plan)
         return offset_binary
@@ -131,9 +137,13 @@ class Commissioner:
         capacity = self._baud_rate / _BITS_PER_BYTE * _LINE_SHARE / layout.length()
         if plan.sample_rate_Hz > capacity:
             raise self._refused(
-                f"sample_rate_Hz = {plan.sample_rate_Hz:g} needs more than a line of "
-                f"{self._baud_rate} baud carries ({capacity:.0f} samples/s); choose a lower rate, "
-                "a higher baud rate or USB."
+                say(
+                    "sample_rate_Hz = {:g} needs more than a line of {} baud carries"
+                    " ({:.0f} samples/s); choose a lower rate, a higher baud rate or USB.",
+                    plan.sample_rate_Hz,
+                    self._baud_rate,
+                    capacity,
+                )
             )
 
     # --- the settings ---------------------------------------------------------------------------
@@ -144,18 +154,30 @@ class Commissioner:
         if _same(before, wanted):
             return
         try:
-            self._registers.set(setting, wanted)
+            self._set_once(setting, wanted)
         except SettingRefused as error:
-            sentence = f"{setting.words} cannot be {_shown(wanted)}: {error.sentence}"
+            sentence = say("{} cannot be {}: {}", setting.words, _shown(wanted), error.sentence)
             raise self._refused(sentence) from error
         self.writes += 1
         _log.info("%s: %s %s -> %s", self._name, setting.words, _shown(before), _shown(wanted))
         after = self._registers.get(setting)
         if not _same(after, wanted):
             raise self._refused(
-                f"{setting.words} is {_shown(after)} after {_shown(wanted)} was written; check the "
-                "device with the maker's program."
+                say(
+                    "{} is {} after {} was written; check the device with the maker's program.",
+                    setting.words,
+                    _shown(after),
+                    _shown(wanted),
+                )
             )
+
+    def _set_once(self, setting: Setting, wanted: Any) -> None:
+        """Write a setting; again only when it does not stand there although it was sent."""
+        try:
+            self._registers.set(setting, wanted)
+        except ReplyTimeout:
+            if not _same(self._registers.get(setting), wanted):
+                self._registers.set(setting, wanted)
 
     def _set_modes(self, plan: Plan) -> None:
         mode = self._registers.get(r.MODE) & ~_FALSIFYING_MODES & ~p.MODE_FILTER_AUTOMATIC
@@ -173,7 +195,9 @@ class Commissioner:
         flags = self._registers.get(r.counter_mode(counter))
         if counter in plan.counters:
             if not flags & p.COUNTER_PRESENT:
-                raise self._refused(f"counter_{counter + 1}: this device has no encoder input.")
+                raise self._refused(
+                    say("counter_{}: this device has no encoder input.", counter + 1)
+                )
             self._ensure(r.counter_home(counter), plan.counter_home)
             wanted = plan.counters[counter].encode()
         else:
@@ -190,11 +214,17 @@ class Commissioner:
         if not _same(self._registers.get(r.RATE), rate):
             highest = self._registers.highest_rate_Hz()
             if rate > highest:
-                other = ", int24 or int16" if plan.data_type is DataType.FLOAT32 else ""
+                other = say(", int24 or int16") if plan.data_type is DataType.FLOAT32 else ""
                 raise self._refused(
-                    f"sample_rate_Hz = {rate:g}: the device allows at most {highest:g} with "
-                    f"{len(plan.objects)} inputs as {plan.data_type.name.lower()}; choose a "
-                    f"lower rate{other}."
+                    say(
+                        "sample_rate_Hz = {:g}: the device allows at most {:g} with {}"
+                        " inputs as {}; choose a lower rate{}.",
+                        rate,
+                        highest,
+                        len(plan.objects),
+                        plan.data_type.name.lower(),
+                        other,
+                    )
                 )
         self._ensure(r.RATE, rate)
 
@@ -230,7 +260,7 @@ class Commissioner:
         facts[f"{name}.counts_per_unit"] = f"{plan.counts_per_unit:g}{assumed}"
         for group in _LINE_GROUPS[counter]:
             if registers.lines_are_outputs(group):
-                lines = f"digital lines {4 * group - 3} to {4 * group} are outputs"
+                lines = say("digital lines {} to {} are outputs", 4 * group - 3, 4 * group)
                 facts[f"{name}.lines_{group}"] = lines
                 _log.warning(
                     "%s: %s, but %s has pins there; make them inputs with the maker's program if "
@@ -257,8 +287,13 @@ class Commissioner:
         for key, value in wanted.items():
             if not _same(facts[key], value):
                 raise self._refused(
-                    f"{key} is {facts[key]} in the end, {value} was asked for: another setting "
-                    "changed it; check the device with the maker's program."
+                    say(
+                        "{} is {} in the end, {} was asked for: another setting changed it;"
+                        " check the device with the maker's program.",
+                        key,
+                        facts[key],
+                        value,
+                    )
                 )
 
     def _refused(self, sentence: str) -> SettingRefused:

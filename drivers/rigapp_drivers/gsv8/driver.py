@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from rigapp.texts import joined, say, sentence_of_error
 from rigapp_drivers.api import (
     Block,
     ConnectionFailed,
@@ -23,6 +24,7 @@ from rigapp_drivers.api import (
     Quality,
     ReplyTimeout,
     SettingRefused,
+    SettingSpec,
     StreamSetup,
     Unplannable,
     WrongDevice,
@@ -31,6 +33,7 @@ from rigapp_drivers.api import (
 from rigapp_drivers.gsv8 import protocol as p
 from rigapp_drivers.gsv8.blocks import BlockMaker
 from rigapp_drivers.gsv8.commission import Commissioner
+from rigapp_drivers.gsv8.decode import Decoder
 from rigapp_drivers.gsv8.frames import FrameLayout, Tally
 from rigapp_drivers.gsv8.link import Link
 from rigapp_drivers.gsv8.numbers import DataType
@@ -38,9 +41,111 @@ from rigapp_drivers.gsv8.plan import Plan, make_plan, parse_input
 from rigapp_drivers.gsv8.probe import PROBE, identity_of
 from rigapp_drivers.gsv8.protocol import Command, u8
 from rigapp_drivers.gsv8.registers import Registers
-from rigapp_drivers.gsv8.settings import SETTINGS
 from rigapp_drivers.gsv8.watch import StreamWatch
 from rigapp_drivers.transport import SerialPort, byte_counters, opened
+
+BAUD_RATES = (
+    *(19200, 38400, 57600, 115200, 230400, 460800),
+    *(921600, 1250000, 1458333, 1750000, 2500000, 3500000),
+)
+DATA_TYPES = ("float32", "int24", "int16")
+QUADRATURES = ("x4", "x2", "x1", say("pulse and direction"))
+FILTERS = ("automatic", "28 Hz", "885 Hz", "11400 Hz")
+
+SETTINGS: Mapping[str, SettingSpec] = {
+    "sample_rate_Hz": SettingSpec(
+        float,
+        960.0,
+        say("Samples per second: a divisor of 48000 from the device's list."),
+        1.0,
+        48000.0,
+    ),
+    "data_type": SettingSpec(
+        str,
+        "float32",
+        say(
+            "Number format on the wire: float32 to 12000 /s, int24 to 24000 /s, int16 to"
+            " 48000 /s; with a counter to 16000 /s."
+        ),
+        choices=DATA_TYPES,
+    ),
+    "baud_rate": SettingSpec(
+        int,
+        115200,
+        say("Speed of a UART or RS-422 line; without meaning on USB."),
+        choices=BAUD_RATES,
+    ),
+    "command_checksum": SettingSpec(
+        bool, False, say("Protect commands and answers by a CRC-8 (firmware 1.56 or newer).")
+    ),
+    "data_checksum": SettingSpec(
+        object,
+        "auto",
+        say(
+            "Protect measured values by a CRC-16 (firmware 1.56 or newer); auto does it"
+            " where firmware and line can. Without it a sample waits for the next one."
+        ),
+        choices=("auto", True, False),
+    ),
+    "high_speed_frames": SettingSpec(
+        bool,
+        False,
+        say("Allow several samples in one frame from 12000 /s on (USB, firmware 1.54)."),
+    ),
+    "object_map": SettingSpec(
+        list,
+        [],
+        say(
+            'Inputs in the order of the frame\'s objects, for example ["analog_1",'
+            ' "analog_2", "counter_1"]; empty: analog inputs first, counters last.'
+        ),
+    ),
+    "counts_per_unit": SettingSpec(
+        float,
+        1.0,
+        say(
+            "Counts of the encoder for one unit of the counter's value; 1 is assumed until"
+            " one turn by hand has confirmed it."
+        ),
+    ),
+    "counter_quadrature": SettingSpec(
+        str, "x4", say("Edges of A and B that count for each encoder line."), choices=QUADRATURES
+    ),
+    "counter_index": SettingSpec(bool, True, say("Let the encoder's index set the counter.")),
+    "counter_index_inverted": SettingSpec(bool, False, say("The index pulse is low, not high.")),
+    "counter_home": SettingSpec(
+        int, 0, say("Count that the index sets."), minimum=0, maximum=(1 << 23) - 1
+    ),
+    "counter_saturates": SettingSpec(
+        bool, False, say("Hold the count at the end of its range instead of wrapping.")
+    ),
+    "counter_noise_filter": SettingSpec(bool, False, say("Filter noise on the encoder inputs.")),
+    "counter_pull_ups": SettingSpec(
+        bool, True, say("Use the 10 kohm pull-ups of the encoder inputs.")
+    ),
+    "analog_filter": SettingSpec(
+        str,
+        "automatic",
+        say("Limit of the analog filter; automatic follows the rate."),
+        choices=FILTERS,
+    ),
+    "on_overrun": SettingSpec(
+        str,
+        "flag",
+        say("When the device reports that it lost data: flag the samples, or stop the test."),
+        choices=("flag", "stop"),
+    ),
+    "poll_interval_s": SettingSpec(
+        float, 1.0, say("How often the device is asked for lost data while it streams."), 0.1, 60.0
+    ),
+    "reply_timeout_s": SettingSpec(
+        float, 1.0, say("How long to wait for the answer to a command."), 0.05, 10.0
+    ),
+    "block_s": SettingSpec(
+        float, 0.02, say("Time of the samples that are handed over together."), 0.001, 1.0
+    ),
+}
+
 
 _log = logging.getLogger(__name__)
 
@@ -98,7 +203,7 @@ class Gsv8:
         try:
             plan = make_plan(request, settings)
         except Unplannable as error:
-            raise SettingRefused.at(self, str(error)) from error
+            raise SettingRefused.at(self, sentence_of_error(error)) from error
         self._settings = settings
         self._link.reply_timeout_s = settings["reply_timeout_s"]
         self._link.expect(None)
@@ -166,8 +271,8 @@ class Gsv8:
             if registers.zero_prohibited(channel):
                 raise SettingRefused.at(
                     self,
-                    f"zeroing {name} is prohibited in the device; allow it with the maker's "
-                    "program.",
+                    "zeroing {} is prohibited in the device; allow it with the maker's program.",
+                    name,
                 )
             registers.set_zero(channel)
             _log.info("%s: %s was zeroed in the device", self.name, name)
@@ -256,16 +361,17 @@ class Gsv8:
         if reply.model != p.MODEL_GSV8:
             raise WrongDevice.at(
                 self,
-                "another device than a GSV-8 answers; check the port in the rig file "
-                f"‹model {reply.model:02X}, not 08›.",
+                "another device than a GSV-8 answers; check the port in the rig file"
+                " ‹model {}, not 08›.",
+                f"{reply.model:02X}",
             )
         version = self._link.command(Command.FIRMWARE_VERSION, reply=4)
         self._firmware = p.decode_version(version)
         number = self._link.command(Command.GET_SERIAL_NUMBER, reply=4)
         options = self._link.command(Command.GET_SOFTWARE_CONFIGURATION, reply=4)
         details = {
-            "options": ", ".join(p.software_options(int.from_bytes(options, "big"))),
-            "interface": f"{reply.number} of {reply.interfaces}",
+            "options": joined(", ", p.software_options(int.from_bytes(options, "big"))),
+            "interface": say("{} of {}", reply.number, reply.interfaces),
             "objects": str(reply.objects),
             "data_type": DataType(reply.data_type).name.lower(),
         }
@@ -276,12 +382,17 @@ class Gsv8:
         if self._link.tally.dropped_bytes:
             return WrongDevice.at(
                 self,
-                "something sends data, but not those of a GSV-8; check the port and, on a UART, "
-                f"baud_rate ({rate}).",
+                say(
+                    "something sends data, but not those of a GSV-8; check the port and, on"
+                    " a UART, baud_rate ({}).",
+                    rate,
+                ),
             )
         return ConnectionFailed.at(
             self,
-            f"nothing answers; check power, cable and port and, on a UART, baud_rate ({rate}).",
+            say(
+                "nothing answers; check power, cable and port and, on a UART, baud_rate ({}).", rate
+            ),
         )
 
     def _configured(self) -> tuple[Plan, FrameLayout]:
@@ -294,12 +405,12 @@ class Gsv8:
         try:
             family, number = parse_input(name)
         except Unplannable as error:
-            raise SettingRefused.at(self, str(error)) from error
+            raise SettingRefused.at(self, sentence_of_error(error)) from error
         if family == "analog":
             return number
         counters = sorted(self._plan.counters) if self._plan is not None else []
         if number - 1 not in counters:
-            raise SettingRefused.at(self, f"{name} is not in use.")
+            raise SettingRefused.at(self, "{} is not in use.", name)
         return p.ANALOG_CHANNELS + 1 + counters.index(number - 1)
 
 
@@ -315,11 +426,12 @@ def check(request: DataRequest) -> None:
 
 DRIVER = DriverInfo(
     name="gsv8",
-    title="ME-Systeme GSV-8 measuring amplifier",
+    title=say("ME-Systeme GSV-8 measuring amplifier"),
     kind=DriverKind.DATA_SOURCE,
     factory=Gsv8,
     settings=SETTINGS,
     simulator="rigapp_drivers.gsv8.simulator:Gsv8Simulator",
     probe=PROBE,
     check=check,
+    decoder=Decoder,
 )

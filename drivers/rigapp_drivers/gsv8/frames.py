@@ -18,9 +18,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.texts import say
 from rigapp_drivers.api import Quality
-from rigapp_drivers.gsv8.checksums import crc8, crc16, crc16_of_rows
 from rigapp_drivers.gsv8.numbers import DataType, Values, decode, encode
+from rigapp_drivers.gsv8.protocol import crc8, crc16, crc16_of_rows
 
 PREFIX = 0xAA
 SUFFIX = 0x85
@@ -112,7 +113,7 @@ class Tally:
 def encode_response(response: Response, *, checksum: bool = False) -> bytes:
     """Return the bytes of a response frame (device to host), at most 14 data bytes."""
     if len(response.data) > 14:
-        raise ValueError("a short response holds at most 14 bytes")
+        raise ValueError(say("a short response holds at most 14 bytes"))
     head = (0x70 if checksum else 0x50) | len(response.data)
     body = bytes((head, response.status)) + response.data
     check = bytes((crc8(body),)) if checksum else b""

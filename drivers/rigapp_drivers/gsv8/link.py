@@ -13,7 +13,9 @@ import time
 from collections import deque
 from dataclasses import dataclass, field
 
+from rigapp.texts import say
 from rigapp_drivers.api import BytePort, ProtocolError, ReplyTimeout, SettingRefused
+from rigapp_drivers.exchange import OpenQuestions
 from rigapp_drivers.gsv8.frames import FrameLayout, Parsed, Response, Run, StreamParser, Tally
 from rigapp_drivers.gsv8.protocol import Command, request
 from rigapp_drivers.gsv8.words import status_words
@@ -69,6 +71,7 @@ class Link:
         self.checksum = False
         self.late_replies = 0
         self.retries = 0
+        self._open = OpenQuestions(port.device, reply_timeout_s, "reply_timeout_s")
         self._parser = StreamParser()
         self._reading = threading.Lock()
         self._commanding = threading.Lock()
@@ -109,7 +112,7 @@ class Link:
         # "Done, and more was changed" comes without data, so it is no answer to a question.
         if response.status not in _DONE or (reply and response.status):
             raise SettingRefused.at(
-                self.port, f"{command.words} was refused: {status_words(response.status)}."
+                self.port, "{} was refused: {}.", command.words, status_words(response.status)
             )
         return response.data
 
@@ -128,14 +131,16 @@ class Link:
         only answers of another length came.
         """
         if not self._commanding.acquire(timeout=4.0 * tries * self.reply_timeout_s):
-            raise self._timeout(command, "the command before it is not done")
+            raise self._timeout(command, say("the command before it is not done"))
         stray = False
         try:
             self._outwait_posted()
-            for attempt in range(tries):
+            self._outwait_late_replies()
+            waits = self._open.waits(tries)
+            for attempt, time_outs in enumerate(waits):
                 self.retries += bool(attempt)
                 pending = self._send(command, parameters, reply)
-                if not self._await(pending, patience * self.reply_timeout_s):
+                if not self._await(pending, patience * time_outs * self.reply_timeout_s):
                     stray |= pending.stray
                     continue
                 assert pending.response is not None
@@ -146,8 +151,7 @@ class Link:
                         command.words,
                         attempt + 1,
                     )
-                    self._outwait_late_replies()
-                if pending.response.status in _BUSY_STATUSES and attempt < tries - 1:
+                if pending.response.status in _BUSY_STATUSES and attempt < len(waits) - 1:
                     continue
                 return pending.response
         finally:
@@ -156,10 +160,11 @@ class Link:
         if stray:
             raise ProtocolError.at(
                 self.port,
-                f"{command.words} was answered with a wrong length; check the firmware "
-                "and that no other program uses the device.",
+                "{} was answered with a wrong length; check the firmware and that no"
+                " other program uses the device.",
+                command.words,
             )
-        raise self._timeout(command, f"{tries} tries")
+        raise self._timeout(command, say("{} tries", tries))
 
     def post(
         self, command: Command, parameters: bytes = b"", *, reply: int | None = None
@@ -194,7 +199,7 @@ class Link:
                 runs = self.take()
                 if runs:
                     return runs[0].run
-        raise self._timeout(Command.GET_VALUE, "no measured value came")
+        raise self._timeout(Command.GET_VALUE, say("no measured value came"))
 
     def read(self, timeout_s: float) -> None:
         """Read the port once, unless another thread does it; wait timeout_s at most."""
@@ -219,6 +224,8 @@ class Link:
         pending = Pending(command, reply, time.monotonic())
         self._pending = pending
         self._parser.response_expected = True
+        self._open.timeout_s = self.reply_timeout_s
+        self._open.asked()
         self._write(command, parameters)
         return pending
 
@@ -259,13 +266,15 @@ class Link:
             self._parser.consecutive_foreign = 0
             raise ProtocolError.at(
                 self.port,
-                "the measured values have another number of inputs or another format than the "
-                "device was set to; stop the test, configure again and check object_map.",
+                "the measured values have another number of inputs or another format"
+                " than the device was set to; stop the test, configure again and check"
+                " object_map.",
             )
         return True
 
     def _sort(self, parsed: Parsed, host_time_ns: int) -> None:
         for response in parsed.responses:
+            self._open.answered()
             pending = self._pending
             if pending is None or pending.answered.is_set():
                 self.late_replies += 1
@@ -304,15 +313,22 @@ class Link:
         self._forget()
 
     def _outwait_late_replies(self) -> None:
-        """After a retry, the answer to the first try may still come: let it pass unheard."""
+        """Let the answers to questions that got none in time pass unheard."""
         self._forget()
-        deadline = time.monotonic() + self.reply_timeout_s
-        while time.monotonic() < deadline:
-            self.read(_SLICE_S)
+        while until_s := self._open.open_until_s():
+            self.read(min(_SLICE_S, max(0.0, until_s - time.monotonic())))
 
     def _timeout(self, command: Command, why: str) -> ReplyTimeout:
+        if self._open.late_s:
+            words = self._open.words()
+            return ReplyTimeout.at(self.port, "no answer to {}; {}.", command.words, words)
         return ReplyTimeout.at(
             self.port,
-            f"no answer to {command.words} within {self.reply_timeout_s:g} s ({why}); check cable "
-            "and power, and that no other program uses the device.",
+            say(
+                "no answer to {} within {:g} s ({}); check cable and power, and that no"
+                " other program uses the device.",
+                command.words,
+                self.reply_timeout_s,
+                why,
+            ),
         )

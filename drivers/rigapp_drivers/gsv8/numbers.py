@@ -12,6 +12,8 @@ import enum
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.texts import say
+
 OVERRANGE = 1.05
 """Normalised input at the end of the integer range; 1.0 is the nominal range."""
 
@@ -39,7 +41,7 @@ class DataType(enum.IntEnum):
 def scale_of_code(data_type: DataType, nominal_range: float) -> float:
     """Return the electrical signal of one step of an integer code, in the unit of the range."""
     if data_type is DataType.FLOAT32:
-        raise ValueError("float32 values are scaled in the device")
+        raise ValueError(say("float32 values are scaled in the device"))
     return nominal_range * OVERRANGE / 2.0 ** (data_type.bits - 1)
 
 

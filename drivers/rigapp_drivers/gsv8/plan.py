@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from rigapp.texts import joined, say
 from rigapp_drivers.api import ChannelSpec, DataRequest, Unplannable
 from rigapp_drivers.gsv8 import protocol as p
 from rigapp_drivers.gsv8.numbers import OVERRANGE, DataType, scale_of_code
@@ -113,7 +114,7 @@ def parse_input(name: str) -> tuple[str, int]:
     match = re.fullmatch(r"(analog)_([1-8])|(counter)_([12])", name)
     if match is None:
         raise Unplannable(
-            f'the device has no input "{name}"; it has analog_1 to analog_8, counter_1, counter_2.'
+            'the device has no input "{}"; it has analog_1 to analog_8, counter_1, counter_2.', name
         )
     family = match[1] or match[3]
     return family, int(match[2] or match[4])
@@ -122,32 +123,34 @@ def parse_input(name: str) -> tuple[str, int]:
 def _check_rate(rate_Hz: float) -> None:
     if rate_Hz in p.ALLOWED_RATES_HZ:
         return
-    near = " or ".join(f"{rate:g}" for rate in p.neighbours_of_rate(rate_Hz))
+    near = joined(say(" or "), (f"{rate:g}" for rate in p.neighbours_of_rate(rate_Hz)))
     raise Unplannable(
-        f"sample_rate_Hz = {rate_Hz:g} is not a rate of this device; the nearest are {near}."
+        "sample_rate_Hz = {:g} is not a rate of this device; the nearest are {}.", rate_Hz, near
     )
 
 
 def _check_counter(name: str, kind: str, data_type: DataType) -> None:
     if kind != "counter":
-        raise Unplannable(f"{name} is a counter and cannot measure a {kind}.")
+        raise Unplannable("{} is a counter and cannot measure a {}.", name, kind)
     if data_type is DataType.INT16:
         raise Unplannable(
-            f'data_type = "int16" keeps one of 256 counts of {name}; choose "int24" or "float32".'
+            'data_type = "int16" keeps one of 256 counts of {}; choose "int24" or "float32".', name
         )
 
 
 def _input_type(name: str, kind: str, span: float) -> InputType:
     if kind == "bridge":
         if span not in _BRIDGES:
-            known = ", ".join(f"{choice:g}" for choice in sorted(_BRIDGES))
-            raise Unplannable(f"{name}: a range of {span:g} mV/V is not there; choose {known}.")
+            known = joined(", ", (f"{choice:g}" for choice in sorted(_BRIDGES)))
+            raise Unplannable(
+                "{}: a range of {:g} mV/V is not there; choose {}.", name, span, known
+            )
         return _BRIDGES[span]
     if kind == "voltage":
         if not 0.0 < span <= _LONGEST_RANGE_V:
-            raise Unplannable(f"{name}: a range of {span:g} V is not there; the range is 10 V.")
+            raise Unplannable("{}: a range of {:g} V is not there; the range is 10 V.", name, span)
         return InputType.SINGLE_ENDED
-    raise Unplannable(f'{name} cannot be a "{kind}"; it can be a bridge or a voltage.')
+    raise Unplannable('{} cannot be a "{}"; it can be a bridge or a voltage.', name, kind)
 
 
 def _counter_mode(settings: Mapping[str, Any]) -> CounterMode:
@@ -185,16 +188,18 @@ def _mapped(object_map: Sequence[Any], wanted: tuple[str, ...]) -> tuple[str, ..
     for name in names:
         parse_input(name)
     if len(set(names)) != len(names):
-        raise Unplannable(f"object_map = {list(names)} names an input twice.")
+        raise Unplannable("object_map = {} names an input twice.", list(names))
     missing = [name for name in wanted if name not in names]
     if missing:
-        raise Unplannable(f"object_map = {list(names)} lacks {', '.join(missing)}.")
+        raise Unplannable("object_map = {} lacks {}.", list(names), joined(", ", missing))
     idle = [name for name in names if name.startswith("counter") and name not in wanted]
     if idle:
-        raise Unplannable(f"object_map names {', '.join(idle)}, which is not in use; take it out.")
+        raise Unplannable(
+            "object_map names {}, which is not in use; take it out.", joined(", ", idle)
+        )
     counters = sum(name.startswith("counter") for name in names)
     if len(names) > p.ANALOG_CHANNELS + counters or len(names) < 2:
-        raise Unplannable(f"object_map has {len(names)} inputs; 2 to 10 are possible.")
+        raise Unplannable("object_map has {} inputs; 2 to 10 are possible.", len(names))
     return names
 
 

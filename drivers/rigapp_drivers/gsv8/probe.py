@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
+from rigapp.texts import say
 from rigapp_drivers.api import (
     BytePort,
     Identity,
@@ -31,8 +32,8 @@ def ask(line: BytePort, timeout_s: float) -> Identity | None:
         return None
     interface = p.decode_interface(reply)
     known = interface.model == p.MODEL_GSV8
-    model = "GSV-8" if known else f"GSV, model {interface.model:02X}"
-    details = {} if known else {"note": "rigapp has no driver for this model"}
+    model = "GSV-8" if known else say("GSV, model {}", f"{interface.model:02X}")
+    details = {} if known else {"note": say("rigapp has no driver for this model")}
     return identity_of(model, p.decode_version(version), number, line.port, details)
 
 

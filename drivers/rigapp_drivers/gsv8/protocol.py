@@ -11,7 +11,54 @@ import struct
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from rigapp_drivers.gsv8.checksums import crc8
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.texts import say
+
+
+def _crc8_table() -> bytes:
+    table = bytearray()
+    for byte in range(256):
+        for _ in range(8):
+            byte = (byte << 1) ^ (0x07 if byte & 0x80 else 0)
+        table.append(byte & 0xFF)
+    return bytes(table)
+
+
+def _crc16_table() -> NDArray[np.uint16]:
+    table = []
+    for byte in range(256):
+        for _ in range(8):
+            byte = (byte >> 1) ^ (0xA001 if byte & 1 else 0)
+        table.append(byte)
+    return np.array(table, dtype=np.uint16)
+
+
+_CRC8 = _crc8_table()
+_CRC16 = _crc16_table()
+
+
+def crc8(data: bytes) -> int:
+    """Return the CRC-8 of commands: polynomial 0x07, initial 0, over all behind the prefix."""
+    crc = 0
+    for byte in data:
+        crc = _CRC8[crc ^ byte]
+    return crc
+
+
+def crc16(data: bytes) -> int:
+    """Return the CRC-16 of measured values: Modbus, sent low byte first."""
+    return int(crc16_of_rows(np.frombuffer(data, np.uint8)[None])[0])
+
+
+def crc16_of_rows(rows: NDArray[np.uint8]) -> NDArray[np.uint16]:
+    """Return the CRC-16 of every row of (n, bytes)."""
+    crc = np.full(len(rows), 0xFFFF, dtype=np.uint16)
+    for column in np.ascontiguousarray(rows.T):
+        crc = (crc >> 8) ^ _CRC16[(crc ^ column) & 0xFF]
+    return crc
+
 
 MODEL_GSV8 = 0x08
 ANALOG_CHANNELS = 8
@@ -85,7 +132,7 @@ class Command(enum.IntEnum):
     @property
     def words(self) -> str:
         """Return the command as people would say it, with its number."""
-        return f"{self.name.lower().replace('_', ' ')} ‹command {self.value:02X}›"
+        return say("{} ‹command {}›", self.name.lower().replace("_", " "), f"{self.value:02X}")
 
 
 class InputType(enum.IntEnum):
@@ -107,14 +154,14 @@ class InputType(enum.IntEnum):
 
 
 _INPUT_WORDS = {
-    InputType.BRIDGE_8V75: "bridge, 8.75 V excitation, 2 mV/V",
-    InputType.BRIDGE_5V: "bridge, 5 V excitation, 3.5 mV/V",
-    InputType.BRIDGE_2V5: "bridge, 2.5 V excitation, 7 mV/V",
-    InputType.SINGLE_ENDED: "single-ended, 10 V",
+    InputType.BRIDGE_8V75: say("bridge, 8.75 V excitation, 2 mV/V"),
+    InputType.BRIDGE_5V: say("bridge, 5 V excitation, 3.5 mV/V"),
+    InputType.BRIDGE_2V5: say("bridge, 2.5 V excitation, 7 mV/V"),
+    InputType.SINGLE_ENDED: say("single-ended, 10 V"),
     InputType.PT1000: "PT1000",
-    InputType.THERMOCOUPLE_K_ABSOLUTE: "thermocouple K, absolute",
-    InputType.THERMOCOUPLE_K_RELATIVE: "thermocouple K, relative",
-    InputType.COUNTER: "counter or frequency",
+    InputType.THERMOCOUPLE_K_ABSOLUTE: say("thermocouple K, absolute"),
+    InputType.THERMOCOUPLE_K_RELATIVE: say("thermocouple K, relative"),
+    InputType.COUNTER: say("counter or frequency"),
 }
 
 NOMINAL_RANGE: dict[InputType, float] = {
@@ -164,7 +211,7 @@ TX_CHECKSUM = 1 << 5
 
 INTERFACE_KINDS = {
     1: "RS-232",
-    2: "UART 3.3 V",
+    2: say("UART 3.3 V"),
     3: "USB",
     4: "CAN",
     5: "Ethernet",
@@ -219,7 +266,7 @@ def decode_counter_mode(flags: int) -> CounterMode:
 def request(command: int, parameters: bytes = b"", *, checksum: bool = False) -> bytes:
     """Return the bytes of a request with at most 15 parameter bytes."""
     if len(parameters) > 15:
-        raise ValueError("a request holds at most 15 parameter bytes")
+        raise ValueError(say("a request holds at most 15 parameter bytes"))
     body = bytes(((0xB0 if checksum else 0x90) | len(parameters), command)) + parameters
     check = bytes((crc8(body),)) if checksum else b""
     return b"\xaa" + body + check + b"\x85"
@@ -332,14 +379,14 @@ SOFTWARE_OPTIONS = {
     1: "EtherCAT",
     2: "LCD",
     3: "TEDS",
-    4: "digital lines",
-    6: "analog outputs",
+    4: say("digital lines"),
+    6: say("analog outputs"),
     7: "serial",
-    8: "frequency output",
-    9: "sensor supervisor",
+    8: say("frequency output"),
+    9: say("sensor supervisor"),
     10: "multi-axis",
     11: "CANopen",
-    12: "four-channel 96 kHz model",
+    12: say("four-channel 96 kHz model"),
 }
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import struct
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
+from rigapp.texts import say
 from rigapp_drivers.gsv8 import protocol as p
 from rigapp_drivers.gsv8.link import Link
 from rigapp_drivers.gsv8.protocol import Command, InputType, u8
@@ -40,7 +41,7 @@ class Setting:
 
 RATE = Setting("sample_rate_Hz", Command.READ_DATA_RATE, Command.WRITE_DATA_RATE, ">f")
 MODE = Setting(
-    "mode (multi-axis, noise cut and auto-zero off; analog filter)",
+    say("mode (multi-axis, noise cut and auto-zero off; analog filter)"),
     Command.GET_MODE,
     Command.SET_MODE,
     ">I",
@@ -50,7 +51,7 @@ FILTER = Setting(
     "analog_filter", Command.READ_ANALOG_FILTER, Command.WRITE_ANALOG_FILTER, ">H", written=">f"
 )
 FLAGS = Setting(
-    "transmission (always off, maxima or minima in the frame)",
+    say("transmission (always off, maxima or minima in the frame)"),
     Command.GET_TX_MODE,
     Command.SET_TX_MODE,
     ">H",
@@ -59,7 +60,7 @@ FLAGS = Setting(
 )
 DATA_TYPE = Setting("data_type", Command.GET_TX_MODE, Command.SET_TX_MODE, ">H", u8(p.TX_DATA_TYPE))
 OBJECTS = Setting(
-    "number of inputs in the frame",
+    say("number of inputs in the frame"),
     Command.GET_TX_MAPPING,
     Command.SET_TX_MAPPING,
     ">H",
@@ -70,7 +71,7 @@ OBJECTS = Setting(
 def input_type(channel: int) -> Setting:
     """Return the input type of an analog channel; written, it reloads scale and offset."""
     return Setting(
-        f"input type of analog_{channel}",
+        say("input type of analog_{}", channel),
         Command.GET_INPUT_TYPE,
         Command.SET_INPUT_TYPE,
         ">B4x",
@@ -84,33 +85,37 @@ def input_type(channel: int) -> Setting:
 
 def scale(channel: int) -> Setting:
     """Return the user scale of a channel."""
-    words = f"user scale of analog_{channel}"
+    words = say("user scale of analog_{}", channel)
     read, write = Command.READ_USER_SCALE, Command.WRITE_USER_SCALE
     return Setting(words, read, write, ">f", u8(channel))
 
 
 def offset(channel: int) -> Setting:
     """Return the user offset of a channel."""
-    words = f"user offset of analog_{channel}"
+    words = say("user offset of analog_{}", channel)
     read, write = Command.READ_USER_OFFSET, Command.WRITE_USER_OFFSET
     return Setting(words, read, write, ">f", u8(channel))
 
 
 def counter_mode(counter: int, mask: int | None = None) -> Setting:
     """Return the mode flags of a counter."""
-    words = f"mode of counter_{counter + 1}"
+    words = say("mode of counter_{}", counter + 1)
     return _counter(counter, 0, words, mask)
 
 
 def counter_home(counter: int) -> Setting:
     """Return the count that the index sets."""
-    return _counter(counter, 2, f"home value of counter_{counter + 1}", None)
+    return _counter(counter, 2, say("home value of counter_{}", counter + 1), None)
 
 
 def _counter(counter: int, index: int, words: str, mask: int | None) -> Setting:
     place = u8(p.counter_index(counter, index))
     read, write = Command.READ_COUNTER_MODE, Command.WRITE_COUNTER_MODE
     return Setting(words, read, write, ">I", place, mask=mask, since=p.COUNTER_FIRMWARE)
+
+
+WRITE_WAIT: Final = 3.0
+"""Time-outs that a write waits: the settings memory bears a limited number (SPEC p24)."""
 
 
 class Registers:
@@ -138,9 +143,11 @@ class Registers:
         return value if setting.kind is None else setting.kind(value)
 
     def set(self, setting: Setting, value: float) -> None:
-        """Write a number."""
+        """Write a number, once: whoever gets no answer reads back before writing again."""
         parameters = setting.index + struct.pack(setting.written or setting.layout, value)
-        self._link.command(setting.write, parameters, patience=setting.patience)
+        self._link.command(
+            setting.write, parameters, tries=1, patience=WRITE_WAIT * setting.patience
+        )
 
     def open_session(self, *, high_speed: bool, data_checksum: bool) -> p.InterfaceReply:
         """Silence the device; every such call decides anew on checksum and high-speed frames."""

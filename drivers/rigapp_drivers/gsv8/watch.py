@@ -106,8 +106,10 @@ class StreamWatch:
             if self._misses >= _MISSES_ALLOWED and self._must_answer:
                 raise ReplyTimeout.at(
                     self._link.port,
-                    f"it streams but did not answer {pending.command.words} {self._misses} times, "
-                    "so lost data would not be noticed; check the cable and other programs.",
+                    "it streams but did not answer {} {} times, so lost data would not"
+                    " be noticed; check the cable and other programs.",
+                    pending.command.words,
+                    self._misses,
                 )
 
     def _take(self, command: Command, response: Response) -> None:
@@ -145,8 +147,8 @@ class StreamWatch:
         if self._stop_on_loss:
             raise DataOverrun.at(
                 self._link.port,
-                "the device dropped measured values because they were not read in time; lower "
-                "sample_rate_Hz or free the computer.",
+                "the device dropped measured values because they were not read in time;"
+                " lower sample_rate_Hz or free the computer.",
             )
         _log.warning("%s: the device dropped measured values", self._link.port.device)
         self._on_loss()

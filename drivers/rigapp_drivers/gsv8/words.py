@@ -4,63 +4,64 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rigapp.texts import joined, say
 from rigapp_drivers.api import InputFault, InputFaultKind
 
 STATUS_WORDS: dict[int, str] = {
-    0x00: "done",
-    0x01: "done, and other parameters changed with it",
-    0x40: "the device does not know this command",
-    0x41: "this device does not have this command",
-    0x42: "the request ended wrongly",
-    0x43: "the request arrived damaged",
-    0x50: "a parameter is wrong",
-    0x51: "the index, channel or address does not exist",
-    0x52: "the value is not one of those allowed",
-    0x53: "some bits of the value are not allowed",
-    0x54: "the value is too big",
-    0x55: "the value is too small",
-    0x56: "this combination of parameters is not allowed",
-    0x57: "the value is too big for the other settings",
-    0x58: "the value is too small for the other settings",
-    0x59: "this function of the parameter is not available",
-    0x5A: "the parameters came too late (more than 200 ms)",
-    0x5B: "the number of parameters is wrong",
-    0x5C: "the value does not fit the other settings",
-    0x5D: "another function uses this hardware",
-    0x60: "there are no data",
-    0x61: "the stored data are inconsistent",
-    0x62: "the device is in the wrong state for it",
-    0x63: "the device does not support it",
-    0x64: "the data rate is too high for the other settings",
-    0x6E: "a condition for the memory is not met",
-    0x6F: "the memory denies access",
-    0x70: "access denied",
-    0x71: "writing is locked in the device; unlock it with the maker's program",
-    0x72: "a password is missing; unlock the device with the maker's program",
-    0x74: "the allowed number of executions is used up",
-    0x75: "another port (a field bus or a second program) has write access; release it there",
-    0x76: "the setting can only be read",
-    0x80: "internal fault of the device",
-    0x81: "arithmetic fault in the device",
-    0x82: "the analog-to-digital converter is faulty",
-    0x83: "the measured value is not suitable for it",
-    0x84: "the settings memory is faulty ‹EEPROM›",
-    0x85: "external hardware is missing",
-    0x86: "the memory card is missing or faulty",
-    0x87: "the memory card refused the access",
-    0x91: "the device could not send in time: measured values were lost",
-    0x92: "the device is busy",
-    0x99: "the device takes no more requests for now",
-    0xC0: "the radio link failed",
+    0x00: say("done"),
+    0x01: say("done, and other parameters changed with it"),
+    0x40: say("the device does not know this command"),
+    0x41: say("this device does not have this command"),
+    0x42: say("the request ended wrongly"),
+    0x43: say("the request arrived damaged"),
+    0x50: say("a parameter is wrong"),
+    0x51: say("the index, channel or address does not exist"),
+    0x52: say("the value is not one of those allowed"),
+    0x53: say("some bits of the value are not allowed"),
+    0x54: say("the value is too big"),
+    0x55: say("the value is too small"),
+    0x56: say("this combination of parameters is not allowed"),
+    0x57: say("the value is too big for the other settings"),
+    0x58: say("the value is too small for the other settings"),
+    0x59: say("this function of the parameter is not available"),
+    0x5A: say("the parameters came too late (more than 200 ms)"),
+    0x5B: say("the number of parameters is wrong"),
+    0x5C: say("the value does not fit the other settings"),
+    0x5D: say("another function uses this hardware"),
+    0x60: say("there are no data"),
+    0x61: say("the stored data are inconsistent"),
+    0x62: say("the device is in the wrong state for it"),
+    0x63: say("the device does not support it"),
+    0x64: say("the data rate is too high for the other settings"),
+    0x6E: say("a condition for the memory is not met"),
+    0x6F: say("the memory denies access"),
+    0x70: say("access denied"),
+    0x71: say("writing is locked in the device; unlock it with the maker's program"),
+    0x72: say("a password is missing; unlock the device with the maker's program"),
+    0x74: say("the allowed number of executions is used up"),
+    0x75: say("another port (a field bus or a second program) has write access; release it there"),
+    0x76: say("the setting can only be read"),
+    0x80: say("internal fault of the device"),
+    0x81: say("arithmetic fault in the device"),
+    0x82: say("the analog-to-digital converter is faulty"),
+    0x83: say("the measured value is not suitable for it"),
+    0x84: say("the settings memory is faulty ‹EEPROM›"),
+    0x85: say("external hardware is missing"),
+    0x86: say("the memory card is missing or faulty"),
+    0x87: say("the memory card refused the access"),
+    0x91: say("the device could not send in time: measured values were lost"),
+    0x92: say("the device is busy"),
+    0x99: say("the device takes no more requests for now"),
+    0xC0: say("the radio link failed"),
 }
 
 
 def status_words(code: int) -> str:
     """Return what a status code means."""
     if 0xB0 <= code <= 0xB8:
-        return f"the sensor's memory cannot be used ‹TEDS, status {code:02X}›"
-    words = STATUS_WORDS.get(code, "a status that this program does not know")
-    return f"{words} ‹status {code:02X}›"
+        return say("the sensor's memory cannot be used ‹TEDS, status {}›", f"{code:02X}")
+    words = STATUS_WORDS.get(code, say("a status that this program does not know"))
+    return say("{} ‹status {}›", words, f"{code:02X}")
 
 
 _KINDS = {
@@ -119,19 +120,25 @@ def encode_value_fault(fault: ValueFault) -> bytes:
 _EIGHT = range(1, 9)
 _FLAGS: dict[int, tuple[str, tuple[str, ...]]] = {
     1: (
-        "input saturated",
+        say("input saturated"),
         (
-            *(f"channel {n:d} above its range" for n in _EIGHT),
-            *(f"channel {n:d} below its range" for n in _EIGHT),
+            *(say("channel {:d} above its range", n) for n in _EIGHT),
+            *(say("channel {:d} below its range", n) for n in _EIGHT),
         ),
     ),
-    2: ("measured value beyond its maximum", tuple(f"channel {n}" for n in _EIGHT)),
-    3: ("sensor or its cable is broken", tuple(f"channel {n} Ud{s}" for n in _EIGHT for s in "+-")),
-    4: (
-        "analog output",
-        (*(f"current loop {n} open" for n in _EIGHT), *(f"driver {n} too hot" for n in _EIGHT)),
+    2: (say("measured value beyond its maximum"), tuple(say("channel {}", n) for n in _EIGHT)),
+    3: (
+        say("sensor or its cable is broken"),
+        tuple(say("channel {} Ud{}", n, s) for n in _EIGHT for s in "+-"),
     ),
-    5: ("short circuit of a digital line", tuple(f"DIO {n}" for n in range(1, 17))),
+    4: (
+        say("analog output"),
+        (
+            *(say("current loop {} open", n) for n in _EIGHT),
+            *(say("driver {} too hot", n) for n in _EIGHT),
+        ),
+    ),
+    5: (say("short circuit of a digital line"), tuple(say("DIO {}", n) for n in range(1, 17))),
 }
 """What each kind of value error is, and what its flags mean from bit 0 up."""
 
@@ -139,9 +146,9 @@ _FLAGS: dict[int, tuple[str, tuple[str, ...]]] = {
 def value_fault_words(kind: int, flags: int) -> str:
     """Return a value error in words, with the channels that it names."""
     if kind not in _FLAGS:
-        return f"value error of unknown kind ‹{kind}, flags {flags:04X}›"
+        return say("value error of unknown kind ‹{}, flags {}›", kind, f"{flags:04X}")
     what, names = _FLAGS[kind]
     if kind == 4 and flags == 0xFFFF:
-        return f"{what}: unknown output"
+        return say("{}: unknown output", what)
     named = [name for bit, name in enumerate(names) if flags >> bit & 1]
-    return f"{what}: {', '.join(named) or 'no channel named'}"
+    return say("{}: {}", what, joined(", ", named) or say("no channel named"))

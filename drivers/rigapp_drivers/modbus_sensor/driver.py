@@ -1,4 +1,4 @@
-"""Read slow quantities from a Modbus RTU (RS-485) transmitter: temperature, humidity, others."""
+"""Read slow quantities from a Modbus transmitter (RTU on RS-485, or TCP): temperature, others."""
 
 from __future__ import annotations
 
@@ -6,41 +6,92 @@ import time
 from collections.abc import Mapping
 from typing import Any, Final
 
+from rigapp.texts import joined, say, sentence_of_error
 from rigapp_drivers.api import (
+    BytePort,
     ConnectionFailed,
     DeviceFault,
     DriverInfo,
     DriverKind,
     Identity,
+    Probe,
     ProtocolError,
     ReplyTimeout,
     SettingRefused,
+    SettingSpec,
     SlowRequest,
     WrongDevice,
     filled,
 )
+from rigapp_drivers.modbus_sensor.bus import SharedPort
+from rigapp_drivers.modbus_sensor.decode import Decoder
 from rigapp_drivers.modbus_sensor.link import ModbusLink
-from rigapp_drivers.modbus_sensor.probe import PROBE
-from rigapp_drivers.modbus_sensor.registers import PRESETS, Question, questions, registers_of
-from rigapp_drivers.modbus_sensor.settings import SETTINGS
-from rigapp_drivers.transport import SerialPort, byte_counters
+from rigapp_drivers.modbus_sensor.registers import OWN, PRESETS, Question, questions, registers_of
+from rigapp_drivers.transport import byte_counters
+
+SETTINGS: Final[Mapping[str, SettingSpec]] = {
+    "preset": SettingSpec(
+        str,
+        "SHT20",
+        say("Registers of a usual transmitter (temperature_C and humidity_percent), or one's own."),
+        choices=(*PRESETS, OWN),
+    ),
+    "registers": SettingSpec(
+        list,
+        [],
+        say(
+            "One table a quantity: quantity (its name with the unit at the end), function"
+            " (3 or 4), address, type (i16, u16, i32, f32), scale, offset, words, invalid."
+        ),
+    ),
+    "address": SettingSpec(int, 1, say("Modbus address of the device."), 1, 247),
+    "baud_rate": SettingSpec(
+        int,
+        9600,
+        say("Speed of the RS-485 line."),
+        choices=(1200, 2400, 4800, 9600, 14400, 19200, 38400, 57600, 115200),
+    ),
+    "parity": SettingSpec(str, "none", say("Parity of the line."), choices=("none", "even", "odd")),
+    "stop_bits": SettingSpec(int, 1, say("Stop bits of the line."), choices=(1, 2)),
+    "reply_timeout_s": SettingSpec(
+        float, 0.3, say("How long to wait for the answer to a request."), 0.02, 5.0
+    ),
+}
+
+
+_USUAL_ADDRESS: Final = 1  # as transmitters are delivered
+_FUNCTION, _REGISTER, _COUNT = 4, 1, 2
+
+
+def ask(line: BytePort, timeout_s: float) -> Identity | None:
+    """Return who answers at Modbus address 1; an exception is an answer, too."""
+    link = ModbusLink(line, _USUAL_ADDRESS, PROBE.baud_rates[0], timeout_s)
+    deadline_s = time.monotonic() + timeout_s
+    try:
+        link.read(_FUNCTION, _REGISTER, _COUNT, deadline_s, tries=1)
+    except DeviceFault:
+        pass
+    except (ReplyTimeout, ProtocolError):
+        return None
+    details = {"address": str(_USUAL_ADDRESS)}
+    return Identity("", say("Modbus RTU device"), "", "", line.port, details)
+
+
+PROBE: Final = Probe(ask, (9600, 19200, 38400, 115200))
+
 
 _OPEN_S: Final = 2.0  # two tries of some questions at the longest usual time-out
 
 
 class ModbusSensor:
-    """One transmitter on a line of its own; implements ``rigapp_drivers.api.SlowSource``."""
+    """One transmitter, alone on its line or beside others; implements ``SlowSource``."""
 
     def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
         self.name = name
         self.port = port
         self._settings = given = filled(SETTINGS, settings)
-        self._line = SerialPort(
-            name,
-            port,
-            given["baud_rate"],
-            parity=given["parity"],
-            stop_bits=given["stop_bits"],
+        self._line = SharedPort(
+            name, port, given["baud_rate"], given["parity"], given["stop_bits"], given["address"]
         )
         self._link = ModbusLink(
             self._line, given["address"], given["baud_rate"], given["reply_timeout_s"]
@@ -57,8 +108,9 @@ class ModbusSensor:
         try:
             self._questions = questions(registers_of(self._settings))
         except ValueError as error:
-            raise SettingRefused.at(self, str(error)) from error
+            raise SettingRefused.at(self, sentence_of_error(error)) from error
         self._line.open()
+        self._link.share(self._line.bus)
         try:
             self._ask(_OPEN_S)
         except BaseException as error:
@@ -66,9 +118,9 @@ class ModbusSensor:
             kind = _ON_OPENING.get(type(error))
             if kind is None:
                 raise
-            raise kind.at(self, getattr(error, "sentence", str(error))) from error
+            raise kind.at(self, getattr(error, "sentence", sentence_of_error(error))) from error
         address = self._settings["address"]
-        model = f"Modbus RTU device, {self._settings['preset']}"
+        model = say("Modbus RTU device, {}", self._settings["preset"])
         return Identity("", model, "", "", self.port, {"address": str(address)})
 
     def configure(self, request: SlowRequest) -> Mapping[str, str | float | int]:
@@ -76,15 +128,20 @@ class ModbusSensor:
         try:
             check(SlowRequest(request.quantities, request.timeout_s, self._settings))
         except ValueError as error:
-            raise SettingRefused.at(self, str(error)) from error
+            raise SettingRefused.at(self, sentence_of_error(error)) from error
         wanted = [one for one in registers_of(self._settings) if one.quantity in request.quantities]
         self._questions = questions(wanted)
         self._timeout_s = request.timeout_s
         return {
             "address": self._settings["address"],
             **{
-                one.quantity: f"function {one.function}, address {one.address}, {one.type}, "
-                f"scale {one.scale:g}"
+                one.quantity: say(
+                    "function {}, address {}, {}, scale {:g}",
+                    one.function,
+                    one.address,
+                    one.type,
+                    one.scale,
+                )
                 for one in wanted
             },
         }
@@ -107,6 +164,7 @@ class ModbusSensor:
             **byte_counters(self._line),
             "crc_errors": link.crc_errors,
             "retries": link.retries,
+            "busy": link.busy,
         }
 
     def _ask(self, timeout_s: float) -> dict[str, float]:
@@ -132,13 +190,17 @@ def check(request: SlowRequest) -> None:
     missing = [name for name in request.quantities if name not in known]
     if missing:
         raise ValueError(
-            f"the device does not tell {', '.join(missing)}; its settings give {', '.join(known)}."
+            say(
+                "the device does not tell {}; its settings give {}.",
+                joined(", ", missing),
+                joined(", ", known),
+            )
         )
 
 
 DRIVER: Final = DriverInfo(
     name="modbus_sensor",
-    title="Modbus RTU transmitter",
+    title=say("Modbus transmitter (RTU or TCP)"),
     kind=DriverKind.SLOW_SOURCE,
     factory=ModbusSensor,
     settings=SETTINGS,
@@ -146,4 +208,5 @@ DRIVER: Final = DriverInfo(
     probe=PROBE,
     check=check,
     quantities=tuple(one.quantity for one in PRESETS[SETTINGS["preset"].default]),
+    decoder=Decoder,
 )

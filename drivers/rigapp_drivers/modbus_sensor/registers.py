@@ -10,6 +10,8 @@ from typing import Annotated, Any, Final, Literal
 
 import msgspec
 
+from rigapp.texts import say
+
 MOST_WORDS: Final = 125
 """Registers that one request may ask for (Modbus application protocol 1.1b3, 6.3 and 6.4)."""
 _FORMATS: Final = {"i16": ">h", "u16": ">H", "i32": ">i", "f32": ">f"}
@@ -72,23 +74,27 @@ def registers_of(settings: Mapping[str, Any]) -> tuple[Register, ...]:
     own = settings["registers"]
     if settings["preset"] != OWN:
         if own:
-            raise ValueError(f'registers are given: write preset = "{OWN}", or take them out.')
+            raise ValueError(
+                say('registers are given: write preset = "{}", or take them out.', OWN)
+            )
         return PRESETS[settings["preset"]]
     if not own:
-        raise ValueError(f'preset = "{OWN}" needs at least one entry in registers.')
+        raise ValueError(say('preset = "{}" needs at least one entry in registers.', OWN))
     found = []
     for place, table in enumerate(own, start=1):
         try:
             register = msgspec.convert(table, Register)
         except msgspec.ValidationError as error:
-            raise ValueError(f"registers, entry {place}: {error}.") from error
+            raise ValueError(say("registers, entry {}: {}.", place, error)) from error
         if not (math.isfinite(register.scale) and register.scale != 0.0):
-            raise ValueError(f"registers, entry {place}: scale = {register.scale:g} tells nothing.")
+            raise ValueError(
+                say("registers, entry {}: scale = {:g} tells nothing.", place, register.scale)
+            )
         found.append(register)
     names = [register.quantity for register in found]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise ValueError(f"registers name the quantity {twice} twice.")
+        raise ValueError(say("registers name the quantity {} twice.", twice))
     return tuple(found)
 
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Final
 
+from rigapp.texts import joined, say
 from rigapp_drivers.api import (
     ConnectionFailed,
     DriveRequest,
@@ -37,14 +38,14 @@ _TWICE: Final = 2  # a command that a firmware may lack; a lost reply must not h
 _LONGEST_POWER_OFF_S: Final = 0.1
 """Longest ramp of a duty that counts as taking the power off: 36 deg of a crank at 60 rpm."""
 _S3_WORDS: Final[Mapping[int, str]] = {
-    0x00: "emergency stop, latching (default)",
-    0x01: "emergency stop",
-    0x81: "emergency stop, latching",
+    0x00: say("emergency stop, latching (default)"),
+    0x01: say("emergency stop"),
+    0x81: say("emergency stop, latching"),
 }
 _S3_WORDS_OLDER: Final[Mapping[int, str]] = {
-    0: "emergency stop, latching (default)",
-    1: "emergency stop, latching",
-    2: "emergency stop",
+    0: say("emergency stop, latching (default)"),
+    1: say("emergency stop, latching"),
+    2: say("emergency stop"),
 }
 
 
@@ -72,10 +73,12 @@ def identify(link: Link, status_width: str) -> Identity:
     try:
         text = link.version()
     except ReplyTimeout as error:
-        sentence = f"no RoboClaw answers at address {link.address}: {error.sentence}"
+        sentence = say("no RoboClaw answers at address {}: {}", link.address, error.sentence)
         raise ConnectionFailed.at(link, sentence) from error
     except ProtocolError as error:
-        sentence = f"what answers is no RoboClaw at address {link.address}: {error.sentence}"
+        sentence = say(
+            "what answers is no RoboClaw at address {}: {}", link.address, error.sentence
+        )
         raise WrongDevice.at(link, sentence) from error
     if not text.strip():
         raise WrongDevice.at(link, "the firmware text is empty.")
@@ -99,8 +102,9 @@ def _generation(link: Link, firmware: str, status_width: str) -> Generation:
         return link.generation
     raise WrongDevice.at(
         link,
-        f'the status of firmware "{firmware}" has neither 16 nor 32 bits; '
-        "set status_width from the drive's manual.",
+        'the status of firmware "{}" has neither 16 nor 32 bits; set status_width from'
+        " the drive's manual.",
+        firmware,
     )
 
 
@@ -113,7 +117,7 @@ def commission(link: Link, request: DriveRequest, motor: int, combined: bool) ->
     units = _watchdog_units(request)
     _set_watchdog(link, units)
     power_off, input_S3 = _power_off(link, motor), _emergency_stop_input(link)
-    advice = " ".join(filter(None, (power_off.pop("advice", ""), input_S3.pop("advice", ""))))
+    advice = joined(" ", filter(None, (power_off.pop("advice", ""), input_S3.pop("advice", ""))))
     combined = combined and can_combine(link)
     pid = velocity_pid_of(link.read(Command.VELOCITY_PID_M1 + motor - 1))
     (main,) = link.read(Command.MAIN_VOLTAGE)
@@ -138,7 +142,9 @@ def commission(link: Link, request: DriveRequest, motor: int, combined: bool) ->
         "speed_limit_rev_per_s": pid.qpps / request.counts_per_crank_revolution,
         **power_off,
         **input_S3,
-        "wiring": f"power off in {power_off['power_off_ramp']}, input S3: {input_S3['input_S3']}",
+        "wiring": say(
+            "power off in {}, input S3: {}", power_off["power_off_ramp"], input_S3["input_S3"]
+        ),
     }
     if advice:
         readback["advice"] = advice
@@ -160,16 +166,23 @@ def _power_off(link: Link, motor: int) -> dict[str, str]:
     except ReplyTimeout:
         link.read(Command.STATUS)  # a drive that answers this is not silent: it lacks the command
         return {
-            "power_off_ramp": "an unknown time",
-            "advice": "This firmware does not tell how fast it takes the power off: watch it at "
-            "the first stop.",
+            "power_off_ramp": say("an unknown time"),
+            "advice": say(
+                "This firmware does not tell how fast it takes the power off: watch it at"
+                " the first stop."
+            ),
         }
     ramp_s = MAXIMUM_DUTY / found if found else math.inf
     if ramp_s > _LONGEST_POWER_OFF_S:
         raise _refused(
             link,
-            f"taking the power off is a ramp of {ramp_s:.2g} s; set the default duty acceleration "
-            f"of motor {motor} to {MAXIMUM_DUTY_ACCELERATION} with the maker's tool.",
+            say(
+                "taking the power off is a ramp of {:.2g} s; set the default duty"
+                " acceleration of motor {} to {} with the maker's tool.",
+                ramp_s,
+                motor,
+                MAXIMUM_DUTY_ACCELERATION,
+            ),
         )
     return {"power_off_ramp": f"{ramp_s:.2f} s"}
 
@@ -182,16 +195,20 @@ def _emergency_stop_input(link: Link) -> dict[str, str]:
         link.read(Command.STATUS)
         return {
             "input_S3": "unknown",
-            "advice": "The drive does not tell what its input S3 does: press the emergency stop "
-            "before the first test.",
+            "advice": say(
+                "The drive does not tell what its input S3 does: press the emergency stop"
+                " before the first test."
+            ),
         }
     words = (_S3_WORDS if link.generation.pin_modes == 5 else _S3_WORDS_OLDER).get(mode)
     if words is not None:
         return {"input_S3": words}
     return {
-        "input_S3": f"mode {mode:02X}",
-        "advice": "Input S3 is not set to emergency stop: a button on it stops nothing. Set it "
-        "with the maker's tool.",
+        "input_S3": say("mode {}", f"{mode:02X}"),
+        "advice": say(
+            "Input S3 is not set to emergency stop: a button on it stops nothing. Set it"
+            " with the maker's tool."
+        ),
     }
 
 
@@ -199,7 +216,10 @@ def check_watchdog(request: DriveRequest) -> None:
     """Raise ValueError for a time-out that no RoboClaw can keep."""
     if not 1 <= _watchdog_units(request) <= _MAXIMUM_TIMEOUT:
         raise ValueError(
-            f"a watchdog time-out of {request.watchdog_timeout_s:g} s is outside 0.1 to 25.5 s."
+            say(
+                "a watchdog time-out of {:g} s is outside 0.1 to 25.5 s.",
+                request.watchdog_timeout_s,
+            )
         )
 
 
@@ -219,15 +239,23 @@ def _set_watchdog(link: Link, units: int) -> None:
         link.read(Command.STATUS)  # a drive that answers this is not silent: it lacks the command
         raise _refused(
             link,
-            "this firmware has no watchdog: it does not answer SET_TIMEOUT and GET_TIMEOUT "
-            f"({Command.SET_TIMEOUT:d}, {Command.GET_TIMEOUT:d}), and the spindle must not turn "
-            "without one; update the drive's firmware.",
+            say(
+                "this firmware has no watchdog: it does not answer SET_TIMEOUT and"
+                " GET_TIMEOUT ({:d}, {:d}), and the spindle must not turn without one;"
+                " update the drive's firmware.",
+                Command.SET_TIMEOUT,
+                Command.GET_TIMEOUT,
+            ),
         ) from error
     if found != units:
         raise _refused(
             link,
-            f"the serial time-out reads {found * TIMEOUT_UNIT_S:.1f} s after "
-            f"{units * TIMEOUT_UNIT_S:.1f} s was set; the spindle must not turn without it.",
+            say(
+                "the serial time-out reads {:.1f} s after {:.1f} s was set; the spindle"
+                " must not turn without it.",
+                found * TIMEOUT_UNIT_S,
+                units * TIMEOUT_UNIT_S,
+            ),
         )
 
 

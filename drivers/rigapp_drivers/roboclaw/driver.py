@@ -13,6 +13,7 @@ import time
 from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
+from rigapp.texts import joined, say
 from rigapp_drivers.api import (
     DeviceError,
     DeviceFault,
@@ -26,12 +27,15 @@ from rigapp_drivers.api import (
     ReplyTimeout,
     SettingRefused,
     SettingsLost,
+    SettingSpec,
     filled,
 )
 from rigapp_drivers.roboclaw.commission import Setup, check_watchdog, commission, identify
+from rigapp_drivers.roboclaw.decode import Decoder
 from rigapp_drivers.roboclaw.link import Link
 from rigapp_drivers.roboclaw.probe import PROBE
 from rigapp_drivers.roboclaw.protocol import (
+    BAUD_RATES,
     CURRENT_UNIT_A,
     TEMPERATURE_UNIT_C,
     TIMEOUT_UNIT_S,
@@ -41,11 +45,11 @@ from rigapp_drivers.roboclaw.protocol import (
     combined_status_of,
 )
 from rigapp_drivers.roboclaw.readings import Readings, StatusReader
-from rigapp_drivers.roboclaw.settings import SETTINGS
 from rigapp_drivers.roboclaw.status import StatusWords, describe_status
 from rigapp_drivers.spindles import (
     NEEDED,
     QUANTITIES,
+    TORQUE_CONSTANT,
     note_survived_silence,
     refuse_request,
     refuse_speed,
@@ -55,6 +59,33 @@ from rigapp_drivers.spindles import (
     whole_ramp,
 )
 from rigapp_drivers.transport import SerialPort, byte_counters
+
+SETTINGS: Final[Mapping[str, SettingSpec]] = {
+    "address": SettingSpec(int, 128, say("Packet serial address of the drive."), 128, 135),
+    "motor": SettingSpec(int, 1, say("Motor output that drives the spindle."), choices=(1, 2)),
+    "baud_rate": SettingSpec(
+        int, 38400, say("Baud rate of the drive's UART; USB ignores it."), choices=BAUD_RATES
+    ),
+    "status_width": SettingSpec(
+        str,
+        "auto",
+        say('Bits of the status word; "auto" decides by the firmware and checks it.'),
+        choices=("auto", "16", "32"),
+    ),
+    "combined_status": SettingSpec(
+        str,
+        "auto",
+        say(
+            'Read everything in one packet (command 73); "auto" asks the drive once whether it can.'
+        ),
+        choices=("auto", "never"),
+    ),
+    "reply_timeout_ms": SettingSpec(
+        float, 100.0, say("Longest wait for a reply, besides its time on the wire."), 20.0, 1000.0
+    ),
+    "torque_constant_Nm_per_A": TORQUE_CONSTANT,
+}
+
 
 _MAXIMUM_SPEED: Final = 2**31 - 1
 _MAXIMUM_ACCELERATION: Final = 2**32 - 1
@@ -161,7 +192,8 @@ class RoboClaw:
             if speed and self._silence_s:
                 raise DeviceFault.at(
                     self,
-                    f"{silenced(self._silence_s)}; reset the fault before the next start.",
+                    "{}; reset the fault before the next start.",
+                    silenced(self._silence_s),
                 )
             if speed and not self._target:
                 self._check_watchdog(link, setup)
@@ -181,9 +213,13 @@ class RoboClaw:
         speed = round(request.direction * speed_rev_per_s * request.counts_per_crank_revolution)
         if abs(speed) > min(setup.qpps, _MAXIMUM_SPEED):
             raise self._refused(
-                f"{abs(speed)} counts/s ({speed_rev_per_s * 60:.1f} rpm of the crank) is above "
-                f"the drive's own limit ‹QPPS› of {setup.qpps} counts/s; tune the drive's velocity "
-                "loop."
+                say(
+                    "{} counts/s ({:.1f} rpm of the crank) is above the drive's own limit"
+                    " ‹QPPS› of {} counts/s; tune the drive's velocity loop.",
+                    abs(speed),
+                    speed_rev_per_s * 60,
+                    setup.qpps,
+                )
             )
         return speed
 
@@ -256,10 +292,10 @@ class RoboClaw:
                 remedy = self._release_stop(link)
                 words = self._words(link)
         if words.emergency_stop:
-            sentence = f"the emergency stop stays: {remedy}."
+            sentence = say("the emergency stop stays: {}.", remedy)
             raise DeviceFault.at(self, sentence)
         if words.faults:
-            sentence = f"{', '.join(words.faults)}: remove the cause, then reset again."
+            sentence = say("{}: remove the cause, then reset again.", joined(", ", words.faults))
             raise DeviceFault.at(self, sentence)
 
     def _words(self, link: Link) -> StatusWords:
@@ -272,13 +308,14 @@ class RoboClaw:
             link.write(Command.RESET_EMERGENCY_STOP)
             (lock,) = link.read(Command.EMERGENCY_STOP_LOCK)
         except (ReplyTimeout, ProtocolError):
-            return (
-                "release the emergency stop button; if it is released, a reset by command is not "
-                "available in this drive: switch the drive off and on, then connect again"
+            return say(
+                "release the emergency stop button; if it is released, a reset by"
+                " command is not available in this drive: switch the drive off and on,"
+                " then connect again"
             )
         if lock == EmergencyStopLock.HARDWARE:
-            return "switch the drive off and on"
-        return "release the emergency stop button first"
+            return say("switch the drive off and on")
+        return say("release the emergency stop button first")
 
     # --- reading ---------------------------------------------------------------------------------
 
@@ -297,7 +334,7 @@ class RoboClaw:
             if reader.has_restarted(readings):
                 self._setup = None
                 self._target = None
-                sentence = "the drive has restarted and its motor is off; check its supply."
+                sentence = say("the drive has restarted and its motor is off; check its supply.")
                 raise SettingsLost.at(self, sentence)
             # A drive that has restarted has no set-point either; nor has a ramp as it begins.
             if reader.watchdog_is_due or (self._target and readings.setpoint == 0):
@@ -378,7 +415,7 @@ class RoboClaw:
 
     def _configured(self) -> Setup:
         if self._setup is None:
-            raise self._refused("the drive's watchdog is not set; configure the drive first.")
+            raise self._refused(say("the drive's watchdog is not set; configure the drive first."))
         return self._setup
 
     def _refused(self, sentence: str) -> SettingRefused:
@@ -387,7 +424,7 @@ class RoboClaw:
 
 DRIVER: Final = DriverInfo(
     name="roboclaw",
-    title="Basicmicro RoboClaw",
+    title=say("Basicmicro RoboClaw"),
     kind=DriverKind.SPINDLE,
     factory=RoboClaw,
     settings=SETTINGS,
@@ -397,4 +434,5 @@ DRIVER: Final = DriverInfo(
     check=check_watchdog,
     quantities=QUANTITIES,
     needed=NEEDED,
+    decoder=Decoder,
 )

@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Final, TypeVar
 
+from rigapp.texts import joined, say
 from rigapp_drivers.api import BytePort, DeviceFault, ProtocolError, ReplyTimeout
 from rigapp_drivers.roboclaw.protocol import (
     ACKNOWLEDGE,
@@ -31,9 +32,9 @@ LONGEST_REPLY: Final = 58  # bytes, of command 73
 BITS_PER_BYTE: Final = 10
 FLUSH_LIMIT: Final = 65536
 
-_UNACKNOWLEDGED: Final = "not acknowledged by FF"
-_REPEATED_BECAUSE: Final = {"crc": "a damaged answer"}
-_NO_REPLY: Final = "missing or short reply"
+_UNACKNOWLEDGED: Final = say("not acknowledged by FF")
+_REPEATED_BECAUSE: Final = {"crc": say("a damaged answer")}
+_NO_REPLY: Final = say("missing or short reply")
 
 _Reply = TypeVar("_Reply")
 
@@ -150,10 +151,10 @@ class Link:
                     self._tell_repeated(_UNACKNOWLEDGED)
                 return
             if answer == ACKNOWLEDGE:
-                failures.append("acknowledged, and not in effect")
+                failures.append(say("acknowledged, and not in effect"))
             else:
                 failures.append(
-                    f"a wrong answer ‹{answer.hex().upper()}, not FF›" if answer else ""
+                    say("a wrong answer ‹{}, not FF›", answer.hex().upper()) if answer else ""
                 )
             if self.hurry.is_set():
                 break
@@ -176,7 +177,7 @@ class Link:
                     self._tell_repeated(reason)
                 return result
             quiet, cut = result.sentence.startswith("0 "), result.kind == "short"
-            said = f"an answer cut short ‹{result.sentence}›" if cut else result.sentence
+            said = say("an answer cut short ‹{}›", result.sentence) if cut else result.sentence
             failures.append("" if quiet else said)
             because.add(_REPEATED_BECAUSE.get(result.kind, _NO_REPLY))
             self.crc_errors += result.kind == "crc"
@@ -188,18 +189,27 @@ class Link:
         _log.warning("%s on %s: a packet was repeated: %s", self.device, self.port, reason)
 
     def _failure(self, command: int, failures: list[str]) -> ProtocolError | ReplyTimeout:
-        name = f"{Command(command).name} ({command})"
+        name = say("{} ({})", Command(command).name, command)
         told = list(dict.fromkeys(sentence for sentence in failures if sentence))
         if not told:
             return ReplyTimeout.at(
                 self,
-                f"no reply in {len(failures)} tries of {self._timeout_s * 1e3:.0f} ms or longer: "
-                f"check power, cable, address and baud rate ‹{name}›.",
+                say(
+                    "no reply in {} tries of {:.0f} ms or longer: check power, cable,"
+                    " address and baud rate ‹{}›.",
+                    len(failures),
+                    self._timeout_s * 1000.0,
+                    name,
+                ),
             )
         return ProtocolError.at(
             self,
-            f"no usable reply in {len(failures)} tries: {'; '.join(told)}: "
-            f"check the cable's screen and the baud rate ‹{name}›.",
+            say(
+                "no usable reply in {} tries: {}: check the cable's screen and the baud rate ‹{}›.",
+                len(failures),
+                joined("; ", told),
+                name,
+            ),
         )
 
     def _reply_timeout(self, wire_bytes: int) -> float:

@@ -16,6 +16,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
+from rigapp.texts import say
+
 ACKNOWLEDGE: Final = b"\xff"
 CRC_LENGTH: Final = 2
 VERSION_LIMIT: Final = 48
@@ -196,11 +198,11 @@ def write_packet(address: int, command: int, *values: int, generation: Generatio
     """
     layout = write_format(command, generation)
     if layout is None:
-        raise ValueError(f"command {command} is not a write command")
+        raise ValueError(say("command {} is not a write command", command))
     try:
         body = bytes((address, command)) + struct.pack(layout, *values)
     except struct.error as error:
-        raise ValueError(f"command {command} cannot carry {values}: {error}") from error
+        raise ValueError(say("command {} cannot carry {}: {}", command, values, error)) from error
     return body + struct.pack(">H", crc16(body))
 
 
@@ -234,7 +236,9 @@ def _checked(address: int, command: int, raw: bytes) -> bytes | Rejected:
     data, sent = raw[:-CRC_LENGTH], int.from_bytes(raw[-CRC_LENGTH:], "big")
     computed = crc16(bytes((address, command)) + data)
     if sent != computed:
-        return Rejected("crc", f"a damaged answer ‹CRC {sent:04X} instead of {computed:04X}›")
+        return Rejected(
+            "crc", say("a damaged answer ‹CRC {} instead of {}›", f"{sent:04X}", f"{computed:04X}")
+        )
     return data
 
 
@@ -244,10 +248,10 @@ def parse_values(
     """Return the numbers of a reply in wire order, or why it is none. Any bytes are allowed."""
     layout = reply_format(command, generation)
     if layout is None:
-        return Rejected("short", f"command {command} has no reply of numbers")
+        return Rejected("short", say("command {} has no reply of numbers", command))
     expected = struct.calcsize(layout) + CRC_LENGTH
     if len(raw) != expected:
-        return Rejected("short", f"{len(raw)} of {expected} bytes")
+        return Rejected("short", say("{} of {} bytes", len(raw), expected))
     data = _checked(address, command, raw)
     return data if isinstance(data, Rejected) else struct.unpack(layout, data)
 
@@ -256,13 +260,13 @@ def parse_version(address: int, raw: bytes) -> str | Rejected:
     """Return the firmware text of command 21 without its LF NUL, or why it is none."""
     end = raw.find(b"\x00", 0, VERSION_LIMIT)
     if end < 0 or len(raw) != end + 1 + CRC_LENGTH:
-        return Rejected("short", f"{len(raw)} bytes without the end of a text")
+        return Rejected("short", say("{} bytes without the end of a text", len(raw)))
     data = _checked(address, Command.VERSION, raw)
     if isinstance(data, Rejected):
         return data
     text = data[:end].rstrip(b"\n")
     if not text.isascii():
-        return Rejected("text", "a firmware text that is not readable")
+        return Rejected("text", say("a firmware text that is not readable"))
     return text.decode("ascii")
 
 

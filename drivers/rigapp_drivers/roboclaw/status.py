@@ -12,68 +12,69 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
+from rigapp.texts import say
 from rigapp_drivers.roboclaw.protocol import NEWER, OLDER, Generation
 
-EMERGENCY_STOP: Final = "emergency stop"
+EMERGENCY_STOP: Final = say("emergency stop")
 
 _ERRORS_32: Final[Mapping[int, str]] = {
     0: EMERGENCY_STOP,
-    1: "over-temperature 1",
-    2: "over-temperature 2",
-    3: "main voltage high",
-    4: "logic voltage high",
-    5: "logic voltage low",
-    6: "driver fault M1",
-    7: "driver fault M2",
-    8: "speed error M1",
-    9: "speed error M2",
-    10: "position error M1",
-    11: "position error M2",
-    12: "current error M1",
-    13: "current error M2",
-    14: "main voltage low",
-    15: "main voltage high (until it has fallen again)",
+    1: say("over-temperature 1"),
+    2: say("over-temperature 2"),
+    3: say("main voltage high"),
+    4: say("logic voltage high"),
+    5: say("logic voltage low"),
+    6: say("driver fault M1"),
+    7: say("driver fault M2"),
+    8: say("speed error M1"),
+    9: say("speed error M2"),
+    10: say("position error M1"),
+    11: say("position error M2"),
+    12: say("current error M1"),
+    13: say("current error M2"),
+    14: say("main voltage low"),
+    15: say("main voltage high (until it has fallen again)"),
 }
 
 _WARNINGS_32: Final[Mapping[int, str]] = {
-    16: "over-current M1",
-    17: "over-current M2",
-    18: "main voltage high",
-    19: "main voltage low",
-    20: "temperature 1 high",
-    21: "temperature 2 high",
-    22: "input S4 active",
-    23: "input S5 active",
-    24: "warning of speed ‹bit 24›",
-    25: "warning of position, or speed M2 ‹bit 25›",
-    26: "warning of position M1 ‹bit 26›",
-    27: "warning of position M2 ‹bit 27›",
-    28: "warning of CAN ‹bit 28›",
-    29: "warning of boot ‹bit 29›",
-    30: "warning of over-regeneration M1 ‹bit 30›",
-    31: "warning of over-regeneration M2 ‹bit 31›",
+    16: say("over-current M1"),
+    17: say("over-current M2"),
+    18: say("main voltage high"),
+    19: say("main voltage low"),
+    20: say("temperature 1 high"),
+    21: say("temperature 2 high"),
+    22: say("input S4 active"),
+    23: say("input S5 active"),
+    24: say("warning of speed ‹bit 24›"),
+    25: say("warning of position, or speed M2 ‹bit 25›"),
+    26: say("warning of position M1 ‹bit 26›"),
+    27: say("warning of position M2 ‹bit 27›"),
+    28: say("warning of CAN ‹bit 28›"),
+    29: say("warning of boot ‹bit 29›"),
+    30: say("warning of over-regeneration M1 ‹bit 30›"),
+    31: say("warning of over-regeneration M2 ‹bit 31›"),
 }
 
 _ERRORS_16: Final[Mapping[int, str]] = {
     2: EMERGENCY_STOP,
-    3: "over-temperature 1",
-    4: "over-temperature 2",
-    5: "main voltage high",
-    6: "logic voltage high",
-    7: "logic voltage low",
-    8: "driver fault M1",
-    9: "driver fault M2",
+    3: say("over-temperature 1"),
+    4: say("over-temperature 2"),
+    5: say("main voltage high"),
+    6: say("logic voltage high"),
+    7: say("logic voltage low"),
+    8: say("driver fault M1"),
+    9: say("driver fault M2"),
 }
 
 _WARNINGS_16: Final[Mapping[int, str]] = {
-    0: "over-current M1",
-    1: "over-current M2",
-    10: "main voltage high",
-    11: "main voltage low",
-    12: "temperature 1 high",
-    13: "temperature 2 high",
-    14: "home input M1 active",
-    15: "home input M2 active",
+    0: say("over-current M1"),
+    1: say("over-current M2"),
+    10: say("main voltage high"),
+    11: say("main voltage low"),
+    12: say("temperature 1 high"),
+    13: say("temperature 2 high"),
+    14: say("home input M1 active"),
+    15: say("home input M2 active"),
 }
 
 _VERSION: Final = re.compile(r"v(\d+)\.(\d+)(?:\.(\d+))?")
@@ -102,7 +103,7 @@ def describe_status(state: int, status_bits: int) -> StatusWords:
         if bit in warnings:
             notes.append(warnings[bit])
         else:
-            faults.append(errors.get(bit, f"unknown error bit {bit}"))
+            faults.append(errors.get(bit, say("unknown error bit {}", bit)))
     return StatusWords(EMERGENCY_STOP in faults, tuple(faults), tuple(notes))
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rigapp.texts import say
 from rigapp_model.bushing import active_set
 from rigapp_model.bushing.compliance import SurfaceCompliance
 from rigapp_model.errors import ModelError
@@ -66,9 +67,9 @@ def solve_contact(
     load = np.ascontiguousarray(force, dtype=np.float64)
     size = float(np.hypot(load[0], load[1]))
     if not np.isfinite(size):
-        raise ContactError("force", "not finite", "give finite components")
+        raise ContactError("force", say("not finite"), say("give finite components"))
     if size == 0.0:
-        raise ContactError("force", 0.0, "without a force there is no contact to solve", "N/m")
+        raise ContactError("force", 0.0, say("without a force there is no contact to solve"), "N/m")
     if start is None:
         pin, touching = first_guess(surface, compliance, pin_radius, load)
         pressed = np.zeros(len(surface))
@@ -90,20 +91,23 @@ def solve_contact(
         frame,
     )
     if status != active_set.CARRIED:
-        raise ContactError("force", size, _REASONS[status], "N per metre of width")
+        raise ContactError("force", size, _REASONS[status], say("N per metre of width"))
     contact = Contact(pin, pressed, frame, gap, touching, iterations)
     if touching[compliance.ends].any():
-        raise ArcTooSmall("force", size, _BEYOND_ARC, "N per metre of width")
+        raise ArcTooSmall("force", size, _BEYOND_ARC, say("N per metre of width"))
     return contact
 
 
 _REASONS = {
-    active_set.NOT_SETTLED: "the contact found no balance; the load is too high for this bushing "
-    "or the profile is not smooth",
-    active_set.ONE_SIDED: "no part of the bushing lies where the force points, so nothing can "
-    "carry it",
+    active_set.NOT_SETTLED: say(
+        "the contact found no balance; the load is too high for this bushing or the profile"
+        " is not smooth"
+    ),
+    active_set.ONE_SIDED: say(
+        "no part of the bushing lies where the force points, so nothing can carry it"
+    ),
 }
-_BEYOND_ARC = "the contact reaches beyond the arc of nodes that may touch; lower the force"
+_BEYOND_ARC = say("the contact reaches beyond the arc of nodes that may touch; lower the force")
 
 
 def first_guess(
@@ -151,16 +155,21 @@ def refuse_beyond_elasticity(
     force: N/m; indentation: how deep the pin sinks in, m; wall: thickness of the bushing, m;
     pressure: the largest, Pa; modulus: E / (1 - nu^2), Pa.
     """
-    unit = "N per metre of width"
-    sinks = f"the pin would sink {indentation * 1e3:.3g} mm"
+    unit = say("N per metre of width")
+    sinks = say("the pin would sink {:.3g} mm", indentation * 1000.0)
     if indentation >= wall:
-        end = f"{sinks} and go through the wall of {wall * 1e3:.3g} mm; lower the force"
+        end = say("{} and go through the wall of {:.3g} mm; lower the force", sinks, wall * 1000.0)
         raise ContactError("force", force, end, unit)
     if indentation > LARGEST_INDENTATION * wall or pressure > LARGEST_STRAIN * modulus:
         raise ContactError(
             "force",
             force,
-            f"{sinks} into a wall of {wall * 1e3:.3g} mm with {pressure * 1e-6:.3g} MPa, which is "
-            "beyond linear elasticity; lower the force or give a stiffer bushing",
+            say(
+                "{} into a wall of {:.3g} mm with {:.3g} MPa, which is beyond linear"
+                " elasticity; lower the force or give a stiffer bushing",
+                sinks,
+                wall * 1000.0,
+                pressure * 1e-6,
+            ),
             unit,
         )

@@ -7,6 +7,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.texts import say
 from rigapp_model.errors import ModelError, require_finite, require_positive
 
 Array = NDArray[np.float64]
@@ -25,9 +26,11 @@ def elasticity(youngs_modulus: float, poissons_ratio: float, plane: Plane = "str
     require_positive("youngs_modulus", youngs_modulus, "Pa")
     require_finite("poissons_ratio", poissons_ratio)
     if not 0.0 <= poissons_ratio < 0.5:
-        raise ModelError("poissons_ratio", poissons_ratio, "it must be at least 0 and below 0.5")
+        raise ModelError(
+            "poissons_ratio", poissons_ratio, say("it must be at least 0 and below 0.5")
+        )
     if plane not in ("strain", "stress"):
-        raise ModelError("plane", plane, "choose strain or stress")
+        raise ModelError("plane", plane, say("choose strain or stress"))
     nu = poissons_ratio / (1.0 - poissons_ratio) if plane == "strain" else poissons_ratio
     modulus = youngs_modulus / (1.0 - poissons_ratio**2) if plane == "strain" else youngs_modulus
     factor = modulus / (1.0 - nu * nu)
@@ -86,7 +89,9 @@ def stiffness(corners: Array, matrix: Array, points: int = 3) -> Array:
         determinant = np.linalg.det(jacobian)
         if determinant.min() <= 0.0:
             raise ModelError(
-                "mesh", "folded", "an element has no area; the profile is too deep for the mesh"
+                "mesh",
+                "folded",
+                say("an element has no area; the profile is too deep for the mesh"),
             )
         local = np.linalg.solve(jacobian, np.broadcast_to(gradients, (len(corners), 2, 8)))
         strain[:, 0, 0::2] = strain[:, 2, 1::2] = local[:, 0]

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rigapp.texts import say
 from rigapp_model.bushing import persson
 from rigapp_model.bushing.compliance import SurfaceCompliance, circular_compliance, surface_angles
 from rigapp_model.bushing.contact import (
@@ -58,7 +59,9 @@ class Ring:
             require_positive(name, getattr(self, name), "m")
         if not self.pin_radius <= self.inner < self.outer:
             radii = (self.pin_radius, self.inner, self.outer)
-            raise ModelError("radii", radii, "give pin radius <= inner radius < outer radius", "m")
+            raise ModelError(
+                "radii", radii, say("give pin radius <= inner radius < outer radius"), "m"
+            )
         elasticity(self.youngs_modulus, self.poissons_ratio, self.plane)
 
     @property
@@ -186,7 +189,7 @@ def pressure_distribution(
     load = np.asarray(force, dtype=np.float64)
     size = float(np.hypot(load[0], load[1]))
     if not (np.isfinite(size) and size > 0.0):
-        raise ContactError("force", size, "give a finite force above 0", "N/m")
+        raise ContactError("force", size, say("give a finite force above 0"), "N/m")
     if size > ring.modulus * ring.wall:
         # More than the modulus over the whole wall: nothing elastic is left of it.
         refuse_beyond_elasticity(size, size / ring.modulus, ring.wall, ring.modulus, ring.modulus)

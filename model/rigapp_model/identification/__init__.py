@@ -7,6 +7,7 @@ output. ``docs/model-wear.md`` says what is assumed.
 from rigapp_model.identification.bins import Bin, Bins, bins_of
 from rigapp_model.identification.consistency import Consistency, Departure, consistency_of
 from rigapp_model.identification.errors import CannotBeTold, Prior, ProbeErrors, probe_errors
+from rigapp_model.identification.findings import Disturbance
 from rigapp_model.identification.forecast import Band, Remaining, predictive_band, remaining
 from rigapp_model.identification.inference import Credible, Identification, Verdict, identify
 from rigapp_model.identification.life import DepthLife, depth_life, weight, worn_ahead
@@ -22,6 +23,7 @@ __all__ = [
     "Credible",
     "Departure",
     "DepthLife",
+    "Disturbance",
     "Estimate",
     "Identification",
     "Pairing",

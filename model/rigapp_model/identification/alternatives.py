@@ -17,10 +17,10 @@ from rigapp_model.identification.evidence import (
     LN_TWO_PI,
     Fitted,
     Linearised,
-    Noise,
     best_step,
     fitted,
 )
+from rigapp_model.identification.noise import Noise
 from rigapp_model.identification.posterior import Given, Nodes, kept
 from rigapp_model.identification.statements import RUNNING_IN_PLACES, Hypotheses, Statement
 
@@ -43,7 +43,7 @@ FIRST_STEPS, MORE_STEPS = 4, 2
 """So many steps from a constant coefficient, and from a near cell's best, settle to 1e-3."""
 BREADTH = 4.0
 """The grid over ln K about a cell's best reaches so many standard deviations to either side."""
-LEAST_POINTS, MOST_POINTS, NODES = 7, 33, 200
+LEAST_POINTS, MOST_POINTS, NODES = 7, 21, 100
 """Points of that grid: about so many in all cells; 7 are exact to 1e-3 in sums over many cells."""
 
 
@@ -52,7 +52,7 @@ class Cells:
     """Hold where something may have happened: lower and upper ln P of cells, and the best there.
 
     All (C,): low, high; log_coefficient, log_ratio: the best ln(K/K0) and ln r; log_weight of the
-    cell; covariance (C, 4, 4) of both with sensitivity and reference.
+    cell; covariance (C, 5, 5) of both with sensitivity, reference and modulus.
     """
 
     low: Array
@@ -121,16 +121,16 @@ def _first_cells(given: Given, statement: Statement, start: float) -> Cells:
     size = edges.size - 1
     nothing = np.zeros(size)
     return Cells(
-        edges[:-1], edges[1:], np.full(size, start), nothing, nothing, np.zeros((size, 4, 4))
+        edges[:-1], edges[1:], np.full(size, start), nothing, nothing, np.zeros((size, 5, 5))
     )
 
 
 def _settled(
     given: Given, statement: Statement, noise: Noise, cells: Cells, steps: int
 ) -> tuple[Cells, Noise]:
-    """Return the cells with the best coefficients after so many steps, for one strength of drift.
+    """Return the cells with the best coefficients after so many steps, for one kind of noise.
 
-    And the noise of the strengths that count, the most probable first: the cells are by that one.
+    And the kinds of noise that count, the most probable first: the cells are by that one.
     """
     at = Hypotheses(statement, cells.log_coefficient, cells.log_ratio, cells.place)
     for _ in range(steps):
@@ -143,7 +143,9 @@ def _settled(
             log_ratio=at.log_ratio + step[:, 1],
         )
     fit = fitted(given.noise, _all_four(given, at))
-    log_weight = fit.log_evidence + np.log(cells.high - cells.low) + given.noise.log_prior[:, None]
+    log_weight = (
+        fit.log_evidence + np.log(cells.high - cells.low) + given.noise.kinds.log_prior[:, None]
+    )
     if statement.falls:
         log_weight = log_weight + log_ndtr(at.log_ratio / np.sqrt(fit.covariance[..., 1, 1]))
     by_strength = log_weight.max(axis=1)
@@ -161,12 +163,12 @@ def _settled(
 
 
 def _all_four(given: Given, at: Hypotheses) -> Linearised:
-    """Linearise some hypotheses in ln K, ln r, e and b."""
+    """Linearise some hypotheses in ln K, ln r, e, b and a."""
     depth, slopes = given.depth(at)
     columns = np.concatenate([slopes.swapaxes(0, 1), given.linear(depth)], axis=1)
-    off = np.zeros((depth.shape[0], 4))
+    off = np.zeros((depth.shape[0], 5))
     off[:, 0], off[:, 1] = given.log_median - at.log_coefficient, -at.log_ratio
-    precision = np.eye(4)
+    precision = np.eye(5)
     precision[:2, :2] = at.statement.precision(given.prior)
     return Linearised(given.readings.depth - depth, columns, off, precision)
 
@@ -193,16 +195,18 @@ def _nodes(given: Given, statement: Statement, cells: Cells, whole: float) -> tu
     depth, slopes = given.depth(at)
     columns = np.concatenate([slopes[1][:, None], given.linear(depth)], axis=1)
     away = at.log_coefficient - given.log_median
-    off = np.zeros((depth.shape[0], 3))
+    off = np.zeros((depth.shape[0], 4))
     off[:, 0] = -precision[0, 1] / by_ratio * away - at.log_ratio
-    linear = Linearised(given.readings.depth - depth, columns, off, np.diag([by_ratio, 1.0, 1.0]))
+    linear = Linearised(
+        given.readings.depth - depth, columns, off, np.diag([by_ratio, 1.0, 1.0, 1.0])
+    )
     fit = fitted(given.noise, linear)
     log_cell = np.log(size * (points[1] - points[0]) * (cells.high - cells.low) / whole)
     log_weight = (
         fit.log_evidence
         - 0.5 * (alone * away**2 + LN_TWO_PI - np.log(alone))
         + np.repeat(log_cell, count)
-        + given.noise.log_prior[:, None]
+        + given.noise.kinds.log_prior[:, None]
     )
     if statement.falls:
         log_weight, fit = _falling(log_weight, at, fit)
@@ -223,5 +227,5 @@ def _falling(log_weight: Array, at: Hypotheses, fit: Fitted) -> tuple[Array, Fit
         fit,
         step=fit.step + shift,
         covariance=fit.covariance - gain[..., None] * gain[..., None, :] * lost[..., None, None],
-        left=fit.left - (fit.pulled * shift).sum(axis=2),
+        left=fit.left - (fit.pulled @ shift[..., None])[..., 0],
     )

@@ -28,7 +28,8 @@ class Bin:
 
     revolution: last one in it; first, progress, last: measured progress at its beginning, its mean
     and at its end, nominal cycles; depth: robust mean, m; count: readings; squares: of the groups
-    about their straight line, times readings, m^2, with so many degrees of freedom.
+    about their straight line, times readings, m^2, with so many degrees of freedom; steps: squares
+    of what neighbouring groups differ by, less their mean, times readings, NaN where not known.
     """
 
     revolution: float
@@ -39,6 +40,7 @@ class Bin:
     count: int
     squares: float
     freedom: int
+    steps: float = float("nan")
 
 
 @dataclass(slots=True)
@@ -46,6 +48,7 @@ class Gathering:
     """Gather readings until the bin is closed, in a fixed number of numbers.
 
     Sums over groups: n, p, d, p^2, p d, d^2 with progress and depth less those of the first one.
+    begun, latest: depths of the first and the last group; moved: squares of their steps, m^2.
     """
 
     origin: tuple[float, float] = (0.0, 0.0)
@@ -55,6 +58,9 @@ class Gathering:
     last: float = 0.0
     revolution: float = 0.0
     waiting: list[tuple[float, float]] = field(default_factory=list)
+    begun: float = 0.0
+    latest: float = 0.0
+    moved: float = 0.0
 
     def add(self, revolution: float, progress: float, depth: float) -> None:
         """Take one reading."""
@@ -71,6 +77,11 @@ class Gathering:
         p = sum(one[0] for one in self.waiting) / len(self.waiting) - self.origin[0]
         d = trimmed([one[1] for one in self.waiting]) - self.origin[1]
         n = float(len(self.waiting))
+        if self.groups:
+            self.moved += GROUP * (d - self.latest) ** 2
+        else:
+            self.begun = d
+        self.latest = d
         for at, value in enumerate((1.0, p, d, p * p, p * d, d * d)):
             self.sums[at] += n * value
         self.groups += 1
@@ -91,6 +102,7 @@ class Gathering:
         along = pp - p * p / n
         left = dd - d * d / n - ((pd - p * d / n) ** 2 / along if along > 0.0 else 0.0)
         freedom = max(self.groups - 2, 0)
+        steps = self.moved - GROUP * (self.latest - self.begun) ** 2 / max(self.groups - 1, 1)
         return Bin(
             self.revolution,
             self.first,
@@ -100,6 +112,7 @@ class Gathering:
             int(n),
             max(left, 0.0) if freedom else 0.0,
             freedom,
+            max(steps, 0.0) if freedom else 0.0,
         )
 
 

@@ -3,8 +3,9 @@
 Readings are gathered in fine bins, 0.25 % of the revolutions long. Each is compared with the depth
 predicted before it came; the innovation over its standard deviation is standard normal while the
 statement holds. Two cumulative sums (E. S. Page, Biometrika 41 (1954) 100-115), for faster and for
-slower wear, raise an alarm where they pass a threshold that follows from the false alarm rate (D.
-Siegmund, Sequential Analysis, 1985, Eq. 2.56).
+slower wear, tell that something happened where they pass a threshold that follows from the false
+alarm rate (D. Siegmund, Sequential Analysis, 1985, Eq. 2.56). A step of the readings does that as
+well as other wear: ``Excursion`` tells which it was. After a step the level is set free.
 """
 
 from __future__ import annotations
@@ -17,9 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp_model.identification.bins import Bin, Bins, bins_of
-from rigapp_model.identification.inference import Identification
+from rigapp_model.identification.excursion import TOLD, Excursion, excursion_of
+from rigapp_model.identification.inference import Identification, Verdict
 from rigapp_model.identification.life import DepthLife
-from rigapp_model.identification.statements import STATEMENTS, Hypotheses
+from rigapp_model.identification.posterior import Nodes
+from rigapp_model.identification.shapes import COLUMNS, CREEP, STEP, SWING
+from rigapp_model.identification.statements import CHANGE, STATEMENTS, Hypotheses
 
 Array = NDArray[np.float64]
 
@@ -33,8 +37,21 @@ REFERENCE = 0.75
 is what K times 1.5 makes of a fine bin at 10,000 revolutions with a scatter of 0.4 um."""
 LARGEST = 4.0
 """An innovation counts as no more than this: one wrong bin raises no alarm."""
+FREE_FOR = 0.25
+"""After a step the level is uncertain for this part of the revolutions: until a bin tells it."""
+PERIOD_DOUBT = 0.1
+"""Relative doubt of a swing's period, of which those compared are 1.3 times one another."""
+EARLY, TOLD_EARLY = 0.8, float(np.log(300.0))
+"""From this part of the threshold on other wear is told where its odds are above the second."""
+SURE = 0.95
+"""Probability of a change that what comes is judged by; a lesser one may be a swing instead."""
+STEP_LASTS = 2.0
+"""Until so many times the revolution of a step, bins cannot tell it from a change of K."""
 OVERSHOOT = 1.166
 """How far a sum of normal steps passes a threshold (Siegmund), in sigma."""
+STATES, LEVEL, NOISE = 10, 5, 6
+SWINGS = (8, 9)
+"""States of what is expected; the level and the correlated noise among them."""
 WIDEST = 0.2
 """Nothing is judged while ln K is less well known: its course is straight within this to 1 %."""
 
@@ -71,9 +88,14 @@ class Departure:
 class Consistency:
     """Judge readings one by one against what was predicted of them; a fixed number of numbers.
 
-    mean (5,), covariance (5, 5): of ln K/K0, ln r, e / u_e, b / u_b and the drift, m, as known now;
-    none before ``renew`` was called. sums: for faster and slower wear; since: the revolution at
-    which each was last 0; departure: the first one told, until ``acknowledged``.
+    mean (10,), covariance (10, 10): of ln K/K0, ln r, e / u_e, b / u_b, the modulus, the level (the
+    drift and steps, m), the correlated noise, m, creep, and a swing's value and what it will be a
+    quarter of its period later, m, as known now; none before ``renew`` was called. scales: u_e,
+    u_b, strength of the drift, scatter, size and length of the correlated noise, and the swing's
+    period; ended: the revolution that they are of, anchor: that the swing is of. sums: for faster
+    and slower wear; since: the revolution at which each was last 0; rising: what came since then,
+    for each; stepped: the revolution of the last step, 0 for none; departure: the first one told,
+    until ``acknowledged``.
     """
 
     bins: Bins = field(default_factory=lambda: Bins(FINE))
@@ -82,9 +104,13 @@ class Consistency:
     mean: Array | None = None
     covariance: Array | None = None
     walked: float = 0.0
-    scales: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+    scales: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0, 0.0, 1.0, np.inf)
+    ended: float = 0.0
+    anchor: float = 0.0
     sums: tuple[float, float] = (0.0, 0.0)
     since: tuple[float, float] = (0.0, 0.0)
+    rising: tuple[Excursion, Excursion] = field(default_factory=lambda: (Excursion(), Excursion()))
+    stepped: float = 0.0
     innovation: float = float("nan")
     departure: Departure | None = None
 
@@ -95,40 +121,55 @@ class Consistency:
 
     def renew(self, known: Identification) -> None:
         """Take over what the closed bins tell by now; the sums go on."""
-        if known.spread > WIDEST:
+        best = self._believed(known)
+        nodes = best.nodes
+        if nodes.log_moments[1] > WIDEST:
             return
-        nodes = known.best.nodes
         places = nodes.hypotheses.place
-        best = places == places[int(np.argmax(nodes.weight))]
-        nodes = nodes.at(np.flatnonzero(best))
-        centre = np.column_stack(
-            [
-                nodes.hypotheses.log_coefficient,
-                nodes.log_ratio,
-                nodes.mean[:, 1:],
-                nodes.left,
-            ]
-        )
-        inner = np.zeros((centre.shape[0], 5, 5))
+        likely = places == places[int(np.argmax(nodes.weight))]
+        nodes = nodes.at(np.flatnonzero(likely))
+        period = _period(nodes)
+        onward = _states(nodes, known.revolution, period)
+        inner = np.zeros((nodes.weight.size, STATES, STATES))
         inner[:, 0, 0] = nodes.breadth**2 / 12.0
-        inner[:, 1:4, 1:4] = nodes.covariance
-        across = -(nodes.covariance @ nodes.pulled[:, :, None])[:, :, 0]
-        inner[:, 1:4, 4] = inner[:, 4, 1:4] = across
-        inner[:, 4, 4] = nodes.spare - (across * nodes.pulled).sum(axis=1)
+        inner[:, 1:LEVEL, 1:LEVEL] = nodes.covariance
+        across = -nodes.covariance @ nodes.pulled.swapaxes(1, 2) @ onward.swapaxes(1, 2)
+        inner[:, 1:LEVEL, LEVEL:], inner[:, LEVEL:, 1:LEVEL] = across, across.swapaxes(1, 2)
+        pulled = onward @ nodes.pulled
+        inner[:, LEVEL:, LEVEL:] = onward @ nodes.spare @ onward.swapaxes(1, 2) - pulled @ across
+        left = (onward @ nodes.left[..., None])[..., 0]
+        at = nodes.hypotheses
+        centre = np.column_stack([at.log_coefficient, nodes.log_ratio, nodes.mean[:, 1:], left])
         mean = nodes.weight @ centre
         apart = centre - mean
         self.mean = mean
         self.covariance = np.tensordot(
             nodes.weight, inner + apart[:, :, None] * apart[:, None, :], axes=1
         )
-        self.statement, self.place = known.best.name, float(nodes.hypotheses.place[0])
+        turned = min(2.0 * np.pi * PERIOD_DOUBT * known.revolution / period, 1.0)
+        for swing in SWINGS:
+            self.covariance[swing, swing] += (turned * SWING) ** 2 * self._swing()
+        self.statement, self.place = best.name, float(nodes.hypotheses.place[0])
         self.walked = float(known.readings.walked[-1])
         self.scales = (
             known.sensitivity,
             known.errors.reference,
             known.drift,
-            known.readings.scatter,
+            *_noise(nodes),
+            period,
         )
+        self.ended = self.anchor = known.revolution
+        if 0.0 < known.revolution - self.stepped < FREE_FOR * self.stepped:
+            self.covariance[LEVEL, LEVEL] += STEP**2
+
+    def _believed(self, known: Identification) -> Verdict:
+        """Return the most probable statement, but no change that may as well be none.
+
+        Nor where a step was told not long ago: what follows it looks like a change.
+        """
+        if known.best.weight < SURE or known.revolution < STEP_LASTS * self.stepped:
+            return next(one for one in known.verdicts if one.name != CHANGE)
+        return known.best
 
     def add(
         self, revolution: float, progress: float, depth: float, life: DepthLife
@@ -147,25 +188,89 @@ class Consistency:
         """Judge a fine bin; return the departure that it told, None when none."""
         if self.mean is None or self.covariance is None:
             return None
-        sensitivity, reference, drift, scatter = self.scales
+        sensitivity, reference, drift, scatter, size, length, period = self.scales
         middle = closed.revolution * closed.progress / max(closed.last, 1e-300)
         walked = float(np.log(max(middle, 1.0)))
-        self.covariance[4, 4] += drift**2 * max(walked - self.walked, 0.0)
+        self.covariance[LEVEL, LEVEL] += drift**2 * max(walked - self.walked, 0.0)
         self.walked = max(walked, self.walked)
+        for swing in SWINGS:
+            self.covariance[swing, swing] += (
+                self._swing() * _wander(period) * max(closed.revolution - self.ended, 0.0)
+            )
+        self._passed(closed.revolution - closed.count, size, length)
         statement = next(one for one in STATEMENTS if one.name == self.statement)
+        for sum_so_far, rising in zip(self.sums, self.rising, strict=True):
+            if not sum_so_far or rising.mean is None:
+                rising.begin(self.mean, self.covariance)
         x = self.mean
         at = Hypotheses(statement, x[:1], x[1:2], np.array([self.place]))
         half = np.array([0.5 * (closed.last - closed.first)])
         found, slopes = life.depth(np.array([closed.progress]), at.scaled(half))
         expected = float(found[0, 0])
-        row = np.array([slopes[0, 0, 0], slopes[1, 0, 0], sensitivity * expected, reference, 1.0])
-        ahead = self.covariance @ row
-        variance = float(row @ ahead) + scatter**2 / closed.count
+        # The noise at the bin's beginning is a state; its mean over the bin has a part of its own,
+        # which is one with the noise at the end.
+        turn = (middle - self.anchor) / period
+        flat = float(np.sinc(closed.count / period))
+        wide = closed.count / length
+        falls = float(np.exp(-wide))
+        share = (1.0 - falls) / wide
+        row = np.array(
+            [
+                slopes[0, 0, 0],
+                slopes[1, 0, 0],
+                sensitivity * expected,
+                reference,
+                float(life.elastic_doubt(np.array([expected]))[0]),
+                1.0,
+                share,
+                CREEP * walked,
+                flat * float(np.cos(2.0 * np.pi * turn)),
+                flat * float(np.sin(2.0 * np.pi * turn)),
+            ]
+        )
+        fresh = size**2 * (2.0 / wide * (1.0 - share) - share**2)
+        onward = np.ones(STATES)
+        onward[NOISE] = falls
+        ahead = onward * (self.covariance @ row)
+        ahead[NOISE] += size**2 * share * (1.0 - falls)
+        variance = float(row @ self.covariance @ row) + fresh + scatter**2 / closed.count
         off = closed.depth - expected - float(row[2:] @ x[2:])
-        self.mean = x + ahead * (off / variance)
+        without = row.copy()
+        without[NOISE] = 0.0
+        for rising in self.rising:
+            assert rising.mean is not None
+            # As expected then, by the slopes of now: what was learnt since is taken back.
+            moved = float(without @ (x - rising.mean)) + row[NOISE] * x[NOISE]
+            own = scatter**2 / closed.count
+            edges = [closed.revolution - closed.count + 1.0, closed.revolution, closed.progress]
+            rising.add([*edges, float(off + moved), float(row[0]), own, *without.tolist()])
+        deviation = float(np.sqrt(variance))
+        self.innovation = off / deviation
+        counted = float(np.clip(self.innovation, -LARGEST, LARGEST))
+        self.mean = onward * x + ahead * (counted / deviation)
+        self.covariance = onward[:, None] * self.covariance * onward
+        self.covariance[NOISE, NOISE] += size**2 * (1.0 - falls**2)
         self.covariance = self.covariance - np.outer(ahead, ahead) / variance
-        self.innovation = off / float(np.sqrt(variance))
+        self.ended = closed.revolution
         return self._summed(closed.revolution)
+
+    def _swing(self) -> float:
+        """Return how much of a usual swing there is, by its square: 0 to 1."""
+        assert self.mean is not None
+        assert self.covariance is not None
+        size = sum(float(self.mean[one] ** 2 + self.covariance[one, one]) for one in SWINGS)
+        return min(size / SWING**2, 1.0)
+
+    def _passed(self, revolution: float, size: float, length: float) -> None:
+        """Let the correlated noise go on to a revolution, where readings are missing in between."""
+        assert self.mean is not None
+        assert self.covariance is not None
+        falls = float(np.exp(-max(revolution - self.ended, 0.0) / length))
+        onward = np.ones(STATES)
+        onward[NOISE] = falls
+        self.mean = onward * self.mean
+        self.covariance = onward[:, None] * self.covariance * onward
+        self.covariance[NOISE, NOISE] += size**2 * (1.0 - falls**2)
 
     def _summed(self, revolution: float) -> Departure | None:
         """Take the last innovation into both sums; return the departure that it told."""
@@ -177,11 +282,20 @@ class Consistency:
             self.since[1] if down > 0.0 else revolution,
         )
         self.sums = (up, down)
-        if max(up, down) < THRESHOLD or self.departure is not None:
+        if max(up, down) < EARLY * THRESHOLD or self.departure is not None:
             return None
         faster = up > down
-        self.departure = Departure(revolution, self.since[0 if faster else 1], faster)
-        return self.departure
+        _, _, drift, _, size, length, period = self.scales
+        wander = self._swing() * _wander(period)
+        wear, step, since = self.rising[not faster].odds(drift, size, length, wander)
+        if wear > (TOLD if max(up, down) >= THRESHOLD else TOLD_EARLY):
+            self.departure = Departure(revolution, since, faster)
+            return self.departure
+        if step > TOLD and max(up, down) >= THRESHOLD:
+            assert self.covariance is not None
+            self.covariance[LEVEL, LEVEL] += STEP**2
+            self.stepped, self.sums, self.since = since, (0.0, 0.0), (revolution, revolution)
+        return None
 
     def acknowledged(self) -> None:
         """Begin anew: what comes is judged against what the bins will have told by then."""
@@ -196,17 +310,72 @@ class Consistency:
             "mean": None if self.mean is None else self.mean.tolist(),
             "covariance": None if self.covariance is None else self.covariance.tolist(),
             "walked": self.walked,
+            "ended": self.ended,
+            "anchor": self.anchor,
             "scales": list(self.scales),
             "sums": list(self.sums),
             "since": list(self.since),
+            "rising": [one.numbers() for one in self.rising],
+            "stepped": self.stepped,
             "innovation": self.innovation,
             "departure": None if self.departure is None else asdict(self.departure),
         }
 
 
+def _wander(period: float) -> float:
+    """Return by how much value and slope of a swing wander, m^2 a revolution.
+
+    Its period is known to PERIOD_DOUBT: a quarter of it later both are off by so much of an angle.
+    """
+    return float((SWING * 0.5 * np.pi * PERIOD_DOUBT) ** 2 * 4.0 / period)
+
+
+def _noise(nodes: Nodes) -> tuple[float, float, float]:
+    """Return scatter, size and length of the noise that is most probable by all nodes together."""
+    kinds, which = np.unique(
+        np.column_stack([nodes.kinds.scatter, nodes.kinds.size, nodes.kinds.length]),
+        axis=0,
+        return_inverse=True,
+    )
+    weight = np.bincount(which.ravel(), nodes.weight)
+    scatter, size, length = kinds[int(np.argmax(weight))]
+    return float(scatter), float(size), float(length)
+
+
+def _period(nodes: Nodes) -> float:
+    """Return the most probable period of a swing, infinite where there is none."""
+    periods, which = np.unique(nodes.kinds.period, return_inverse=True)
+    weight = np.bincount(which.ravel(), nodes.weight) * (periods > 0.0)
+    return float(periods[int(np.argmax(weight))]) if weight.any() else float("inf")
+
+
+def _states(nodes: Nodes, revolution: float, period: float) -> Array:
+    """Return what the states of noise (S) are in level, noise, creep and swing, (H, 5, S).
+
+    A swing of another period than the one that is gone on with keeps its value and its rate.
+    """
+    own = nodes.kinds.period
+    swings = own > 0.0
+    angle = 2.0 * np.pi * revolution / np.where(swings, own, np.inf)
+    faster = period / np.where(swings, own, np.inf) if np.isfinite(period) else np.zeros(own.size)
+    found = np.zeros((own.size, STATES - LEVEL, nodes.left.shape[1]))
+    found[:, 0, 0] = found[:, 1, 1] = found[:, 2, 2] = 1.0
+    found[:, 0, 3] = np.where(swings, -SWING, STEP * (nodes.kinds.jump[:, 1] > 0.0))
+    found[:, 0, 2 + COLUMNS :: 2] = STEP
+    found[:, 3, 3] = SWING * swings * np.cos(angle)
+    found[:, 3, 4] = SWING * swings * np.sin(angle)
+    found[:, 4, 3] = -SWING * faster * np.sin(angle)
+    found[:, 4, 4] = SWING * faster * np.cos(angle)
+    return found
+
+
 def consistency_of(numbers: Mapping[str, Any]) -> Consistency:
     """Return the judge of which ``numbers`` were kept; it goes on as that would have."""
     values = dict(numbers)
+    if "rising" not in values or len(values["scales"]) != len(Consistency().scales):
+        # Of a version that knew less of noise: what is expected is known with the next bin.
+        values |= {"mean": None, "covariance": None, "scales": Consistency().scales}
+        values |= {"rising": [one.numbers() for one in Consistency().rising]}
     departure = values["departure"]
     return Consistency(
         **{
@@ -217,6 +386,7 @@ def consistency_of(numbers: Mapping[str, Any]) -> Consistency:
             "scales": tuple(values["scales"]),
             "sums": tuple(values["sums"]),
             "since": tuple(values["since"]),
+            "rising": tuple(excursion_of(one) for one in values["rising"]),
             "departure": None if departure is None else Departure(**departure),
         }
     )

@@ -6,11 +6,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rigapp.texts import joined, say
 from rigapp_model.errors import require_not_negative, require_positive
 
 
 class CannotBeTold(Exception):
     """Say in one plain sentence why nothing is stated: never a number without its uncertainty."""
+
+
+USUAL_DAY = 43_200.0
+"""Revolutions of a day at the 30 rpm of the usual rig."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,40 +24,56 @@ class ProbeErrors:
 
     sensitivity: relative, common to all readings; reference: of the depth's zero, m; drift: lower
     bound of its strength, m per root of the natural logarithm of revolutions; scatter: of one
-    reading as expected before any is there, m.
+    reading as expected before any is there, m; load: relative, of the load by which the wear is
+    divided: the coefficient goes with its inverse, while what remains does not depend on it; swing:
+    probability that the readings swing slowly, as with the temperature of a room; day: revolutions
+    of a day, the most probable period of that.
     """
 
     sensitivity: float
     reference: float
     drift: float
     scatter: float = 0.5e-6
+    load: float = 0.0
+    swing: float = 0.6
+    day: float = USUAL_DAY
 
     def __post_init__(self) -> None:
         require_not_negative("sensitivity", self.sensitivity)
         require_positive("reference", self.reference, "m")
         require_not_negative("drift", self.drift, "m")
         require_positive("scatter", self.scatter, "m")
+        require_not_negative("load", self.load)
+        require_not_negative("swing", self.swing)
+        require_positive("day", self.day)
 
 
 def probe_errors(
-    sensitivity: float | None, reference: float | None, drift: float | None, scatter: float = 0.5e-6
+    sensitivity: float | None,
+    reference: float | None,
+    drift: float | None,
+    scatter: float = 0.5e-6,
+    load: float = 0.0,
 ) -> ProbeErrors:
     """Return the errors of the probes; raise CannotBeTold for what no record states (None)."""
     missing = [
         name
         for name, value in (
-            ("uncertainty of the sensitivity", sensitivity),
-            ("uncertainty of the reference", reference),
+            (say("uncertainty of the sensitivity"), sensitivity),
+            (say("uncertainty of the reference"), reference),
             ("drift", drift),
         )
         if value is None
     ]
     if sensitivity is None or reference is None or drift is None:
         raise CannotBeTold(
-            f"the probes have no calibration record that states {', '.join(missing)}: calibrate"
-            " them, or give the test their record"
+            say(
+                "the probes have no calibration record that states {}: calibrate them, or"
+                " give the test their record",
+                joined(", ", missing),
+            )
         )
-    return ProbeErrors(sensitivity, reference, drift, scatter)
+    return ProbeErrors(sensitivity, reference, drift, scatter, load)
 
 
 WIDE = float(np.log(10.0) / 1.959964)
@@ -68,7 +89,7 @@ class Prior:
 
     coefficient: float
     spread: float = WIDE
-    source: str = "the parameter file's order of magnitude, a decade to either side"
+    source: str = say("the parameter file's order of magnitude, a decade to either side")
 
     def __post_init__(self) -> None:
         require_positive("coefficient", self.coefficient, "m^2/N")

@@ -8,10 +8,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr
 
+from rigapp.texts import say
 from rigapp_model.errors import require_positive
 from rigapp_model.identification.inference import Credible, Identification
 from rigapp_model.identification.life import DepthLife
 from rigapp_model.identification.posterior import Nodes
+from rigapp_model.identification.shapes import SWING, shapes
 
 Array = NDArray[np.float64]
 
@@ -21,6 +23,8 @@ MARGIN = 4.0
 """The life must reach so many standard uncertainties beyond a depth for its limits to be known."""
 TIMES = 64
 """Revolutions at which the probability of a depth is computed, first widely, then near it."""
+SWING_COLUMNS = (3, 4)
+"""Of cosine and sine, behind the level, the noise and the creep."""
 LEVELS = (0.025, 0.5, 0.975)
 
 
@@ -55,14 +59,13 @@ def remaining(
     depth: float,
     rate: float | None = None,
     measured: bool = True,
-    averaged: bool = False,
 ) -> Remaining:
     """Return the revolutions that remain to a depth, m, with 95 % limits.
 
     rate: what a revolution will add to progress, nominal cycles, as of late unless told; measured:
     whether the depth is one that the probes will read, as a stop criterion does, with their errors
-    so far, or the depth itself, whose uncertainty holds that of the sensitivity and the reference;
-    averaged: by all statements with their weights, else by the most probable one.
+    so far, or the depth itself, whose uncertainty holds that of the sensitivity and the reference.
+    It is by all statements with their weights.
     """
     require_positive("depth", depth, "m")
     known, errors = identification, identification.errors
@@ -71,15 +74,19 @@ def remaining(
         return Remaining(
             depth,
             None,
-            f"beyond what the model computes: its life reaches {1e6 * life.reach:.4g} um, and"
-            f" {1e6 * needed:.4g} um are needed for the limits of {1e6 * depth:.4g} um",
+            say(
+                "beyond what the model computes: its life reaches {:.4g} um, and {:.4g} um"
+                " are needed for the limits of {:.4g} um",
+                1e6 * life.reach,
+                1e6 * needed,
+                1e6 * depth,
+            ),
         )
     rate = known.rate if rate is None else rate
     require_positive("rate", rate)
-    believed = _believed(known, averaged)
+    believed = _believed(known)
     slowest = min(float(nodes.hypotheses.log_coefficient.min()) for _, nodes in believed)
-    last = life.stretches[-1]
-    farthest = (last.progress[-1] * np.exp(-slowest) + last.start) / rate
+    farthest = life.course.progress[-1] * np.exp(-slowest) / rate
     ahead = np.concatenate([[0.0], np.geomspace(1.0, max(farthest, 10.0), TIMES - 1)])
     for _ in range(2):
         reached = _reached(known, life, believed, ahead, rate, depth, measured)
@@ -92,13 +99,13 @@ def remaining(
         for level in LEVELS
     ]
     if not np.isfinite(limits[1]):
-        return Remaining(depth, None, "beyond what the model computes, more likely than not")
+        return Remaining(depth, None, say("beyond what the model computes, more likely than not"))
     return Remaining(depth, Credible(limits[1], limits[0], limits[2]))
 
 
-def _believed(known: Identification, averaged: bool) -> list[tuple[float, Nodes]]:
+def _believed(known: Identification) -> list[tuple[float, Nodes]]:
     """Return the statements that a forecast is by: weights, which sum up to 1, and nodes."""
-    verdicts = known.verdicts if averaged else known.verdicts[:1]
+    verdicts = [one for one in known.verdicts if one.weight > 1e-4]
     total = sum(one.weight for one in verdicts)
     return [(one.weight / total, one.nodes.heaviest(SHARE)) for one in verdicts]
 
@@ -117,8 +124,22 @@ def _reached(
     for weight, nodes in believed:
         at = known.revolution + ahead
         mean, deviation = _depths(known, life, nodes, at, rate, measured)
+        if measured:
+            mean = mean + _to_crest(nodes, at, known.revolution)
         found += weight * (nodes.weight @ ndtr((mean - depth) / deviation))
     return np.maximum.accumulate(found)
+
+
+def _to_crest(nodes: Nodes, at: Array, now: float) -> Array:
+    """Return what a swing's crest is above the swing at revolutions (H, n), m, 0 without one.
+
+    A reading that swings reaches a depth first at a crest; one of them is passed in each period.
+    """
+    period = np.where(nodes.kinds.period > 0.0, nodes.kinds.period, np.inf)[:, None]
+    cosine, sine = (nodes.left[:, one, None] for one in SWING_COLUMNS)
+    turn = 2.0 * np.pi * at / period
+    rise = np.hypot(cosine, sine) - cosine * np.cos(turn) - sine * np.sin(turn)
+    return np.where(at - now >= period, SWING * rise, 0.0)
 
 
 def _depths(
@@ -126,7 +147,8 @@ def _depths(
 ) -> tuple[Array, Array]:
     """Return mean and standard deviation of the depth (H, n), m, by each node at revolutions (n,).
 
-    What the bins leave of the drift goes on from the last bin as a random walk.
+    What the bins leave of the drift goes on from the last bin as a random walk, and the correlated
+    noise falls from what it was to none.
     """
     progress = known.progress + rate * (at - known.revolution)
     found, slopes = life.depth(progress, nodes.hypotheses.scaled(np.zeros(0)))
@@ -136,15 +158,35 @@ def _depths(
         variance = by_ratio**2 * nodes.covariance[:, :1, 0]
         return mean, np.sqrt(variance + 1e-24)
     columns = np.stack(
-        [by_ratio, known.sensitivity * found, np.full_like(found, known.errors.reference)], axis=2
+        [
+            by_ratio,
+            known.sensitivity * found,
+            np.full_like(found, known.errors.reference),
+            life.elastic_doubt(found),
+        ],
+        axis=2,
     )
-    mean = found + (columns @ nodes.mean[:, :, None])[:, :, 0] + nodes.left[:, None]
-    apart = columns - nodes.pulled[:, None, :]
+    kinds = nodes.kinds
+    falls = np.exp(-np.maximum(at - known.revolution, 0.0) / kinds.length[:, None])
+    onward = np.concatenate(
+        [
+            np.stack([np.ones_like(found), falls * np.ones_like(found)], axis=2),
+            shapes(kinds.period, kinds.jump, nodes.steps, at, at).swapaxes(1, 2),
+        ],
+        axis=2,
+    )
+    mean = (
+        found
+        + (columns @ nodes.mean[:, :, None])[:, :, 0]
+        + (onward @ nodes.left[:, :, None])[:, :, 0]
+    )
+    apart = columns - onward @ nodes.pulled
     walked = np.log(np.maximum(at, 1.0)) - known.readings.walked[-1]
     variance = (
         ((apart @ nodes.covariance) * apart).sum(axis=2)
-        + nodes.spare[:, None]
-        + nodes.strength[:, None] ** 2 * np.maximum(walked, 0.0)
+        + ((onward @ nodes.spare) * onward).sum(axis=2)
+        + kinds.size[:, None] ** 2 * (1.0 - falls**2)
+        + kinds.strength[:, None] ** 2 * np.maximum(walked, 0.0)
     )
     return mean, np.sqrt(variance)
 
@@ -155,18 +197,17 @@ def predictive_band(
     revolutions: ArrayLike,
     rate: float | None = None,
     measured: bool = True,
-    averaged: bool = False,
 ) -> Band:
     """Return median and 95 % limits of the depth at coming revolutions (n,).
 
-    rate, measured, averaged: as for ``remaining``; without the scatter of a single reading.
+    rate, measured: as for ``remaining``; without the scatter of a single reading.
     """
     known = identification
     at = np.asarray(revolutions, dtype=np.float64)
     rate = known.rate if rate is None else rate
     parts = [
         (weight * nodes.weight, *_depths(known, life, nodes, at, rate, measured))
-        for weight, nodes in _believed(known, averaged)
+        for weight, nodes in _believed(known)
     ]
     weight, mean, deviation = (np.concatenate([part[k] for part in parts]) for k in range(3))
     low, high = (mean - 5.0 * deviation).min(axis=0), (mean + 5.0 * deviation).max(axis=0)

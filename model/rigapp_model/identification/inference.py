@@ -7,13 +7,21 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import ndtri
 
 from rigapp_model.identification.alternatives import alternative_posterior
 from rigapp_model.identification.bins import Bin, Bins
 from rigapp_model.identification.errors import Prior, ProbeErrors
-from rigapp_model.identification.evidence import DepthBins, noise_of, readings_of
+from rigapp_model.identification.findings import Disturbance, disturbances
 from rigapp_model.identification.life import DepthLife
-from rigapp_model.identification.posterior import Given, Nodes, constant_posterior
+from rigapp_model.identification.noise import DepthBins, readings_of
+from rigapp_model.identification.posterior import (
+    Given,
+    IdentificationInputs,
+    Nodes,
+    constant_posterior,
+)
+from rigapp_model.identification.screening import likely_noise
 from rigapp_model.identification.statements import STATEMENTS, Statement
 
 Array = NDArray[np.float64]
@@ -50,15 +58,14 @@ class Verdict:
 class Identification:
     """Hold what is known of the wear coefficient after some bins.
 
-    coefficient: now, by the most probable statement, m^2/N; averaged: by all statements with their
-    weights; mean: of ln K by the most probable one; spread: its standard deviation; verdicts: by
-    statement, the most probable first; drift: mean of its strength, m per root of ln n; readings:
-    the bins; prior, errors: what they were judged with; life_coefficient: K0, m^2/N; sensitivity:
-    relative standard uncertainty, with that of the life's computation.
+    coefficient: now, by all statements with their weights, m^2/N; mean: of ln K; spread: its
+    standard deviation, without that of the load; verdicts: by statement, the most probable first;
+    drift: mean of its strength, m per root of ln n; readings: the bins; prior, errors: what they
+    were judged with; life_coefficient: K0, m^2/N; sensitivity: relative standard uncertainty, with
+    that of the life's computation; disturbances: of the probes, which the limits hold.
     """
 
     coefficient: Credible
-    averaged: Credible
     mean: float
     spread: float
     verdicts: tuple[Verdict, ...]
@@ -68,6 +75,7 @@ class Identification:
     errors: ProbeErrors
     life_coefficient: float
     sensitivity: float
+    disturbances: tuple[Disturbance, ...] = ()
 
     @property
     def best(self) -> Verdict:
@@ -92,12 +100,9 @@ class Identification:
         return float(self.readings.revolution[-1])
 
     def density(self, points: int = 121) -> tuple[Array, Array]:
-        """Return coefficients (points,), m^2/N, and the density of ln K there (points,).
-
-        It is that of the most probable statement, over its whole breadth.
-        """
+        """Return coefficients (points,), m^2/N, and the density of ln K there (points,)."""
         at = self.mean + np.linspace(-4.5, 4.5, points) * self.spread
-        edges, reached = distribution(*_coefficients(self.verdicts[:1]))
+        edges, reached = distribution(*_with_load(*_coefficients(self.verdicts), self.errors.load))
         by = np.interp(at - np.log(self.life_coefficient), edges, reached)
         return np.exp(at), np.gradient(by, at)
 
@@ -123,6 +128,22 @@ def quantiles(values: Array, weights: Array, breadth: Array | float = 0.0) -> Cr
     return Credible(float(median), float(low), float(high))
 
 
+LOADS = ndtri((np.arange(9) + 0.5) / 9.0)
+"""What the load may be off by, in standard uncertainties, all alike in probability."""
+
+
+def _with_load(values: Array, weights: Array, breadth: Array, load: float) -> tuple[Array, ...]:
+    """Return values of ln K, weights and breadth with the load's relative uncertainty."""
+    if not load:
+        return values, weights, breadth
+    off = load * LOADS / LOADS.std()
+    return (
+        (values[:, None] + off).ravel(),
+        np.repeat(weights / off.size, off.size),
+        np.repeat(np.maximum(breadth, 0.5 * load), off.size),
+    )
+
+
 def _coefficients(verdicts: Sequence[Verdict]) -> tuple[Array, Array, Array]:
     """Return ln(K/K0), weight and breadth of all nodes of some statements."""
     nodes = [v.nodes for v in verdicts]
@@ -144,7 +165,8 @@ def identify(
     """
     closed = bins.closed if isinstance(bins, Bins) else bins
     readings = readings_of(closed, errors)
-    noise = noise_of(readings, errors.drift, life.elastic_doubt(readings.depth))
+    asked = IdentificationInputs(readings, life, errors, prior)
+    noise = likely_noise(asked, STATEMENTS[0], STATEMENTS[2])
     given = Given(readings, life, errors, prior, noise)
     first = (STATEMENTS[0], *constant_posterior(given, STATEMENTS[0]))
     start = float(first[2].weight @ first[2].hypotheses.log_coefficient)
@@ -155,17 +177,19 @@ def identify(
     total = float(np.logaddexp.reduce([log_evidence for _, log_evidence, _ in found]))
     verdicts = tuple(
         sorted(
-            (_verdict(one, log, total, nodes, life.coefficient) for one, log, nodes in found),
+            (
+                _verdict(one, log, total, nodes, life.coefficient, errors.load)
+                for one, log, nodes in found
+            ),
             key=lambda each: -each.weight,
         )
     )
-    mean, spread = verdicts[0].nodes.log_moments
-    averaged = quantiles(*_coefficients(verdicts))
-    weights = np.concatenate([v.weight * v.nodes.weight for v in verdicts])
-    strengths = np.concatenate([v.nodes.strength for v in verdicts])
+    values, weights, breadth = _coefficients(verdicts)
+    mean = float(weights @ values)
+    spread = float(np.sqrt(weights @ ((values - mean) ** 2 + breadth**2 / 12.0)))
+    strengths = np.concatenate([v.nodes.kinds.strength for v in verdicts])
     return Identification(
-        verdicts[0].coefficient,
-        _scaled(averaged, life.coefficient),
+        _scaled(quantiles(*_with_load(values, weights, breadth, errors.load)), life.coefficient),
         mean + float(np.log(life.coefficient)),
         spread,
         verdicts,
@@ -175,20 +199,28 @@ def identify(
         errors,
         life.coefficient,
         given.sensitivity,
+        disturbances([v.weight for v in verdicts], [v.nodes for v in verdicts]),
     )
 
 
 def _verdict(
-    statement: Statement, log_evidence: float, total: float, nodes: Nodes, coefficient: float
+    statement: Statement,
+    log_evidence: float,
+    total: float,
+    nodes: Nodes,
+    coefficient: float,
+    load: float,
 ) -> Verdict:
     """Return what a statement comes to, with the evidence of all of them together."""
     at = nodes.hypotheses
-    now = quantiles(at.log_coefficient, nodes.weight, nodes.breadth)
+    now = quantiles(*_with_load(at.log_coefficient, nodes.weight, nodes.breadth, load))
     before, place = None, None
     if statement.spread:
         # The ratio is normal given ln K: as broad as an even spread of the same variance.
         breadth = np.sqrt(nodes.breadth**2 + 12.0 * nodes.covariance[:, 0, 0])
-        first = quantiles(at.log_coefficient + nodes.log_ratio, nodes.weight, breadth)
+        first = quantiles(
+            *_with_load(at.log_coefficient + nodes.log_ratio, nodes.weight, breadth, load)
+        )
         before = _scaled(first, coefficient)
         place = _scaled(quantiles(np.log(at.place), nodes.weight), 1.0)
     return Verdict(

@@ -2,33 +2,33 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.texts import say
 from rigapp_model.identification.errors import CannotBeTold, Prior, ProbeErrors
 from rigapp_model.identification.evidence import (
     LN_TWO_PI,
-    DepthBins,
     Fitted,
     Linearised,
-    Noise,
     fitted,
 )
 from rigapp_model.identification.life import DepthLife
+from rigapp_model.identification.noise import DepthBins, Kinds, Noise
 from rigapp_model.identification.statements import Hypotheses, Statement
 
 Array = NDArray[np.float64]
 
-GRID = 121
-"""Points over ln K in a range that holds all that counts: four to a standard deviation."""
+GRID = 61
+"""Points over ln K in a range that holds all that counts: two to a standard deviation."""
 RANGE = 5.0
 """The first grid reaches so many of the prior's standard deviations to either side."""
 NEGLIGIBLE = 18.0
 """What is less probable than the best by exp of this (1e-8) is left out."""
-FINE_ENOUGH = 48
-"""So many points of a grid within NEGLIGIBLE of the best make sums over it exact to 1e-6."""
+FINE_ENOUGH = 24
+"""So many points of a grid within NEGLIGIBLE of the best make sums over it exact to 1e-4."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -36,10 +36,10 @@ class Nodes:
     """Hold hypotheses with their weights, and what is normal given each of them.
 
     breadth (H,): of ln K that each stands for;
-    weight (H,); mean (H, 3) and covariance (H, 3, 3) of ln r less that of the hypothesis, e / u_e
-    and b / u_b; left (H,), m,
-    pulled (H, 3), m, and spare (H,), m^2: the drift of the last bin given them, its dependence on
-    them, and what variance is left of it; strength (H,) of the drift.
+    weight (H,); mean (H, 4) and covariance (H, 4, 4) of ln r less that of the hypothesis, e / u_e,
+    b / u_b and the modulus a; left (H, S), pulled (H, S, 4), and spare (H, S, S): the states of
+    ``Noise`` given them, their dependence on them, and what covariance is left; kinds: of noise,
+    (H,); steps: see ``Noise``.
     """
 
     hypotheses: Hypotheses
@@ -50,7 +50,8 @@ class Nodes:
     left: Array
     pulled: Array
     spare: Array
-    strength: Array
+    kinds: Kinds
+    steps: Array
 
     @property
     def log_ratio(self) -> Array:
@@ -83,19 +84,19 @@ class Nodes:
             self.left[index],
             self.pulled[index],
             self.spare[index],
-            self.strength[index],
+            self.kinds.at(index),
+            self.steps,
         )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Given:
-    """Hold what a posterior is made of."""
+class IdentificationInputs:
+    """Hold what a posterior is made of, but for the noise."""
 
     readings: DepthBins
     life: DepthLife
     errors: ProbeErrors
     prior: Prior
-    noise: Noise
 
     @property
     def log_median(self) -> float:
@@ -112,9 +113,30 @@ class Given:
         return self.life.depth(self.readings.progress, hypotheses.scaled(self.readings.half))
 
     def linear(self, depth: Array) -> Array:
-        """Return the slopes (H, 2, n), m, of the readings by e / u_e and b / u_b."""
+        """Return the slopes (H, 3, n), m, of the readings by e / u_e, b / u_b and a."""
         level = np.full_like(depth, self.errors.reference)
-        return np.stack([self.sensitivity * depth, level], axis=1)
+        return np.stack([self.sensitivity * depth, level, self.life.elastic_doubt(depth)], axis=1)
+
+    def best_constant(self, constant: Statement) -> float:
+        """Return ln(K/K0) of the constant coefficient that fits best, all bins alike."""
+        weight = 1.0 / np.hypot(self.readings.noise, 0.01 * self.readings.depth + 1e-6)
+        start = np.full(1, self.log_median)
+        for _ in range(12):
+            at = Hypotheses(constant, start, np.zeros(1), np.ones(1))
+            depth, slopes = self.depth(at)
+            slope = weight * slopes[0, 0]
+            misfit = slope @ (weight * (self.readings.depth - depth[0]))
+            pull = (self.log_median - start) * self.prior.spread**-2
+            step = (misfit + pull) / (slope @ slope + self.prior.spread**-2)
+            start = start + np.clip(step, -1.0, 1.0)
+        return float(start[0])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Given(IdentificationInputs):
+    """Hold what a posterior is made of."""
+
+    noise: Noise
 
 
 def constant_posterior(given: Given, statement: Statement) -> tuple[float, Nodes]:
@@ -128,17 +150,14 @@ def constant_posterior(given: Given, statement: Statement) -> tuple[float, Nodes
         misfit = given.readings.depth - depth
         fit = fitted(
             given.noise,
-            Linearised(misfit, given.linear(depth), np.zeros((GRID, 2)), np.eye(2)),
+            Linearised(misfit, given.linear(depth), np.zeros((GRID, 3)), np.eye(3)),
         )
         log_density = -0.5 * (((grid - centre) / spread) ** 2 + LN_TWO_PI) - np.log(spread)
-        log_post = fit.log_evidence + log_density + given.noise.log_prior[:, None]
+        log_post = fit.log_evidence + log_density + given.noise.kinds.log_prior[:, None]
         counts = log_post > log_post.max() - NEGLIGIBLE
         inside = np.flatnonzero(counts.any(axis=0))
         if inside.size >= FINE_ENOUGH:
             break
-        # The grid at first is wide enough to tell which strengths of the drift cannot count.
-        strong = log_post.max(axis=1) > log_post.max() - 2.0 * NEGLIGIBLE
-        given = replace(given, noise=given.noise.at(np.flatnonzero(strong)))
         low, high = grid[max(inside[0] - 1, 0)], grid[min(inside[-1] + 1, GRID - 1)]
     _refuse_beyond(given, depth[:, -1], log_post)
     step = float(grid[1] - grid[0])
@@ -152,21 +171,23 @@ def kept(
     total = float(np.logaddexp.reduce(log_weight, axis=None))
     which, place = np.nonzero(log_weight > log_weight.max() - NEGLIGIBLE)
     weight = np.exp(log_weight[which, place] - log_weight.max())
-    missing = 3 - fit.step.shape[2]  # a constant coefficient has no ratio
+    missing = 4 - fit.step.shape[2]  # a constant coefficient has no ratio
 
-    def padded(values: Array) -> Array:
-        return np.pad(values[which, place], [(0, 0)] + [(missing, 0)] * (values.ndim - 2))
+    def padded(values: Array, axes: int) -> Array:
+        found = values[which, place]
+        return np.pad(found, [(0, 0)] * (found.ndim - axes) + [(missing, 0)] * axes)
 
     return total, Nodes(
         at.at(place),
         breadth[place],
         weight / weight.sum(),
-        padded(fit.step),
-        padded(fit.covariance),
+        padded(fit.step, 1),
+        padded(fit.covariance, 2),
         fit.left[which, place],
-        padded(fit.pulled),
+        padded(fit.pulled, 1),
         noise.spare[which],
-        noise.strength[which],
+        noise.kinds.at(which),
+        noise.steps,
     )
 
 
@@ -179,6 +200,10 @@ def _refuse_beyond(given: Given, depth: Array, log_post: Array) -> None:
     share = np.exp(log_post - log_post.max()).sum(axis=0)
     if share[depth >= reach].sum() > 1e-3 * share.sum():
         raise CannotBeTold(
-            f"the model computes the life to a depth of {1e6 * reach:.4g} um only, and"
-            f" {1e6 * given.readings.depth[-1]:.4g} um are measured: compute it further"
+            say(
+                "the model computes the life to a depth of {:.4g} um only, and {:.4g} um"
+                " are measured: compute it further",
+                1e6 * reach,
+                1e6 * given.readings.depth[-1],
+            )
         )

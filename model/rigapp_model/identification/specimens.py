@@ -2,8 +2,9 @@
 
 Estimates y_i = ln K_i with y_i = mu + d_i + c_i e + r_i: d_i between specimens, normal with
 deviation tau; r_i of one test alone; e of the probes' sensitivity, the same for all tests with one
-calibration record, so that it does not average out. mu is marginalised with a flat prior, tau on a
-grid (A. Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section 5.4, with common errors).
+calibration record, so that it does not average out, as that of the load does not. mu is
+marginalised with a flat prior, tau on a grid (A. Gelman et al., Bayesian Data Analysis, 3rd ed.
+2013, section 5.4, with common errors).
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 from scipy.special import ndtr
 
+from rigapp.texts import say
 from rigapp_model.identification.errors import CannotBeTold, Prior
 from rigapp_model.identification.inference import Credible, Identification, quantiles
 
@@ -36,13 +38,16 @@ class Estimate:
     """Hold what one test tells of ln K, without what was known beforehand.
 
     log_coefficient: ln(K / (m^2/N)); spread: its standard uncertainty; common: how much of that is
-    by the sensitivity of the probes, with its sign; record: name of the record that it is from.
+    by the sensitivity of the probes, with its sign; record: name of the record that it is from;
+    load: relative standard uncertainty of the load, which all tests of a rig have in common, and
+    which spread does not hold.
     """
 
     log_coefficient: float
     spread: float
     common: float
     record: str
+    load: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,14 +74,17 @@ def estimate_of(known: Identification, record: str) -> Estimate:
     precision = spread**-2 - before
     if precision < LEAST_LEARNT * spread**-2:
         raise CannotBeTold(
-            "the readings say hardly more of the wear coefficient than what was assumed before the"
-            " test: let it run longer"
+            say(
+                "the readings say hardly more of the wear coefficient than what was assumed"
+                " before the test: let it run longer"
+            )
         )
     alone = (mean * spread**-2 - np.log(known.prior.coefficient) * before) / precision
     common = float(weights @ ((values - weights @ values) * (seen - weights @ seen)))
     common *= spread**-2 / precision
     own = float(precision**-0.5)
-    return Estimate(float(alone), own, float(np.clip(common, -0.999 * own, 0.999 * own)), record)
+    common = float(np.clip(common, -0.999 * own, 0.999 * own))
+    return Estimate(float(alone), own, common, record, known.errors.load)
 
 
 def pairing_of(estimates: Sequence[Estimate], source: str) -> Pairing:
@@ -85,7 +93,7 @@ def pairing_of(estimates: Sequence[Estimate], source: str) -> Pairing:
     One specimen is enough: its scatter is then the one that is usual. Raises CannotBeTold for none.
     """
     if not estimates:
-        raise CannotBeTold("there is no test whose wear coefficient is known")
+        raise CannotBeTold(say("there is no test whose wear coefficient is known"))
     y = np.array([one.log_coefficient for one in estimates])
     taus = np.linspace(0.0, REACH * USUAL_SCATTER, GRID)
     by = _by_scatter(y, _errors(estimates), taus)
@@ -106,9 +114,14 @@ def pairing_of(estimates: Sequence[Estimate], source: str) -> Pairing:
 
 
 def _seen(known: Identification) -> tuple[Array, Array, Array]:
-    """Return ln(K/K0), weight and mean of e / u_e of the most probable statement's nodes."""
-    nodes = known.best.nodes
-    return nodes.hypotheses.log_coefficient, nodes.weight, nodes.mean[:, 1]
+    """Return ln(K/K0), weight and mean of e / u_e of the nodes of all statements."""
+    nodes = [one.nodes for one in known.verdicts]
+    weight = np.concatenate([one.weight * one.nodes.weight for one in known.verdicts])
+    return (
+        np.concatenate([one.hypotheses.log_coefficient for one in nodes]),
+        weight / weight.sum(),
+        np.concatenate([one.mean[:, 1] for one in nodes]),
+    )
 
 
 def _errors(estimates: Sequence[Estimate]) -> Array:
@@ -116,7 +129,9 @@ def _errors(estimates: Sequence[Estimate]) -> Array:
     common = np.array([one.common for one in estimates])
     names = np.array([one.record for one in estimates])
     together = (names[:, None] == names[None, :]) * np.outer(common, common)
-    return np.asarray(together + np.diag([one.spread**2 - one.common**2 for one in estimates]))
+    load = np.array([one.load for one in estimates])
+    own = np.diag([one.spread**2 - one.common**2 for one in estimates])
+    return np.asarray(together + np.outer(load, load) + own)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from rigapp.texts import joined, say
 from rigapp_model.identification.consistency import Departure
+from rigapp_model.identification.findings import CREEP_NAME, STEP_NAME, SWING_NAME, Disturbance
 from rigapp_model.identification.inference import Credible, Identification
 from rigapp_model.identification.statements import CHANGE, CONSTANT, RUNNING_IN
 
@@ -17,34 +19,77 @@ MM3_PER_M2 = 1e9
 
 
 def sentence(known: Identification, departure: Departure | None = None) -> str:
+    """Return in plain words how the joint wears, or why that cannot be told, and what disturbs."""
+    found = joined("; ", [_disturbance(one) for one in known.disturbances])
+    if not known.disturbances:
+        return _wear(known, departure)
+    return say(
+        "{} The probes are disturbed, which the limits allow for: {}.",
+        _wear(known, departure),
+        found,
+    )
+
+
+def _disturbance(one: Disturbance) -> str:
+    size, doubt = (f"{1e6 * value:.2g}" for value in (abs(one.size), 2.0 * one.doubt))
+    if one.name == CREEP_NAME:
+        return say("creep of {} ± {} um a decade of revolutions", f"{1e6 * one.size:.2g}", doubt)
+    if one.name == SWING_NAME:
+        return say(
+            "a slow swing of {} ± {} um, period about {} revolutions",
+            size,
+            doubt,
+            grouped_by(one.place),
+        )
+    if one.name == STEP_NAME:
+        return say(
+            "a step of {} ± {} um about revolution {}",
+            f"{1e6 * one.size:.2g}",
+            doubt,
+            f"{one.place:.0f}",
+        )
+    return say("noise of {} um that is correlated over {} revolutions", size, grouped_by(one.place))
+
+
+def grouped_by(revolutions: float) -> str:
+    """Return a number of revolutions to two digits."""
+    return f"{float(f'{revolutions:.2g}'):.0f}"
+
+
+def _wear(known: Identification, departure: Departure | None) -> str:
     """Return in plain words how the joint wears, or why that cannot be told."""
     if departure is not None and not _explained(known, departure):
-        return (
-            f"The joint wears {'faster' if departure.faster else 'slower'} than before: it was told"
-            f" at revolution {departure.revolution:.0f}, and began about revolution"
-            f" {departure.since:.0f}."
+        return say(
+            "The joint wears {} than before: it was told at revolution {:.0f}, and"
+            " began about revolution {:.0f}.",
+            say("faster") if departure.faster else say("slower"),
+            departure.revolution,
+            departure.since,
         )
     constant = next(one for one in known.verdicts if one.name == CONSTANT)
     others = [one for one in known.verdicts if one.name != CONSTANT]
     best = max(others, key=lambda one: one.weight)
     second = min(others, key=lambda one: one.weight)
     if best.weight <= TOLD * constant.weight:
-        if constant.coefficient.high > TOO_WIDE * constant.coefficient.low:
-            return (
-                "The wear coefficient cannot be told yet, because its limits are a factor of"
-                f" {constant.coefficient.high / constant.coefficient.low:.2g} apart: the depth so"
-                f" far, {1e6 * known.readings.depth[-1]:.2g} um, is too small against its"
-                " uncertainty."
+        if known.coefficient.high > TOO_WIDE * known.coefficient.low:
+            return say(
+                "The wear coefficient cannot be told yet, because its limits are a"
+                " factor of {:.2g} apart: the depth so far, {:.2g} um, is too small"
+                " against its uncertainty.",
+                known.coefficient.high / known.coefficient.low,
+                1e6 * known.readings.depth[-1],
             )
-        return (
-            f"One wear coefficient, {in_words(constant.coefficient)}, explains all readings so far:"
-            " neither running-in nor a change is told from it at odds of 20 to 1."
+        return say(
+            "One wear coefficient, {}, explains all readings so far: neither running-in"
+            " nor a change is told from it at odds of 20 to 1.",
+            in_words(known.coefficient),
         )
     if best.weight <= TOLD * second.weight:
-        return (
-            "The wear coefficient is not constant. Whether the joint runs in or changed at one"
-            f" time cannot be told, because the odds are {best.weight / second.weight:.2g} to 1"
-            f" only; {in_words(best.coefficient)} now."
+        return say(
+            "The wear coefficient is not constant. Whether the joint runs in or changed"
+            " at one time cannot be told, because the odds are {:.2g} to 1 only; {} now.",
+            best.weight / second.weight,
+            in_words(known.coefficient),
         )
     return {RUNNING_IN: _running_in, CHANGE: _changed}[best.name](known)
 
@@ -62,10 +107,13 @@ def _running_in(known: Identification) -> str:
     assert best.before is not None
     assert best.place is not None
     done = known.progress > 3.0 * best.place.median  # to a twentieth of the way
-    return (
-        f"Running-in: the wear coefficient {'fell' if done else 'is falling'} from"
-        f" {in_words(best.before)} to {in_words(best.coefficient)},"
-        f" by two thirds within {revolution_of(known, best.place.median):.0f} revolutions."
+    return say(
+        "Running-in: the wear coefficient {} from {} to {}, by two thirds within {:.0f}"
+        " revolutions.",
+        say("fell") if done else say("is falling"),
+        in_words(best.before),
+        in_words(best.coefficient),
+        revolution_of(known, best.place.median),
     )
 
 
@@ -76,9 +124,14 @@ def _changed(known: Identification) -> str:
     low, median, high = (
         revolution_of(known, one) for one in (best.place.low, best.place.median, best.place.high)
     )
-    return (
-        f"Changed at revolution {median:.0f} ({low:.0f} to {high:.0f}): the wear coefficient was"
-        f" {in_words(best.before)} before and is {in_words(best.coefficient)} since."
+    return say(
+        "Changed at revolution {:.0f} ({:.0f} to {:.0f}): the wear coefficient was {}"
+        " before and is {} since.",
+        median,
+        low,
+        high,
+        in_words(best.before),
+        in_words(best.coefficient),
     )
 
 
@@ -97,4 +150,4 @@ def in_words(coefficient: Credible) -> str:
         np.format_float_positional(1e6 * MM3_PER_M2 * one, 3, fractional=False, trim="-")
         for one in (coefficient.median, coefficient.low, coefficient.high)
     )
-    return f"{median} ({low} to {high}) · 10⁻⁶ mm³/(N m)"
+    return say("{} ({} to {}) · 10⁻⁶ mm³/(N m)", median, low, high)

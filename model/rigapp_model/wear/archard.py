@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.integrate import cumulative_simpson
 
+from rigapp.texts import say
 from rigapp_model.errors import ModelError, require_positive
 
 Array = NDArray[np.float64]
@@ -63,7 +64,7 @@ def rigid_wear(
     )
     course = rigid_course(inner, pin_radius, max(deepest, 1e-12 * inner))
     if course.effort[-1] < effort:
-        raise ModelError("cycles", float(wanted.max()), "the wear would leave its range")
+        raise ModelError("cycles", float(wanted.max()), say("the wear would leave its range"))
     depth = np.interp(rate * wanted, course.effort, course.depth)
     return RigidWear(wanted, depth, worn_lens(inner, pin_radius, depth))
 

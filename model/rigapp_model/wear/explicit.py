@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rigapp.texts import say
 from rigapp_model.bushing.contact import simpson_weights
 from rigapp_model.bushing.ring import Ring
 from rigapp_model.errors import ModelError, OutOfTime, require_positive
@@ -80,8 +81,12 @@ def extrapolation(
         raise UnstableStep(
             "step",
             step,
-            f"explicit extrapolation is stable up to {limit:.4g} cycles on this mesh of {sectors} "
-            "sectors; give fewer, or use implicit steps",
+            say(
+                "explicit extrapolation is stable up to {:.4g} cycles on this mesh of {}"
+                " sectors; give fewer, or use implicit steps",
+                limit,
+                sectors,
+            ),
             "cycles",
         )
     return Extrapolation(step, limit)

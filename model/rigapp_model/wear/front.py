@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.texts import say
 from rigapp_model.bushing import active_set
 from rigapp_model.bushing.compliance import SurfaceCompliance
 from rigapp_model.bushing.contact import (
@@ -180,7 +181,7 @@ def _raised(
         share *= (wanted / share) ** (1.0 / max(law.exponent, 1.0))
         start = replace(front, pins=worn.pins, touching=worn.touching, force=worn.force)
     if splits <= 0:
-        raise ContactError("cycles", cycles, "pressure and wear coefficient found no balance")
+        raise ContactError("cycles", cycles, say("pressure and wear coefficient found no balance"))
     half = _raised(problem, front, loads, 0.5 * cycles, splits - 1)
     return _raised(problem, half, loads, 0.5 * cycles, splits - 1)
 
@@ -262,12 +263,12 @@ def _check(problem: WearProblem, status: int, touching: Flags, force: float) -> 
         raise ContactError(
             "force",
             force,
-            "the contact of the worn bushing found no balance; the load is too high for it",
-            "N per metre of width",
+            say("the contact of the worn bushing found no balance; the load is too high for it"),
+            say("N per metre of width"),
         )
     if touching[:, problem.compliance.ends].any():
         raise ArcTooSmall(
-            "force", force, "the contact reaches beyond the arc", "N per metre of width"
+            "force", force, say("the contact reaches beyond the arc"), say("N per metre of width")
         )
 
 
@@ -282,8 +283,10 @@ def refuse_worn_through(problem: WearProblem, surface: Array) -> None:
         raise WornThrough(
             "wear_depth",
             deepest * 1e3,
-            f"the bushing's wall of {problem.ring.wall * 1e3:g} mm is worn through; "
-            "give fewer cycles",
+            say(
+                "the bushing's wall of {:g} mm is worn through; give fewer cycles",
+                problem.ring.wall * 1000.0,
+            ),
             "mm",
         )
 

@@ -9,11 +9,12 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp_model.contact_law import WornSurface
-from rigapp_model.ensemble import BatchMeans, Mean, revolutions_of
-from rigapp_model.impact import ContactCycle, contact_cycle
-from rigapp_model.impact_system import clearance_system
-from rigapp_model.parameters import Parameters
+from rigapp.texts import say
+from rigapp_model.contact.ensemble import BatchMeans, Mean, revolutions_of
+from rigapp_model.contact.impact import ContactCycle, contact_cycle
+from rigapp_model.contact.impact_system import clearance_system
+from rigapp_model.contact_law import ContactModel, WornSurface
+from rigapp_model.parameters import Joint, Parameters
 from rigapp_model.wear.coefficient import switched
 from rigapp_model.wear.front import Front
 from rigapp_model.wear.loads import CycleLoads, gathered
@@ -98,14 +99,21 @@ class SeparateBodies:
         stage = min(self._stages.values(), key=lambda stage: stage.contact_fraction)
         if stage.contact_fraction < 1.0 - 1e-12:
             yield (
-                f"Pin and bushing touch only {stage.contact_fraction:.1%} of the time at the least;"
-                f" forces are means of {stage.revolutions} revolutions, which differ from one"
-                " another."
+                say(
+                    "Pin and bushing touch only {:.1%} of the time at the least; forces are"
+                    " means of {} revolutions, which differ from one another.",
+                    stage.contact_fraction,
+                    stage.revolutions,
+                )
             )
-        if self._parameters.joint.friction_coefficient > 0.0:
+        joint = self._parameters.joint
+        yield from filter(None, [ContactModel(joint.contact_law, joint.restitution).sentence()])
+        if joint.friction_coefficient > 0.0:
             yield (
-                "With friction the force ripples with a frequency that depends on how Coulomb's "
-                "law is smoothed; it is no measurement of the real joint."
+                say(
+                    "With friction the force ripples with a frequency that depends on how"
+                    " Coulomb's law is smoothed; it is no measurement of the real joint."
+                )
             )
 
     def _depth(self, front: Front) -> float:
@@ -175,15 +183,29 @@ def _profile(front: Front, inner: float) -> WornSurface:
 
 
 def _loads(cycle: ContactCycle, parameters: Parameters) -> CycleLoads:
-    """Return the normal forces of a revolution, pressing on the bushing."""
-    size = np.where(cycle.touching, cycle.normal_force, 0.0)
-    force = np.stack([np.cos(cycle.contact_angle), np.sin(cycle.contact_angle)]) * size
+    """Return the normal forces of a revolution, pressing on the bushing, over the distance slid.
+
+    Each stretch between two samples has the mean force over its slip, in its mean direction: the
+    integrals of every impact are kept, however short it is.
+    """
     joint = parameters.joint
-    rate = np.abs(cycle.motion.slip_rate(joint.pin_radius))
+    length = np.hypot(cycle.pressed[0], cycle.pressed[1])
+    bears = (length > 0.0) & (cycle.slip > 0.0)
+    size = cycle.work[bears] / cycle.slip[bears]
+    force = np.zeros((len(cycle.slip), 2))
+    force[bears] = (cycle.pressed[:, bears] / length[bears] * size).T
     period = 2.0 * np.pi / np.mean(np.abs(cycle.motion.speed))
-    return switched(
-        CycleLoads(force.T, rate * period / len(rate)), rate, joint, parameters.bushing.law
-    )
+    rate = cycle.slip * len(cycle.slip) / period
+    loads = CycleLoads(force, cycle.slip, _idle(cycle.slip, joint))
+    return switched(loads, rate, joint, parameters.bushing.law)
+
+
+def _idle(slip: Array, joint: Joint) -> float:
+    """Return by what less than its circumference the pin slides in contact, m.
+
+    So ``mean_force`` is the constant force that wears as much over the circumference.
+    """
+    return 2.0 * np.pi * joint.pin_radius - float(slip.sum())
 
 
 def _work(revolution: CycleLoads) -> Array:
@@ -197,5 +219,6 @@ def _together(revolutions: Sequence[CycleLoads]) -> CycleLoads:
     force = np.concatenate([r.force for r in revolutions])
     slip = np.concatenate([r.slip for r in revolutions]) / len(revolutions)
     rates = [r.rate for r in revolutions if r.rate is not None]
-    together = CycleLoads(force, slip, rate=np.concatenate(rates) if rates else None)
+    idle = float(np.mean([r.idle for r in revolutions]))
+    together = CycleLoads(force, slip, idle, np.concatenate(rates) if rates else None)
     return gathered(together.pressing().by_direction(), DIRECTIONS)

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rigapp.texts import say
+
 
 @dataclass(frozen=True, slots=True)
 class Law:
@@ -22,32 +24,35 @@ class Law:
     bound: str
 
 
-_AS_ARCHARD = "the stated error is a bound, as for Archard's law"
+_AS_ARCHARD = say("the stated error is a bound, as for Archard's law")
 
 LAWS = {
     one.name: one
     for one in (
         Law(
             "archard",
-            "the depth grows with pressure and slip, dh/ds = K p",
+            say("the depth grows with pressure and slip, dh/ds = K p"),
             (),
-            "the stated error is a bound",
+            say("the stated error is a bound"),
         ),
         Law(
             "running-in",
-            "K falls from its first to its steady value as exp(-revolutions / running-in)",
+            say("K falls from its first to its steady value as exp(-revolutions / running-in)"),
             ("initial_wear_coefficient_mm3_per_Nm", "running_in_revolutions"),
             _AS_ARCHARD,
         ),
         Law(
             "pressure-exponent",
-            "dh/ds = K p (p / reference pressure)^(exponent - 1), p the pressure at the spot",
+            say("dh/ds = K p (p / reference pressure)^(exponent - 1), p the pressure at the spot"),
             ("pressure_exponent", "reference_pressure_MPa"),
             _AS_ARCHARD,
         ),
         Law(
             "two-regimes",
-            "K is another one where nominal pressure times sliding speed is above the transition",
+            say(
+                "K is another one where nominal pressure times sliding speed is above the"
+                " transition"
+            ),
             ("severe_wear_coefficient_mm3_per_Nm", "transition_MPa_m_per_s"),
             _AS_ARCHARD,
         ),
@@ -59,4 +64,4 @@ LAWS = {
 def sentence_of(name: str) -> str:
     """Return what a law says and what is known of its error, as one sentence."""
     one = LAWS[name]
-    return f"Wear law {name}: {one.sentence}; {one.bound}."
+    return say("Wear law {}: {}; {}.", name, one.sentence, one.bound)

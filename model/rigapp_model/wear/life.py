@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from rigapp.texts import say
 from rigapp_model.bushing.compliance import surface_angles
 from rigapp_model.bushing.contact import ArcTooSmall, refuse_beyond_elasticity
 from rigapp_model.bushing.ring import ContactModel, Ring, pressure_distribution, ring_of
@@ -37,6 +38,8 @@ Method = Literal["implicit", "explicit"]
 
 # What the tolerance of the coupled contact solution can add, as a part of the depth.
 _SOLUTION_ERROR = 3e-5
+FAINTEST_WEAR = 1e-11
+"""Of the bushing's radius: the steps find a depth to 1e-16 of it, and this to a part in 1e5."""
 _SAFETY = 1.25  # each part is an estimate from two runs: a quarter more makes it a bound
 
 
@@ -91,6 +94,7 @@ def life(
     method: Method = "implicit",
     step: float | None = None,
     contact: ContactModel = "finite-element",
+    rows: ArrayLike | None = None,
 ) -> Life:
     """Compute the wear of the bushing over so many crank cycles.
 
@@ -99,6 +103,7 @@ def life(
     evolving: False keeps the clearance of "continuous" as it was when new; method: "implicit" steps
     as the tolerance needs them, or "explicit" ones, the paper's, of at most ``step`` cycles, None
     for half the stability limit; contact: of an elastic bushing or of a bed of springs, "winkler";
+    rows: cycles to be reported, increasing, the end among them or not, None for 1, 3, 10 and so on;
     progress: called with the part done. It may raise OutOfTime: the life then ends with the last
     row reached, or goes on raising when there is none. Raises ModelError, ContactError or
     WornThrough naming what is wrong, UnstableStep for a step beyond the stability limit.
@@ -111,12 +116,14 @@ def life(
         raise ModelError(
             "exponent",
             law.exponent,
-            "how long an explicit step may be is known for wear in proportion to the pressure"
-            " only; take implicit steps",
+            say(
+                "how long an explicit step may be is known for wear in proportion to the"
+                " pressure only; take implicit steps"
+            ),
         )
     ring = ring_of(parameters.joint, parameters.bushing.material, contact=contact)
     if force is None and speed == 0.0:
-        raise ModelError("speed", speed, "a crank that stands still wears nothing", "rad/s")
+        raise ModelError("speed", speed, say("a crank that stands still wears nothing"), "rad/s")
     tell = progress or (lambda part: None)
     source = (
         technique_of(technique).source(
@@ -130,12 +137,14 @@ def life(
     whole = float(steady_cycles(law, cycles))
     plan = plan_life(*one, source.unworn, whole, tolerance, source.single, lambda: tell(0.0))
     unworn = source.unworn(plan.positions)
+    _refuse_faint_wear(parameters, unworn, whole)
     explicit = None
     if method == "explicit":
         explicit = extrapolation(ring, plan.sectors, coefficient, unworn, step)
     simplified = simplification(ring, float(unworn.magnitude.max()) / width)
     sampling = sampling_errors(*one, plan, unworn.pressing(), source.samples(plan.positions), whole)
-    task = _Task(parameters, ring, source, plan, technique, tolerance, cycles, explicit)
+    wanted = row_cycles(cycles) if rows is None else _asked_rows(rows, cycles)
+    task = _Task(parameters, ring, source, plan, technique, tolerance, cycles, explicit, wanted)
     found = _life(task, sampling, _moments(task, tell))
     by_law = () if law == ARCHARD else (sentence_of(law.name),)
     return replace(found, notes=simplified + by_law + found.notes)
@@ -153,6 +162,7 @@ class _Task:
     tolerance: float
     cycles: float
     explicit: Extrapolation | None
+    rows: Array
 
 
 def _moments(task: _Task, tell: Callable[[float], None]) -> list[Moment]:
@@ -163,7 +173,7 @@ def _moments(task: _Task, tell: Callable[[float], None]) -> list[Moment]:
     """
     plan, source, explicit = task.plan, task.source, task.explicit
     window, law = plan.half_angle, task.parameters.bushing.law
-    rows = steady_cycles(law, row_cycles(task.cycles))
+    rows = steady_cycles(law, task.rows)
     whole = float(rows[-1])
 
     def loads_at(front: Front, at: float) -> CycleLoads:
@@ -218,11 +228,35 @@ def simplification(ring: Ring, force: float) -> tuple[str, ...]:
     )
     side = "below" if bed < elastic else "above"
     return (
-        f"Contact winkler: the bushing is a bed of springs. Unworn, its peak pressure of"
-        f" {bed:.4g} MPa is {abs(bed / elastic - 1.0):.0%} {side} the {elastic:.4g} MPa of an"
-        " elastic bushing; the stated errors are those of the computation, not of this"
-        " simplification.",
+        say(
+            "Contact winkler: the bushing is a bed of springs. Unworn, its peak pressure of"
+            " {:.4g} MPa is {:.0%} {} the {:.4g} MPa of an elastic bushing; the stated"
+            " errors are those of the computation, not of this simplification.",
+            bed,
+            abs(bed / elastic - 1.0),
+            side,
+            elastic,
+        ),
     )
+
+
+def _refuse_faint_wear(parameters: Parameters, loads: CycleLoads, cycles: float) -> None:
+    """Raise ModelError for a wear coefficient whose wear is lost in rounding; 0 wears nothing."""
+    joint, coefficient = parameters.joint, parameters.bushing.wear_coefficient
+    pressure = loads.mean_force / (2.0 * joint.pin_radius * joint.bushing_width)
+    unit = pressure * float(loads.wearing.sum()) * cycles
+    least = FAINTEST_WEAR * joint.bushing_radius
+    if 0.0 < coefficient * unit < least:
+        raise ModelError(
+            "wear_coefficient",
+            coefficient,
+            say(
+                "so many cycles wear less than numbers resolve; give 0, at least {:.1g}, or more"
+                " cycles",
+                least / unit,
+            ),
+            "m^2/N",
+        )
 
 
 def _refuse_overload(problem: WearProblem, unworn: Moment) -> None:
@@ -243,6 +277,15 @@ def row_cycles(cycles: float) -> Array:
     series = [lead * 10.0**power for power in range(13) for lead in (1.0, 3.0)]
     rows = [n for n in series if cycles / 3000.0 <= n < 0.95 * cycles]
     return np.array([*rows, cycles])
+
+
+def _asked_rows(rows: ArrayLike, cycles: float) -> Array:
+    """Return the cycles asked for with the end of the life; raise ModelError for unusable ones."""
+    asked = np.atleast_1d(np.asarray(rows, dtype=np.float64))
+    asked = asked[asked < cycles]
+    if asked.size and not (asked[0] > 0.0 and np.all(np.diff(asked) > 0.0)):
+        raise ModelError("rows", say("not increasing"), say("give increasing cycles above 0"))
+    return np.append(asked, cycles)
 
 
 def _life(
@@ -266,9 +309,14 @@ def _life(
         worst = max(by_depth, key=lambda name: float(by_depth[name][-1]))
         shorter = task.explicit is not None and worst == "time steps"
         notes.append(
-            f"The estimated error of the depth, {error[-1] / depth[-1]:.2g} of it, exceeds the"
-            f" tolerance of {task.tolerance:g}; most of it is by the {worst}"
-            f"{': take shorter explicit steps' if shorter else ''}."
+            say(
+                "The estimated error of the depth, {:.2g} of it, exceeds the tolerance of"
+                " {:g}; most of it is by the {}{}.",
+                error[-1] / depth[-1],
+                task.tolerance,
+                worst,
+                say(": take shorter explicit steps") if shorter else "",
+            )
         )
     law = parameters.bushing.law
     if law.exponent == 1.0 and law.beyond == 1.0:
@@ -278,8 +326,12 @@ def _life(
     done = cycles_at(law, done)
     if not complete:
         notes.append(
-            f"Time ran out after {done[-1]:.6g} of {cycles:.0f} cycles; the last row is not the end"
-            " of the life."
+            say(
+                "Time ran out after {:.6g} of {:.0f} cycles; the last row is not the end of"
+                " the life.",
+                done[-1],
+                cycles,
+            )
         )
     ends = profile(moments[-1].surface, task.ring)
     return Life(
@@ -358,7 +410,10 @@ def below_archard(area: float, error: float, least: float) -> list[str]:
     if area + error >= least:
         return []
     return [
-        f"The worn area, {area / least:.4f} of what Archard's law makes of the force itself, is"
-        " less than possible even with its stated error: do not use this result; give a smaller"
-        " tolerance."
+        say(
+            "The worn area, {:.4f} of what Archard's law makes of the force itself, is less"
+            " than possible even with its stated error: do not use this result; give a"
+            " smaller tolerance.",
+            area / least,
+        )
     ]

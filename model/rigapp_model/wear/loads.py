@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rigapp.texts import say
 from rigapp_model.errors import ModelError
 
 Array = NDArray[np.float64]
@@ -19,8 +20,9 @@ class CycleLoads:
     ``force`` (M, 2), N: pressing force on the bushing by the pin; x points from the bushing's
     centre to the initial contact point, which is towards the crank, y is 90 degrees further
     counter-clockwise: minus the components in the follower frame. ``slip`` (M,), m: its sum and
-    ``idle``, the slip without force, are the slip of a revolution. ``rate`` (M,): by what the wear
-    coefficient is multiplied at each position, None where it is the same at all.
+    ``idle``, the slip without force, are the pin's circumference; where the pin travels in its
+    clearance it can slide further than that, and ``idle`` is negative. ``rate`` (M,): by
+    what the wear coefficient is multiplied at each position, None where it is the same at all.
     """
 
     force: Array
@@ -30,12 +32,12 @@ class CycleLoads:
 
     def __post_init__(self) -> None:
         if self.force.ndim != 2 or self.force.shape[1] != 2 or len(self.slip) != len(self.force):
-            shapes = f"{self.force.shape} forces and {self.slip.shape} slips"
-            raise ModelError("loads", shapes, "give (M, 2) forces and (M,) slips")
+            shapes = say("{} forces and {} slips", self.force.shape, self.slip.shape)
+            raise ModelError("loads", shapes, say("give (M, 2) forces and (M,) slips"))
         if not (np.isfinite(self.force).all() and np.isfinite(self.slip).all()):
-            raise ModelError("loads", "not finite", "give finite numbers only")
+            raise ModelError("loads", say("not finite"), say("give finite numbers only"))
         if self.slip.min(initial=0.0) < 0.0:
-            raise ModelError("slip", float(self.slip.min()), "it must not be negative", "m")
+            raise ModelError("slip", float(self.slip.min()), say("it must not be negative"), "m")
 
     @property
     def wearing(self) -> Array:
@@ -54,7 +56,10 @@ class CycleLoads:
 
     @property
     def mean_force(self) -> float:
-        """Return the mean size of the force over the slip, N: what decides the worn volume."""
+        """Return the mean size of the force over the slip, N: what decides the worn volume.
+
+        The constant force that does the same sliding work over slip and ``idle``.
+        """
         total = float(self.slip.sum()) + self.idle
         return float(self.slip @ self.magnitude) / total if total > 0.0 else 0.0
 
@@ -83,7 +88,7 @@ def constant_load(force: float, pin_radius: float) -> CycleLoads:
     The slip of a revolution is the pin's circumference.
     """
     if not np.isfinite(force) or force == 0.0:
-        raise ModelError("force", force, "give a finite force other than 0", "N")
+        raise ModelError("force", force, say("give a finite force other than 0"), "N")
     return CycleLoads(np.array([[force, 0.0]]), np.array([2.0 * np.pi * pin_radius]))
 
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.texts import say
 from rigapp_model.errors import ModelError
 from rigapp_model.wear.front import (
     Front,
@@ -85,7 +86,7 @@ def integrate(
     Raises ContactError, WornThrough or ModelError.
     """
     if not tolerance > 0.0:
-        raise ModelError("tolerance", tolerance, "it must be greater than 0")
+        raise ModelError("tolerance", tolerance, say("it must be greater than 0"))
     begin = start or problem.unworn()
     runs: tuple[Front, ...] = (begin, begin, begin)
     yield first_moment(problem, loads_at, begin)

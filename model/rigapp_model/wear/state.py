@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rigapp.texts import say
 from rigapp_model.bushing.compliance import surface_angles
 from rigapp_model.bushing.ring import ring_of, sectors_at_least
 from rigapp_model.errors import ModelError
@@ -147,7 +148,7 @@ def unworn_state(parameters: Parameters, typical_force: float) -> WearState:
     narrow contact is resolved. Raises ModelError for a force that is not above 0.
     """
     if not (np.isfinite(typical_force) and typical_force > 0.0):
-        raise ModelError("typical_force", typical_force, "give a finite force above 0", "N")
+        raise ModelError("typical_force", typical_force, say("give a finite force above 0"), "N")
     joint = parameters.joint
     ring = ring_of(joint, parameters.bushing.material)
     first = ring.half_angle(typical_force / joint.bushing_width)
@@ -167,14 +168,16 @@ def restored_state(
     nodes = np.ascontiguousarray(surface, dtype=np.float64)
     shape = nodes.shape
     if nodes.ndim != 2 or shape[1] != 2 or shape[0] % 2 or shape[0] < 16:
-        raise ModelError("surface", shape, "give (2 x sectors, 2) positions of surface nodes")
+        raise ModelError("surface", shape, say("give (2 x sectors, 2) positions of surface nodes"))
     problem = _problem(parameters, shape[0] // 2)
     ring = problem.ring
     radius = np.hypot(nodes[:, 0], nodes[:, 1])
     if not (np.isfinite(nodes).all() and radius.min() > 0.99 * ring.inner):
-        raise ModelError("surface", float(radius.min()), "it is inside the unworn bushing", "m")
+        raise ModelError(
+            "surface", float(radius.min()), say("it is inside the unworn bushing"), "m"
+        )
     if radius.max() >= ring.outer:
-        raise ModelError("surface", float(radius.max()), "it is outside the bushing", "m")
+        raise ModelError("surface", float(radius.max()), say("it is outside the bushing"), "m")
     return WearState(parameters, problem, Front(nodes), cycles, step_error=step_error)
 
 

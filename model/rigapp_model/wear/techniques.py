@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol
 
+from rigapp.texts import joined, say
 from rigapp_model.errors import ModelError
 
 if TYPE_CHECKING:
@@ -109,21 +110,21 @@ TECHNIQUES = {
     for one in (
         Technique(
             "perfect",
-            "pin and bushing centres coincide",
+            say("pin and bushing centres coincide"),
             (),
             _perfect,
             _perfect_source,
         ),
         Technique(
             "continuous",
-            "the pin always touches the bushing, and the clearance grows with the wear",
+            say("the pin always touches the bushing, and the clearance grows with the wear"),
             ("clearance",),
             _continuous,
             _continuous_source,
         ),
         Technique(
             "contact",
-            "pin and bushing are separate bodies that may lose contact",
+            say("pin and bushing are separate bodies that may lose contact"),
             ("clearance", "elasticity"),
             None,
             _contact_source,
@@ -140,7 +141,7 @@ def technique_of(name: str) -> Technique:
     """Return a technique by name; raise ModelError for an unknown one."""
     found = TECHNIQUES.get(name)
     if found is None:
-        raise ModelError("technique", name, f"choose {listed()}")
+        raise ModelError("technique", name, say("choose {}", listed()))
     return found
 
 
@@ -148,11 +149,11 @@ def solve_of(name: str) -> Solve:
     """Return what computes the forces of a measured revolution; raise ModelError."""
     solve = TECHNIQUES[name].solve if name in TECHNIQUES else None
     if solve is None:
-        raise ModelError("technique", name, f"choose {listed(SOLVABLE)}")
+        raise ModelError("technique", name, say("choose {}", listed(SOLVABLE)))
     return solve
 
 
 def listed(names: tuple[str, ...] = tuple(TECHNIQUES)) -> str:
     """Return names as a sentence lists them."""
     *first, last = names
-    return f"{', '.join(first)} or {last}" if first else last
+    return say("{} or {}", joined(", ", first), last) if first else last

@@ -6,12 +6,14 @@ import numpy as np
 
 from rigapp.calibrating.certificates.parts import Content, Parts, budget_table, plot
 from rigapp.report.page.manuscript import Table
-from rigapp_calibration.channel import parse_channel, rule_of
+from rigapp_calibration.channel import CHANNEL_COLUMNS, channel_table, rule_of
+from rigapp_calibration.taking.readings import read_table
 
 
 def channel_parts(content: Content) -> Parts:
     """Return what the certificate of a channel says."""
-    result, readings = content["result"], parse_channel(content["readings_csv"])
+    result = content["result"]
+    readings = channel_table(read_table(content["readings_csv"], CHANNEL_COLUMNS))
     settings, unit = content["settings"], result["unit"]
     residual = np.array(result["residual_value"])
     rows = [("method", rule_of(result))]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import msgspec
 import numpy as np
@@ -13,7 +13,7 @@ from rigapp.calibrating.certificates.parts import (
     Content,
     Parts,
     budget_table,
-    elements,
+    by_uncertainty,
     plot,
     rows_of,
     say,
@@ -29,21 +29,21 @@ from rigapp_calibration.load_cell.weights import pin_force
 
 MARKED = "extrapolated"
 RESULTS = {
-    "applied N": "{applied:.2f}",
+    "applied N": "{applied}",
     "readings": "{readings}",
-    "indicated N": "{indicated:z.2f}",
-    "error N": "{error:+z.2f}",
-    "across N": "{across:+z.2f}",
-    "largest error N": "{largest:.2f}",
-    "U N": "{expanded:.2f}",
+    "indicated N": "{indicated}",
+    "error N": "{error}",
+    "across N": "{across}",
+    "largest error N": "{largest}",
+    "U N": "{expanded}",
     "": "{mark}",
 }
 BY_LOAD = {
     "load N": "{load_N:g}",
-    "component, one reading": "{component_one_reading_N:.2f}",
-    "component, mean of many": "{component_mean_of_many_N:.2f}",
-    "|F|, one reading": "{magnitude_one_reading_N:.2f}",
-    "|F|, mean of many": "{magnitude_mean_of_many_N:.2f}",
+    "component, one reading": "{component_one_reading_N}",
+    "component, mean of many": "{component_mean_of_many_N}",
+    "|F|, one reading": "{magnitude_one_reading_N}",
+    "|F|, mean of many": "{magnitude_mean_of_many_N}",
     "k": "{coverage_factor:.2f}",
     "": "{mark}",
 }
@@ -58,18 +58,19 @@ TRAITS = {
 HUNG = {
     "kg": "{mass:g}",
     "s after loading": "{time:.1f}",
-    "angle deg": "{angle:.3f}",
+    "angle °": "{angle:.3f}",
     "signal 1": "{signals[0]:.6f}",
     "signal 2": "{signals[1]:.6f}",
 }
-STATED_GRAVITY = "{place[gravity_m_s2]:.6g} m/s2 (stated)"
-FROM_LATITUDE = "from latitude {place[latitude_deg]:g} deg, height {place[height_m]:g} m"
+STATED_GRAVITY = "{place[gravity_m_s2]:.6g} m/s² (stated)"
+FROM_LATITUDE = "from latitude {place[latitude_deg]:g}°, height {place[height_m]:g} m"
 CONDITIONS = {
-    "Air density": "{place[air_density_kg_per_m3]:g} kg/m3",
-    "Weights": "{weights[mass_kind]} mass, density {weights[density_kg_per_m3]:g} kg/m3,"
+    "Air density": "{place[air_density_kg_per_m3]:g} kg/m³",
+    "Resolution": "{cell[resolution_N]:g} N, of the cell with its amplifier",
+    "Weights": "{weights[mass_kind]} mass, density {weights[density_kg_per_m3]:g} kg/m³,"
     " relative u = {used:.2g}",
     "Hanger": "{weights[hanger_mass_kg]:g} kg",
-    "Angle reference": "{offset}, u = {angle[standard_uncertainty_deg]:.3g} deg{level}",
+    "Angle reference": "{offset}, u = {angle[standard_uncertainty_deg]:.3g}°{level}",
 }
 IN_USE = {
     "Changes in use, contained in U": "up to {temperature_difference_K:g} K from the calibration,"
@@ -85,7 +86,7 @@ def load_cell_parts(content: Content) -> Parts:
     """Return what the certificate of a load cell says."""
     result, taken = content["result"], parse_load_cell(content["readings_csv"])
     loads = _loads(content, taken)
-    least, most, full = loads[0]["applied"], loads[-1]["applied"], result["full_scale_N"]
+    least, most, full = loads[0]["load"], loads[-1]["load"], result["full_scale_N"]
     extrapolated = " EXTRAPOLATED beyond the calibrated range" * (full > most)
     budgets = (
         budget_table(f"Budget of one reading of {what} at {full:g} N{extrapolated}", one, "N", "N")
@@ -99,8 +100,8 @@ def load_cell_parts(content: Content) -> Parts:
         _statements(content, most),
         [_results(loads, result), *_cell_tables(content)],
         _cell_figures(taken, result),
-        calibrated=f"{least:.1f} N to {most:.1f} N, {len(loads)} loads at {len(angles)} pin angles"
-        f" ({', '.join(f'{one:.0f}' for one in angles)} deg).",
+        calibrated=f"{_load(least, full)} N to {_load(most, full)} N, {len(loads)} loads at"
+        f" {len(angles)} pin angles ({', '.join(f'{one:.0f}' for one in angles)}°).",
         conditions=_conditions(content["settings"], result.get("creep")),
         uncertainty=[*_by_load(result, most), *(one for budget in budgets for one in budget)],
         readings=[_readings_table(taken, result), *_hung_table(taken)],
@@ -122,6 +123,8 @@ def _loads(content: Content, taken: LoadCellReadings) -> list[Content]:
     )
     offset = math.radians(content["settings"]["angle"]["offset_deg"] or 0.0)
     along = pin_force(np.ones(len(taken)), taken.angle, offset)
+    # What turns with the pin hangs with every load; it is taken out in use as well.
+    told = told - (result.get("pin_weight_N") or 0.0) * along
     applied = np.sum(np.array(result["applied_N"]) * along, axis=1)
     indicated = np.sum(told * along, axis=1)
     aside = np.sum(told * (along @ ACROSS), axis=1)
@@ -130,15 +133,17 @@ def _loads(content: Content, taken: LoadCellReadings) -> list[Content]:
     for mass in np.unique(taken.mass):
         here = taken.mass == mass
         load, shown, side = (float(one[here].mean()) for one in (applied, indicated, aside))
+        expanded = _uncertainty(result, load)
         found.append(
             {
-                "applied": load,
+                "load": load,
+                "applied": by_uncertainty(load, expanded, 1),
                 "readings": int(here.sum()),
-                "indicated": shown,
-                "error": shown - load,
-                "across": side,
-                "largest": float(off[here].max()),
-                "expanded": _uncertainty(result, load),
+                "indicated": by_uncertainty(shown, expanded, 1),
+                "error": by_uncertainty(shown - load, expanded, 1),
+                "across": by_uncertainty(side, expanded, 1),
+                "largest": by_uncertainty(float(off[here].max()), expanded),
+                "expanded": by_uncertainty(expanded, expanded),
                 "mark": "",
             }
         )
@@ -147,9 +152,10 @@ def _loads(content: Content, taken: LoadCellReadings) -> list[Content]:
 
 def _results(loads: Sequence[Content], result: Content) -> Table:
     items, full = [*loads], result["full_scale_N"]
-    if full > loads[-1]["applied"]:
+    if full > loads[-1]["load"]:
         expanded = result["expanded_uncertainty_N"]
-        items.append({"applied": full, "expanded": expanded, "mark": MARKED})
+        told = by_uncertainty(full, expanded, 1), by_uncertainty(expanded, expanded)
+        items.append({"applied": told[0], "expanded": told[1], "mark": MARKED})
     title = (
         "Results by load: means over the pin angles. Error: indicated less applied; across: what is"
         " indicated square to the load; largest error: of a single reading; U: of a single reading"
@@ -170,7 +176,15 @@ def _uncertainty(result: Content, load: float) -> float:
 def _by_load(result: Content, most: float) -> list[Table]:
     """Return U of a component, of |F| and of means at each load that the record states."""
     items = [
-        {**one, "mark": MARKED if one["load_N"] > most else ""}
+        {
+            **{
+                key: by_uncertainty(value, value)
+                if key.endswith(("_reading_N", "_many_N"))
+                else value
+                for key, value in one.items()
+            },
+            "mark": MARKED if one["load_N"] > most else "",
+        }
         for one in result.get("uncertainty_by_load", ())
     ]
     title = "Expanded uncertainty by load, N, about 95 %"
@@ -183,14 +197,14 @@ def _conditions(settings: Content, creep: Content | None) -> list[Row]:
     told = {
         **settings,
         "used": msgspec.convert(settings["weights"], WeightsSection).relative_uncertainty,
-        "offset": "none was stated; offset taken as 0 deg",
+        "offset": "none was stated; offset taken as 0 degrees",
         "level": "",
     }
     if offset is not None:
-        told["offset"] = f"offset {round(offset, 6) + 0.0:g} deg"
+        told["offset"] = f"offset {round(offset, 6) + 0.0:g}°"
     if len(level) == 2:
         one, two = (math.remainder(shown, 360.0) for shown in level)
-        told["level"] = f"; level turned end for end at {one:.3f} and {two:.3f} deg"
+        told["level"] = f"; level turned end for end at {one:.3f}° and {two:.3f}°"
     gravity = say(STATED_GRAVITY, settings, say(FROM_LATITUDE, settings))
     use = settings.get("use")
     return [
@@ -210,20 +224,34 @@ def _statements(content: Content, most: float) -> list[str]:
     result, in_use = content["result"], "use" in content["settings"]
     line, beyond, holds = result["uncertainty_line_N"], "", HOLDS_THEN
     if result["full_scale_N"] > most:
-        beyond = f" Above {most:.0f} N it is extrapolated: no load was there."
+        above = _load(most, result["full_scale_N"], -1)
+        beyond = f" Above {above} N it is extrapolated: no load was there."
     if in_use:
         holds = HOLDS_IN_USE
     return [
         "Method: dead weights at several angles of the pin. The procedure follows the ideas of ASTM"
         " E74 and ISO 376, which are for one axis and static forces; it does not comply with them.",
         result["classification"],
-        f"The expanded uncertainty of one reading is U(F) = {line['constant_N']:.2f} N +"
-        f" {line['per_N']:.5f} F with a coverage factor k = {result['coverage_factor']:.2f} at full"
-        f" scale (about 95 %). {holds}{beyond}",
-        "A common error of the pin angle leaves no residual; it is covered by the uncertainty of"
-        " the angle reference only.",
+        "The expanded uncertainty of one reading is U(F) ="
+        f" {by_uncertainty(line['constant_N'], line['constant_N'])} N +"
+        f" {by_uncertainty(line['per_N'], line['per_N'])} F with a coverage factor"
+        f" k = {result['coverage_factor']:.2f} at full scale (about 95 %). {holds}{beyond}",
+        _common_angle(content["settings"]["angle"]),
+        "No statement of conformity is made: no decision rule applies.",
         *_creep(content),
     ]
+
+
+def _load(load: float, full_scale: float, more: int = 0) -> str:
+    """Return a load in words: as exact as a thousandth of full scale."""
+    return by_uncertainty(load, 0.01 * full_scale, more)
+
+
+def _common_angle(angle: Content) -> str:
+    words = "A common error of the pin angle leaves no residual"
+    if angle["offset_deg"] is None:
+        return f"{words}, and no angle reference was taken: U does not hold it."
+    return f"{words}; U holds it by the uncertainty of the angle reference."
 
 
 def _creep(content: Content) -> list[str]:
@@ -241,22 +269,21 @@ def _creep(content: Content) -> list[str]:
 
 def _cell_tables(content: Content) -> list[Table]:
     result, unit = content["result"], content["settings"]["cell"]["signal_unit"]
-    columns = {
-        "matrix_N_per_unit": ".5f",
-        "matrix_standard_uncertainty_N_per_unit": ".5f",
-        "matrix_expanded_uncertainty_N_per_unit": ".5f",
-    }
     title, header = f"Force on the pin = K (signal - zero); N per {unit}", ("", "value", "u", "U")
-    fit = Table(title, tuple(elements("K", result, columns)), header)
+    fit = Table(title, tuple(_elements(result)), header)
     names = tuple(name for name, *_ in fit.rows)
-    covariance = tuple(
-        tuple(f"{value:.4e}" for value in row) for row in result["matrix_covariance"]
-    )
+    spread = np.sqrt(np.diag(np.array(result["matrix_covariance"])))
+    alike = np.array(result["matrix_covariance"]) / np.outer(spread, spread)
+    correlation = tuple(tuple(f"{value:.3f}" for value in row) for row in alike)
     return [
         fit,
         *_quadratic(result, unit),
         _zero(result, unit),
-        Table(f"Covariance of {', '.join(names)}", covariance, names),
+        Table(
+            f"Correlation of {', '.join(names)}: covariance is correlation times u times u",
+            correlation,
+            names,
+        ),
         Table(
             "Characteristics, per cent",
             tuple(rows_of(TRAITS, result["characteristics_percent"], "not measured")),
@@ -264,21 +291,49 @@ def _cell_tables(content: Content) -> list[Table]:
     ]
 
 
+def _elements(result: Content) -> Iterator[Row]:
+    """Yield the elements of the matrix with u and U, rounded by U."""
+    keys = ("", "_standard_uncertainty", "_expanded_uncertainty")
+    told = [result.get(f"matrix{key}_N_per_unit") for key in keys]
+    for row, column in np.ndindex(2, 2):
+        values = [None if one is None else one[row][column] for one in told]
+        of_all = values[2] or 0.0
+        shown = (
+            UNSTATED if one is None else by_uncertainty(one, of_all, place == 1)
+            for place, one in enumerate(values)
+        )
+        yield (f"K{row + 1}{column + 1}", *shown)
+
+
 def _zero(result: Content, unit: str) -> Table:
-    spreads = [
-        say(f"U = {{zero_expanded_uncertainty[{axis}]:.6f}}", result, f"U {UNSTATED}")
-        for axis in range(2)
-    ]
+    stated = result.get("zero_expanded_uncertainty") or (0.0, 0.0)
+    zeros = (
+        (
+            f"Zero of signal {axis}",
+            f"{by_uncertainty(value, spread)} {unit}, U ="
+            f" {by_uncertainty(spread, spread) if spread else UNSTATED}",
+        )
+        for axis, value, spread in zip((1, 2), result["zero"], stated, strict=True)
+    )
+    of_zero, weight = result.get("zero_expanded_uncertainty_N"), result.get("pin_weight_N")
     rows = (
-        *(
-            (f"Zero of signal {axis}", f"{value:.6f} {unit}, {spread}")
-            for axis, value, spread in zip((1, 2), result["zero"], spreads, strict=True)
+        *zeros,
+        (
+            "Uncertainty of the zero",
+            f"U = {by_uncertainty(of_zero, of_zero)} N" if of_zero else UNSTATED,
         ),
-        ("Uncertainty of the zero", say("U = {zero_expanded_uncertainty_N:.3f} N", result)),
+        *([] if weight is None else [_pin_weight(result)]),
         ("Model", result["terms"]),
-        ("Residual standard deviation", f"{result['residual_std_N']:.3f} N"),
+        ("Residual standard deviation", f"{result['residual_std_N']:.2g} N"),
     )
     return Table("Zero and residuals", rows)
+
+
+def _pin_weight(result: Content) -> Row:
+    expanded = result["pin_weight_expanded_uncertainty_N"]
+    value = by_uncertainty(result["pin_weight_N"], expanded)
+    name = "Weight that turns with the pin, taken out of the indications"
+    return name, f"{value} N, U = {by_uncertainty(expanded, expanded)} N"
 
 
 def _quadratic(result: Content, unit: str) -> list[Table]:
@@ -294,15 +349,16 @@ def _quadratic(result: Content, unit: str) -> list[Table]:
 
 
 def _readings_table(taken: LoadCellReadings, result: Content) -> Table:
+    expanded = result["expanded_uncertainty_N"]
     cell_rows = [
         (name, str(step), f"{mass:g}", f"{math.degrees(angle):.3f}", f"{one:.6f}", f"{two:.6f}",
-         f"{off[0]:.3f}", f"{off[1]:.3f}")
+         *(by_uncertainty(one, expanded, 1) for one in off))
         for name, step, mass, angle, (one, two), off in zip(
             taken.series, taken.step, taken.mass, taken.angle, taken.signal, result["residual_N"],
             strict=True,
         )
     ]  # fmt: skip
-    header = ("series", "step", "kg", "angle deg", "signal 1", "signal 2", "res. 1 N", "res. 2 N")
+    header = ("series", "step", "kg", "angle °", "signal 1", "signal 2", "res. 1 N", "res. 2 N")
     return Table("Readings as taken, residuals of the fit", tuple(cell_rows), header)
 
 
@@ -326,5 +382,5 @@ def _cell_figures(taken: LoadCellReadings, result: Content) -> list[Figure]:
     labels = ("residual (N)", ("signal 1", "signal 2"))
     return [
         plot("Residual against force", "applied force (N)", load, residual, *labels),
-        plot("Residual against pin angle", "pin angle (deg)", angle, residual, *labels),
+        plot("Residual against pin angle", "pin angle (°)", angle, residual, *labels),
     ]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -13,6 +12,7 @@ import numpy as np
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
+from rigapp.report.page.figures import canvas_of, name_curves, saved
 from rigapp.report.page.manuscript import Figure, Manuscript, Row, Table
 
 Content = Mapping[str, Any]
@@ -47,6 +47,18 @@ def say(template: str, one: Content, otherwise: str = UNSTATED) -> str:
         return template.format_map(one)
     except (KeyError, IndexError, TypeError):
         return otherwise
+
+
+def by_uncertainty(value: float, expanded: float, more: int = 0) -> str:
+    """Return a value with the decimals of U, which has two significant figures (JCGM 100, 7.2.6).
+
+    more: decimals beyond these, for what is known better. A U of 100 and more is one of tens.
+    """
+    if not (math.isfinite(expanded) and expanded > 0.0):
+        return f"{value:.6g}"
+    # The exponent of the rounded U: 0.0996 is 0.10, one place less.
+    places = 1 - int(f"{expanded:.1e}".partition("e")[2]) + more
+    return f"{round(value, places) + 0.0:.{max(0, places)}f}"
 
 
 def rows_of(lines: Mapping[str, str], one: Content, otherwise: str = UNSTATED) -> list[Row]:
@@ -138,7 +150,7 @@ def write_page(
     others: Mapping[str, Callable[[], bytes]] | None = None,
 ) -> None:
     """Write a document as its ending says, .pdf or .html, or as one of others; UnusableInput."""
-    from rigapp.report.page.html import as_html
+    from rigapp.report.page.manuscript import as_html
     from rigapp.report.page.pdf import as_pdf
 
     writers: dict[str, Callable[[], bytes]] = {
@@ -149,7 +161,7 @@ def write_page(
     writer = writers.get(to.suffix.lower())
     if writer is None:
         *first, last = writers
-        raise UnusableInput(f"{to}: a {what} is {', '.join(first)} or {last}; name it so.")
+        raise UnusableInput("{}: a {} is {} or {}; name it so.", to, what, ", ".join(first), last)
     with whole_file(to) as part:
         part.write_bytes(writer())
 
@@ -162,15 +174,11 @@ def plot(
 
     names: of the columns, none for one.
     """
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure as Canvas
-
-    canvas = Canvas(figsize=(6.0, 2.6), dpi=150, layout="constrained")
-    axes = canvas.add_subplot()
+    with canvas_of(2.3) as canvas:
+        axes = canvas.subplots()
     axes.set_xlabel(x_label)
     axes.set_ylabel(y_label)
-    axes.set_title(title, fontsize=9)
-    FigureCanvasAgg(canvas)
+    axes.set_title(title, loc="left")
     for axis, middle in enumerate(y.T):
         colour, marker, style = STYLES[axis % 2]
         label = names[axis] if names else None
@@ -182,7 +190,5 @@ def plot(
         axes.plot(x, middle, style, color=colour, lw=1.2, label=label)
     axes.axhline(0.0, color="#000000", lw=0.6)
     if names:
-        axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    stream = io.BytesIO()
-    canvas.savefig(stream, format="png", metadata={"Software": None})
-    return Figure(title, stream.getvalue(), f"{title}: largest {np.abs(y).max():.3g}.")
+        name_curves(axes)
+    return saved(canvas, title, f"{title}: largest {np.abs(y).max():.3g}.")

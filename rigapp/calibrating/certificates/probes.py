@@ -13,9 +13,9 @@ from rigapp.calibrating.certificates.parts import (
     rows_of,
     say,
 )
-from rigapp.presentation.numbers import capitalised
 from rigapp.report.page.manuscript import Figure, Row, Table
-from rigapp_calibration.probes.alignment import split_pair
+from rigapp.texts import capitalised
+from rigapp_calibration.probes.calibrate import split_pair
 from rigapp_calibration.probes.readings import ProbeReadings, parse_probe
 
 LINE = {

@@ -16,7 +16,7 @@ from rigapp.calibrating.practice import Actions
 from rigapp.calibrating.records import refuse_existing
 from rigapp.calibrating.session import LiveSession, Outcome, Rig
 from rigapp.calibrating.subjects import SUBJECTS
-from rigapp.commands.calibrate import ONE_SOURCE, calibrate_table, say_outcome
+from rigapp.commands.calibrate import ONE_SOURCE, calibrate_table, read_record, say_outcome
 from rigapp.commands.live.engine_line import Ask, engine_line, occupied
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
@@ -213,6 +213,7 @@ def calibrate(
     journal: Path | None,
     practise: bool,
     as_json: bool,
+    former: Path | None = None,
     read: Read = input,
 ) -> int:
     """Keep the record of a subject when its readings are good, a table's or live; the exit status.
@@ -223,7 +224,9 @@ def calibrate(
         raise UnusableInput(ONE_SOURCE)
     if rig is None:
         which = asked.get("which", "")
-        return calibrate_table(name, readings, settings, to, which=which, as_json=as_json)
+        return calibrate_table(
+            name, readings, settings, to, which=which, former=former, as_json=as_json
+        )
     subject = SUBJECTS[name]
     assert subject.session is not None
     assert subject.plan is not None
@@ -256,6 +259,8 @@ def calibrate(
         outcome = session.judge()
         if outcome.check is not None:
             return _keep_check(session, outcome, to.parent / STORE, as_json=as_json, say=say)
+        if former is not None:
+            outcome = outcome.against(read_record(former))
         if outcome.accepted:
             outcome = session.save(outcome, to)
         return say_outcome(outcome, to, as_json=as_json)
@@ -270,7 +275,7 @@ def _keep_check(
     history = session.keep_check(outcome, store)
     if as_json:
         print(json.dumps({**outcome.result, "history": history_result(history)}))
-    for line in (*outcome.lines, *verdict_lines(history)):
+    for line in dict.fromkeys((*outcome.lines, *verdict_lines(history))):
         say(line)
     say(f"It is kept in {STORE}; 'rigapp calibrate history' draws the chart.")
     return 0 if outcome.accepted and history.in_control else 1

@@ -15,6 +15,7 @@ from rigapp_model.wear.techniques import TECHNIQUES, Technique
 
 if TYPE_CHECKING:
     from rigapp_model.dynamics import MechanismMotion
+    from rigapp_model.parameters import Mechanism
 
 COLUMNS = (
     "crank_angle_deg",
@@ -33,6 +34,14 @@ COLUMNS = (
 )
 
 Array = np.ndarray
+
+
+def plane_words(mechanism: Mechanism) -> str:
+    """Say in which plane a mechanism was taken to move, as its gravity tells."""
+    x, y = mechanism.gravity
+    if x == 0.0 and y == 0.0:
+        return "horizontal plane (no gravity)"
+    return f"gravity {x:g}, {y:g} m/s² along x, y"
 
 
 @dataclass(frozen=True, slots=True)

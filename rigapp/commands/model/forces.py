@@ -10,8 +10,20 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rigapp.commands.model.cycle import CycleTable, check_rpm, columns_of, demand, joint_technique
-from rigapp.commands.model.impacts import Impacting, check_impacting, impact_cycle
+from rigapp.commands.model.cycle import (
+    CycleTable,
+    check_rpm,
+    columns_of,
+    demand,
+    joint_technique,
+    plane_words,
+)
+from rigapp.commands.model.impacts import (
+    Impacting,
+    check_impacting,
+    impact_cycle,
+    with_contact_law,
+)
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameters
 from rigapp.config.parameters import MM
@@ -46,6 +58,7 @@ def write_forces(
     _check(rpm, joint, clearance_mm, points, params_path, target)
     check_impacting(joint, options)
     parameters = _with_clearance(read_parameters(params_path), params_path, clearance_mm)
+    parameters = with_contact_law(parameters, options.contact_law, options.restitution)
     try:
         cycle = _cycle(parameters, rpm, joint, points, options)
     except OutOfTime:
@@ -61,7 +74,8 @@ def write_forces(
     size = cycle.columns["f_N"]
     print(
         f"{target}: {points} crank angles at {rpm:g} rpm, joint {joint}; "
-        f"force {size.min():.3f} to {size.max():.3f} N.{cycle.remark}"
+        f"force {size.min():.3f} to {size.max():.3f} N; {plane_words(parameters.mechanism)}."
+        f"{cycle.remark}"
     )
     for sentence in cycle.sentences:
         print(sentence, file=sys.stderr)

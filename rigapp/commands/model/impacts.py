@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,13 +15,15 @@ from rigapp.config.errors import UnusableInput
 from rigapp_model.wear.techniques import SOLVABLE, TECHNIQUES, listed
 
 if TYPE_CHECKING:
-    from rigapp_model.ensemble import Ensemble, Mean
-    from rigapp_model.impact import ContactCycle
-    from rigapp_model.impact_system import ClearanceSystem
+    from rigapp_model.contact.ensemble import Ensemble, Mean
+    from rigapp_model.contact.impact import ContactCycle
+    from rigapp_model.contact.impact_system import ClearanceSystem
     from rigapp_model.parameters import Parameters
 
 CONTACT_COLUMNS = ("contact", "penetration_um", "contact_angle_deg")
 FEWEST_REVOLUTIONS, MOST_REVOLUTIONS = 2, 1_000_000
+LARGEST_NOISE = 1e-3
+"""Of the force: numerical noise above is said."""
 SMALLEST_TOLERANCE, LARGEST_TOLERANCE = 1e-12, 0.1
 
 Array = np.ndarray
@@ -27,19 +31,29 @@ Array = np.ndarray
 
 @dataclass(frozen=True, slots=True)
 class Impacting:
-    """Hold what only separate bodies have: revolutions to average, tolerance, time limit (s)."""
+    """Hold what only separate bodies have: revolutions to average, tolerance, time limit (s).
+
+    contact_law, restitution: None takes the parameter file's.
+    """
 
     revolutions: int | None = None
     tolerance: float | None = None
     time_limit_s: float | None = None
+    contact_law: str | None = None
+    restitution: float | None = None
 
 
 def check_impacting(joint: str, options: Impacting) -> None:
     """Refuse options that another joint has no use for, or that are out of range."""
-    for name, value in (("--revolutions", options.revolutions), ("--tolerance", options.tolerance)):
-        if value is not None and joint in SOLVABLE:
-            others = listed(tuple(one for one in TECHNIQUES if one not in SOLVABLE))
-            raise UnusableInput(f"{name} has no meaning for --joint {joint}; use --joint {others}.")
+    check_contact_options(
+        joint,
+        {
+            "--revolutions": options.revolutions,
+            "--tolerance": options.tolerance,
+            "--contact-law": options.contact_law,
+            "--restitution": options.restitution,
+        },
+    )
     number, tolerance = options.revolutions, options.tolerance
     if number is not None and not FEWEST_REVOLUTIONS <= number <= MOST_REVOLUTIONS:
         raise UnusableInput(
@@ -52,6 +66,33 @@ def check_impacting(joint: str, options: Impacting) -> None:
     check_time_limit(options.time_limit_s)
 
 
+def check_contact_options(joint: str, options: Mapping[str, object]) -> None:
+    """Refuse options (name -> value, None where not given) that another joint has no use for."""
+    for name, value in options.items():
+        if value is not None and joint in SOLVABLE:
+            others = listed(tuple(one for one in TECHNIQUES if one not in SOLVABLE))
+            raise UnusableInput(f"{name} has no meaning for --joint {joint}; use --joint {others}.")
+
+
+def with_contact_law(
+    parameters: Parameters, law: str | None, restitution: float | None
+) -> Parameters:
+    """Return the parameters with a law or a restitution instead of the file's."""
+    from rigapp_model.errors import ModelError
+    from rigapp_model.restitution import check_law
+
+    joint = parameters.joint
+    law = joint.contact_law if law is None else law
+    restitution = joint.restitution if restitution is None else restitution
+    try:
+        check_law(law, restitution)
+    except ModelError as error:
+        shown = f"--contact-law {law}" if error.quantity == "contact_law" else ""
+        shown = shown or f"--restitution {restitution:g}"
+        raise UnusableInput(f"{shown}: {error.remedy}.") from error
+    return replace(parameters, joint=replace(joint, contact_law=law, restitution=restitution))
+
+
 def impact_cycle(
     parameters: Parameters, speed: float, degrees: Array, options: Impacting
 ) -> CycleTable:
@@ -60,12 +101,15 @@ def impact_cycle(
     One alone is the second revolution after a start in contact. Raises the model's OutOfTime when
     time runs out before there is one.
     """
+    from rigapp_model.contact.ensemble import ensemble
+    from rigapp_model.contact.impact import contact_cycle
+    from rigapp_model.contact.impact_system import clearance_system
     from rigapp_model.contact_law import ContactModel
-    from rigapp_model.ensemble import ensemble
-    from rigapp_model.impact import contact_cycle
-    from rigapp_model.impact_system import clearance_system
 
-    law = ContactModel() if options.tolerance is None else ContactModel(tolerance=options.tolerance)
+    joint = parameters.joint
+    law = ContactModel(joint.contact_law, joint.restitution)
+    if options.tolerance is not None:
+        law = replace(law, tolerance=options.tolerance)
     system = clearance_system(
         parameters.mechanism,
         parameters.joint,
@@ -80,13 +124,14 @@ def impact_cycle(
         else:
             many = ensemble(system, options.revolutions, len(degrees), progress=tell)
             sample = many.sample
+        noise = _noise_of(system, sample, many, len(degrees), tell)
     columns = _sample_columns(system, degrees, sample)
     if many is not None:
         columns |= _mean_columns(many)
     if speed < 0.0:
         columns = {name: _backwards(name, column) for name, column in columns.items()}
     complete = many is None or many.revolutions == options.revolutions
-    sentences = _sentences(system, sample, many)
+    sentences = [*_noise(system, sample, noise), *_sentences(system, sample, many)]
     if many is not None and not complete:
         sentences.append(
             f"--time-limit-s {options.time_limit_s:g}: over after {many.revolutions} of"
@@ -105,6 +150,7 @@ def _sample_columns(
         1e6 * np.maximum(cycle.penetration, 0.0),
         np.degrees(cycle.contact_angle),
     )
+    columns["slip_mm"] = 1e3 * cycle.slip
     return columns | dict(zip(CONTACT_COLUMNS, values, strict=True))
 
 
@@ -132,7 +178,8 @@ def _remark(system: ClearanceSystem, cycle: ContactCycle, many: Ensemble | None)
     if many is None:
         remark = (
             f" In contact {100.0 * cycle.contact_fraction:.1f} % of the revolution,"
-            f" {len(cycle.impacts)} impacts."
+            f" {len(cycle.impacts)} impacts, greatest force {cycle.greatest_force:.4g} N between"
+            " the angles too."
         )
     else:
         fraction, impacts, mean, most = (
@@ -148,7 +195,8 @@ def _remark(system: ClearanceSystem, cycle: ContactCycle, many: Ensemble | None)
             f" Over {many.revolutions} revolutions (mean +/- standard error): in contact"
             f" {100.0 * fraction[0]:.2f} +/- {100.0 * fraction[1]:.2f} % of the time,"
             f" {impacts[0]:.2f} +/- {impacts[1]:.2f} impacts a revolution, mean force"
-            f" {mean[0]:.4g} +/- {mean[1]:.2g} N, greatest {most[0]:.4g} +/- {most[1]:.2g} N."
+            f" {mean[0]:.4g} +/- {mean[1]:.2g} N, greatest {most[0]:.4g} +/- {most[1]:.2g} N"
+            f" between the angles too.{_peaks(many.peaks)}"
         )
     low, high = system.contact.friction_ramp
     if system.joint.friction_coefficient > 0.0:
@@ -159,9 +207,65 @@ def _remark(system: ClearanceSystem, cycle: ContactCycle, many: Ensemble | None)
     return remark
 
 
+def _peaks(peaks: Array) -> str:
+    """Return the distribution of the greatest forces of impacts (N) in words; none of none."""
+    if not len(peaks):
+        return ""
+    half, most, rare = np.quantile(peaks, (0.5, 0.9, 0.99))
+    return (
+        f" Greatest force of each of {len(peaks)} impacts: half above {half:.4g} N, one in 10 above"
+        f" {most:.4g} N, one in 100 above {rare:.4g} N, the largest {peaks.max():.4g} N."
+    )
+
+
+def _noise_of(
+    system: ClearanceSystem,
+    sample: ContactCycle,
+    many: Ensemble | None,
+    points: int,
+    tell: Callable[[float], None],
+) -> float | None:
+    """Return what the tolerance leaves in the force, N RMS; NaN, or None where time ran out."""
+    from rigapp_model.contact.impact import contact_cycle, numerical_noise
+    from rigapp_model.contact_law import ContactModel
+    from rigapp_model.errors import OutOfTime
+
+    if not sample.contact_is_continuous and system.contact.tolerance <= ContactModel().tolerance:
+        return float("nan")
+    try:
+        # Of means the sample is a later revolution than that of the finer run.
+        first = contact_cycle(system, points, progress=tell) if many else sample
+        return numerical_noise(system, first, points, progress=tell)
+    except OutOfTime:
+        return None
+
+
+def _noise(system: ClearanceSystem, cycle: ContactCycle, noise: float | None) -> list[str]:
+    """Say what the tolerance leaves in the force (N RMS, NaN: not known), where it matters."""
+    from rigapp_model.contact_law import ContactModel
+
+    given, usual = system.contact.tolerance, ContactModel().tolerance
+    if noise is None:
+        return []
+    if math.isnan(noise):
+        if given <= usual:
+            return []
+        return [
+            f"--tolerance {given:g} is coarser than {usual:g}; where contact is lost its numerical"
+            f" noise cannot be told from the motion: compare means of both."
+        ]
+    size = float(np.sqrt(np.mean(cycle.motion.force_magnitude**2)))
+    if noise <= LARGEST_NOISE * size:
+        return []
+    return [
+        f"--tolerance {given:g} leaves numerical noise of {noise:.2g} N RMS in a force of"
+        f" {size:.3g} N RMS; give a smaller one, {usual:g} by default."
+    ]
+
+
 def _sentences(system: ClearanceSystem, cycle: ContactCycle, many: Ensemble | None) -> list[str]:
     """Return what must be read: that a curve is one sample, and where the law does not hold."""
-    sentences = []
+    sentences = [sentence for sentence in [system.contact.sentence()] if sentence]
     lost = many.contact_fraction.value < 1.0 if many else not cycle.contact_is_continuous
     if lost:
         advice = (
@@ -173,12 +277,17 @@ def _sentences(system: ClearanceSystem, cycle: ContactCycle, many: Ensemble | No
             "Pin and bushing lose contact: the motion is chaotic and this curve is one sample of"
             f" it, no revolution is like the next; {advice}."
         )
-    deepest = float(cycle.penetration.max())
-    if deepest > system.joint.clearance:
+    fastest, full = float(np.abs(cycle.sliding).max()), system.contact.friction_ramp[1]
+    if system.joint.friction_coefficient > 0.0 and fastest < full:
         sentences.append(
-            f"The pin presses {1e6 * deepest:.0f} um into the bushing, deeper than the clearance of"
-            f" {1e6 * system.joint.clearance:.0f} um: the law of a small contact does not hold"
-            " there."
+            f"The pin slides at {1e3 * fastest:.2g} mm/s at most; friction acts in full only from"
+            f" {1e3 * full:.2g} mm/s on, so this curve has too little of it."
+        )
+    deepest = float(cycle.penetration.max())
+    if deepest > system.deepest:
+        sentences.append(
+            f"The pin presses {1e6 * deepest:.0f} um into the bushing; the contact law"
+            f" {system.contact.law} does not hold beyond {1e6 * system.deepest:.0f} um."
         )
     return sentences
 

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
-from rigapp.commands.model.cycle import check_rpm, demand, joint_technique
+from rigapp.commands.model.cycle import check_rpm, demand, joint_technique, plane_words
+from rigapp.commands.model.impacts import check_contact_options, with_contact_law
 from rigapp.commands.progress import check_time_limit, watched
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameters
@@ -35,12 +36,15 @@ class Scheme:
     """Hold how a life is computed.
 
     method: implicit or explicit; extrapolation: most cycles of an explicit step, None for half the
-    stability limit; contact: finite-element or winkler.
+    stability limit; contact: finite-element or winkler. contact_law, restitution: of separate
+    bodies, None for the parameter file's.
     """
 
     method: str = "implicit"
     extrapolation: float | None = None
     contact: str = "finite-element"
+    contact_law: str | None = None
+    restitution: float | None = None
 
 
 def write_wear(
@@ -71,7 +75,11 @@ def write_wear(
     scheme = scheme or Scheme()
     _check_scheme(scheme)
     check_time_limit(time_limit_s)
-    parameters = read_parameters(params_path)
+    given = {"--contact-law": scheme.contact_law, "--restitution": scheme.restitution}
+    check_contact_options(joint, given)
+    parameters = with_contact_law(
+        read_parameters(params_path), scheme.contact_law, scheme.restitution
+    )
     try:
         with watched("wear", time_limit_s) as tell, _plain(params_path, force_N):
             result = life(
@@ -96,7 +104,9 @@ def write_wear(
     if profile is not None:
         columns = {"angle_deg": np.degrees(result.angle), "depth_mm": result.depth / MM}
         write_table("--profile", profile, columns)
-    print(_summary(target, result, joint, force_N))
+    by_mechanism = f"joint {joint}, {plane_words(parameters.mechanism)}"
+    kind = by_mechanism if force_N is None else f"constant force {force_N:g} N"
+    print(_summary(target, result, kind))
     for note in result.notes:
         print(note, file=sys.stderr)
     return 0 if result.tolerance_met and result.complete else 1
@@ -188,9 +198,8 @@ def _wear_columns(result: Life) -> dict[str, Any]:
     }
 
 
-def _summary(target: Path, result: Life, joint: str, force_N: float | None) -> str:
-    """Return what to print about a life."""
-    kind = f"joint {joint}" if force_N is None else f"constant force {force_N:g} N"
+def _summary(target: Path, result: Life, kind: str) -> str:
+    """Return what to print about a life under a kind of load."""
     return (
         f"{target}: {len(result.cycles)} rows, {kind}; after {result.cycles[-1]:.0f} cycles"
         f" {result.max_depth[-1] / MM:.6g} mm deep (error at most"

@@ -9,6 +9,8 @@ import enum
 import math
 from dataclasses import dataclass
 
+from rigapp.texts import say
+
 STANDING_RPM = 1.0  # a drive shows less by the ripple of its own encoder
 RETRY_S = 0.1
 """Period in which a command is repeated that failed or has no effect: no drive answers faster."""
@@ -94,8 +96,14 @@ class Seen:
         """Return who confirms the stand, in words."""
         drive, encoder = self.drive_rpm is not None, self.encoder_stands is not None
         if drive and encoder:
-            return "drive and encoder"
-        return "the drive only" if drive else "the encoder only" if encoder else "nobody"
+            return say("drive and encoder")
+        return (
+            say("the drive only")
+            if drive
+            else say("the encoder only")
+            if encoder
+            else say("nobody")
+        )
 
 
 class SpeedTrend:
@@ -173,12 +181,12 @@ class StopSequence:
     def how(self) -> str:
         """Return how the spindle came to a stand, in words."""
         if not self._off_done:
-            return "though the drive accepted no command"
+            return say("though the drive accepted no command")
         if self.ignored:
-            return "though the power-off had no effect"
+            return say("though the power-off had no effect")
         if self.unseen:
-            return "without power, and its watchdog has had the time to stop it"
-        return "after the power had to be cut" if self.escalated else "without power"
+            return say("without power, and its watchdog has had the time to stop it")
+        return say("after the power had to be cut") if self.escalated else say("without power")
 
     @property
     def off(self) -> bool:

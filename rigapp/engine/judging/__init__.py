@@ -1,1 +1,1 @@
-"""Judge what was measured: limits, stop criteria, alarms and their causes, the guard."""
+"""Judge what was measured: limits, stop criteria, alarms and their causes."""

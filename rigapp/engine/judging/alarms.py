@@ -17,6 +17,7 @@ from rigapp.schema.alarms import Cause
 from rigapp.schema.loglines import AlarmChange, What
 from rigapp.schema.messages import Alarm, Ends, Severity
 from rigapp.schema.states import Refused
+from rigapp.texts import Sentence, joined
 
 LONGEST_SHELF_S = 12 * 3600.0  # a shift: nobody inherits a hidden alarm
 
@@ -48,8 +49,8 @@ class _Entry:
             severity=kind.severity,
             title=cause.title,
             cause=cause.sentence,
-            consequence=kind.consequence,
-            action=kind.action,
+            consequence=Sentence(kind.consequence),
+            action=Sentence(kind.action),
             raised_at=self.raised_at,
             revolution=self.revolution,
             active=self.active,
@@ -152,8 +153,9 @@ class AlarmBook:
             raise Refused("an alarm is shelved only with a reason; say why")
         if not 0 < seconds <= LONGEST_SHELF_S:
             raise Refused(
-                f"an alarm can be shelved for at most {LONGEST_SHELF_S / 3600:g} h, "
-                f"not {seconds / 3600:g} h"
+                "an alarm can be shelved for at most {:g} h, not {:g} h",
+                LONGEST_SHELF_S / 3600,
+                seconds / 3600,
             )
         now = self._elapsed()
         with self._lock:
@@ -194,9 +196,9 @@ class AlarmBook:
             for entry in self._entries.values():
                 title, kind = entry.cause.title, entry.cause.kind
                 if kind.latched and entry.active:
-                    raise Refused(f'"{title}" is still active: {kind.action}')
+                    raise Refused('"{}" is still active: {}', title, kind.action)
                 if kind.latched and not entry.acknowledged:
-                    raise Refused(f'"{title}" is not acknowledged; do that first')
+                    raise Refused('"{}" is not acknowledged; do that first', title)
             gone = [entry.alarm(now) for entry in self._entries.values() if not entry.active]
             self._entries = {k: e for k, e in self._entries.items() if e.active}
             self._first_out_given = False
@@ -261,6 +263,6 @@ class AlarmBook:
     def _find(self, key: str) -> _Entry:
         entry = self._entries.get(key)
         if entry is None:
-            known = ", ".join(self._entries) or "none"
-            raise Refused(f'there is no alarm "{key}"; on the list are: {known}')
+            known = joined(", ", self._entries) or "none"
+            raise Refused('there is no alarm "{}"; on the list are: {}', key, known)
         return entry

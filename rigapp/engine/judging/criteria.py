@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from rigapp.config.ranges import unit_of
 from rigapp.config.recipe import StopSection
+from rigapp.config.rules import levels
 from rigapp.schema.channels import BASE
 from rigapp.schema.criteria import CRITERIA, At, Criterion, Sight
 from rigapp.schema.messages import NOT_STEADY
@@ -158,12 +159,17 @@ class StopMonitor:
         """Tell whether anything beside the number of revolutions ends the test."""
         return any(self._seen.values())
 
+    def recent(self, last: int) -> int:
+        """Return the revolution after which depths of an earlier segment still count."""
+        return last - 2 * self._stop.wear_rate_window_revolutions
+
     def remember(self, rows: Iterable[Array], last: int, depths: Array = NOTHING) -> None:
         """Take up an earlier segment: its rows, (len(HISTORY_COLUMNS), n) each, in order.
 
         last: number of the last of them; depths: (len(DEPTH_COLUMNS), n), mm. What must come in a
         row begins afresh.
         """
+        recent = self.recent(last)
         left_out: set[int] = set()
         for number, speed, quality in rows:
             steps = np.diff(number, prepend=self._last)
@@ -172,8 +178,8 @@ class StopMonitor:
             self.running_h += float(hours[np.isfinite(hours) & (hours > 0)].sum())
             if len(number):
                 self._last = int(number[-1])
-            left_out.update(number[(quality.astype(np.int64) & NOT_STEADY) != 0].astype(int))
-        recent = last - 2 * self._stop.wear_rate_window_revolutions
+            unsteady = (quality.astype(np.int64) & NOT_STEADY) != 0
+            left_out.update(number[unsteady & (number > recent)].astype(int))
         for one, depth in depths[:, (depths[0] > recent) & (depths[0] <= last)].T.tolist():
             if int(one) not in left_out and math.isfinite(depth):
                 for rate in self._rates:
@@ -244,17 +250,3 @@ class StopMonitor:
         if math.isfinite(speed_rpm) and speed_rpm > 0:
             self.running_h += max(0, number - self._last) / (60.0 * speed_rpm)
         self._last = number
-
-
-def levels(stop: StopSection) -> dict[str, float]:
-    """Return the levels of the criteria that are set, by key, in the order of the table."""
-    found = {key: getattr(stop, key) for key in CRITERIA}
-    return {key: level for key, level in found.items() if level is not None}
-
-
-def described(stop: StopSection) -> list[str]:
-    """Return the criteria that are set, in words, for a check or a report."""
-    return [
-        f"{CRITERIA[key].title} {level:g} {unit_of('stop.' + key)}"
-        for key, level in levels(stop).items()
-    ]

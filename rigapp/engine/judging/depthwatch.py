@@ -12,8 +12,9 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from rigapp.schema.alarms import Cause, because
+from rigapp.schema.alarms import Cause, make_alarm
 from rigapp.schema.criteria import CRITERIA
+from rigapp.texts import say
 
 BIN = 10
 """Revolutions of a mean: they wear less than its uncertainty but where the joint runs in."""
@@ -67,7 +68,7 @@ class DepthWatch:
         depth, doubt, model = (1e3 * values[name] for name in names)
         if not (math.isfinite(depth) and math.isfinite(doubt)):
             return
-        now = KnownDepth(depth, doubt, model, f"revolution {number}")
+        now = KnownDepth(depth, doubt, model, say("revolution {}", number))
         self._negative = self._negative + 1 if depth < -doubt else 0
         cause = self._differs(now)
         self._in_a_row = self._in_a_row + 1 if cause is not None else 0
@@ -78,10 +79,10 @@ class DepthWatch:
             self._sum, self._count, self._in_a_row = [0.0, 0.0], 0, 0
             yield self._unbelieved(cause)
         if self._negative == STAYS and not self.remark:
-            yield self._unbelieved(because("wear_negative", depth_um=depth, doubt_um=doubt))
+            yield self._unbelieved(make_alarm("wear_negative", depth_um=depth, doubt_um=doubt))
 
     def _unbelieved(self, cause: Cause) -> Cause:
-        self.remark = self.remark or f"The wear depth is not to be trusted. {cause.sentence}"
+        self.remark = self.remark or say("The wear depth is not to be trusted. {}", cause.sentence)
         return cause
 
     def _differs(self, now: KnownDepth) -> Cause | None:
@@ -114,7 +115,7 @@ class DepthWatch:
 
 
 def _told(before: KnownDepth, now: KnownDepth, doubt: float, *, jumped: bool) -> Cause:
-    return because(
+    return make_alarm(
         "wear_jumped" if jumped else "wear_fell",
         when=before.when,
         before_um=before.depth,

@@ -10,8 +10,9 @@ import math
 from collections.abc import Iterator, Mapping
 
 from rigapp.config.parameters import PairingSection
-from rigapp.schema.alarms import Cause, because
+from rigapp.schema.alarms import Cause, make_alarm
 from rigapp.schema.units import stem_of, unit_of_key
+from rigapp.texts import say
 
 STAYS = 20
 """Revolutions in a row until a pairing counts as beyond its range, or as back in it: what heat does
@@ -38,13 +39,13 @@ class JointWatch:
         self._in_a_row = self._in_a_row + 1 if known and bool(beyond) != self._left else 0
         if self._in_a_row >= STAYS:
             self._in_a_row, self._left = 0, bool(beyond)
-            yield because("pairing_left", sentence=beyond) if beyond else "pairing_left"
+            yield make_alarm("pairing_left", sentence=beyond) if beyond else "pairing_left"
         since = values["wear_departure_revolution"]
         # One of an earlier test of the specimen was told then.
         if since > 0.0 and since != self._told:
             self._told = since
-            how = "faster" if values["wear_consistency"] > 0.0 else "more slowly"
-            yield because("wears_otherwise", since=since, how=how)
+            how = say("faster") if values["wear_consistency"] > 0.0 else say("more slowly")
+            yield make_alarm("wears_otherwise", since=since, how=how)
 
     def _judged(self, values: Mapping[str, float]) -> Iterator[float]:
         """Yield the values that have a level."""
@@ -61,8 +62,12 @@ class JointWatch:
             if level is None or not (value > level if side == "high" else value < level):
                 continue
             words, unit = quantity.replace("_", " "), unit_of_key(key).words
-            return (
-                f"The largest {words} of a revolution is {value:.4g} {unit}; model.pairing.{key} is"
-                f" {level:g}."
+            return say(
+                "The largest {} of a revolution is {:.4g} {}; model.pairing.{} is {:g}.",
+                words,
+                value,
+                unit,
+                key,
+                level,
             )
         return ""

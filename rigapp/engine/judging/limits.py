@@ -16,6 +16,7 @@ from rigapp.engine.samples import slow
 from rigapp.schema.alarms import Cause, exceeded, without_value
 from rigapp.schema.channels import ChannelTable
 from rigapp.schema.messages import Severity
+from rigapp.texts import joined, say
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,7 +198,7 @@ class RuleMonitor:
             margin = 100.0 * sign * (watch.limit - value) / max(abs(watch.limit), 1e-9)
             if margin < worst:
                 side = "above" if watch.above else "below"
-                worst, name = margin, f"{watch.quantity} {watch.severity.value} {side}"
+                worst, name = margin, say("{} {} {}", watch.quantity, watch.severity, side)
         return worst, name
 
 
@@ -210,8 +211,11 @@ def least_margin(
     """
     return min(
         monitor.worst_margin(values, step),
-        margin_to(limits.overload_N, values["force_max"], "overload"),
-        margin_to(limits.overspeed_rpm, abs(values["speed_max"]), "overspeed"),
+        *(
+            margin_to(getattr(limits, name), abs(values[one.columns[0]]), one.alarm)
+            for name, one in ALWAYS.items()
+            if one.columns
+        ),
         key=lambda one: math.inf if math.isnan(one[0]) else one[0],
     )
 
@@ -239,7 +243,7 @@ def changed_limits(
             if getattr(rule, level) is not None
         ]
         raise UnusableInput(
-            f"there is no limit {name!r}; there are: {', '.join((*ALWAYS, *known))}"
+            "there is no limit {}; there are: {}", repr(name), joined(", ", (*ALWAYS, *known))
         )
     wrong = limit_refusal(name, value, table)
     if wrong:

@@ -11,6 +11,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
+from rigapp.texts import say
+
 AGREE: Final = 0.1
 """Share of the set speed within which both must tell the same; ripple and age of the drive's answer
 stay well below at a steady speed, a wrong gear or pulley does not."""
@@ -84,18 +86,20 @@ def wrong_sense(encoder_back: bool, drive_back: bool, directions: tuple[int, int
     """
     encoder, spindle = directions
     if encoder_back and drive_back:
-        return (
-            "Encoder and drive show the crank turning backwards, though forwards was commanded: "
-            "check the motor's leads, and A and B of the drive's encoder."
+        return say(
+            "Encoder and drive show the crank turning backwards, though forwards was"
+            " commanded: check the motor's leads, and A and B of the drive's encoder."
         )
     if encoder_back:
-        return (
-            "The encoder shows the crank turning backwards, while the drive turns forwards. If the "
-            "crank turned counter-clockwise, exchange A and B of the crank encoder or set "
-            f"encoder.direction = {-encoder} in the rig file; if it did not, set "
-            f"spindle.direction = {-spindle}."
+        return say(
+            "The encoder shows the crank turning backwards, while the drive turns"
+            " forwards. If the crank turned counter-clockwise, exchange A and B of the"
+            " crank encoder or set encoder.direction = {} in the rig file; if it did"
+            " not, set spindle.direction = {}.",
+            -encoder,
+            -spindle,
         )
-    return (
-        "The drive reports that it turns backwards, while the encoder shows forwards: exchange "
-        "A and B of the drive's own encoder."
+    return say(
+        "The drive reports that it turns backwards, while the encoder shows forwards:"
+        " exchange A and B of the drive's own encoder."
     )

@@ -63,7 +63,7 @@ class TestRun:
         utc: Callable[[int, float], float],
         resumed: bool,
         stops: StopMonitor | None = None,
-        slow: Callable[[int], Mapping[str, float]] = lambda host_time_ns: {},
+        slow: Callable[[int, float], Mapping[str, float]] = lambda host_time_ns, lasted_s: {},
         joint: JointWatch | None = None,
         depth: DepthWatch | None = None,
         step: Callable[[int], int] = lambda number: 0,
@@ -87,6 +87,7 @@ class TestRun:
         self.step = step
         self._resumed = resumed
         self._first_ordinal: int | None = None
+        self._ended_ns: int | None = None
 
     def begin(self, sample: int) -> None:
         """Take note of the device sample at which the test's time starts."""
@@ -121,7 +122,8 @@ class TestRun:
             revolution.host_time_ns, revolution.later_samples / revolution.sample_rate_Hz
         )
         row[place["quality"]] = int(flags)
-        for name, value in self._slow(revolution.host_time_ns).items():
+        ended_ns = revolution.host_time_ns
+        for name, value in self._slow(ended_ns, self._lasted_s(row, ended_ns)).items():
             row[place[name]] = value
         named = dict(zip(place, row.tolist(), strict=True))
         steady = not flags & NOT_STEADY
@@ -129,6 +131,15 @@ class TestRun:
         self.number = number
         self.complete = number >= self.planned
         met = self.stops.row(row)
+        self._ended_ns = ended_ns
         self.newest = Row(number, row, named, measured, verdicts, self.complete, met)
         self.judged = self.newest if steady else self.judged
         return self.newest
+
+    def _lasted_s(self, row: NDArray[np.float64], host_time_ns: int) -> float:
+        """Return how long a revolution took in host time, which a simulated rig may outrun."""
+        speed = float(row[self.calibration.table.place["speed"]])
+        lasted_s = 60.0 / speed if speed > 0.0 else 0.0
+        if self._ended_ns is None:
+            return lasted_s
+        return min(lasted_s, (host_time_ns - self._ended_ns) * 1e-9)

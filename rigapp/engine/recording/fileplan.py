@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from rigapp.config.recipe import TestFile
 from rigapp.config.sequence import Sequence
-from rigapp.engine.recording.history import triggered_cycles
+from rigapp.engine.recording.history import triggered_cycles, waiting_cycles
 from rigapp.engine.recording.schedule import Schedule
 from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.storage import FilePlan, profile_rows
@@ -19,6 +21,11 @@ STAND_S = 3.0
 
 UNFINISHED = 2
 """Unfinished revolutions for which room is reserved."""
+
+
+def _bytes_of(table: ChannelTable) -> int:
+    """Return the bytes of one sample of all columns."""
+    return sum(np.dtype(one.dtype).itemsize for one in table.cycle_columns)
 
 
 def file_plan(
@@ -50,5 +57,7 @@ def file_plan(
         cycle_reason=True,
         event_details=True,
         unfinished_samples=UNFINISHED * cut_off,
+        checksums=True,
+        waiting_cycles=waiting_cycles(test.cycles, revolutions, samples * _bytes_of(table)),
         profiles=profile_rows(revolutions) if test.prediction.enabled else 0,
     )

@@ -55,6 +55,13 @@ def triggered_cycles(section: CyclesSection, revolutions: int) -> int:
     return min(bursts * burst, revolutions)
 
 
+def waiting_cycles(section: CyclesSection, revolutions: int, cycle_bytes: int) -> int:
+    """Return the cycles of so many bytes that wait in memory, and beside it in the file."""
+    if not (_burst(section) or Schedule(section, revolutions).any):
+        return 0
+    return min(section.before_alarm + 1, max(1, RING_BYTES // cycle_bytes))
+
+
 def _burst(section: CyclesSection) -> int:
     """Return the cycles that one trigger keeps at most; 0 when nothing is triggered."""
     if section.before_alarm == 0 and section.after_alarm == 0:
@@ -147,6 +154,13 @@ class History:
         if not self._newest_left:
             entry.measured = measured.kept()
         return leaving
+
+    def waiting(self) -> Kept | None:
+        """Return the newest revolution where it may still be wanted, None once it has left."""
+        newest = self._newest
+        if newest is None or (self._newest_left and newest.why is not None):
+            return None
+        return newest if self._burst or self._schedule.any else None
 
     def close(self) -> list[Kept]:
         """End the test: return what else is to be written, the last revolution among it."""

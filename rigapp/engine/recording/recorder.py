@@ -163,7 +163,12 @@ class Recorder:
             self._last = (number, measured.revolution.ordinal)
             self._whole = number >= self._history.planned
             quality = int(row[measured.calibration.table.place["quality"]])
-            self._keep(self._history.add(number, measured, quality))
+            leaving = self._history.add(number, measured, quality)
+            self._keep(leaving)
+            waiting = self._history.waiting()
+            if waiting is not None:
+                samples = self._samples(measured)
+                self._store.hold_cycle(number, samples, waiting.why or "", quality)
 
     def trigger(self, critical: bool) -> None:
         """Keep the next whole cycle and those around it: something has happened."""

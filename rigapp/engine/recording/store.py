@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, Protocol
 
-import msgspec
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -24,12 +24,14 @@ from rigapp.engine.values.instruments import InputLine, ProbePair
 from rigapp.schema.channels import LOAD_CELL, PROBES, ChannelTable, Kind
 from rigapp.schema.loglines import RestSignals, SpecimenWear
 from rigapp.schema.messages import Event, LookedAfter
+from rigapp.schema.wire import tree_of
 from rigapp.storage import (
     CALIBRATION,
     TestMetadata,
     create_test,
     open_test,
     reopen_test,
+    rows_up_to,
 )
 from rigapp_calibration.load_cell.force_uncertainty import (
     noise_of_sample,
@@ -67,6 +69,11 @@ class Store(Protocol):
         self, revolution: int, columns: Mapping[str, ArrayLike], why: str, quality: int
     ) -> bool:
         """Append a whole cycle and why it is kept; False when there is no room for it."""
+
+    def hold_cycle(
+        self, revolution: int, columns: Mapping[str, ArrayLike], why: str, quality: int
+    ) -> None:
+        """Put a whole cycle that waits in memory into the file too, for after a crash."""
 
     def append_unfinished(
         self, revolution: int, columns: Mapping[str, ArrayLike], quality: int
@@ -118,6 +125,10 @@ def _no_history() -> Iterator[NDArray[np.float64]]:
     return iter(())
 
 
+def _no_depths(after: int) -> NDArray[np.float64]:
+    return NOTHING
+
+
 @dataclass(frozen=True, slots=True)
 class Opened:
     """A test file that is ready for rows. rows: already in it; last_*: of the last of these.
@@ -125,8 +136,8 @@ class Opened:
     table: the channels that it keeps, None for those of the rig.
 
     triggered: whole cycles in it that a trigger kept. history: yields these rows, some at a time,
-    as (len(HISTORY_COLUMNS), n); depths: reads the measured wear depths in it, as
-    (len(DEPTH_COLUMNS), n).
+    as (len(HISTORY_COLUMNS), n); depths: reads the measured wear depths in it after a revolution,
+    as (len(DEPTH_COLUMNS), n).
     """
 
     store: Store
@@ -135,7 +146,7 @@ class Opened:
     last_time_s: float = 0.0
     last_host_time: float = 0.0
     history: Callable[[], Iterator[NDArray[np.float64]]] = _no_history
-    depths: Callable[[], NDArray[np.float64]] = NOTHING.copy
+    depths: Callable[[int], NDArray[np.float64]] = _no_depths
     triggered: int = 0
     table: ChannelTable | None = None
 
@@ -184,14 +195,14 @@ def _create(request: OpenRequest) -> Opened:
         title=test.title,
         rig_text=request.rig.text,
         test_text=request.test.text,
-        parameters=msgspec.to_builtins(test.model),
+        parameters=tree_of(test.model),
         calibration={
             **calibration_record(request.calibration),
             "force_uncertainty": _uncertainty(request),
             **_plain(request.devices),
             **_records(request.records),
         },
-        detectors=detector_record(rig, calibration.sample_rate_Hz),
+        detectors=detector_record(rig, calibration.sample_rate_Hz, request.devices),
         rig_name=rig.name,
         operator=request.operator or test.metadata.operator,
         specimen=test.metadata.specimen,
@@ -209,7 +220,7 @@ def _resume(request: OpenRequest) -> Opened:
             table = reader.plan.table
             gone = missing_channels(table, request.calibration.table)
             if gone:
-                raise UnusableInput(f"{request.path}: {gone}")
+                raise UnusableInput("{}: {}", request.path, gone)
             rows = store.revolutions
             if rows == 0:
                 return Opened(store, table=table)
@@ -217,12 +228,12 @@ def _resume(request: OpenRequest) -> Opened:
                 store,
                 table=table,
                 rows=rows,
-                last_revolution=int(reader.column("revolution")[rows - 1]),
-                last_time_s=float(reader.column("time")[rows - 1]),
-                last_host_time=float(reader.column("host_time")[rows - 1]),
+                last_revolution=int(reader.column("revolution", rows - 1, rows)[0]),
+                last_time_s=float(reader.column("time", rows - 1, rows)[0]),
+                last_host_time=float(reader.column("host_time", rows - 1, rows)[0]),
                 triggered=sum(why in TRIGGERED for why in reader.cycle_reasons()),
                 history=lambda: _history(request.path, rows),
-                depths=lambda: _depths(request.path),
+                depths=lambda after: _depths(request.path, after),
             )
     except BaseException:
         store.close()
@@ -234,7 +245,7 @@ def missing_channels(kept: ChannelTable, measured: ChannelTable) -> str:
     gone = [
         one.name
         for one in kept.channels
-        if one.name not in measured or measured[one.name].columns != one.columns
+        if one.name not in measured or not set(one.columns) <= set(measured[one.name].columns)
     ]
     if not gone:
         return ""
@@ -252,10 +263,11 @@ def _history(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
             yield np.array(columns, np.float64)
 
 
-def _depths(path: Path) -> NDArray[np.float64]:
+def _depths(path: Path, after: int) -> NDArray[np.float64]:
     with open_test(path) as reader:
-        found = reader.predictions()
-        return np.array([found[name] for name in DEPTH_COLUMNS], np.float64)
+        first = rows_up_to(reader, after, "prediction")
+        found = [reader.column(name, first, stream="prediction") for name in DEPTH_COLUMNS]
+        return np.array(found, np.float64)
 
 
 def calibration_record(calibration: Calibration) -> dict[str, Any]:
@@ -268,10 +280,17 @@ def calibration_record(calibration: Calibration) -> dict[str, Any]:
             "bend_per_N": cell.bend.tolist(),
             "zero_mV_per_V": cell.zero.tolist(),
             "tare_mV_per_V": cell.tare.tolist(),
+            "pin_weight_in_plane_N": cell.pull.tolist(),
+            **(
+                {}
+                if cell.tare_angle is None
+                else {"tare_crank_angle_deg": math.degrees(cell.tare_angle)}
+            ),
             "latency_ms": _latency_ms(calibration, LOAD_CELL),
             "frame": "crank",
             "sign": "F on the follower by the pin = G + bend (F1^2, F1 F2, F2^2),"
-            " G = - matrix (signal - zero - tare)",
+            " G = - matrix (signal - zero - tare), and what the pin weighs at the angle of the"
+            " sample, less that at the angle of the tare",
         },
         PROBES: {
             "record": probes.record,
@@ -340,8 +359,15 @@ INSTRUMENTS = {
 """Instrument -> what kind it is and what it measures, as a file describes it."""
 
 
-def detector_record(rig: RigFile, sample_rate_Hz: float) -> dict[str, Mapping[str, Any]]:
-    """Return what measures, as nested plain values, units in the keys; rate: of the device."""
+def detector_record(
+    rig: RigFile,
+    sample_rate_Hz: float,
+    devices: Mapping[str, Mapping[str, str | float | int]] = MappingProxyType({}),
+) -> dict[str, Mapping[str, Any]]:
+    """Return what measures, as nested plain values, units in the keys; rate: of the device.
+
+    devices: what was read back from each, with what it said of itself.
+    """
     table, cell, encoder = channel_table(rig), rig.load_cell, rig.encoder
     own = {
         LOAD_CELL: {"full_scale_N": cell.full_scale_N, "resolution_N": cell.resolution_N},
@@ -355,7 +381,7 @@ def detector_record(rig: RigFile, sample_rate_Hz: float) -> dict[str, Mapping[st
             "type": kind,
             "channels": [one.name for one in table.curves if one.instrument == name],
             "local_name": [one.input for one in wired],
-            **_device(rig, wired[0].device, sample_rate_Hz),
+            **_device(rig, wired[0].device, sample_rate_Hz, devices),
             **own[name],
             "latency_ms": [1e3 * one.latency_s for one in wired],
             "calibration": f"{CALIBRATION}/{name}",
@@ -365,7 +391,7 @@ def detector_record(rig: RigFile, sample_rate_Hz: float) -> dict[str, Mapping[st
         "type": "incremental encoder with index",
         "channels": ["angle"],
         "local_name": [encoder.input],
-        **_device(rig, encoder.device, sample_rate_Hz),
+        **_device(rig, encoder.device, sample_rate_Hz, devices),
         "counts_per_revolution": encoder.counts_per_revolution,
         "calibration": f"{CALIBRATION}/encoder",
     }
@@ -376,17 +402,32 @@ def detector_record(rig: RigFile, sample_rate_Hz: float) -> dict[str, Mapping[st
             "type": "one value a revolution" if slow else "scalar input",
             "channels": [one.name],
             "local_name": [one.input],
-            **_device(rig, one.device, math.nan if slow else sample_rate_Hz),
+            **_device(rig, one.device, math.nan if slow else sample_rate_Hz, devices),
             "unit": one.unit,
             **({} if slow else {"range_V": one.signal_range, "latency_ms": 1e3 * one.latency_s}),
         }
     return found
 
 
-def _device(rig: RigFile, name: str, sample_rate_Hz: float) -> dict[str, Any]:
+SAID = "device_"
+"""Before the names of what a device says of itself, beside its settings (``identifying``)."""
+
+
+def _device(
+    rig: RigFile,
+    name: str,
+    sample_rate_Hz: float,
+    devices: Mapping[str, Mapping[str, str | float | int]],
+) -> dict[str, Any]:
+    said = {
+        key.removeprefix(SAID): value
+        for key, value in devices.get(name, {}).items()
+        if key.startswith(SAID)
+    }
     return {
         "device": name,
         "driver": rig.devices[name].driver,
+        **said,
         "sample_rate_Hz": sample_rate_Hz,
     }
 

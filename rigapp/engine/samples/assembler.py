@@ -29,6 +29,7 @@ from rigapp.engine.samples.motion import ENOUGH_COUNTS
 from rigapp.engine.samples.sampleclock import TICKS_PER_S
 from rigapp.engine.samples.unwrap import INDEX_NEAR, scan
 from rigapp.schema.messages import Flag
+from rigapp.texts import say
 from rigapp_drivers.api import Block
 
 Values = NDArray[np.float32] | NDArray[np.int32]
@@ -59,10 +60,10 @@ class EncoderSetup:
     def __post_init__(self) -> None:
         if self.counts_per_revolution < 4:
             raise ValueError(
-                f"counts_per_revolution is {self.counts_per_revolution}, must be 4 or more"
+                say("counts_per_revolution is {}, must be 4 or more", self.counts_per_revolution)
             )
         if self.direction not in (1, -1):
-            raise ValueError(f"direction is {self.direction}, must be 1 or -1")
+            raise ValueError(say("direction is {}, must be 1 or -1", self.direction))
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,7 +194,7 @@ class Assembler:
         offset: float = 0.0,
     ) -> None:
         if sample_rate_Hz <= 0:
-            raise ValueError(f"sample_rate_Hz is {sample_rate_Hz}, must be positive")
+            raise ValueError(say("sample_rate_Hz is {}, must be positive", sample_rate_Hz))
         self.encoder = encoder
         self.margins = margins or Margins()
         self.sample_rate_Hz = sample_rate_Hz

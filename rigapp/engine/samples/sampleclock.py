@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.texts import say
 from rigapp_drivers.api import Block
 
 TICKS_PER_S = 1_000_000_000.0
@@ -58,7 +59,7 @@ class EncoderClock:
 
     def __init__(self, nominal_Hz: float, rate: PulseRate | None, real_time: bool) -> None:
         if rate is None and not real_time:
-            raise ValueError("the time of a rig that is not in real time needs the pulse rate")
+            raise ValueError(say("the time of a rig that is not in real time needs the pulse rate"))
         self._rate = rate
         self._real_time = real_time
         self._interval = TICKS_PER_S / nominal_Hz

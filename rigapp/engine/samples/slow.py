@@ -10,11 +10,12 @@ from __future__ import annotations
 import math
 import threading
 import time
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from rigapp.process.threads import Worker
-from rigapp.schema.channels import Channel
+from rigapp.schema.channels import AVERAGES, Channel
 from rigapp_drivers.api import DeviceError, DriveStatus, Identity, SlowRequest
 from rigapp_drivers.edge import GuardedSlow
 
@@ -46,6 +47,20 @@ class Reading:
 
 
 NEVER = Reading(math.nan, -math.inf)
+MOST_READINGS = 4096
+"""Kept of each quantity: a drive that is read ten times a second fills 7 min, the longest turn."""
+
+
+def averages(readings: Iterable[Reading], begin_s: float, end_s: float) -> dict[str, float]:
+    """Return ``AVERAGES`` of the readings in a time, NaN without one, and how many there are."""
+    values = [one.value for one in readings if begin_s < one.host_s <= end_s]
+    values = [value for value in values if math.isfinite(value)]
+    count = len(values)
+    if not count:
+        return {**dict.fromkeys(AVERAGES, math.nan), "readings": 0}
+    mean = math.fsum(values) / count
+    rms = math.sqrt(math.fsum(value * value for value in values) / count)
+    return {"mean": mean, "rms": rms, "max": max(values), "readings": count}
 
 
 def told(value: float, host_s: float, before: Reading | None) -> Reading:
@@ -53,6 +68,11 @@ def told(value: float, host_s: float, before: Reading | None) -> Reading:
     if math.isfinite(value):
         return Reading(value, host_s)
     return Reading(math.nan, before.host_s if before is not None else host_s)
+
+
+def keep(recent: dict[str, deque[Reading]], name: str, reading: Reading) -> None:
+    """Keep a reading among the last ones of its quantity; the oldest go."""
+    recent.setdefault(name, deque(maxlen=MOST_READINGS)).append(reading)
 
 
 class SlowDevice:
@@ -80,6 +100,7 @@ class SlowDevice:
         self._reopen_s = REOPEN_S
         self._asked = threading.Event()
         self._readings: dict[str, Reading] = {}
+        self._recent: dict[str, deque[Reading]] = {}
 
     @property
     def answering(self) -> bool:
@@ -89,6 +110,10 @@ class SlowDevice:
     def reading(self, quantity: str) -> Reading:
         """Return the newest reading of a quantity."""
         return self._readings.get(quantity, NEVER)
+
+    def recent(self, quantity: str) -> list[Reading]:
+        """Return the last readings of a quantity, oldest first."""
+        return list(self._recent.get(quantity, ()))
 
     def await_first(self, timeout_s: float) -> bool:
         """Wait until it has answered or failed to; False when neither came in time."""
@@ -113,6 +138,8 @@ class SlowDevice:
         self._readings = {
             name: told(value, now, self._readings.get(name)) for name, value in values.items()
         }
+        for name, reading in self._readings.items():
+            keep(self._recent, name, reading)
         self.answered_s, self.last_error, self._reopen_s = now, "", REOPEN_S
         self._asked.set()
         self.worker.pause(PERIOD_S)
@@ -149,18 +176,22 @@ class SlowChannels:
         self._age_s = age_s
         self._since_s = time.monotonic()
         self._drive_readings: dict[str, Reading] = {}
+        self._drive_recent: dict[str, deque[Reading]] = {}
+        self._taken_ns = 0
 
     def take_drive(self) -> None:
         """Take note of what the drive has told last; called after every answer."""
         status = self._status()
-        if status is None:
+        if status is None or status.host_time_ns == self._taken_ns:
             return
+        self._taken_ns = status.host_time_ns
         host_s = status.host_time_ns * 1e-9
         for one in self.channels:
             if one.device == self._drive:
                 before = self._drive_readings.get(one.input)
                 value = float(getattr(status, one.input))
-                self._drive_readings[one.input] = told(value, host_s, before)
+                self._drive_readings[one.input] = reading = told(value, host_s, before)
+                keep(self._drive_recent, one.name, reading)
 
     def at(self, channel: Channel, host_s: float) -> tuple[float, float]:
         """Return the value of a channel at a host time, NaN when it is too old, and its age, s."""
@@ -168,11 +199,18 @@ class SlowChannels:
         age_s = max(0.0, host_s - max(reading.host_s, self._since_s))
         return (reading.value if age_s < SILENT_S else math.nan), age_s
 
-    def columns(self, host_time_ns: int) -> dict[str, float]:
-        """Return the columns of all of them at a host time, by name."""
+    def columns(self, host_time_ns: int, lasted_s: float) -> dict[str, float]:
+        """Return the columns of all of them for a revolution, by name.
+
+        host_time_ns: its end. lasted_s: how long it took.
+        """
         found: dict[str, float] = {}
+        end_s = host_time_ns * 1e-9
         for one in self.channels:
-            found[one.name], found[f"{one.name}_age"] = self.at(one, host_time_ns * 1e-9)
+            found[one.name], found[f"{one.name}_age"] = self.at(one, end_s)
+            if one.averaged:
+                kept = averages(self._recent(one), end_s - lasted_s, end_s)
+                found |= {f"{one.name}_{name}": value for name, value in kept.items()}
         return found
 
     def silent(self) -> Iterator[tuple[SlowDevice, float]]:
@@ -181,6 +219,11 @@ class SlowChannels:
             age_s = self._age_s(one.answered_s)
             if age_s >= SILENT_S:
                 yield one, age_s
+
+    def _recent(self, channel: Channel) -> list[Reading]:
+        if channel.device != self._drive:
+            return self.devices[channel.device].recent(channel.input)
+        return list(self._drive_recent.get(channel.name, ()))
 
     def _reading(self, channel: Channel) -> Reading:
         if channel.device != self._drive:

@@ -2,8 +2,10 @@
 
 The load cell gives force on the pin = matrix (signal - zero) in the crank frame. The joint force F
 is the one on the follower by the pin: F = -(force on the pin). force_1 is its component along the
-crank (e1), force_2 the one across it (n1). Probes: position = sensitivity (voltage - offset), in
-the follower frame. A free channel: scale (voltage - offset), or the value in its table.
+crank (e1), force_2 the one across it (n1). What the pin itself weighs outboard of the gauges turns
+about the cell once a revolution and is taken off at the angle of each sample. Probes: position =
+sensitivity (voltage - offset), in the follower frame. A free channel: scale (voltage - offset), or
+the value in its table.
 
 Latency. The analog filter delays a channel by ``latency``, the counter has no delay: the value that
 belongs to the count of sample i is the signal at i + latency * rate. It is interpolated linearly
@@ -34,6 +36,7 @@ from rigapp.engine.values.instruments import Counter, InputLine, LoadCell, Probe
 from rigapp.engine.values.probes import probe_correction
 from rigapp.engine.values.table import follow
 from rigapp.schema.channels import LOAD_CELL, PROBES, ChannelTable, Kind
+from rigapp.texts import joined
 from rigapp_drivers.api import ChannelSpec, SampleClock, StreamSetup
 
 Array = NDArray[np.float64]
@@ -111,12 +114,37 @@ class Calibration:
         first, second = self.place(LOAD_CELL)
         return self.load_cell.linear(self.wires[first], self.wires[second])
 
-    def engineering(self, raw: Array) -> Array:
-        """Return the values (inputs, samples), of raw samples likewise; probes uncorrected."""
+    @cached_property
+    def own_weight(self) -> Array:
+        """Return what the force gains for the weight of the pin, (2, counts of a turn) N.
+
+        (2, 0) where the pin weighs nothing in the plane of the crank: then there is nothing to do.
+        """
+        turn = self.encoder.counts_per_revolution if self.load_cell.pull.any() else 0
+        return np.ascontiguousarray(self.load_cell.own_weight(self.angles(np.arange(turn))))
+
+    def angles(self, counts: Array | NDArray[np.int64]) -> Array:
+        """Return the crank angles (rad) at counts from the index."""
+        step = 2 * math.pi / self.encoder.counts_per_revolution
+        return np.asarray(self.index_angle_rad + counts * step, np.float64)
+
+    def counts_at(self, angle_rad: float) -> NDArray[np.int64]:
+        """Return the count from the index that is nearest to a crank angle, (1,)."""
+        step = 2 * math.pi / self.encoder.counts_per_revolution
+        return np.array([round((angle_rad - self.index_angle_rad) / step)], np.int64)
+
+    def engineering(self, raw: Array, counts: NDArray[np.int64] | None = None) -> Array:
+        """Return the values (inputs, samples), of raw samples likewise; probes uncorrected.
+
+        counts: from the index, (samples,); without them the weight of the pin stays in the forces.
+        """
         values = np.empty_like(raw)
         pair = self.place(LOAD_CELL)
         gain, bias = self.force_gain()
         values[pair] = straight(gain @ raw[pair] + bias[:, None], self.load_cell.bend)
+        own = self.own_weight
+        if own.size and counts is not None:
+            values[pair] += own[:, counts % own.shape[1]]
         for i, wire in enumerate(self.wires):
             line = self.lines.get(wire.channel.name)
             if line is not None:
@@ -132,9 +160,17 @@ class Calibration:
         )
         return np.asarray(values[self.rows].astype(np.float64) * scale + offset, np.float64)
 
-    def with_tare(self, tare: Sequence[float]) -> Calibration:
-        """Return this calibration with another tare of the load cell, in signal units."""
-        return replace(self, load_cell=replace(self.load_cell, tare=np.asarray(tare, np.float64)))
+    def with_tare(self, tare: Sequence[float], angle: float | None = None) -> Calibration:
+        """Return this calibration with another tare of the load cell, in signal units.
+
+        angle: of the crank where it was taken, rad, None where it is not known.
+        """
+        cell = replace(self.load_cell, tare=np.asarray(tare, np.float64), tare_angle=angle)
+        return replace(self, load_cell=cell)
+
+    def under(self, gravity_m_s2: Sequence[float]) -> Calibration:
+        """Return this calibration in the plane of a test, by gravity in the mechanism's frame."""
+        return replace(self, load_cell=self.load_cell.under(gravity_m_s2))
 
 
 def with_margins(revolution: Revolution, margins: Margins) -> tuple[NDArray[Any], int]:
@@ -201,17 +237,14 @@ class Calibrated:
 
 def calibrate(revolution: Revolution, calibration: Calibration) -> Calibrated:
     """Return the revolution in engineering units."""
-    values = calibration.engineering(shifted(revolution, calibration))
+    values = calibration.engineering(shifted(revolution, calibration), revolution.counts)
     if calibration.probes.correction is not None:
         pair = calibration.place(PROBES)
         values[pair] = calibration.probes.correction.apply(revolution.counts, values[pair])
     found = dict(zip(calibration.names, values, strict=True))
     found["force"] = np.hypot(*(found[name] for name in calibration.table.names_of(LOAD_CELL)))
-    turn = calibration.encoder.counts_per_revolution
     return Calibrated(
-        angle_rad=np.asarray(
-            calibration.index_angle_rad + revolution.counts * (2 * math.pi / turn), np.float64
-        ),
+        angle_rad=calibration.angles(revolution.counts),
         time_s=revolution.sample_indices() / revolution.sample_rate_Hz,
         curves={one.name: found[one.name] for one in calibration.table.curves},
     )
@@ -257,7 +290,7 @@ class Measured:
 def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
     """Freeze the calibration of a rig file for a device set up so; raise UnusableInput."""
     for wrong in number_faults(rig):
-        raise UnusableInput(f"rig file: {wrong}")
+        raise UnusableInput("rig file: {}", wrong)
     table = channel_table(rig)
     keys = {name: key for key, name in input_keys(rig).items()}
     wires = []
@@ -312,6 +345,7 @@ def _load_cell(rig: RigFile) -> LoadCell:
         zero=np.array(rig.load_cell.zero_mV_per_V, np.float64),
         bend=_bend(rig, matrix),
         record=rig.load_cell.calibration,
+        pin_weight=rig.load_cell.pin_weight_N,
     )
 
 
@@ -342,8 +376,10 @@ def _pulse_rate(rig: RigFile, setup: StreamSetup) -> PulseRate | None:
             return PulseRate(row, spec.scale, spec.offset)
     if rig.simulated_samples:
         raise UnusableInput(
-            f"rig file: devices.{rig.encoder.device}.settings.clock = 'encoder' needs the pulse "
-            "rate (rate_range_Hz) on a simulated rig, whose time is not that of this computer"
+            "rig file: devices.{}.settings.clock = 'encoder' needs the pulse rate"
+            " (rate_range_Hz) on a simulated rig, whose time is not that of this"
+            " computer",
+            rig.encoder.device,
         )
     return None
 
@@ -352,9 +388,12 @@ def _spec(setup: StreamSetup, name: str, key: str) -> tuple[int, ChannelSpec]:
     for row, spec in enumerate(setup.channels):
         if spec.name == name:
             return row, spec
-    sent = ", ".join(spec.name for spec in setup.channels)
+    sent = joined(", ", (spec.name for spec in setup.channels))
     raise UnusableInput(
-        f"rig file: {key} = {name!r} is not among what the device sends ({sent}); correct the key"
+        "rig file: {} = {} is not among what the device sends ({}); correct the key",
+        key,
+        repr(name),
+        sent,
     )
 
 
@@ -367,8 +406,8 @@ def _bend(rig: RigFile, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
     reach = math.sqrt(2.0) * cell.range_mV_per_V * float(np.linalg.norm(matrix, 2))
     if not invertible(bend, reach):
         raise UnusableInput(
-            "rig file: load_cell.quadratic_mV_per_V_per_N2: the quadratic terms are so large that"
-            " signals within the input range mean two forces; calibrate the load cell again over"
-            " the range that is used"
+            "rig file: load_cell.quadratic_mV_per_V_per_N2: the quadratic terms are so"
+            " large that signals within the input range mean two forces; calibrate the"
+            " load cell again over the range that is used"
         )
     return bend

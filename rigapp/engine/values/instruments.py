@@ -5,7 +5,8 @@ A signal is what the data source says of one input: signal = scale raw + offset,
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 from rigapp.engine.samples.sampleclock import PulseRate
 from rigapp.engine.values.probes import ProbeCorrection
 from rigapp.schema.channels import Channel
+from rigapp_calibration.load_cell.weights import STANDARD_GRAVITY
 from rigapp_drivers.api import SampleClock
 
 Array = NDArray[np.float64]
@@ -54,7 +56,10 @@ class LoadCell:
 
     With the linear force G = - matrix (signal - zero - tare) it is G + bend (F1^2, F1 F2, F2^2).
     matrix: (2, 2) N per signal unit. zero: (2,) signal units; tare: (2,) found with the pin
-    unloaded. bend: (2, 3) 1/N, see ``bend``. record: name of the calibration record, empty without.
+    unloaded, at tare_angle (rad, None where it was not known). bend: (2, 3) 1/N, see ``bend``.
+    record: name of the calibration record, empty without. pin_weight: N, of the pin outboard of the
+    gauges, which is no force of the follower and turns about the cell; pull: (2,) N, what of it
+    acts in the plane of the crank, along the slider's way and across it, by the gravity of a test.
     """
 
     matrix: Array
@@ -62,6 +67,9 @@ class LoadCell:
     tare: Array = field(default_factory=lambda: np.zeros(2))
     bend: Array = field(default_factory=lambda: np.zeros((2, 3)))
     record: str = ""
+    pin_weight: float = 0.0
+    pull: Array = field(default_factory=lambda: np.zeros(2))
+    tare_angle: float | None = None
 
     def linear(self, first: Wire, second: Wire) -> tuple[Array, Array]:
         """Return gain (2, 2) and bias (2,) of the linear joint force, N = gain raw + bias."""
@@ -69,7 +77,30 @@ class LoadCell:
             np.array([getattr(one, name) for one in (first, second)])
             for name in ("scale", "offset")
         )
-        return -self.matrix * scale, -self.matrix @ (offset - self.zero - self.tare)
+        return -self.matrix * scale, -self.matrix @ (offset - self.at_rest)
+
+    @property
+    def at_rest(self) -> Array:
+        """Return the signals (2,) without any force: a tare holds that of the pin at its angle."""
+        signals = self.zero + self.tare
+        if self.tare_angle is None:
+            return signals
+        pulled = np.linalg.solve(self.matrix, self.own_weight(self.tare_angle))
+        return np.asarray(signals - pulled, np.float64)
+
+    def own_weight(self, angle: float | Array) -> Array:
+        """Return how the pin's weight pulls at crank angles (...,), rad: (2, ...) N, crank frame.
+
+        As a force on the pin, which is taken off; the joint force F = -(force on the pin) gains it.
+        """
+        x, y = self.pull
+        sine, cosine = np.sin(angle), np.cos(angle)
+        return np.asarray([x * cosine + y * sine, y * cosine - x * sine], np.float64)
+
+    def under(self, gravity_m_s2: Sequence[float]) -> LoadCell:
+        """Return this cell in a plane with so much gravity along the slider's way and across it."""
+        share = np.asarray(gravity_m_s2, np.float64) / STANDARD_GRAVITY
+        return replace(self, pull=self.pin_weight * share)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -31,8 +31,8 @@ LEAST_SAMPLES = 8
 
 _FORCES = (
     "void({0}[::1], {0}[::1], int64, int64[::1], float64[::1], float64[:, ::1], float64[::1],"
-    " float64[:, ::1], int64[::1], int64[:, ::1], float64, float64, float64[:, ::1], int64,"
-    " float64[::1], float64[::1])"
+    " float64[:, ::1], float64[:, ::1], int64[::1], int64[:, ::1], float64, float64,"
+    " float64[:, ::1], int64, float64[::1], float64[::1])"
 )
 _SINGLE = (
     "void({0}[::1], int64, float64, float64, float64, float64[:, ::1], int64[::1], float64,"
@@ -145,6 +145,7 @@ def _forces(
     gain: Array,
     bias: Array,
     bend: Array,
+    own: Array,
     counts: NDArray[np.int64],
     segments: NDArray[np.int64],
     pitch_deg: float,
@@ -187,6 +188,15 @@ def _forces(
         curved = curved or bend[0, j] != 0.0 or bend[1, j] != 0.0
     if curved:
         straighten(first, second, total, n, bend)
+    turn = own.shape[1]
+    if turn > 0:
+        for i in range(n):
+            k = counts[i] % turn
+            x = first[i] + own[0, k]
+            y = second[i] + own[1, k]
+            first[i] = x
+            second[i] = y
+            total[i] = math.sqrt(x * x + y * y)
     for values in (first, second, total):
         _extremes_and_moments(values, n, counts, pitch_deg, index_deg, row[place : place + 5])
         place += 5
@@ -326,6 +336,7 @@ class Reducer:
             self._gain,
             self._bias,
             self.calibration.load_cell.bend,
+            self.calibration.own_weight,
             counts,
             revolution.segments,
             self._pitch_deg,

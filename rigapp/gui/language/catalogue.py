@@ -38,8 +38,8 @@ def catalogue_file(language: str) -> Path:
 
 
 WINDOW: Final = "rigapp"
-TOLD: Final = "told"
-"""Under which texts stand in a catalogue: those of the window, and the templates of others."""
+SENTENCES: Final = "sentences"
+"""Under which texts stand in a catalogue: those of the window, and the templates of sentences."""
 
 
 def contexts(language: str) -> dict[str, dict[str, str]]:
@@ -48,7 +48,7 @@ def contexts(language: str) -> dict[str, dict[str, str]]:
     Unfinished ones are left out. Raises OSError when it cannot be read.
     """
     reader = QXmlStreamReader(catalogue_file(language).read_text("utf-8"))
-    found: dict[str, dict[str, str]] = {WINDOW: {}, TOLD: {}}
+    found: dict[str, dict[str, str]] = {WINDOW: {}, SENTENCES: {}}
     text, under = "", WINDOW
     while reader.readNextStartElement() or not reader.atEnd():
         if not reader.isStartElement():
@@ -68,7 +68,7 @@ def contexts(language: str) -> dict[str, dict[str, str]]:
 def translations(language: str) -> dict[str, str]:
     """Return all translations of a catalogue by their English texts; raise OSError."""
     found = contexts(language)
-    return found[TOLD] | found[WINDOW]
+    return found[SENTENCES] | found[WINDOW]
 
 
 def speak_language(application: QCoreApplication, language: str) -> None:
@@ -86,5 +86,4 @@ def speak_language(application: QCoreApplication, language: str) -> None:
     folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
     if dialogs.load(f"qtbase_{language}", folder):
         application.installTranslator(dialogs)
-    found = contexts(language)
-    speak(found[TOLD] | found[WINDOW], list(found[TOLD]))
+    speak(translations(language))

@@ -19,7 +19,9 @@ from typing import Final
 
 import PySide6
 
-from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, TOLD, WINDOW, catalogue_file
+from rigapp import viewer
+from rigapp.checks.check import CheckVerdict
+from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, SENTENCES, WINDOW, catalogue_file
 from rigapp.gui.language.keys import column_texts, key_texts
 from rigapp.gui.language.sentences import all_sentences, all_templates, has_words
 from rigapp.presentation import translation
@@ -29,10 +31,13 @@ from rigapp.schema.criteria import CRITERIA
 from rigapp.schema.messages import HowEnded, RunState, Severity
 from rigapp.schema.verbs import VERBS
 from rigapp.schema.words import WORDS
-from rigapp.service.preflight import Checked
 
-SOURCES: Final = (Path(__file__).parents[1], Path(translation.__file__).parent)
-"""The window, and the words that it shares with others."""
+SOURCES: Final = (
+    Path(__file__).parents[1],
+    Path(viewer.__file__).parent,
+    Path(translation.__file__).parent,
+)
+"""The window, what it knows of a test, and the words that it shares with others."""
 
 MARK: Final = "Text"
 SHOWN_AS_IT_IS: Final = frozenset(
@@ -154,6 +159,9 @@ class _Reader(ast.NodeVisitor):
         self.generic_visit(node)
 
     def visit_Call(self, node: ast.Call) -> None:
+        if isinstance(node.func, ast.Name) and node.func.id == "say":  # gathered by ``sentences``
+            self.generic_visit(node)
+            return
         if self._called(node.func) in SHOWN_AS_IT_IS:
             for value in (*node.args, *(one.value for one in node.keywords)):
                 self._note_loose(value)
@@ -251,7 +259,7 @@ def texts_of_tables() -> list[Text]:
     words = [state.value for state in RunState] + [verb.replace("_", " ") for verb in VERBS]
     words += [*WORDS, *WORDS.values()]
     words += [one.value for one in HowEnded]
-    words += [one.value for one in (*Checked, *Severity)] + ["overload", "overspeed"]
+    words += [one.value for one in (*CheckVerdict, *Severity)] + ["overload", "overspeed"]
     words += [one.title for one in CRITERIA.values()] + [*WEAR_MODELS, "True", "False"]
     words += [*key_texts(), *column_texts()]
     return [*words, *calendar.day_abbr, *calendar.month_abbr]
@@ -270,7 +278,7 @@ def update(languages: Sequence[str] = tuple(LANGUAGES)) -> None:
     """
     lines = [
         f"QT_TRANSLATE_NOOP({_quoted(context)}, {_quoted(one)})\n"
-        for context, texts in ((WINDOW, all_texts()), (TOLD, all_templates()))
+        for context, texts in ((WINDOW, all_texts()), (SENTENCES, all_templates()))
         for one in texts
     ]
     with tempfile.TemporaryDirectory(prefix="rigapp-texts-") as folder:

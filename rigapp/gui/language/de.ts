@@ -128,14 +128,6 @@
         <translation>Quittieren</translation>
     </message>
     <message>
-        <source>Acknowledge &quot;{}&quot; and {} more: say that you have seen it.</source>
-        <translation>„{}“ und {} weitere quittieren: bestätigen, dass es gesehen wurde.</translation>
-    </message>
-    <message>
-        <source>Acknowledge &quot;{}&quot;: say that you have seen it.</source>
-        <translation>„{}“ quittieren: bestätigen, dass es gesehen wurde.</translation>
-    </message>
-    <message>
         <source>Acknowledge all</source>
         <translation>Alle quittieren</translation>
     </message>
@@ -198,10 +190,6 @@
     <message>
         <source>All readings are taken. Look at the result</source>
         <translation>Alle Messungen sind genommen. Das Ergebnis ansehen</translation>
-    </message>
-    <message>
-        <source>All revolutions are done.</source>
-        <translation>Alle Umdrehungen sind gefahren.</translation>
     </message>
     <message>
         <source>An overload would be seen too late, so the drive was switched off.</source>
@@ -294,10 +282,6 @@
     <message>
         <source>Calibrate for a known uncertainty</source>
         <translation>Kalibrieren, damit die Unsicherheit bekannt ist</translation>
-    </message>
-    <message>
-        <source>Calibrate the cell, or correct load_cell.matrix_N_per_mV_per_V</source>
-        <translation>Den Kraftsensor kalibrieren oder load_cell.matrix_N_per_mV_per_V berichtigen</translation>
     </message>
     <message>
         <source>Calibrate {}</source>
@@ -504,10 +488,6 @@
         <translation>Kreis: Wegsensor 1, Dreieck: Wegsensor 2</translation>
     </message>
     <message>
-        <source>Click, or Tab to it and use ← →, to read values; Esc ends it.</source>
-        <translation>Klicken, oder mit Tab hierher und mit ← →, um Werte zu lesen; Esc beendet es.</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -566,10 +546,6 @@
     <message>
         <source>Connect the devices of the rig</source>
         <translation>Die Geräte des Prüfstands verbinden</translation>
-    </message>
-    <message>
-        <source>Connect.</source>
-        <translation>Verbinden.</translation>
     </message>
     <message>
         <source>Connecting</source>
@@ -936,6 +912,10 @@
         <translation>Reibungszahl</translation>
     </message>
     <message>
+        <source>Full: 12 pin angles, two of them twice, 10 loads up and down</source>
+        <translation>Voll: 12 Bolzenwinkel, zwei davon doppelt, 10 Lasten auf und ab</translation>
+    </message>
+    <message>
         <source>Give the reason.</source>
         <translation>Den Grund angeben.</translation>
     </message>
@@ -962,6 +942,10 @@
     <message>
         <source>Initial wear coefficient</source>
         <translation>Verschleißkoeffizient am Anfang</translation>
+    </message>
+    <message>
+        <source>It is not sealed: that happens when the test ends</source>
+        <translation>Sie ist nicht versiegelt: das geschieht am Ende des Versuchs</translation>
     </message>
     <message>
         <source>It should be {:.1f} {}</source>
@@ -1022,10 +1006,6 @@
     <message>
         <source>Longest stall</source>
         <translation>Längster Stillstand</translation>
-    </message>
-    <message>
-        <source>Lower limits.overload_N</source>
-        <translation>limits.overload_N senken</translation>
     </message>
     <message>
         <source>Lower limits.overload_N to what the cell may carry</source>
@@ -1166,6 +1146,10 @@
     <message>
         <source>Pin radius</source>
         <translation>Radius des Bolzens</translation>
+    </message>
+    <message>
+        <source>Points without a result, and with notes</source>
+        <translation>Punkte ohne Ergebnis und mit Anmerkungen</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio</source>
@@ -1318,6 +1302,10 @@
     <message>
         <source>Rig file</source>
         <translation>Prüfstandsdatei</translation>
+    </message>
+    <message>
+        <source>Routine: 8 pin angles, two of them twice, 5 loads up and down</source>
+        <translation>Routine: 8 Bolzenwinkel, zwei davon doppelt, 5 Lasten auf und ab</translation>
     </message>
     <message>
         <source>Rows not sent to this window</source>
@@ -1486,10 +1474,6 @@
     <message>
         <source>The line to the engine broke</source>
         <translation>Die Verbindung zur Steuerung ist abgebrochen</translation>
-    </message>
-    <message>
-        <source>The line to the engine broke.</source>
-        <translation>Die Verbindung zur Steuerung ist abgebrochen.</translation>
     </message>
     <message>
         <source>The log cannot be read: {}</source>
@@ -1764,6 +1748,10 @@
         <translation>Warum eine Wasserwaage</translation>
     </message>
     <message>
+        <source>Why there is no result, or what to know about it</source>
+        <translation>Warum es kein Ergebnis gibt, oder was dazu zu wissen ist</translation>
+    </message>
+    <message>
         <source>Worn profile</source>
         <translation>Verschlissenes Profil</translation>
     </message>
@@ -1858,10 +1846,6 @@
     <message>
         <source>after the last one</source>
         <translation>nach der letzten</translation>
-    </message>
-    <message>
-        <source>all readings are taken</source>
-        <translation>alle Messungen sind genommen</translation>
     </message>
     <message>
         <source>along</source>
@@ -1964,10 +1948,6 @@
         <translation>Änderung</translation>
     </message>
     <message>
-        <source>change nothing</source>
-        <translation>nichts ändern</translation>
-    </message>
-    <message>
         <source>change until the next calibration</source>
         <translation>Änderung bis zur nächsten Kalibrierung</translation>
     </message>
@@ -1986,10 +1966,6 @@
     <message>
         <source>choose crank or wrist</source>
         <translation>crank oder wrist wählen</translation>
-    </message>
-    <message>
-        <source>choose lankarani-nikravesh or flores</source>
-        <translation>lankarani-nikravesh oder flores wählen</translation>
     </message>
     <message>
         <source>choose strain or stress</source>
@@ -2044,10 +2020,6 @@
         <translation>Bezugssystem Kurbel</translation>
     </message>
     <message>
-        <source>crank positions</source>
-        <translation>Kurbelstellungen</translation>
-    </message>
-    <message>
         <source>creep, measured</source>
         <translation>Kriechen, gemessen</translation>
     </message>
@@ -2078,14 +2050,6 @@
     <message>
         <source>default {}</source>
         <translation>üblich {}</translation>
-    </message>
-    <message>
-        <source>degree 1</source>
-        <translation>Grad 1</translation>
-    </message>
-    <message>
-        <source>degree 1, zero drift</source>
-        <translation>Grad 1, Nullpunktdrift</translation>
     </message>
     <message>
         <source>degrees</source>
@@ -2156,14 +2120,6 @@
         <translation>beendet den Versuch damit</translation>
     </message>
     <message>
-        <source>engine process</source>
-        <translation>Prozess der Steuerung</translation>
-    </message>
-    <message>
-        <source>error message = &apos;</source>
-        <translation>error message = &apos;</translation>
-    </message>
-    <message>
         <source>errors</source>
         <translation>Fehler</translation>
     </message>
@@ -2196,10 +2152,6 @@
         <translation>externe Hardware fehlt</translation>
     </message>
     <message>
-        <source>extremes will be missed</source>
-        <translation>Extremwerte werden verfehlt</translation>
-    </message>
-    <message>
         <source>fault reaction active</source>
         <translation>Störungsreaktion aktiv</translation>
     </message>
@@ -2226,10 +2178,6 @@
     <message>
         <source>force uncertainty</source>
         <translation>Unsicherheit der Kraft</translation>
-    </message>
-    <message>
-        <source>forces kept while the surface wears</source>
-        <translation>Kräfte, die bei verschleißender Oberfläche beibehalten werden</translation>
     </message>
     <message>
         <source>four-channel 96 kHz model</source>
@@ -2344,10 +2292,6 @@
         <translation>zwei Komponenten angeben, längs x und y</translation>
     </message>
     <message>
-        <source>give up</source>
-        <translation>Aufgeben</translation>
-    </message>
-    <message>
         <source>global frame</source>
         <translation>festes Bezugssystem</translation>
     </message>
@@ -2394,10 +2338,6 @@
     <message>
         <source>heartbeat of the host lost</source>
         <translation>Heartbeat des Rechners ausgeblieben</translation>
-    </message>
-    <message>
-        <source>high first</source>
-        <translation>höherwertiges zuerst</translation>
     </message>
     <message>
         <source>holder of command</source>
@@ -2460,10 +2400,6 @@
         <translation>interner Softwarefehler</translation>
     </message>
     <message>
-        <source>invalid enum value</source>
-        <translation>ungültiger Wert einer Auswahl</translation>
-    </message>
-    <message>
         <source>is a channel of every rig</source>
         <translation>ist ein Kanal jedes Prüfstands</translation>
     </message>
@@ -2494,10 +2430,6 @@
     <message>
         <source>it answers stop no more; switch it off and on and check the cable</source>
         <translation>es antwortet nicht mehr auf stop; es aus- und einschalten und das Kabel prüfen</translation>
-    </message>
-    <message>
-        <source>it cannot be computed</source>
-        <translation>es lässt sich nicht berechnen</translation>
     </message>
     <message>
         <source>it cannot be written</source>
@@ -2596,10 +2528,6 @@
         <translation>ihre Kräfte sind nicht alle Zahlen</translation>
     </message>
     <message>
-        <source>its matrix cannot be inverted</source>
-        <translation>seine Matrix ist nicht umkehrbar</translation>
-    </message>
-    <message>
         <source>its measured wear depth is not to be trusted; see the alarms</source>
         <translation>seiner gemessenen Verschleißtiefe nicht zu trauen ist; siehe die Alarme</translation>
     </message>
@@ -2616,16 +2544,8 @@
         <translation>joint.bushing_radius_mm ist kleiner als joint.pin_radius_mm; der Bolzen passt nicht</translation>
     </message>
     <message>
-        <source>kg m2</source>
-        <translation>kg m2</translation>
-    </message>
-    <message>
         <source>kg m^2</source>
         <translation>kg m^2</translation>
-    </message>
-    <message>
-        <source>kg mm^2</source>
-        <translation>kg mm^2</translation>
     </message>
     <message>
         <source>known here</source>
@@ -2660,10 +2580,6 @@
         <translation>Kraftsensor</translation>
     </message>
     <message>
-        <source>load_cell.matrix_N_per_mV_per_V is singular; no force could be told from the signals</source>
-        <translation>load_cell.matrix_N_per_mV_per_V ist singulär; aus den Signalen ließe sich keine Kraft bestimmen</translation>
-    </message>
-    <message>
         <source>local gravity</source>
         <translation>örtliche Schwere</translation>
     </message>
@@ -2694,10 +2610,6 @@
     <message>
         <source>m in its smallest radius</source>
         <translation>m im kleinsten Radius</translation>
-    </message>
-    <message>
-        <source>mV/V per N^2</source>
-        <translation>mV/V je N^2</translation>
     </message>
     <message>
         <source>main voltage high</source>
@@ -2888,10 +2800,6 @@
         <translation>kein Eingang ist verlangt; mindestens einen nennen</translation>
     </message>
     <message>
-        <source>no level</source>
-        <translation>keine Grenze</translation>
-    </message>
-    <message>
         <source>no line of a journal</source>
         <translation>keine Zeile eines Journals</translation>
     </message>
@@ -3060,10 +2968,6 @@
         <translation>Betrieb freigegeben</translation>
     </message>
     <message>
-        <source>or a</source>
-        <translation>oder ein</translation>
-    </message>
-    <message>
         <source>or name another folder with RIGAPP_RUNTIME_DIR</source>
         <translation>oder mit RIGAPP_RUNTIME_DIR einen anderen Ordner nennen</translation>
     </message>
@@ -3094,10 +2998,6 @@
     <message>
         <source>over-temperature 2</source>
         <translation>Übertemperatur 2</translation>
-    </message>
-    <message>
-        <source>own registers</source>
-        <translation>eigene Register</translation>
     </message>
     <message>
         <source>parameters is missing; name the parameter file</source>
@@ -3148,10 +3048,6 @@
         <translation>Positionen werden von der falschen Seite angefahren</translation>
     </message>
     <message>
-        <source>power off</source>
-        <translation>Abschalten</translation>
-    </message>
-    <message>
         <source>pressed</source>
         <translation>gedrückt</translation>
     </message>
@@ -3194,10 +3090,6 @@
     <message>
         <source>quick stop active</source>
         <translation>Schnellhalt aktiv</translation>
-    </message>
-    <message>
-        <source>ramp down</source>
-        <translation>Abbremsen</translation>
     </message>
     <message>
         <source>ready to switch on</source>
@@ -3300,10 +3192,6 @@
         <translation>verlorene Messwerte</translation>
     </message>
     <message>
-        <source>sampling of revolutions with lost contact</source>
-        <translation>Stichproben von Umdrehungen mit Kontaktverlust</translation>
-    </message>
-    <message>
         <source>scan of the internal clock</source>
         <translation>Abtastung nach der internen Uhr</translation>
     </message>
@@ -3342,10 +3230,6 @@
     <message>
         <source>signals at rest before the start</source>
         <translation>Signale in Ruhe vor dem Start</translation>
-    </message>
-    <message>
-        <source>simulation.speed =</source>
-        <translation>simulation.speed =</translation>
     </message>
     <message>
         <source>single-ended, 10 V</source>
@@ -3896,6 +3780,10 @@
         <translation>der Wert ist zu klein für die übrigen Einstellungen</translation>
     </message>
     <message>
+        <source>the watch over this computer</source>
+        <translation>die Überwachung dieses Rechners</translation>
+    </message>
+    <message>
         <source>the wear would leave its range</source>
         <translation>der Verschleiß würde seinen Bereich verlassen</translation>
     </message>
@@ -3996,16 +3884,8 @@
         <translation>dieser Benutzer darf den Anschluss nicht öffnen; den Benutzer in die Gruppe aufnehmen, der er gehört (oft dialout oder uucp), und neu anmelden</translation>
     </message>
     <message>
-        <source>this window</source>
-        <translation>dieses Fenster</translation>
-    </message>
-    <message>
         <source>though the drive accepted no command</source>
         <translation>obwohl der Antrieb keinen Befehl annahm</translation>
-    </message>
-    <message>
-        <source>time steps</source>
-        <translation>Zeitschritte</translation>
     </message>
     <message>
         <source>too few</source>
@@ -4022,6 +3902,10 @@
     <message>
         <source>took command</source>
         <translation>übernahm das Kommando</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>Drehmoment</translation>
     </message>
     <message>
         <source>transmission (always off, maxima or minima in the frame)</source>
@@ -4044,10 +3928,6 @@
         <translation>zwei Bereiche</translation>
     </message>
     <message>
-        <source>um per 1000 revolutions</source>
-        <translation>um je 1000 Umdrehungen</translation>
-    </message>
-    <message>
         <source>uncertainty of the reference</source>
         <translation>Unsicherheit der Referenz</translation>
     </message>
@@ -4062,6 +3942,10 @@
     <message>
         <source>unfollowed acceleration</source>
         <translation>nicht gefolgte Beschleunigung</translation>
+    </message>
+    <message>
+        <source>unit of speeds</source>
+        <translation>Einheit der Drehzahlen</translation>
     </message>
     <message>
         <source>units of 9.80665 m/s^2</source>
@@ -4094,6 +3978,10 @@
     <message>
         <source>was closed</source>
         <translation>wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>watch over this computer</source>
+        <translation>Überwachung dieses Rechners</translation>
     </message>
     <message>
         <source>wear change revolution</source>
@@ -4160,6 +4048,10 @@
         <translation>Hier wird gezeichnet, was vom Verschleißkoeffizienten bekannt ist.</translation>
     </message>
     <message>
+        <source>what it does when this computer is silent cannot be set: pull the cable at a low speed before the first test and watch</source>
+        <translation>was er tut, wenn dieser Rechner schweigt, lässt sich nicht einstellen: vor dem ersten Versuch bei kleiner Drehzahl das Kabel ziehen und zusehen</translation>
+    </message>
+    <message>
         <source>what was still open could not be closed in time and was left</source>
         <translation>was noch offen war, ließ sich nicht rechtzeitig schließen und blieb zurück</translation>
     </message>
@@ -4210,6 +4102,10 @@
     <message>
         <source>zero drift during the calibration</source>
         <translation>Nullpunktdrift während der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>zero shift after a load</source>
+        <translation>Nullpunktverschiebung nach einer Last</translation>
     </message>
     <message>
         <source>{:.1f} N at {:.0f}°</source>
@@ -4384,10 +4280,6 @@
         <translation>{}; Band 95 %</translation>
     </message>
     <message>
-        <source>| null</source>
-        <translation>| null</translation>
-    </message>
-    <message>
         <source>|F|, any sample</source>
         <translation>|F|, jeder Messwert</translation>
     </message>
@@ -4478,10 +4370,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source> With one speed only, what inertia adds to the run-out is not known.</source>
         <translation> Mit nur einer Drehzahl ist nicht bekannt, was die Trägheit zum Rundlauf beiträgt.</translation>
-    </message>
-    <message>
-        <source> and </source>
-        <translation> und </translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -4592,10 +4480,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>&amp;Ja, eintragen</translation>
     </message>
     <message>
-        <source>(assumed)</source>
-        <translation>(angenommen)</translation>
-    </message>
-    <message>
         <source>, in step {}</source>
         <translation>, in Schritt {}</translation>
     </message>
@@ -4604,20 +4488,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>, Auslösung</translation>
     </message>
     <message>
-        <source>- at `$</source>
-        <translation>- at `$</translation>
-    </message>
-    <message>
         <source>1 alarm in the test</source>
         <translation>1 Alarm im Versuch</translation>
     </message>
     <message>
         <source>1 check</source>
         <translation>1 Prüfung</translation>
-    </message>
-    <message>
-        <source>1 draft</source>
-        <translation>1 Entwurf</translation>
     </message>
     <message>
         <source>1.2 near the sea, 0.7 at 5000 m</source>
@@ -4646,6 +4522,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>= {} s simulated, at × {}</source>
         <translation>= {} s simuliert, bei × {}</translation>
+    </message>
+    <message>
+        <source>A comma cannot separate numbers that have one: add --separator &quot;;&quot;</source>
+        <translation>Ein Komma kann keine Zahlen trennen, in denen eines steht: --separator &quot;;&quot; dazuschreiben</translation>
     </message>
     <message>
         <source>A complete test is over; prepare another one with New specimen</source>
@@ -4720,6 +4600,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Nach wie vielen Umdrehungen man es sieht</translation>
     </message>
     <message>
+        <source>Age of the data</source>
+        <translation>Alter der Daten</translation>
+    </message>
+    <message>
         <source>All</source>
         <translation>Alle</translation>
     </message>
@@ -4766,10 +4650,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Angle that the encoder shows</source>
         <translation>Winkel, den der Drehgeber zeigt</translation>
-    </message>
-    <message>
-        <source>As in the file</source>
-        <translation>Wie in der Datei</translation>
     </message>
     <message>
         <source>As in the file.</source>
@@ -4872,6 +4752,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kalibrieren – rigapp</translation>
     </message>
     <message>
+        <source>Calibrate, or correct the rig file</source>
+        <translation>Kalibrieren oder die Prüfstandsdatei berichtigen</translation>
+    </message>
+    <message>
         <source>Calibrating</source>
         <translation>Kalibrieren</translation>
     </message>
@@ -4968,6 +4852,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Versuche wählen</translation>
     </message>
     <message>
+        <source>Click, or Tab to it and use ← →, to read values; Esc ends it. Draw a rectangle to look closer.</source>
+        <translation>Klicken, oder mit Tab hierher und ← →, um Werte abzulesen; Esc beendet. Ein Rechteck aufziehen vergrößert.</translation>
+    </message>
+    <message>
         <source>Close that calibration, or end it: rigapp calibrate release</source>
         <translation>Diese Kalibrierung schließen oder beenden: rigapp calibrate release</translation>
     </message>
@@ -5032,6 +4920,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zeitüberschreitung der Verbindung</translation>
     </message>
     <message>
+        <source>Contact law</source>
+        <translation>Kontaktgesetz</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
         <source>Count that the index sets</source>
         <translation>Zählerstand, den der Index setzt</translation>
     </message>
@@ -5062,6 +4958,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Cross-talk of axis 2 by a force along 1</source>
         <translation>Übersprechen auf Achse 2 durch eine Kraft längs 1</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
     </message>
     <message>
         <source>Cycles</source>
@@ -5340,10 +5240,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Von − bis + d&amp;iese Position</translation>
     </message>
     <message>
-        <source>Full: 12 pin angles, 10 loads up and down</source>
-        <translation>Voll: 12 Bolzenwinkel, 10 Lasten auf und ab</translation>
-    </message>
-    <message>
         <source>Full: 30 revolutions at each speed</source>
         <translation>Voll: 30 Umdrehungen bei jeder Drehzahl</translation>
     </message>
@@ -5390,10 +5286,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Go on with the test in its own file</source>
         <translation>Den Versuch in seiner eigenen Datei fortsetzen</translation>
-    </message>
-    <message>
-        <source>Go on with the test in {}, or start another one.</source>
-        <translation>Den Versuch in {} fortsetzen oder einen anderen starten.</translation>
     </message>
     <message>
         <source>Go to a revolution</source>
@@ -5534,6 +5426,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Is the test usable?</source>
         <translation>Ist der Versuch brauchbar?</translation>
+    </message>
+    <message>
+        <source>It belongs to one test: see the list of tests</source>
+        <translation>Es gehört zu einem Versuch: siehe die Liste der Versuche</translation>
     </message>
     <message>
         <source>Its own watchdog stops the motor.</source>
@@ -5772,10 +5668,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Den Verlauf dieser Größe ansehen; quittieren oder die Grenze mit Grund ändern</translation>
     </message>
     <message>
-        <source>Look at the trend of this quantity; acknowledge, or change the limit with reason.</source>
-        <translation>Den Verlauf dieser Größe ansehen; quittieren oder die Grenze mit Begründung ändern.</translation>
-    </message>
-    <message>
         <source>Look for a jam in joint, spring and guide; check the zero; then reset and start again.</source>
         <translation>Gelenk, Feder und Führung auf ein Klemmen prüfen, Nullpunkt prüfen; dann zurücksetzen und neu starten.</translation>
     </message>
@@ -5792,12 +5684,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Drehzahl oder Last senken, oder notieren, dass dieser Versuch außerhalb des Bereichs seiner Werkstoffe lief.</translation>
     </message>
     <message>
+        <source>Lower the limit or raise load_cell.range_mV_per_V</source>
+        <translation>Die Grenze senken oder load_cell.range_mV_per_V vergrößern</translation>
+    </message>
+    <message>
         <source>ME-Systeme GSV-8 measuring amplifier</source>
         <translation>ME-Systeme GSV-8 Messverstärker</translation>
     </message>
     <message>
-        <source>MPa m/s</source>
-        <translation>MPa m/s</translation>
+        <source>MORE than allowed</source>
+        <translation>MEHR als zulässig</translation>
     </message>
     <message>
         <source>Make room, or bring the folder back. Do not end the program before.</source>
@@ -5872,12 +5768,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Modbus-RTU-Gerät</translation>
     </message>
     <message>
-        <source>Modbus RTU transmitter</source>
-        <translation>Modbus-RTU-Messumformer</translation>
-    </message>
-    <message>
         <source>Modbus address of the device</source>
         <translation>Modbus-Adresse des Geräts</translation>
+    </message>
+    <message>
+        <source>Modbus transmitter (RTU or TCP)</source>
+        <translation>Modbus-Messumformer (RTU oder TCP)</translation>
     </message>
     <message>
         <source>Model</source>
@@ -5898,10 +5794,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Motor output that drives the spindle</source>
         <translation>Motorausgang, der die Spindel antreibt</translation>
-    </message>
-    <message>
-        <source>N per mV/V</source>
-        <translation>N je mV/V</translation>
     </message>
     <message>
         <source>N per metre of width</source>
@@ -6088,16 +5980,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Keine</translation>
     </message>
     <message>
-        <source>None yet: a limit tells when the joint changes</source>
-        <translation>Noch keine: Eine Grenze meldet, wenn sich das Gelenk ändert</translation>
-    </message>
-    <message>
         <source>None yet: a limit tells when the joint changes.</source>
         <translation>Noch keine: Eine Grenze sagt, wann sich das Gelenk ändert.</translation>
-    </message>
-    <message>
-        <source>None: the test runs at one speed from its first revolution to its last</source>
-        <translation>Keine: Der Versuch läuft von der ersten bis zur letzten Umdrehung mit einer Drehzahl</translation>
     </message>
     <message>
         <source>None: the test runs at one speed from its first revolution to its last.</source>
@@ -6140,6 +6024,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Am Bolzen hängt nichts: die Kalibrierung beenden</translation>
     </message>
     <message>
+        <source>Nothing is known of any of the tests</source>
+        <translation>Über keinen der Versuche ist etwas bekannt</translation>
+    </message>
+    <message>
         <source>Nothing is lost; the test goes on and is recorded.</source>
         <translation>Nichts ist verloren; der Versuch geht weiter und wird aufgezeichnet.</translation>
     </message>
@@ -6158,10 +6046,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Nothing was done</source>
         <translation>Nichts wurde unternommen</translation>
-    </message>
-    <message>
-        <source>Nothing was done.</source>
-        <translation>Es wurde nichts getan.</translation>
     </message>
     <message>
         <source>Nov</source>
@@ -6202,10 +6086,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Of</source>
         <translation>Von</translation>
-    </message>
-    <message>
-        <source>One draft limit is not part of it</source>
-        <translation>Ein Entwurf einer Grenze gehört nicht dazu</translation>
     </message>
     <message>
         <source>One revolution</source>
@@ -6274,10 +6154,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>P&amp;lan</source>
         <translation>P&amp;lan</translation>
-    </message>
-    <message>
-        <source>Pa m/s</source>
-        <translation>Pa m/s</translation>
     </message>
     <message>
         <source>Packet serial address of the drive</source>
@@ -6378,10 +6254,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Points of the study</source>
         <translation>Punkte der Studie</translation>
-    </message>
-    <message>
-        <source>Points without a result</source>
-        <translation>Punkte ohne Ergebnis</translation>
     </message>
     <message>
         <source>Posi&amp;tions of a run</source>
@@ -6518,6 +6390,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>RMS, {} cycles ago</source>
         <translation>RMS, vor {} Zyklen</translation>
+    </message>
+    <message>
+        <source>Raise limits.overspeed_rpm</source>
+        <translation>limits.overspeed_rpm erhöhen</translation>
     </message>
     <message>
         <source>Range of the result</source>
@@ -6688,10 +6564,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Ursache beheben, dann die Geräte verbinden</translation>
     </message>
     <message>
-        <source>Remove the cause, then connect the devices.</source>
-        <translation>Die Ursache beheben, dann die Geräte verbinden.</translation>
-    </message>
-    <message>
         <source>Repeat from step</source>
         <translation>Wiederholen ab Schritt</translation>
     </message>
@@ -6718,10 +6590,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Reset: the deliberate step before another start. Nothing moves</source>
         <translation>Zurücksetzen: der bewusste Schritt vor einem weiteren Start. Nichts bewegt sich</translation>
-    </message>
-    <message>
-        <source>Reset: the deliberate step before another start. Nothing moves.</source>
-        <translation>Zurücksetzen: der bewusste Schritt vor einem neuen Start. Nichts bewegt sich.</translation>
     </message>
     <message>
         <source>Residual</source>
@@ -6752,6 +6620,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Ruhe nach Schritt {}</translation>
     </message>
     <message>
+        <source>Restitution</source>
+        <translation>Stoßzahl</translation>
+    </message>
+    <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
     </message>
@@ -6774,10 +6646,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Resume the paused test</source>
         <translation>Den angehaltenen Versuch fortsetzen</translation>
-    </message>
-    <message>
-        <source>Resume the paused test.</source>
-        <translation>Den angehaltenen Versuch fortsetzen.</translation>
     </message>
     <message>
         <source>Resume the test</source>
@@ -6810,10 +6678,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Routine: 12 revolutions at each speed</source>
         <translation>Routine: 12 Umdrehungen bei jeder Drehzahl</translation>
-    </message>
-    <message>
-        <source>Routine: 4 pin angles, 5 loads up and down</source>
-        <translation>Routine: 4 Bolzenwinkel, 5 Lasten auf und ab</translation>
     </message>
     <message>
         <source>Routine: once up and down</source>
@@ -6892,6 +6756,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Speichern als…</translation>
     </message>
     <message>
+        <source>Save data…</source>
+        <translation>Daten speichern…</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Bild speichern…</translation>
+    </message>
+    <message>
         <source>Save the &amp;record as</source>
         <translation>Kalibrierdatensatz speichern &amp;als</translation>
     </message>
@@ -6910,6 +6782,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Save the test file</source>
         <translation>Die Versuchsdatei speichern</translation>
+    </message>
+    <message>
+        <source>Saved: {}</source>
+        <translation>Gespeichert: {}</translation>
     </message>
     <message>
         <source>Scans per second of the internal clock: 60e6 / (srate dec deca). With the encoder clock the nominal rate: encoder lines times the usual revolutions per second</source>
@@ -6978,6 +6854,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Shelve the chosen alarm</source>
         <translation>Den gewählten Alarm zurückstellen</translation>
+    </message>
+    <message>
+        <source>Show all again</source>
+        <translation>Wieder alles zeigen</translation>
     </message>
     <message>
         <source>Show mechanism and materials</source>
@@ -7136,10 +7016,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Einen Versuch starten</translation>
     </message>
     <message>
-        <source>Start a test.</source>
-        <translation>Einen Versuch starten.</translation>
-    </message>
-    <message>
         <source>Start a test…</source>
         <translation>Versuch starten…</translation>
     </message>
@@ -7198,6 +7074,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Step before</source>
         <translation>Schritt davor</translation>
+    </message>
+    <message>
+        <source>Step in which the drive takes speeds, in rpm of the motor, from its manual, where the drive does not tell it (object 60A9); 0: as it tells</source>
+        <translation>Schritt, in dem der Antrieb Drehzahlen annimmt, in rpm des Motors, aus seinem Handbuch, wo er ihn nicht nennt (Objekt 60A9); 0: wie er ihn nennt</translation>
     </message>
     <message>
         <source>Step of object 2200:1 (assumed)</source>
@@ -7468,6 +7348,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der gewählte Versuch</translation>
     </message>
     <message>
+        <source>The configuration is not as it was when the test began</source>
+        <translation>Die Konfiguration ist nicht wie zu Beginn des Versuchs</translation>
+    </message>
+    <message>
         <source>The crank angle is unknown, so the drive was switched off.</source>
         <translation>Der Kurbelwinkel ist unbekannt; der Antrieb wurde abgeschaltet.</translation>
     </message>
@@ -7536,10 +7420,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Fehler des simulierten Prüfstands sind nicht bekannt: {}</translation>
     </message>
     <message>
-        <source>The file is still being read; try again</source>
-        <translation>Die Datei wird noch gelesen; es noch einmal versuchen</translation>
-    </message>
-    <message>
         <source>The first angle</source>
         <translation>Der erste Winkel</translation>
     </message>
@@ -7582,6 +7462,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The open step</source>
         <translation>Der offene Schritt</translation>
+    </message>
+    <message>
+        <source>The operator</source>
+        <translation>Der Bediener</translation>
     </message>
     <message>
         <source>The other probe was not read; the alignment is unknown</source>
@@ -7648,6 +7532,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Laufprüfung ist nicht bestanden: Der drehende Kraftsensor zeigt die bekannte Trägheit nicht</translation>
     </message>
     <message>
+        <source>The seal is damaged</source>
+        <translation>Das Siegel ist beschädigt</translation>
+    </message>
+    <message>
+        <source>The seal that was in the file is not there any more</source>
+        <translation>Das Siegel in der Datei fehlt</translation>
+    </message>
+    <message>
         <source>The signal at full scale</source>
         <translation>Das Signal bei Nennkraft</translation>
     </message>
@@ -7692,10 +7584,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Versuch geht weiter, seine Daten warten im Speicher; nach 20 s würde er gestoppt.</translation>
     </message>
     <message>
-        <source>The test goes on.</source>
-        <translation>Der Versuch geht weiter.</translation>
-    </message>
-    <message>
         <source>The test goes on. Its data are kept only as long as this program runs; saving them is tried again every few seconds.</source>
         <translation>Der Versuch geht weiter. Seine Daten bleiben nur, solange dieses Programm läuft; alle paar Sekunden wird neu versucht, sie zu sichern.</translation>
     </message>
@@ -7712,12 +7600,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Versuch geht weiter; wer nicht da ist, erfährt vielleicht nicht, was geschieht.</translation>
     </message>
     <message>
-        <source>The test pauses at the safe angle</source>
-        <translation>Der Versuch hält am sicheren Winkel an</translation>
+        <source>The test has no stop.wear_depth_um, so nothing says when it ends</source>
+        <translation>Der Versuch hat kein stop.wear_depth_um, daher sagt nichts, wann er endet</translation>
     </message>
     <message>
-        <source>The test pauses at the safe angle.</source>
-        <translation>Der Versuch hält am sicheren Winkel an.</translation>
+        <source>The test pauses at the safe angle</source>
+        <translation>Der Versuch hält am sicheren Winkel an</translation>
     </message>
     <message>
         <source>The test that runs goes on to its end; no other one begins</source>
@@ -7800,14 +7688,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>In {} ist keine Studie.</translation>
     </message>
     <message>
-        <source>There is no test, so no stored revolution either</source>
-        <translation>Es gibt keinen Versuch, also auch keine gespeicherte Umdrehung</translation>
-    </message>
-    <message>
-        <source>There is such a limit already; change that one</source>
-        <translation>Eine solche Grenze gibt es schon; diese ändern</translation>
-    </message>
-    <message>
         <source>These faults happen in the simulated devices, on the wire or on the signals, not in the program: what you see is what a real fault would show.</source>
         <translation>Diese Fehler geschehen in den simulierten Geräten, auf der Leitung oder in den Signalen, nicht im Programm: Zu sehen ist, was ein wirklicher Fehler zeigen würde.</translation>
     </message>
@@ -7844,6 +7724,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zu tun</translation>
     </message>
     <message>
+        <source>Too few points to say what it depends on. Shares of the variance, with 95 % limits:</source>
+        <translation>Zu wenige Punkte, um zu sagen, wovon es abhängt. Anteile an der Varianz mit 95-%-Grenzen:</translation>
+    </message>
+    <message>
         <source>Too many open files</source>
         <translation>zu viele offene Dateien</translation>
     </message>
@@ -7872,16 +7756,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Di</translation>
     </message>
     <message>
-        <source>Type how many revolutions the step has, or how many seconds</source>
-        <translation>Eingeben, wie viele Umdrehungen der Schritt hat oder wie viele Sekunden</translation>
-    </message>
-    <message>
         <source>Type how many revolutions the step has, or how many seconds.</source>
         <translation>Geben Sie ein, wie viele Umdrehungen der Schritt hat oder wie viele Sekunden.</translation>
-    </message>
-    <message>
-        <source>Type the value of the limit</source>
-        <translation>Den Wert der Grenze eingeben</translation>
     </message>
     <message>
         <source>UART 3.3 V</source>
@@ -7918,10 +7794,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Unterminated string</source>
         <translation>nicht beendeter Text</translation>
-    </message>
-    <message>
-        <source>Usable. Save it to arm it for a start</source>
-        <translation>Brauchbar. Speichern, um sie für einen Start bereitzustellen</translation>
     </message>
     <message>
         <source>Usable. Save it to arm it for a start.</source>
@@ -8000,24 +7872,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Warten: Die Kurbel kommt am Pausenwinkel zur Ruhe</translation>
     </message>
     <message>
-        <source>Wait: the crank comes to rest at the pause angle.</source>
-        <translation>Warten: Die Kurbel kommt am Pausenwinkel zur Ruhe.</translation>
-    </message>
-    <message>
         <source>Wait: the devices are being connected</source>
         <translation>Warten: Die Geräte werden verbunden</translation>
     </message>
     <message>
-        <source>Wait: the devices are being connected.</source>
-        <translation>Warten: Die Geräte werden verbunden.</translation>
-    </message>
-    <message>
         <source>Wait: the spindle is brought to a stand and the file is finished</source>
         <translation>Warten: Die Spindel wird zum Stehen gebracht und die Datei abgeschlossen</translation>
-    </message>
-    <message>
-        <source>Wait: the spindle is brought to a stand and the file is finished.</source>
-        <translation>Warten: Die Spindel wird angehalten und die Datei abgeschlossen.</translation>
     </message>
     <message>
         <source>Warning above</source>
@@ -8066,6 +7926,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Wed</source>
         <translation>Mi</translation>
+    </message>
+    <message>
+        <source>Weight of the pin</source>
+        <translation>Gewicht des Bolzens</translation>
     </message>
     <message>
         <source>Weights, kilograms; 5x8 are eight of 5 kg</source>
@@ -8208,6 +8072,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wo der Kalibrierschein ist</translation>
     </message>
     <message>
+        <source>Where the crank turns upright, write mechanism.gravity_m_s2 = [0.0, -9.81]</source>
+        <translation>Wo die Kurbel aufrecht dreht, mechanism.gravity_m_s2 = [0.0, -9.81] schreiben</translation>
+    </message>
+    <message>
         <source>Where the pairing may run: beyond, a warning; what is empty is off</source>
         <translation>Wo die Paarung laufen darf: darüber eine Warnung; was leer ist, ist aus</translation>
     </message>
@@ -8262,10 +8130,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Why the test ended</source>
         <translation>Warum der Versuch endete</translation>
-    </message>
-    <message>
-        <source>Why there is no result</source>
-        <translation>Warum es kein Ergebnis gibt</translation>
     </message>
     <message>
         <source>Why this window only looks</source>
@@ -8396,20 +8260,32 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>ein Zyklus braucht Messwerte an mindestens zwei Winkeln</translation>
     </message>
     <message>
+        <source>a cylinder in a cylinder by Liu and others (2007); the restitution is exact</source>
+        <translation>ein Zylinder in einem Zylinder nach Liu und anderen (2007); die Stoßzahl ist genau</translation>
+    </message>
+    <message>
+        <source>a cylinder in a cylinder by Pereira and others (2011)</source>
+        <translation>ein Zylinder in einem Zylinder nach Pereira und anderen (2011)</translation>
+    </message>
+    <message>
         <source>a dataset lies beyond its end</source>
         <translation>ein Datensatz liegt hinter ihrem Ende</translation>
+    </message>
+    <message>
+        <source>a fault of which it gives no code</source>
+        <translation>eine Störung ohne Fehlernummer</translation>
     </message>
     <message>
         <source>a full bridge of foil gauges gives its gauge factor, 2, times the strain: 4 at the 0.2 % that hardened steel bears, about 2 in most cells</source>
         <translation>eine Vollbrücke aus Folien-DMS ergibt ihren k-Faktor, 2, mal die Dehnung: 4 bei den 0.2 %, die gehärteter Stahl erträgt, etwa 2 bei den meisten Kraftsensoren</translation>
     </message>
     <message>
-        <source>a list</source>
-        <translation>eine Liste</translation>
+        <source>a key that nobody named</source>
+        <translation>einem Schlüssel, den niemand genannt hat</translation>
     </message>
     <message>
-        <source>a load begins after the one before it</source>
-        <translation>eine Belastung beginnt nach der vorigen</translation>
+        <source>a list</source>
+        <translation>eine Liste</translation>
     </message>
     <message>
         <source>a number</source>
@@ -8442,6 +8318,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>a short response holds at most 14 bytes</source>
         <translation>eine kurze Antwort fasst höchstens 14 Bytes</translation>
+    </message>
+    <message>
+        <source>a sphere in a sphere, whatever the width, by Flores and others (2011)</source>
+        <translation>eine Kugel in einer Kugel, gleich welcher Breite, nach Flores und anderen (2011)</translation>
+    </message>
+    <message>
+        <source>a sphere in a sphere, whatever the width; for a restitution near 1</source>
+        <translation>eine Kugel in einer Kugel, gleich welcher Breite; für eine Stoßzahl nahe 1</translation>
     </message>
     <message>
         <source>a status that this program does not know</source>
@@ -8496,6 +8380,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>ein falsches Gewicht hängt</translation>
     </message>
     <message>
+        <source>acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
         <source>access denied</source>
         <translation>Zugriff verweigert</translation>
     </message>
@@ -8530,6 +8418,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>after the power had to be cut</source>
         <translation>nachdem die Leistung abgeschaltet werden musste</translation>
+    </message>
+    <message>
+        <source>agreement uncertainty</source>
+        <translation>Unsicherheit der Übereinstimmung</translation>
     </message>
     <message>
         <source>air density</source>
@@ -8568,8 +8460,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Analogausgänge</translation>
     </message>
     <message>
+        <source>and</source>
+        <translation>und</translation>
+    </message>
+    <message>
         <source>angle history</source>
         <translation>Winkelverlauf</translation>
+    </message>
+    <message>
+        <source>angle in use</source>
+        <translation>Winkel im Einsatz</translation>
     </message>
     <message>
         <source>another function uses this hardware</source>
@@ -8596,10 +8496,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Pfeile</translation>
     </message>
     <message>
-        <source>as asked</source>
-        <translation>wie verlangt</translation>
-    </message>
-    <message>
         <source>as before</source>
         <translation>wie zuvor</translation>
     </message>
@@ -8612,12 +8508,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>wie eingestellt</translation>
     </message>
     <message>
-        <source>asked by the operator</source>
-        <translation>vom Bediener verlangt</translation>
-    </message>
-    <message>
-        <source>assumed</source>
-        <translation>angenommen</translation>
+        <source>as stiff as the elastic bushing of the wear model; the restitution is exact</source>
+        <translation>so steif wie die elastische Buchse des Verschleißmodells; die Stoßzahl ist genau</translation>
     </message>
     <message>
         <source>at an unknown angle</source>
@@ -8646,10 +8538,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>bound of the computed depth&apos;s error</source>
         <translation>Schranke für den Fehler der berechneten Tiefe</translation>
-    </message>
-    <message>
-        <source>bridge</source>
-        <translation>Brücke</translation>
     </message>
     <message>
         <source>broken</source>
@@ -8692,6 +8580,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Spiel</translation>
     </message>
     <message>
+        <source>commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
         <source>complete</source>
         <translation>vollständig</translation>
     </message>
@@ -8702,6 +8594,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>connecting</source>
         <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>contact law</source>
+        <translation>Kontaktgesetz</translation>
+    </message>
+    <message>
+        <source>crank angle at the index</source>
+        <translation>Kurbelwinkel am Index</translation>
     </message>
     <message>
         <source>crank angle of the largest |F|</source>
@@ -8716,6 +8616,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Strom</translation>
     </message>
     <message>
+        <source>curve {}</source>
+        <translation>Kurve {}</translation>
+    </message>
+    <message>
         <source>cycle {} at {:.0f}°</source>
         <translation>Zyklus {} bei {:.0f}°</translation>
     </message>
@@ -8724,12 +8628,36 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Tage</translation>
     </message>
     <message>
+        <source>deceleration</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
         <source>default</source>
         <translation>üblicher Wert</translation>
     </message>
     <message>
+        <source>degree 1, zeros by series</source>
+        <translation>Grad 1, Nullpunkte je Reihe</translation>
+    </message>
+    <message>
         <source>density</source>
         <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>deviation alternative</source>
+        <translation>andere Ursache der Abweichung</translation>
+    </message>
+    <message>
+        <source>deviation cause</source>
+        <translation>Ursache der Abweichung</translation>
+    </message>
+    <message>
+        <source>deviation uncertainty</source>
+        <translation>Unsicherheit der Abweichung</translation>
     </message>
     <message>
         <source>diamond</source>
@@ -8738,6 +8666,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>disturbed: {} samples lost, {} errors in the last minute</source>
         <translation>gestört: {} Werte verloren, {} Fehler in der letzten Minute</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>antwortet nicht</translation>
     </message>
     <message>
         <source>done</source>
@@ -8754,6 +8686,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>elastic approach of pin and bushing</source>
         <translation>elastische Annäherung von Bolzen und Buchse</translation>
+    </message>
+    <message>
+        <source>elements</source>
+        <translation>elements</translation>
+    </message>
+    <message>
+        <source>elements: as stiff as the elastic bushing of the wear model; the restitution is exact; pereira: a cylinder in a cylinder by Pereira and others (2011); liu: a cylinder in a cylinder by Liu and others (2007); the restitution is exact; lankarani-nikravesh: a sphere in a sphere, whatever the width; for a restitution near 1; flores: a sphere in a sphere, whatever the width, by Flores and others (2011)</source>
+        <translation>elements: so steif wie die elastische Buchse des Verschleißmodells; die Stoßzahl ist genau; pereira: ein Zylinder in einem Zylinder nach Pereira und anderen (2011); liu: ein Zylinder in einem Zylinder nach Liu und anderen (2007); die Stoßzahl ist genau; lankarani-nikravesh: eine Kugel in einer Kugel, gleich welcher Breite; für eine Stoßzahl nahe 1; flores: eine Kugel in einer Kugel, gleich welcher Breite, nach Flores und anderen (2011)</translation>
     </message>
     <message>
         <source>emergency stop, latching</source>
@@ -8784,6 +8724,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>verlängern</translation>
     </message>
     <message>
+        <source>failed</source>
+        <translation>ist fehlgeschlagen</translation>
+    </message>
+    <message>
         <source>faster</source>
         <translation>schneller</translation>
     </message>
@@ -8808,12 +8752,36 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>zuerst</translation>
     </message>
     <message>
+        <source>flores</source>
+        <translation>flores</translation>
+    </message>
+    <message>
         <source>follower angle</source>
         <translation>Winkel der Koppel</translation>
     </message>
     <message>
+        <source>follower mass</source>
+        <translation>Masse der Koppel</translation>
+    </message>
+    <message>
         <source>follower speed</source>
         <translation>Drehgeschwindigkeit der Koppel</translation>
+    </message>
+    <message>
+        <source>force across it</source>
+        <translation>Kraft quer dazu</translation>
+    </message>
+    <message>
+        <source>force at full scale</source>
+        <translation>Kraft beim Endwert</translation>
+    </message>
+    <message>
+        <source>free position of the spring</source>
+        <translation>freie Länge der Feder</translation>
+    </message>
+    <message>
+        <source>friction of the slider&apos;s guide</source>
+        <translation>Reibung der Schieberführung</translation>
     </message>
     <message>
         <source>friction ramp</source>
@@ -8822,6 +8790,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>from the calibration in the file</source>
         <translation>aus der Kalibrierung in der Datei</translation>
+    </message>
+    <message>
+        <source>gain of the load cell</source>
+        <translation>Verstärkung des Kraftsensors</translation>
+    </message>
+    <message>
+        <source>give increasing cycles above 0</source>
+        <translation>steigende Zyklen über 0 angeben</translation>
     </message>
     <message>
         <source>good</source>
@@ -8860,6 +8836,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Hardware</translation>
     </message>
     <message>
+        <source>has its values in another file</source>
+        <translation>hat seine Werte in einer anderen Datei</translation>
+    </message>
+    <message>
         <source>heavier</source>
         <translation>schwerer</translation>
     </message>
@@ -8870,6 +8850,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>hidden for a limited time, with a reason; limits act all the same</source>
         <translation>für begrenzte Zeit verborgen, mit einem Grund; Grenzen wirken trotzdem</translation>
+    </message>
+    <message>
+        <source>highest speed</source>
+        <translation>höchste Drehzahl</translation>
+    </message>
+    <message>
+        <source>how the test ended</source>
+        <translation>das Ende des Versuchs</translation>
+    </message>
+    <message>
+        <source>hysteresis, no falling loads</source>
+        <translation>Hysterese, ohne fallende Lasten</translation>
     </message>
     <message>
         <source>idle</source>
@@ -8884,6 +8876,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>nur in Schritt {}</translation>
     </message>
     <message>
+        <source>in the file</source>
+        <translation>in der Datei</translation>
+    </message>
+    <message>
         <source>inject fault</source>
         <translation>Fehler auslösen</translation>
     </message>
@@ -8892,8 +8888,32 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>unterbrochen</translation>
     </message>
     <message>
+        <source>is made of values of other files</source>
+        <translation>besteht aus Werten anderer Dateien</translation>
+    </message>
+    <message>
+        <source>is not signed, and the rig file names the keys that it trusts</source>
+        <translation>ist nicht signiert, und die Prüfstandsdatei nennt die Schlüssel, denen sie vertraut</translation>
+    </message>
+    <message>
         <source>it does not end</source>
         <translation>er endet nicht</translation>
+    </message>
+    <message>
+        <source>it does not tell in which unit it takes speeds; give velocity_step_rpm from its manual</source>
+        <translation>er nennt die Einheit seiner Drehzahlen nicht; velocity_step_rpm aus seinem Handbuch angeben</translation>
+    </message>
+    <message>
+        <source>it has no limit of speed to set; rigapp alone keeps it</source>
+        <translation>er hat keine einstellbare Drehzahlgrenze; nur rigapp hält sie ein</translation>
+    </message>
+    <message>
+        <source>it is that of another test</source>
+        <translation>es gehört zu einem anderen Versuch</translation>
+    </message>
+    <message>
+        <source>it turns up or down along a ramp of its own, whatever the test file says; set that in the drive</source>
+        <translation>er beschleunigt oder bremst mit eigener Rampe, gleich was die Versuchsdatei sagt; sie im Antrieb einstellen</translation>
     </message>
     <message>
         <source>it was closed</source>
@@ -8944,6 +8964,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>beim Lesen seiner Zähler</translation>
     </message>
     <message>
+        <source>its digests do not belong together</source>
+        <translation>seine Prüfsummen gehören nicht zusammen</translation>
+    </message>
+    <message>
         <source>its fault was reset</source>
         <translation>beim Quittieren seiner Störung</translation>
     </message>
@@ -8956,12 +8980,36 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>sein Getriebe sagt die elastische Bewegung, seine Grenzen bleiben</translation>
     </message>
     <message>
+        <source>its mode</source>
+        <translation>seine Betriebsart</translation>
+    </message>
+    <message>
         <source>its plan</source>
         <translation>ihr Plan</translation>
     </message>
     <message>
+        <source>its position</source>
+        <translation>seine Lage</translation>
+    </message>
+    <message>
         <source>its power was taken off</source>
         <translation>beim Abschalten seiner Leistung</translation>
+    </message>
+    <message>
+        <source>its sign of life</source>
+        <translation>sein Lebenszeichen</translation>
+    </message>
+    <message>
+        <source>its signature does not hold</source>
+        <translation>seine Signatur ist ungültig</translation>
+    </message>
+    <message>
+        <source>its speed</source>
+        <translation>seine Drehzahl</translation>
+    </message>
+    <message>
+        <source>its state</source>
+        <translation>seinen Zustand</translation>
     </message>
     <message>
         <source>its structure</source>
@@ -8972,8 +9020,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>ihre Texte</translation>
     </message>
     <message>
+        <source>its tree</source>
+        <translation>ihr Baum</translation>
+    </message>
+    <message>
         <source>kilograms</source>
         <translation>Kilogramm</translation>
+    </message>
+    <message>
+        <source>lankarani-nikravesh</source>
+        <translation>lankarani-nikravesh</translation>
     </message>
     <message>
         <source>largest contact pressure</source>
@@ -9020,8 +9076,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>ohne laufenden Versuch werden Grenzen in der Versuchsdatei geändert</translation>
     </message>
     <message>
+        <source>liu</source>
+        <translation>liu</translation>
+    </message>
+    <message>
+        <source>load introduction, in the calibration</source>
+        <translation>Krafteinleitung bei der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>load introduction, in use</source>
+        <translation>Krafteinleitung im Einsatz</translation>
+    </message>
+    <message>
         <source>loads</source>
         <translation>Belastungen</translation>
+    </message>
+    <message>
+        <source>loads beyond the largest</source>
+        <translation>Lasten über der größten</translation>
     </message>
     <message>
         <source>lower 95 % limit of it</source>
@@ -9068,6 +9140,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>mehr</translation>
     </message>
     <message>
+        <source>motor current</source>
+        <translation>Motorstrom</translation>
+    </message>
+    <message>
         <source>moving mass</source>
         <translation>bewegte Masse</translation>
     </message>
@@ -9094,10 +9170,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>no drive is connected</source>
         <translation>kein Antrieb ist verbunden</translation>
-    </message>
-    <message>
-        <source>no effect</source>
-        <translation>ohne Wirkung</translation>
     </message>
     <message>
         <source>no fault</source>
@@ -9128,6 +9200,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>keine Warnung</translation>
     </message>
     <message>
+        <source>nobody</source>
+        <translation>niemand</translation>
+    </message>
+    <message>
         <source>node spacing</source>
         <translation>Knotenabstand</translation>
     </message>
@@ -9152,6 +9228,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>nicht rechtzeitig</translation>
     </message>
     <message>
+        <source>not increasing</source>
+        <translation>nicht steigend</translation>
+    </message>
+    <message>
         <source>not known</source>
         <translation>nicht bekannt</translation>
     </message>
@@ -9166,6 +9246,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>not readable</source>
         <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>not there</source>
+        <translation>nicht vorhanden</translation>
     </message>
     <message>
         <source>not yet</source>
@@ -9196,6 +9280,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>nur ein Teil wurde geschrieben</translation>
     </message>
     <message>
+        <source>or</source>
+        <translation>oder</translation>
+    </message>
+    <message>
         <source>over-current</source>
         <translation>Überstrom</translation>
     </message>
@@ -9216,6 +9304,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Überdrehzahl</translation>
     </message>
     <message>
+        <source>own weight of the pin</source>
+        <translation>Eigengewicht des Bolzens</translation>
+    </message>
+    <message>
         <source>pause</source>
         <translation>Pause</translation>
     </message>
@@ -9226,6 +9318,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>pausing</source>
         <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>pereira</source>
+        <translation>pereira</translation>
     </message>
     <message>
         <source>poissons ratio</source>
@@ -9260,6 +9356,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wegsensoren, k = 2</translation>
     </message>
     <message>
+        <source>profile velocity mode</source>
+        <translation>Betriebsart Profile Velocity</translation>
+    </message>
+    <message>
         <source>queue add</source>
         <translation>zur Warteschlange</translation>
     </message>
@@ -9278,6 +9378,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>radii</source>
         <translation>Radien</translation>
+    </message>
+    <message>
+        <source>reaction to its silence</source>
+        <translation>Reaktion auf sein Schweigen</translation>
     </message>
     <message>
         <source>reading</source>
@@ -9400,6 +9504,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Sektoren</translation>
     </message>
     <message>
+        <source>sensitivity</source>
+        <translation>Empfindlichkeit</translation>
+    </message>
+    <message>
         <source>set limit</source>
         <translation>Grenze setzen</translation>
     </message>
@@ -9430,6 +9538,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>simulation state</source>
         <translation>Stand der Simulation</translation>
+    </message>
+    <message>
+        <source>slider mass</source>
+        <translation>Masse des Schiebers</translation>
     </message>
     <message>
         <source>slider position</source>
@@ -9464,6 +9576,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Drehzahleinheit, Grenzen oder Heartbeat</translation>
     </message>
     <message>
+        <source>spring stiffness</source>
+        <translation>Federsteifigkeit</translation>
+    </message>
+    <message>
         <source>square</source>
         <translation>Quadrat</translation>
     </message>
@@ -9492,6 +9608,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Stand</translation>
     </message>
     <message>
+        <source>stay awake</source>
+        <translation>wach bleiben</translation>
+    </message>
+    <message>
         <source>step {} of {}</source>
         <translation>Schritt {} von {}</translation>
     </message>
@@ -9512,16 +9632,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>vom Bediener angehalten</translation>
     </message>
     <message>
-        <source>stopped the test</source>
-        <translation>hat den Versuch gestoppt</translation>
-    </message>
-    <message>
         <source>stopping</source>
         <translation>Auslauf</translation>
     </message>
     <message>
-        <source>switched the drive off</source>
-        <translation>hat den Antrieb ausgeschaltet</translation>
+        <source>supply voltage</source>
+        <translation>Versorgungsspannung</translation>
     </message>
     <message>
         <source>take command</source>
@@ -9536,6 +9652,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Temperatur</translation>
     </message>
     <message>
+        <source>terms that the pin angles do not show</source>
+        <translation>Terme, die die Bolzenwinkel nicht zeigen</translation>
+    </message>
+    <message>
         <source>text</source>
         <translation>Text</translation>
     </message>
@@ -9544,12 +9664,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der CAN-Adapter ist ausgefallen; sein Kabel und den Bus prüfen</translation>
     </message>
     <message>
+        <source>the bushing carries too little for the elements; choose the law pereira or liu</source>
+        <translation>die Buchse trägt zu wenig für die Elemente; das Gesetz pereira oder liu wählen</translation>
+    </message>
+    <message>
         <source>the condition holds, and nobody has acknowledged it</source>
         <translation>die Bedingung gilt, und niemand hat sie quittiert</translation>
     </message>
     <message>
         <source>the condition holds, and somebody has acknowledged it</source>
         <translation>die Bedingung gilt, und jemand hat sie quittiert</translation>
+    </message>
+    <message>
+        <source>the configuration</source>
+        <translation>die Konfiguration</translation>
     </message>
     <message>
         <source>the connection to the devices is broken; connect first</source>
@@ -9596,8 +9724,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>das Ende wartet</translation>
     </message>
     <message>
+        <source>the file&apos;s wear model {:g} is unknown here</source>
+        <translation>das Verschleißmodell {:g} der Datei ist hier unbekannt</translation>
+    </message>
+    <message>
         <source>the load cell</source>
         <translation>den Kraftsensor</translation>
+    </message>
+    <message>
+        <source>the log</source>
+        <translation>das Protokoll</translation>
     </message>
     <message>
         <source>the log of this test has no room left for notes; alarms are still kept</source>
@@ -9632,8 +9768,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Bediener</translation>
     </message>
     <message>
+        <source>the other devices on this line left no time to ask it; give each a shorter reply_timeout_s</source>
+        <translation>die anderen Geräte an dieser Leitung ließen keine Zeit, es zu fragen; jedem ein kürzeres reply_timeout_s geben</translation>
+    </message>
+    <message>
         <source>the other probe</source>
         <translation>des anderen Wegsensors</translation>
+    </message>
+    <message>
+        <source>the output has ended</source>
+        <translation>die Ausgabe ist zu Ende</translation>
     </message>
     <message>
         <source>the pin moves across the follower, counter-clockwise</source>
@@ -9652,6 +9796,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Anschluss lässt sich nicht öffnen; den Namen des Anschlusses in der Prüfstandsdatei prüfen</translation>
     </message>
     <message>
+        <source>the port is not open</source>
+        <translation>der Anschluss ist nicht offen</translation>
+    </message>
+    <message>
+        <source>the predicted curves</source>
+        <translation>die vorhergesagten Kurven</translation>
+    </message>
+    <message>
+        <source>the prediction</source>
+        <translation>die Vorhersage</translation>
+    </message>
+    <message>
         <source>the prediction was not asked</source>
         <translation>die Vorhersage wurde nicht gefragt</translation>
     </message>
@@ -9660,12 +9816,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>die Wegsensoren</translation>
     </message>
     <message>
+        <source>the recording ends here</source>
+        <translation>die Aufzeichnung endet hier</translation>
+    </message>
+    <message>
         <source>the request arrived damaged</source>
         <translation>die Anfrage kam beschädigt an</translation>
     </message>
     <message>
+        <source>the revolutions</source>
+        <translation>die Umdrehungen</translation>
+    </message>
+    <message>
         <source>the rig file</source>
         <translation>die Prüfstandsdatei</translation>
+    </message>
+    <message>
+        <source>the salvaged copy</source>
+        <translation>die gerettete Kopie</translation>
     </message>
     <message>
         <source>the sensor&apos;s memory cannot be used</source>
@@ -9674,6 +9842,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the settings memory is faulty</source>
         <translation>der Einstellungsspeicher ist defekt</translation>
+    </message>
+    <message>
+        <source>the speed to turn at</source>
+        <translation>die Solldrehzahl</translation>
     </message>
     <message>
         <source>the spindle turns for the calibration; stop it first</source>
@@ -9696,16 +9868,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>die Vorhersage hat in der Datei nichts Lesbares hinterlassen</translation>
     </message>
     <message>
-        <source>the velocity unit is unknown; set rpm in the drive</source>
-        <translation>die Geschwindigkeitseinheit ist unbekannt; rpm im Antrieb einstellen</translation>
+        <source>the unfinished revolutions</source>
+        <translation>die unvollständigen Umdrehungen</translation>
     </message>
     <message>
         <source>the wear cannot be computed</source>
         <translation>der Verschleiß lässt sich nicht berechnen</translation>
     </message>
     <message>
+        <source>the whole cycles</source>
+        <translation>die ganzen Zyklen</translation>
+    </message>
+    <message>
         <source>the workers were lost; what is done is safe, and the same command goes on with it</source>
         <translation>die Rechenprozesse gingen verloren; was fertig ist, ist sicher, und derselbe Befehl macht damit weiter</translation>
+    </message>
+    <message>
+        <source>the worn profiles</source>
+        <translation>die Verschleißprofile</translation>
     </message>
     <message>
         <source>these are no measurements</source>
@@ -9722,6 +9902,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>this is looked at</source>
         <translation>danach wird gesehen</translation>
+    </message>
+    <message>
+        <source>this is no file</source>
+        <translation>das ist keine Datei</translation>
     </message>
     <message>
         <source>this record</source>
@@ -9766,6 +9950,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>u of the &amp;micrometer</source>
         <translation>u der &amp;Messschraube</translation>
+    </message>
+    <message>
+        <source>um per 1000 revolutions</source>
+        <translation>um je 1000 Umdrehungen</translation>
     </message>
     <message>
         <source>unacknowledged</source>
@@ -9860,6 +10048,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Verschleißtiefe am Ende</translation>
     </message>
     <message>
+        <source>weight of the pin at the load cell</source>
+        <translation>Gewicht des Bolzens am Kraftsensor</translation>
+    </message>
+    <message>
         <source>what the calibration says</source>
         <translation>was die Kalibrierung sagt</translation>
     </message>
@@ -9908,6 +10100,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>nullen</translation>
     </message>
     <message>
+        <source>zero of the calibration</source>
+        <translation>Nullpunkt der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>zeros over the pin angle</source>
+        <translation>Nullpunkte über dem Bolzenwinkel</translation>
+    </message>
+    <message>
         <source>{:.0f} % to {}</source>
         <translation>{:.0f} % bis {}</translation>
     </message>
@@ -9936,16 +10136,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} % ({} bis {})</translation>
     </message>
     <message>
-        <source>{} above limit</source>
-        <translation>{} über der Grenze</translation>
-    </message>
-    <message>
         <source>{} alarms in the test</source>
         <translation>{} Alarme im Versuch</translation>
-    </message>
-    <message>
-        <source>{} below limit</source>
-        <translation>{} unter der Grenze</translation>
     </message>
     <message>
         <source>{} cannot be read: {}</source>
@@ -10010,14 +10202,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} is simulated: nothing real turns.</source>
         <translation>{} ist simuliert: nichts Echtes dreht sich.</translation>
-    </message>
-    <message>
-        <source>{} is {}, above the {} limit {}.</source>
-        <translation>{} ist {}, über der Grenze ({}) von {}.</translation>
-    </message>
-    <message>
-        <source>{} is {}, below the {} limit {}.</source>
-        <translation>{} ist {}, unter der Grenze ({}) von {}.</translation>
     </message>
     <message>
         <source>{} must be a number, not {}.</source>
@@ -10197,14 +10381,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
 </context>
 <context>
-    <name>told</name>
+    <name>sentences</name>
     <message>
         <source>&quot;{}&quot; is on the alarm list: acknowledge and reset it first</source>
         <translation>„{}“ steht auf der Alarmliste: erst quittieren und zurücksetzen</translation>
-    </message>
-    <message>
-        <source># rejected ({}): {}</source>
-        <translation># verworfen ({}): {}</translation>
     </message>
     <message>
         <source>--plan {}: choose {}</source>
@@ -10221,14 +10401,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>A part of the engine {sentence}.</source>
         <translation>Ein Teil der Steuerung {sentence}.</translation>
-    </message>
-    <message>
-        <source>Acknowledge &quot;{}&quot; and {} more: say that you have seen it.</source>
-        <translation>„{}“ und {} weitere quittieren: bestätigen, dass es gesehen wurde.</translation>
-    </message>
-    <message>
-        <source>Acknowledge &quot;{}&quot;: say that you have seen it.</source>
-        <translation>„{}“ quittieren: bestätigen, dass es gesehen wurde.</translation>
     </message>
     <message>
         <source>Calibration of {}</source>
@@ -10255,10 +10427,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Rückweg zeigt {} um gegenüber dem Hinweg</translation>
     </message>
     <message>
-        <source>Creep: from no load, {} Hang it without a pause, and go on as soon as it hangs still: from then on the time counts</source>
-        <translation>Kriechen: ohne Last beginnen, {} Ohne Pause anhängen und fortfahren, sobald es ruhig hängt: Von da an zählt die Zeit</translation>
-    </message>
-    <message>
         <source>Device {}</source>
         <translation>Gerät {}</translation>
     </message>
@@ -10279,8 +10447,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} MB frei machen oder weniger ganze Zyklen behalten</translation>
     </message>
     <message>
-        <source>Go on with the test in {}, or start another one.</source>
-        <translation>Den Versuch in {} fortsetzen oder einen anderen starten.</translation>
+        <source>GSV, model {}</source>
+        <translation>GSV, Modell {}</translation>
     </message>
     <message>
         <source>In revolution {revolution} the count at the index differs from a whole turn.</source>
@@ -10307,20 +10475,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Eingang des Kraftsensors übersteuert: {}</translation>
     </message>
     <message>
-        <source>Lower the speed: {}</source>
-        <translation>die Drehzahl senken: {}</translation>
-    </message>
-    <message>
         <source>Motion with the speed, taken off the slowest roll: up to {:.2f} um</source>
         <translation>Bewegung mit der Drehzahl, vom langsamsten Umlauf abgezogen: bis {} um</translation>
     </message>
     <message>
         <source>No answer from {}</source>
         <translation>Keine Antwort von {}</translation>
-    </message>
-    <message>
-        <source>No module named {}</source>
-        <translation>kein Modul namens {}</translation>
     </message>
     <message>
         <source>Not classifiable: with a resolution of {:g} N, ASTM E74 class A needs forces of at least {:g} N and ISO 376 class 2 of at least {:g} N, above the full scale of {:g} N. The expanded uncertainty is stated instead of a class. For forces from {:g} N upward, class 2 would need a resolution of {:.2f} N and class 1 of {:.2f} N{}</source>
@@ -10447,6 +10607,46 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Antrieb meldet {speed_rpm:.1f} rpm, aber der Drehgeber der Kurbel bewegt sich nicht.</translation>
     </message>
     <message>
+        <source>mode {}</source>
+        <translation>Modus {}</translation>
+    </message>
+    <message>
+        <source>product {}</source>
+        <translation>Produkt {}</translation>
+    </message>
+    <message>
+        <source>salvaged from {}: what is as it was written</source>
+        <translation>gerettet aus {}: was noch so ist, wie es geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>the {} has {} characters; shorten it to {}</source>
+        <translation>{} hat {} Zeichen; auf {} kürzen</translation>
+    </message>
+    <message>
+        <source>vendor {}</source>
+        <translation>Hersteller {}</translation>
+    </message>
+    <message>
+        <source>{} holds the control character \u{}; take it out</source>
+        <translation>{} enthält das Steuerzeichen \u{}; es herausnehmen</translation>
+    </message>
+    <message>
+        <source>{} is {:.6g}, above the {} limit {:.6g}</source>
+        <translation>{0} ist {1}, über der Grenze ({2}) von {3}</translation>
+    </message>
+    <message>
+        <source>{} is {:.6g}, below the {} limit {:.6g}</source>
+        <translation>{0} ist {1}, unter der Grenze ({2}) von {3}</translation>
+    </message>
+    <message>
+        <source>{} stopped the test</source>
+        <translation>{} hat den Versuch gestoppt</translation>
+    </message>
+    <message>
+        <source>{} switched the drive off</source>
+        <translation>{} hat den Antrieb ausgeschaltet</translation>
+    </message>
+    <message>
         <source>{} was answered with a wrong length; check the firmware and that no other program uses the device</source>
         <translation>{} wurde mit einer falschen Länge beantwortet; die Firmware prüfen, und dass kein anderes Programm das Gerät benutzt</translation>
     </message>
@@ -10481,6 +10681,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}: it tells no rolls</source>
         <translation>{}: enthält keine Umläufe</translation>
+    </message>
+    <message>
+        <source>{}: no revolution in it is as it was written; take another copy</source>
+        <translation>{}: Keine Umdrehung darin ist so, wie sie geschrieben wurde; eine andere Kopie nehmen</translation>
+    </message>
+    <message>
+        <source>{}: not valid TOML: {}.{}</source>
+        <translation>{}: kein gültiges TOML: {}.{}</translation>
+    </message>
+    <message>
+        <source>{}: others can read it (mode {}); chmod 600 it, and change the secrets where others are on this computer</source>
+        <translation>{}: Andere können sie lesen (Modus {}); chmod 600 ausführen und die Geheimnisse ändern, wenn andere an diesem Rechner sind</translation>
     </message>
     <message>
         <source>{}: the copy of the rig file cannot be written; nothing is changed</source>
@@ -10671,10 +10883,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>abgelaufen am {}</translation>
     </message>
     <message>
-        <source>hang {}</source>
-        <translation>{} anhängen</translation>
-    </message>
-    <message>
         <source>its driver {} failed while {}; the log has the details</source>
         <translation>sein Treiber {} ist {} fehlgeschlagen; Einzelheiten stehen im Protokoll</translation>
     </message>
@@ -10755,6 +10963,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>die Verbindung brach beim {} ab; Kabel und Versorgung prüfen</translation>
     </message>
     <message>
+        <source>the design has {} points; at most {}</source>
+        <translation>der Versuchsplan hat {} Punkte; höchstens {}</translation>
+    </message>
+    <message>
         <source>the device at Modbus address {}</source>
         <translation>das Gerät an Modbus-Adresse {}</translation>
     </message>
@@ -10779,16 +10991,32 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Treiber {} scheiterte beim Prüfen seiner Anfrage; das dem Autor des Pakets {} melden</translation>
     </message>
     <message>
+        <source>the grid has {} points; at most {}: take fewer levels, or design.kind = &quot;sobol&quot;</source>
+        <translation>das Raster hat {} Punkte; höchstens {}: weniger Stufen nehmen oder design.kind = &quot;sobol&quot;</translation>
+    </message>
+    <message>
         <source>the load cell shows {} mV/V at rest {}</source>
         <translation>der Kraftsensor zeigt in Ruhe {} mV/V {}</translation>
+    </message>
+    <message>
+        <source>{:.0f} samples a revolution at {:g} Hz and {} = {:g}</source>
+        <translation>{} Messwerte je Umdrehung bei {} Hz und {} = {}</translation>
     </message>
     <message>
         <source>{:.1f} rpm is more than the drive can be told</source>
         <translation>{} rpm sind mehr, als sich im Antrieb einstellen lässt</translation>
     </message>
     <message>
+        <source>{:.9g} to {:.9g}</source>
+        <translation>{} bis {}</translation>
+    </message>
+    <message>
         <source>{} ({} to {}) · 10⁻⁶ mm³/(N m)</source>
         <translation>{} ({} bis {}) · 10⁻⁶ mm³/(N m)</translation>
+    </message>
+    <message>
+        <source>{} = {:g} is above the rig&apos;s spindle.maximum_speed_rpm = {:g}</source>
+        <translation>{} = {} liegt über spindle.maximum_speed_rpm = {} des Prüfstands</translation>
     </message>
     <message>
         <source>{} The file could not be finished</source>
@@ -10808,7 +11036,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>{} needs packages that are missing; install them: pip install &apos;rigapp[{}]&apos;</source>
-        <translation>{} braucht Pakete, die fehlen; sie installieren: pip install 'rigapp[{}]'</translation>
+        <translation>{} braucht Pakete, die fehlen; sie installieren: pip install &apos;rigapp[{}]&apos;</translation>
     </message>
     <message>
         <source>{} revolutions at {:g} rpm, {:.3g} h</source>
@@ -10825,10 +11053,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>&quot;{}&quot; is not acknowledged; do that first</source>
         <translation>„{}“ ist nicht quittiert; das zuerst tun</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; is not possible while</source>
-        <translation>„{}“ ist nicht möglich im Zustand</translation>
     </message>
     <message>
         <source>&quot;{}&quot; is not possible while {}; possible now: {}</source>
@@ -10851,6 +11075,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>(war &quot;{}&quot; gemeint?)</translation>
     </message>
     <message>
+        <source>(serial number {})</source>
+        <translation>(Seriennummer {})</translation>
+    </message>
+    <message>
         <source>({} more like it)</source>
         <translation>({} weitere dieser Art)</translation>
     </message>
@@ -10867,6 +11095,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>--bind {}: Dieser Port und der nächste werden verwendet; höchstens 65534 angeben</translation>
     </message>
     <message>
+        <source>--decimal {}: give . or a comma</source>
+        <translation>--decimal {}: . oder ein Komma angeben</translation>
+    </message>
+    <message>
         <source>--issued {}: the calibration is of {}</source>
         <translation>--issued {}: Die Kalibrierung ist vom {}</translation>
     </message>
@@ -10879,24 +11111,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>--log-level {}: {} oder {} wählen</translation>
     </message>
     <message>
+        <source>--plan daily: a daily check makes no record; choose {}</source>
+        <translation>--plan daily: Eine tägliche Prüfung ergibt keinen Datensatz; {} wählen</translation>
+    </message>
+    <message>
         <source>--points {}: give {} or more, for whole cycles (--cycles)</source>
         <translation>--points {}: für ganze Zyklen (--cycles) {} oder mehr angeben</translation>
     </message>
     <message>
+        <source>--separator {}: give a comma, a semicolon or tab</source>
+        <translation>--separator {}: ein Komma, ein Semikolon oder tab angeben</translation>
+    </message>
+    <message>
         <source>--speed {} is not usable; give a number above 0, or max</source>
         <translation>--speed {} ist nicht brauchbar; eine Zahl über 0 angeben oder max</translation>
-    </message>
-    <message>
-        <source>--speed {}: give a number of times real time, or max</source>
-        <translation>--speed {}: ein Vielfaches der Echtzeit angeben oder max</translation>
-    </message>
-    <message>
-        <source>--speed {}: {} is not a simulated rig; leave --speed out</source>
-        <translation>--speed {}: {} ist kein simulierter Prüfstand; --speed weglassen</translation>
-    </message>
-    <message>
-        <source>--speed {}; or give max</source>
-        <translation>--speed {}; oder max angeben</translation>
     </message>
     <message>
         <source>--to {}: another process works on this study</source>
@@ -10935,12 +11163,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Eine Messung streut um {} N: Das Mittel aus etwa {} Messungen je Last würde Klasse 2 erreichen</translation>
     </message>
     <message>
+        <source>A seal cannot be read: {}</source>
+        <translation>Ein Siegel ist nicht lesbar: {}</translation>
+    </message>
+    <message>
         <source>A step number is left out before {}{}: a reading that does not count is better kept as a comment with its reason</source>
         <translation>Vor {} fehlt eine Schrittnummer{}: Eine Messung, die nicht gilt, bleibt besser als Kommentar mit ihrem Grund stehen</translation>
     </message>
     <message>
         <source>Acknowledge &quot;{}&quot;{}: say that you have seen it</source>
         <translation>„{}“{} quittieren: bestätigen, dass es gesehen wurde</translation>
+    </message>
+    <message>
+        <source>As found, the record {} of {} told too much: {}</source>
+        <translation>Vorgefunden: Der Kalibrierdatensatz {} vom {} zeigte zu viel an: {}</translation>
     </message>
     <message>
         <source>As the load shows, {}</source>
@@ -10991,12 +11227,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zwischen {} s und {} s unter {} N ändert sich die Anzeige um {} N, {} % der Last. So weit kriecht kein Kraftsensor: Wurde die Last berührt? Das Kriechen neu aufnehmen oder weglassen</translation>
     </message>
     <message>
-        <source>Cannot declare {} twice</source>
-        <translation>{} lässt sich nicht zweimal anlegen</translation>
+        <source>Bridge {} gives {:.4g} mV/V at full scale, {:+.1f} % from the rated {:.4g} mV/V; {:.1f} % are allowed. Check unit and mass of the weights, and whether something carries a part of the load</source>
+        <translation>Brücke {} liefert bei Nennkraft {:.4g} mV/V, {:+.1f} % neben dem Nennkennwert {:.4g} mV/V; {:.1f} % sind erlaubt. Prüfen Sie Einheit und Masse der Gewichte, und ob etwas einen Teil der Last trägt</translation>
     </message>
     <message>
-        <source>Cannot mutate immutable namespace {}</source>
-        <translation>die feste Tabelle {} lässt sich nicht ändern</translation>
+        <source>CHECK THE PIECES: the cell feels {:+.1f} N ({:+.2f} kg) beside what should hang</source>
+        <translation>GEWICHTE PRÜFEN: Der Sensor spürt {:+.1f} N ({:+.2f} kg) neben dem, was hängen soll</translation>
+    </message>
+    <message>
+        <source>Change nothing: {:g} kg hang then</source>
+        <translation>Nichts ändern: Dann hängen {} kg</translation>
     </message>
     <message>
         <source>Check cable and power of {}, reconnect</source>
@@ -11019,6 +11259,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kriechen bei {} N, von {} s bis {} s nach dem Belasten: {} N; U enthält {} %, die Streuung der beiden Messungen eingeschlossen</translation>
     </message>
     <message>
+        <source>Creep, from no load. {} Hang it without a pause, and go on as soon as it hangs still: from then on the time counts</source>
+        <translation>Kriechen, ohne Last beginnen. {} Ohne Pause anhängen und fortfahren, sobald es ruhig hängt: Von da an zählt die Zeit</translation>
+    </message>
+    <message>
         <source>Creep: not measured; U has the {:g} % that the settings state</source>
         <translation>Kriechen: nicht gemessen; U enthält die {} %, die die Einstellungen angeben</translation>
     </message>
@@ -11031,8 +11275,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Übersichtsseite von Dask ist unter {}</translation>
     </message>
     <message>
-        <source>Duplicate inline table key {}</source>
-        <translation>doppelter Schlüssel {} in einer Tabelle</translation>
+        <source>Decision rule: guard band w = U (JCGM 106), passed up to {:.2f} N along, {:.2f} N across and {:.2f} N of the zero; a cell that is passed is beyond {:.2f} N in at most 2.5 of 100</source>
+        <translation>Entscheidungsregel: Sicherheitsband w = U (JCGM 106), bestanden bis {:.2f} N längs, {:.2f} N quer und {:.2f} N des Nullpunkts; ein bestandener Sensor liegt in höchstens 2,5 von 100 Fällen jenseits von {:.2f} N</translation>
+    </message>
+    <message>
+        <source>Decision rule: simple acceptance (JCGM 106), passed up to {:.2f} N ({:.2f} N of the zero); a cell at the limit may as well be beyond it</source>
+        <translation>Entscheidungsregel: einfache Annahme (JCGM 106), bestanden bis {:.2f} N ({:.2f} N des Nullpunkts); ein Sensor an der Grenze kann ebenso gut jenseits liegen</translation>
     </message>
     <message>
         <source>Each signal sees up to {:.0f} % of the other axis, as if every pin angle were {:.1f} degrees off; repeat the angle reference step</source>
@@ -11051,16 +11299,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Erweiterte Unsicherheit eines Werts {} {} (k = {})</translation>
     </message>
     <message>
-        <source>Expected {}</source>
-        <translation>erwartet wird {}</translation>
-    </message>
-    <message>
         <source>Fewer than {} positions; linearity is known only roughly</source>
         <translation>Weniger als {} Positionen; die Linearität ist nur grob bekannt</translation>
-    </message>
-    <message>
-        <source>Found invalid character {}</source>
-        <translation>ungültiges Zeichen {}</translation>
     </message>
     <message>
         <source>From series {} on</source>
@@ -11095,10 +11335,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Ab {}: {}</translation>
     </message>
     <message>
-        <source>GSV, model {:02X}</source>
-        <translation>GSV, Modell {}</translation>
-    </message>
-    <message>
         <source>Go on with the test in {}, or start another one</source>
         <translation>Den Versuch in {} fortsetzen oder einen anderen starten</translation>
     </message>
@@ -11107,8 +11343,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Abwärts zeigt der Kraftsensor {} N gegenüber aufwärts, mehr als 1 % der Nennkraft: Etwas reibt, rutscht oder wurde überlastet; es vor dem Kalibrieren finden</translation>
     </message>
     <message>
-        <source>Illegal character {}</source>
-        <translation>unzulässiges Zeichen {}</translation>
+        <source>Hang {}: {:g} kg hang then</source>
+        <translation>{} anhängen: Dann hängen {} kg</translation>
     </message>
     <message>
         <source>In series {}</source>
@@ -11143,6 +11379,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zeile von {}</translation>
     </message>
     <message>
+        <source>Line {} has a decimal comma; write a point</source>
+        <translation>Zeile {} hat ein Dezimalkomma; einen Punkt schreiben</translation>
+    </message>
+    <message>
+        <source>Line {} has typographic quotation marks; write straight ones (&quot;)</source>
+        <translation>Zeile {} hat typografische Anführungszeichen; gerade schreiben (&quot;)</translation>
+    </message>
+    <message>
+        <source>Lower {}</source>
+        <translation>{} senken</translation>
+    </message>
+    <message>
         <source>Modbus RTU device, {}</source>
         <translation>Modbus-RTU-Gerät, {}</translation>
     </message>
@@ -11153,6 +11401,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>No pin angle within {:.0f} degrees of the turn; spread the angles evenly</source>
         <translation>Kein Bolzenwinkel innerhalb von {} Grad der Umdrehung; die Winkel gleichmäßig verteilen</translation>
+    </message>
+    <message>
+        <source>Only {} different loads hung ({} kg): at least {} are needed above zero. Take others as well, for example {} kg</source>
+        <translation>Nur {} verschiedene Lasten hingen ({} kg): mindestens {} über null sind nötig. Nehmen Sie weitere auf, zum Beispiel {} kg</translation>
     </message>
     <message>
         <source>Only {} micrometer positions; take at least {}, better {}, up and down</source>
@@ -11187,6 +11439,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Messwerte von {} gingen verloren; wie viele, ist nicht bekannt</translation>
     </message>
     <message>
+        <source>Seal {}: {}</source>
+        <translation>Siegel {}: {}</translation>
+    </message>
+    <message>
+        <source>Sealed and signed by the key {}; root {}</source>
+        <translation>Versiegelt und signiert mit dem Schlüssel {}; Wurzel {}</translation>
+    </message>
+    <message>
+        <source>Sealed, not signed; root {}</source>
+        <translation>Versiegelt, nicht signiert; Wurzel {}</translation>
+    </message>
+    <message>
         <source>Series {} repeats series {} digit for digit; take it again</source>
         <translation>Reihe {} wiederholt Reihe {} Ziffer für Ziffer; sie neu aufnehmen</translation>
     </message>
@@ -11203,12 +11467,32 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Tabelle mit {} Punkten, {} V bis {} V</translation>
     </message>
     <message>
+        <source>Take off {} and hang {}: {:g} kg hang then</source>
+        <translation>{} abnehmen und {} anhängen: Dann hängen {} kg</translation>
+    </message>
+    <message>
+        <source>Take off {}: {:g} kg hang then</source>
+        <translation>{} abnehmen: Dann hängen {} kg</translation>
+    </message>
+    <message>
         <source>Test {} runs; stop it first</source>
         <translation>Versuch {} läuft; ihn erst stoppen</translation>
     </message>
     <message>
+        <source>That is more than both records allow: find out what changed since {} before the new record is used. What was measured meanwhile may be wrong by as much</source>
+        <translation>Das ist mehr, als beide Kalibrierdatensätze zulassen: Vor der Verwendung des neuen klären, was sich seit {} geändert hat. Was inzwischen gemessen wurde, kann um ebenso viel falsch sein</translation>
+    </message>
+    <message>
         <source>The axes stand as if every pin angle were {:.1f} degrees off. It can be the cell&apos;s own cross-talk; only the angle reference step can tell</source>
         <translation>Die Achsen stehen, als wäre jeder Bolzenwinkel um {} Grad falsch. Es kann das eigene Übersprechen des Kraftsensors sein; nur der Schritt des Winkelbezugs kann es zeigen</translation>
+    </message>
+    <message>
+        <source>The cell tells the weight within {:.2f} N, {:.2f} N are allowed, but U of the check leaves it open whether it is within. Repeat the check, with a heavier weight or a better angle</source>
+        <translation>Der Sensor gibt das Gewicht auf {:.2f} N an, {:.2f} N sind zulässig, aber U der Prüfung lässt offen, ob er darin liegt. Die Prüfung wiederholen, mit einem schwereren Gewicht oder besserem Winkel</translation>
+    </message>
+    <message>
+        <source>The contact law {} gives a restitution of {:.2f} where {:.2f} is asked for; choose the law elements, which gives it</source>
+        <translation>Das Kontaktgesetz {} ergibt die Stoßzahl {}, verlangt ist {}; das Gesetz elements wählen, das sie ergibt</translation>
     </message>
     <message>
         <source>The crank turns at {speed_rpm:.1f} rpm without a command, and {drive} has power.</source>
@@ -11269,6 +11553,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The last check lies {:.1f} standard deviations {} the mean of all before: repeat it; if it stays, look for the cause before testing</source>
         <translation>Die letzte Prüfung liegt {} Standardabweichungen {} dem Mittel aller vorigen: sie wiederholen; bleibt es dabei, vor dem Versuch die Ursache suchen</translation>
+    </message>
+    <message>
+        <source>The log is damaged from its row {} on</source>
+        <translation>Das Protokoll ist ab Zeile {} beschädigt</translation>
     </message>
     <message>
         <source>The measured wear depth has fallen from {before_um:.1f} um in {when} to {now_um:.1f} um, beyond its uncertainty of {doubt_um:.1f} um: a probe has moved, or the joint cools.</source>
@@ -11341,6 +11629,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The running check is passed: at {:.0f} rpm force_1 changes by {:+.2f} N, {:+.2f} N are known, the uncertainty is {:.2f} N. The cell tells mass times radius as {:.3f} kg mm, +- {:.3f}</source>
         <translation>Die Laufprüfung ist bestanden: Bei {} rpm ändert sich force_1 um {} N, bekannt sind {} N, die Unsicherheit ist {} N. Der Kraftsensor zeigt Masse mal Radius als {} kg mm, +- {}</translation>
+    </message>
+    <message>
+        <source>The sensitivities of {} are not resolved: their limits are wider than ±{:.0f} %; give about {} points</source>
+        <translation>Die Empfindlichkeiten von {} sind nicht aufgelöst: ihre Grenzen sind weiter als ±{:.0f} %; etwa {} Punkte angeben</translation>
     </message>
     <message>
         <source>The sensitivity is {:+.2f} um/V where {:+.2f} is expected: the micrometer was turned the other way, or its scale counts the other way. Positive is along the axis of the follower (probe 1) or across it (probe 2)</source>
@@ -11455,6 +11747,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Messschraube {} vor bis {} drehen. Nicht darüber hinaus drehen</translation>
     </message>
     <message>
+        <source>U of the check (95 %) is {:.2g} N along the weight, {:.2g} N across it and {:.2g} N of the zero</source>
+        <translation>U der Prüfung (95 %) ist {:.2g} N längs des Gewichts, {:.2g} N quer dazu und {:.2g} N des Nullpunkts</translation>
+    </message>
+    <message>
         <source>Value = {:.6g} {}/V (voltage {:+.6f} V)</source>
         <translation>Wert = {} {}/V (Spannung {} V)</translation>
     </message>
@@ -11465,6 +11761,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Wear law {}: {}; {}</source>
         <translation>Verschleißgesetz {}: {}; {}</translation>
+    </message>
+    <message>
+        <source>Weight that turns with the pin: {:.3g} N, U = {:.2g} N</source>
+        <translation>Mit dem Bolzen drehendes Gewicht: {:.3g} N, U = {:.2g} N</translation>
     </message>
     <message>
         <source>With a gap of {:g} um at position 0 the target would touch the probe at {:g} um; correct gap_at_zero_um</source>
@@ -11499,8 +11799,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>eine Nachricht hat einen der Schlüssel {}</translation>
     </message>
     <message>
+        <source>a slow swing of {} ± {} um, period about {} revolutions</source>
+        <translation>eine langsame Schwankung von {} ± {} um, Periode etwa {} Umdrehungen</translation>
+    </message>
+    <message>
         <source>a speed of {} is not a number</source>
         <translation>eine Drehzahl von {} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>a step of {} ± {} um about revolution {}</source>
+        <translation>ein Sprung von {} ± {} um etwa bei Umdrehung {}</translation>
     </message>
     <message>
         <source>a watchdog time-out of {:g} s is outside 0.05 to 65 s</source>
@@ -11515,12 +11823,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>eine verschlissene Fläche von {} mm2 ist nicht möglich</translation>
     </message>
     <message>
+        <source>a {} answers here{}; check whether ports are exchanged, and name this one for it (driver = &quot;{}&quot;)</source>
+        <translation>hier antwortet ein {}{}; prüfen, ob Anschlüsse vertauscht sind, und diesen für ihn angeben (driver = &quot;{}&quot;)</translation>
+    </message>
+    <message>
         <source>a {} tells {}</source>
         <translation>{} meldet {}</translation>
     </message>
     <message>
-        <source>accepted: {}</source>
-        <translation>hingenommen: {}</translation>
+        <source>address {} on this port is in use by another program or device, {}; give each device its own address</source>
+        <translation>Adresse {} an diesem Anschluss wird von einem anderen Programm oder Gerät benutzt, {}; jedem Gerät eine eigene Adresse geben</translation>
     </message>
     <message>
         <source>all {} revolutions are</source>
@@ -11555,12 +11867,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>eine andere Kalibrierung ist offen: {}</translation>
     </message>
     <message>
+        <source>answers come up to {:.2g} s late; set {} to {:.2g} or more</source>
+        <translation>Antworten kommen bis zu {:.2g} s verspätet; {} auf {:.2g} oder mehr setzen</translation>
+    </message>
+    <message>
         <source>at {:.1f} deg</source>
         <translation>bei {} deg</translation>
     </message>
     <message>
         <source>at {:g} scans/s and maximum_speed_rpm = {:g} the 16-bit counter may step by {} from scan to scan, too much to prove that no byte is lost; raise sample_rate_Hz or lower maximum_speed_rpm</source>
         <translation>bei {} Abtastungen/s und maximum_speed_rpm = {} kann der 16-bit-Zähler von Abtastung zu Abtastung um {} springen, zu viel, um zu beweisen, dass kein Byte verloren ist; sample_rate_Hz erhöhen oder maximum_speed_rpm senken</translation>
+    </message>
+    <message>
+        <source>beyond tolerances: {} {} would explain it</source>
+        <translation>außerhalb der Toleranzen: {} {} würde es erklären</translation>
+    </message>
+    <message>
+        <source>beyond tolerances: {} {} would explain it, or {}</source>
+        <translation>außerhalb der Toleranzen: {} {} würde es erklären, oder {}</translation>
     </message>
     <message>
         <source>beyond what the model computes: its life reaches {:.4g} um, and {:.4g} um are needed for the limits of {:.4g} um</source>
@@ -11581,6 +11905,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>came and went: {}</source>
         <translation>kam und ging: {}</translation>
+    </message>
+    <message>
+        <source>cannot be verified ({})</source>
+        <translation>lässt sich nicht prüfen ({})</translation>
     </message>
     <message>
         <source>channel {:d} above its range</source>
@@ -11605,6 +11933,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>choose {}</source>
         <translation>{} wählen</translation>
+    </message>
+    <message>
+        <source>claims {:.0f} MB and has none</source>
+        <translation>gibt {:.0f} MB an und hat keine</translation>
     </message>
     <message>
         <source>column {} is missing; the header must name {}</source>
@@ -11637,6 +11969,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>crank at {:.0f} deg</source>
         <translation>Kurbel bei {} deg</translation>
+    </message>
+    <message>
+        <source>creep of {} ± {} um a decade of revolutions</source>
+        <translation>Kriechen von {} ± {} um je Dekade der Umdrehungen</translation>
     </message>
     <message>
         <source>current loop {} open</source>
@@ -11687,6 +12023,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>direction_line und index_line sind beide &quot;{}&quot;; jede braucht ihre eigene</translation>
     </message>
     <message>
+        <source>does not say of which load cell it is, the rig file names {}</source>
+        <translation>sagt nicht, zu welchem Kraftsensor sie gehört; die Prüfstandsdatei nennt {}</translation>
+    </message>
+    <message>
         <source>driver {} too hot</source>
         <translation>Treiberstufe {} zu heiß</translation>
     </message>
@@ -11705,6 +12045,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>every reading has a time in {}: all would be of the creep</source>
         <translation>jede Messung hat eine Zeit in {}: Alle wären vom Kriechen</translation>
+    </message>
+    <message>
+        <source>expanded, k = {coverage_factor:.2f}, about 95 %</source>
+        <translation>erweitert, k = {coverage_factor:.2f}, etwa 95 %</translation>
     </message>
     <message>
         <source>expected {} &lt; {}</source>
@@ -11759,6 +12103,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>fault: {}</translation>
     </message>
     <message>
+        <source>firmware {}</source>
+        <translation>Firmware {}</translation>
+    </message>
+    <message>
         <source>firmware {} is known to fail in binary mode and at high rates; load {} or newer</source>
         <translation>von Firmware {} ist bekannt, dass sie im Binärmodus und bei hohen Raten versagt; {} oder neuer laden</translation>
     </message>
@@ -11787,6 +12135,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>devices.{}.settings.{} angeben, ohne das keines gemeldet wird</translation>
     </message>
     <message>
+        <source>give {:g} or more</source>
+        <translation>mindestens {} angeben</translation>
+    </message>
+    <message>
         <source>going on after {}; the test was {}{}</source>
         <translation>fortgesetzt nach {}; der Versuch war im Zustand {}{}</translation>
     </message>
@@ -11811,6 +12163,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>falls sie läuft, ist der öffentliche Schlüssel in {} nicht unter ihren zugelassenen Betrachtern, oder ihr eigener Schlüssel hat sich geändert</translation>
     </message>
     <message>
+        <source>in the {:g} s to integrate the contact would swing {:.1e} times, {:.0e} at most; inertia is nothing at this speed: use the technique continuous</source>
+        <translation>in den {} s, über die zu integrieren ist, schwänge der Kontakt {} mal, höchstens {}; Trägheit spielt bei dieser Drehzahl keine Rolle: Verfahren continuous verwenden</translation>
+    </message>
+    <message>
         <source>in use from now on: {}</source>
         <translation>von jetzt an verwendet: {}</translation>
     </message>
@@ -11831,8 +12187,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>ist von der Art {}</translation>
     </message>
     <message>
+        <source>is of the load cell {}, the rig file names {}</source>
+        <translation>gehört zum Kraftsensor {}, die Prüfstandsdatei nennt {}</translation>
+    </message>
+    <message>
         <source>is of {}</source>
         <translation>gehört zu {}</translation>
+    </message>
+    <message>
+        <source>is signed by a key that the rig file does not trust ({})</source>
+        <translation>ist mit einem Schlüssel signiert, dem die Prüfstandsdatei nicht vertraut ({})</translation>
     </message>
     <message>
         <source>it cannot be recorded now: {}</source>
@@ -11843,12 +12207,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>es kann {} nicht selbst nullen; der Nullpunkt gehört zur Kalibrierung</translation>
     </message>
     <message>
-        <source>it leaves the follower {:g} m long, too short for the crank radius of {:g} m</source>
-        <translation>es lässt der Koppel {} m Länge, zu wenig für den Kurbelradius von {} m</translation>
+        <source>it has more than {} groups and datasets</source>
+        <translation>sie hat mehr als {} Gruppen und Datensätze</translation>
     </message>
     <message>
-        <source>it must be between 0 and {:g} m</source>
-        <translation>es muss zwischen 0 und {} m liegen</translation>
+        <source>it leaves the follower {:g} m long, too short for the crank radius of {:g} m</source>
+        <translation>es lässt der Koppel {} m Länge, zu wenig für den Kurbelradius von {} m</translation>
     </message>
     <message>
         <source>it must be greater than the bushing radius of {:g} m</source>
@@ -11867,8 +12231,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>es meldet, dass seine Abtastraten {} Hz teilen, bekannt sind aber {} Hz: seine Abtastrate mit einer Uhr vergleichen</translation>
     </message>
     <message>
+        <source>it shares this port with {}; give both the same baud_rate, parity and stop_bits</source>
+        <translation>es teilt sich diesen Anschluss mit {}; beiden dieselben Werte für baud_rate, parity und stop_bits geben</translation>
+    </message>
+    <message>
         <source>it streams but did not answer {} {} times, so lost data would not be noticed; check the cable and other programs</source>
         <translation>es sendet, antwortete aber {} {}-mal nicht, sodass verlorene Daten nicht bemerkt würden; das Kabel und andere Programme prüfen</translation>
+    </message>
+    <message>
+        <source>it takes speeds in steps of {:g} rpm, the rig file says velocity_step_rpm = {:g}: one of them is wrong, and so would be the speed</source>
+        <translation>er nimmt Drehzahlen in Schritten von {:g} rpm an, die Prüfstandsdatei sagt velocity_step_rpm = {:g}: eines davon ist falsch, und damit wäre es die Drehzahl</translation>
     </message>
     <message>
         <source>it takes speeds in whole steps of {:g} rpm of the crank, so that one below {:g} rpm may be more than {:.0%} beside what was asked for; choose a finer velocity_unit for those</source>
@@ -11883,6 +12255,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>sein Schema ist {}, dieses Programm liest {}; rigapp erneuern</translation>
     </message>
     <message>
+        <source>its {:.1f} MB would become {:.0f} MB</source>
+        <translation>aus ihren {:.1f} MB würden {:.0f} MB</translation>
+    </message>
+    <message>
         <source>kind = {}: choose one of {}</source>
         <translation>kind = {}: eines von {} wählen</translation>
     </message>
@@ -11893,6 +12269,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>limit {} changed{}</source>
         <translation>Grenze {} geändert{}</translation>
+    </message>
+    <message>
+        <source>limits.overload_N = {:g} can never be seen: the input of the load cell is full at {:.0f} N</source>
+        <translation>limits.overload_N = {} kann nie gesehen werden: Der Eingang des Kraftsensors ist bei {} N übersteuert</translation>
     </message>
     <message>
         <source>line {} has an empty field ({}); complete or remove it</source>
@@ -11939,20 +12319,36 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Betriebsart von counter_{}</translation>
     </message>
     <message>
-        <source>mode {:02X}</source>
-        <translation>Modus {:02X}</translation>
-    </message>
-    <message>
         <source>moved by {:.1f} N</source>
         <translation>um {} N gewandert</translation>
+    </message>
+    <message>
+        <source>needs the filter {}</source>
+        <translation>braucht den Filter {}</translation>
     </message>
     <message>
         <source>no RoboClaw answers at address {}: {}</source>
         <translation>an Adresse {} antwortet kein RoboClaw: {}</translation>
     </message>
     <message>
+        <source>no answer from {} within {:g} s; {}</source>
+        <translation>keine Antwort von {} innerhalb von {:g} s; {}</translation>
+    </message>
+    <message>
+        <source>no answer in time; {}</source>
+        <translation>keine Antwort in der Zeit; {}</translation>
+    </message>
+    <message>
+        <source>no answer of node {} in time; {}</source>
+        <translation>keine Antwort von Knoten {} in der Zeit; {}</translation>
+    </message>
+    <message>
         <source>no answer to {} within {:g} s ({}); check cable and power, and that no other program uses the device</source>
         <translation>keine Antwort auf {} innerhalb von {} s ({}); Kabel und Versorgung prüfen, und dass kein anderes Programm das Gerät benutzt</translation>
+    </message>
+    <message>
+        <source>no answer to {}; {}</source>
+        <translation>keine Antwort auf {}; {}</translation>
     </message>
     <message>
         <source>no level is given; give one of {}</source>
@@ -11961,6 +12357,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>no line from the simulated rig within {:g} s</source>
         <translation>vom simulierten Prüfstand kam innerhalb von {} s keine Zeile</translation>
+    </message>
+    <message>
+        <source>no port has the USB serial number {}; there are: {}. Check the cable</source>
+        <translation>kein Anschluss hat die USB-Seriennummer {}; vorhanden: {}. Kabel prüfen</translation>
     </message>
     <message>
         <source>no progress at {:g} s; check masses and stiffness, or raise the tolerance</source>
@@ -11993,6 +12393,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>node {} ({})</source>
         <translation>Knoten {} ({})</translation>
+    </message>
+    <message>
+        <source>noise of {} um that is correlated over {} revolutions</source>
+        <translation>Rauschen von {} um, das über {} Umdrehungen korreliert ist</translation>
     </message>
     <message>
         <source>not compared: {}</source>
@@ -12047,14 +12451,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Ordnungen: 1 bis {} wählen</translation>
     </message>
     <message>
-        <source>overrun_drops is {}, must be &apos;scans&apos; or &apos;bytes&apos;</source>
-        <translation>overrun_drops ist {}, muss aber &apos;scans&apos; oder &apos;bytes&apos; sein</translation>
-    </message>
-    <message>
-        <source>overspeed_rpm = {:g} must be above the set speed {:g} rpm</source>
-        <translation>overspeed_rpm = {} muss über der eingestellten Drehzahl {} rpm liegen</translation>
-    </message>
-    <message>
         <source>paperwork.calibrated_on = {} is in the future; correct the date</source>
         <translation>paperwork.calibrated_on = {} liegt in der Zukunft; das Datum berichtigen</translation>
     </message>
@@ -12097,10 +12493,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>process {} on {}</source>
         <translation>Prozess {} auf {}</translation>
-    </message>
-    <message>
-        <source>product {:08X}</source>
-        <translation>Produkt {}</translation>
     </message>
     <message>
         <source>query {} is not known; the only one is &apos;state&apos;</source>
@@ -12151,8 +12543,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>das Paket {} neu installieren oder aktualisieren</translation>
     </message>
     <message>
-        <source>replay × {:g}</source>
-        <translation>Wiedergabe × {}</translation>
+        <source>report.number = {} names something else than {}; correct the pattern</source>
+        <translation>report.number = {} nennt etwas anderes als {}; das Muster berichtigen</translation>
     </message>
     <message>
         <source>reset by {}</source>
@@ -12187,12 +12579,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Prüfstandsdatei: {} = {} ist nicht unter dem, was das Gerät sendet ({}); den Schlüssel berichtigen</translation>
     </message>
     <message>
-        <source>rigapp engine: {}</source>
-        <translation>rigapp engine: {}</translation>
-    </message>
-    <message>
-        <source>rigapp identify ended with {}</source>
-        <translation>rigapp identify endete mit {}</translation>
+        <source>rows {} to {} are wanted and there are fewer</source>
+        <translation>die Zeilen {} bis {} sind verlangt, und es gibt weniger</translation>
     </message>
     <message>
         <source>rows {} to {} are wanted and there are {}</source>
@@ -12259,6 +12647,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Messwerte fehlen vor Umdrehung {}: {} verloren</translation>
     </message>
     <message>
+        <source>sensitivity of probe {}</source>
+        <translation>Empfindlichkeit des Wegsensors {}</translation>
+    </message>
+    <message>
+        <source>serial number {}</source>
+        <translation>Seriennummer {}</translation>
+    </message>
+    <message>
         <source>series repeated: {}</source>
         <translation>Reihe wiederholt: {}</translation>
     </message>
@@ -12323,6 +12719,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>signal_{} steht ab {2} bei {1} still, während die Last wächst: Der Eingang ist übersteuert; einen größeren Bereich wählen</translation>
     </message>
     <message>
+        <source>signed by {} ({})</source>
+        <translation>signiert von {} ({})</translation>
+    </message>
+    <message>
+        <source>so many cycles wear less than numbers resolve; give 0, at least {:.1g}, or more cycles</source>
+        <translation>so viele Zyklen verschleißen weniger, als Zahlen auflösen; 0, mindestens {:.1g} oder mehr Zyklen angeben</translation>
+    </message>
+    <message>
         <source>spindle.device and encoder.device are both {}; the drive and the data acquisition are separate devices in a simulated rig</source>
         <translation>spindle.device und encoder.device sind beide {}; Antrieb und Messwerterfassung sind an einem simulierten Prüfstand getrennte Geräte</translation>
     </message>
@@ -12373,10 +12777,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>take 1 to {} runs up and down</source>
         <translation>1 bis {} Durchgänge auf und ab nehmen</translation>
-    </message>
-    <message>
-        <source>take off {}</source>
-        <translation>{} abnehmen</translation>
     </message>
     <message>
         <source>take {} to {} positions</source>
@@ -12431,12 +12831,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>die Tiefe ist bisher in {} Abschnitten von Umdrehungen bekannt, {} sind nötig: warten</translation>
     </message>
     <message>
-        <source>the design has {:,} points; at most {:,}</source>
-        <translation>der Versuchsplan hat {} Punkte; höchstens {}</translation>
-    </message>
-    <message>
         <source>the device has no input &quot;{}&quot;; it has analog_1 to analog_8, counter_1, counter_2</source>
         <translation>das Gerät hat keinen Eingang &quot;{}&quot;; es hat analog_1 bis analog_8, counter_1, counter_2</translation>
+    </message>
+    <message>
+        <source>the device tells no serial number, and {} is required; take serial_number out, and name its port by that of its USB cable (serial:NUMBER)</source>
+        <translation>das Gerät nennt keine Seriennummer, verlangt ist {}; serial_number herausnehmen und den Anschluss über die seines USB-Kabels angeben (serial:NUMMER)</translation>
+    </message>
+    <message>
+        <source>the device with the serial number {} answers, and {} is required; check the ports, or correct serial_number in the rig file</source>
+        <translation>es antwortet das Gerät mit der Seriennummer {}, verlangt ist {}; Anschlüsse prüfen oder serial_number in der Prüfstandsdatei berichtigen</translation>
     </message>
     <message>
         <source>the devices are not released: {}</source>
@@ -12523,16 +12927,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Dateiname {}... hat {} Bytes, höchstens {}; ihn kürzen</translation>
     </message>
     <message>
+        <source>the file was closed after an interruption; the last revolution is {}</source>
+        <translation>Die Datei wurde nach einer Unterbrechung geschlossen; die letzte Umdrehung ist {}</translation>
+    </message>
+    <message>
         <source>the file was made without {}; it is limited and shown, but not kept</source>
         <translation>die Datei entstand ohne {}; es wird begrenzt und gezeigt, aber nicht aufgezeichnet</translation>
     </message>
     <message>
-        <source>the grid has {:,} points; at most {:,}: take fewer levels, or design.kind = &quot;sobol&quot;</source>
-        <translation>das Raster hat {} Punkte; höchstens {}: weniger Stufen nehmen oder design.kind = &quot;sobol&quot;</translation>
-    </message>
-    <message>
         <source>the header names column {} twice; take one out</source>
         <translation>die Kopfzeile nennt Spalte {} zweimal; eine herausnehmen</translation>
+    </message>
+    <message>
+        <source>the law of Pereira was fitted from {:g} to {:g} m; choose elements</source>
+        <translation>das Gesetz von Pereira wurde von {} bis {} m angepasst; elements wählen</translation>
     </message>
     <message>
         <source>the load cell shows {:.0f} N, limits.overload_N is {:g} N; unload the pin or take the zero</source>
@@ -12551,6 +12959,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Pfad, der mit {} endet, hat {} Bytes, höchstens {}; einen Ordner näher an der Wurzel wählen</translation>
     </message>
     <message>
+        <source>the pin itself weighs {:.2g} N, which is in the zero by the crank angle, and the angle is not known yet: turn the crank by hand past its index, then take the zero</source>
+        <translation>der Bolzen selbst wiegt {:.2g} N, was je nach Kurbelwinkel im Nullpunkt steckt, und der Winkel ist noch nicht bekannt: die Kurbel von Hand über ihren Index drehen, dann den Nullpunkt nehmen</translation>
+    </message>
+    <message>
         <source>the pin must fit the bushing of radius {:g} m</source>
         <translation>der Bolzen muss in die Buchse vom Radius {} m passen</translation>
     </message>
@@ -12565,6 +12977,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the plan is not possible: {}</source>
         <translation>der Plan ist nicht möglich: {}</translation>
+    </message>
+    <message>
+        <source>the port is in use by another program, {}; close it</source>
+        <translation>der Anschluss wird von einem anderen Programm benutzt, {}; es schließen</translation>
     </message>
     <message>
         <source>the port {} ({})</source>
@@ -12589,6 +13005,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the record is of the kind {}, and this version knows only {}; a newer one may have made it</source>
         <translation>der Datensatz ist von der Art {}, und diese Version kennt nur {}; eine neuere kann ihn gemacht haben</translation>
+    </message>
+    <message>
+        <source>the recording is cut short after record {}; what is before it is used</source>
+        <translation>die Aufzeichnung ist nach Eintrag {} abgeschnitten; verwendet wird, was davor steht</translation>
+    </message>
+    <message>
+        <source>the recording is damaged at record {}; what is before it is used</source>
+        <translation>die Aufzeichnung ist bei Eintrag {} beschädigt; verwendet wird, was davor steht</translation>
     </message>
     <message>
         <source>the rest has become a pause: {}</source>
@@ -12683,10 +13107,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der {} endete nach {} von {} Umdrehungen: {}; {} enthält, was aufgezeichnet wurde</translation>
     </message>
     <message>
-        <source>the {} has {:,} characters; shorten it to {:,}</source>
-        <translation>{} hat {} Zeichen; auf {} kürzen</translation>
-    </message>
-    <message>
         <source>the {} of {} is not a text</source>
         <translation>{} von {} ist kein Text</translation>
     </message>
@@ -12743,6 +13163,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>zu viele bei {} s; die Toleranz erhöhen</translation>
     </message>
     <message>
+        <source>too small for a contact that elements can see; it needs {:.1g} N</source>
+        <translation>zu klein für einen Kontakt, den die Elemente sehen; nötig sind {} N</translation>
+    </message>
+    <message>
         <source>unknown error bit {}</source>
         <translation>unbekanntes Fehlerbit {}</translation>
     </message>
@@ -12783,10 +13207,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>vary.{}: {}: {} angeben</translation>
     </message>
     <message>
-        <source>vendor {:08X}</source>
-        <translation>Hersteller {}</translation>
-    </message>
-    <message>
         <source>was taken on the rig {}, this is {}</source>
         <translation>wurde am Prüfstand {} aufgenommen, dies ist {}</translation>
     </message>
@@ -12795,12 +13215,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>wurde an {} aufgenommen, dies ist {}</translation>
     </message>
     <message>
+        <source>was taken with {} = {}, the rig file says {}</source>
+        <translation>wurde mit {} = {} aufgenommen, die Prüfstandsdatei nennt {}</translation>
+    </message>
+    <message>
         <source>watchdog {:g} s instead of {:g} s</source>
         <translation>Überwachungszeit {} s statt {} s</translation>
     </message>
     <message>
         <source>watchdog: the host was silent for {:.2f} s and the drive has stopped the motor</source>
         <translation>Überwachungszeit: Der Rechner schwieg {} s, und der Antrieb hat den Motor gestoppt</translation>
+    </message>
+    <message>
+        <source>weights: by adding one piece after the other these make {} load(s) up to {:.3g} kg ({} kg), and {} are needed. Add pieces, for example of {:.2g} kg</source>
+        <translation>weights: Durch Zulegen Stück für Stück ergeben diese {} Last(en) bis {:.3g} kg ({} kg), nötig sind {}. Nehmen Sie Stücke hinzu, zum Beispiel von {:.2g} kg</translation>
     </message>
     <message>
         <source>weights: {} is not a mass; write for example 5x8, 2, 2, 1, 0.5 (eight pieces of 5 kg and four others)</source>
@@ -12839,10 +13267,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>um {} +/- {} um verschlissen</translation>
     </message>
     <message>
-        <source>write {NAME} in its place, and the secret under that name into the keyring or secrets.toml</source>
-        <translation>statt dessen {NAME} schreiben und das Geheimnis unter diesem Namen in den Schlüsselbund oder secrets.toml</translation>
-    </message>
-    <message>
         <source>you are not in command of this rig, {}</source>
         <translation>Sie haben nicht das Kommando über diesen Prüfstand, {}</translation>
     </message>
@@ -12857,10 +13281,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{:.0f} MB needed, {:.1f} GB free</source>
         <translation>{} MB nötig, {} GB frei</translation>
-    </message>
-    <message>
-        <source>{:.0f} samples a revolution at {:g} Hz</source>
-        <translation>{} Messwerte je Umdrehung bei {} Hz</translation>
     </message>
     <message>
         <source>{:.1f} rpm is above the rig&apos;s maximum of {:.1f} rpm</source>
@@ -12883,20 +13303,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} kg {} als angeschrieben</translation>
     </message>
     <message>
+        <source>{:.2g} N, left in the forces: the mechanism is horizontal by the test</source>
+        <translation>{:.2g} N, in den Kräften belassen: nach der Testdatei liegt der Mechanismus waagrecht</translation>
+    </message>
+    <message>
+        <source>{:.2g} N, taken out of the forces by the angle</source>
+        <translation>{:.2g} N, nach dem Winkel aus den Kräften herausgerechnet</translation>
+    </message>
+    <message>
         <source>{:.3g} {} is at the end of the range</source>
         <translation>{} {} ist am Ende des Bereichs</translation>
     </message>
     <message>
         <source>{:.5f}, {:.5f} {} (the calibration in use makes {:.1f} N of it)</source>
         <translation>{}, {} {} (die verwendete Kalibrierung macht daraus {} N)</translation>
-    </message>
-    <message>
-        <source>{:.9g} to {:.9g} {}</source>
-        <translation>{} bis {} {}</translation>
-    </message>
-    <message>
-        <source>{:g} N can never be seen: the inputs are full before</source>
-        <translation>{} N können nie gesehen werden: Die Eingänge sind vorher übersteuert</translation>
     </message>
     <message>
         <source>{:g} kg</source>
@@ -12917,10 +13337,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{:g} rpm of {:g} rpm that the rig allows</source>
         <translation>{} rpm von {} rpm, die der Prüfstand erlaubt</translation>
-    </message>
-    <message>
-        <source>{:g} rpm, the rig allows {:g} rpm</source>
-        <translation>{} rpm, der Prüfstand erlaubt {} rpm</translation>
     </message>
     <message>
         <source>{:g} rpm: revolution {} of {}</source>
@@ -12991,10 +13407,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} (Frequenz)</translation>
     </message>
     <message>
-        <source>{} (reported before the start)</source>
-        <translation>{} (vor dem Start gemeldet)</translation>
-    </message>
-    <message>
         <source>{} (scan clock)</source>
         <translation>{} (Abtasttakt)</translation>
     </message>
@@ -13017,10 +13429,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} = {:g} is not plausible ({}: {}){}</source>
         <translation>{} = {} ist nicht glaubhaft ({}: {}){}</translation>
-    </message>
-    <message>
-        <source>{} = {:g}: {:g} samples/s give {:.0f} samples a revolution, {} are needed; raise the sample rate</source>
-        <translation>{} = {}: {} Messwerte/s geben {} Messwerte je Umdrehung, {} sind nötig; die Abtastrate erhöhen</translation>
     </message>
     <message>
         <source>{} = {} cannot be inverted; two rows say the same, or nothing</source>
@@ -13075,6 +13483,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} Das war Umdrehung {} von höchstens {}</translation>
     </message>
     <message>
+        <source>{} The probes are disturbed, which the limits allow for: {}</source>
+        <translation>{} Die Wegaufnehmer sind gestört, was die Grenzen berücksichtigen: {}</translation>
+    </message>
+    <message>
+        <source>{} The recording is not played</source>
+        <translation>{} Die Aufzeichnung wird nicht abgespielt</translation>
+    </message>
+    <message>
         <source>{} Then: {}</source>
         <translation>{} Danach: {}</translation>
     </message>
@@ -13093,6 +13509,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} and go through the wall of {:.3g} mm; lower the force</source>
         <translation>{} und durch die Wand von {} mm gehen; die Kraft senken</translation>
+    </message>
+    <message>
+        <source>{} and others</source>
+        <translation>{} und weitere</translation>
     </message>
     <message>
         <source>{} angles and {} depths</source>
@@ -13143,10 +13563,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} hat das Abschalten bestätigt, aber die Kurbel dreht weiter. Nun muss seine Überwachung sie anhalten</translation>
     </message>
     <message>
-        <source>{} counts per revolution are not four times a whole number</source>
-        <translation>{} Schritte je Umdrehung sind nicht das Vierfache einer ganzen Zahl</translation>
-    </message>
-    <message>
         <source>{} counts per revolution are too few</source>
         <translation>{} Schritte je Umdrehung sind zu wenig</translation>
     </message>
@@ -13183,10 +13599,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} zeigt seit {} Umdrehungen genau denselben Wert; Sensor, Verstärker und Kabel prüfen</translation>
     </message>
     <message>
-        <source>{} holds the control character \u{:04x}; take it out</source>
-        <translation>{} enthält das Steuerzeichen \u{}; es herausnehmen</translation>
-    </message>
-    <message>
         <source>{} holds the {} at {:g} rpm already; for a new one name another record</source>
         <translation>{} enthält den {} bei {} rpm schon; für einen neuen einen anderen Datensatz nennen</translation>
     </message>
@@ -13211,6 +13623,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} ist ein Ordner</translation>
     </message>
     <message>
+        <source>{} is a link to another place</source>
+        <translation>{} ist ein Verweis an eine andere Stelle</translation>
+    </message>
+    <message>
+        <source>{} is another device: serial number {}, before {}</source>
+        <translation>{} ist ein anderes Gerät: Seriennummer {}, vorher {}</translation>
+    </message>
+    <message>
         <source>{} is calibrating: {}, since {}</source>
         <translation>{} kalibriert: {}, seit {}</translation>
     </message>
@@ -13231,6 +13651,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} hat das Kommando; um Freigabe bitten oder es mit Gewalt übernehmen, was aufgezeichnet wird</translation>
     </message>
     <message>
+        <source>{} is in two places</source>
+        <translation>{} steht an zwei Stellen</translation>
+    </message>
+    <message>
         <source>{} is missing</source>
         <translation>{} fehlt</translation>
     </message>
@@ -13241,6 +13665,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} is no name for a channel; write at most {} lower-case letters, digits and _, a letter first and not raw_, for example bushing_temperature</source>
         <translation>{} ist kein Name für einen Kanal; höchstens {} Kleinbuchstaben, Ziffern und _ schreiben, zuerst einen Buchstaben und nicht raw_, zum Beispiel bushing_temperature</translation>
+    </message>
+    <message>
+        <source>{} is no name of a column</source>
+        <translation>{} ist kein Name einer Spalte</translation>
+    </message>
+    <message>
+        <source>{} is no unit of a column</source>
+        <translation>{} ist keine Einheit einer Spalte</translation>
     </message>
     <message>
         <source>{} is not an input; write analog_1 to analog_8 or {}</source>
@@ -13259,24 +13691,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} ist anders eingestellt als zuvor: {}</translation>
     </message>
     <message>
-        <source>{} is {:.6g}, {} the {} limit {:.6g}</source>
-        <translation>{} ist {}, {} der Grenze ({}) von {}</translation>
-    </message>
-    <message>
         <source>{} is {} after {} was written; check the device with the maker&apos;s program</source>
         <translation>{} ist {}, nachdem {} geschrieben wurde; das Gerät mit dem Programm des Herstellers prüfen</translation>
     </message>
     <message>
         <source>{} is {} in the end, {} was asked for: another setting changed it; check the device with the maker&apos;s program</source>
         <translation>{} ist am Ende {}, verlangt war {}: Eine andere Einstellung hat es geändert; das Gerät mit dem Programm des Herstellers prüfen</translation>
-    </message>
-    <message>
-        <source>{} is {}, above the {} limit {}.</source>
-        <translation>{} ist {}, über der Grenze ({}) von {}.</translation>
-    </message>
-    <message>
-        <source>{} is {}, below the {} limit {}.</source>
-        <translation>{} ist {}, unter der Grenze ({}) von {}.</translation>
     </message>
     <message>
         <source>{} is {}{}: {}</source>
@@ -13327,6 +13747,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} von {} ist keine Zahl von {} bis {}</translation>
     </message>
     <message>
+        <source>{} of {} rows of {} are damaged: {}</source>
+        <translation>{} von {} Zeilen sind beschädigt ({}): {}</translation>
+    </message>
+    <message>
         <source>{} on {port} has told nothing for {age_s:.0f} s{why}.</source>
         <translation>{} an {port} hat seit {age_s:.0f} s nichts gemeldet{why}.</translation>
     </message>
@@ -13345,6 +13769,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} pieces are more than {}; name fewer</source>
         <translation>{} Stücke sind mehr als {}; weniger nennen</translation>
+    </message>
+    <message>
+        <source>{} ports have the USB serial number {} ({}); name the port itself</source>
+        <translation>{} Anschlüsse haben die USB-Seriennummer {} ({}); den Anschluss selbst angeben</translation>
     </message>
     <message>
         <source>{} readings at {} references; take at least {} references, up and down</source>
@@ -13443,8 +13871,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} Wörtern zu Funktion {} statt {} zu {}</translation>
     </message>
     <message>
-        <source>{} {} limit</source>
-        <translation>{} {} der Grenze</translation>
+        <source>{} {:+.2g} {} ({:.2g} {} allowed{})</source>
+        <translation>{} {:+.2g} {} ({:.2g} {} zulässig{})</translation>
     </message>
     <message>
         <source>{} {}: give a name that ends with .csv</source>
@@ -13469,6 +13897,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} × {:g} kg</source>
         <translation>{} × {:g} kg</translation>
+    </message>
+    <message>
+        <source>{}, accepted: {}</source>
+        <translation>{}, angenommen: {}</translation>
     </message>
     <message>
         <source>{}, after revolution {}; it is started again and goes on from there</source>
@@ -13509,6 +13941,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}, {:.0f} s after loading</source>
         <translation>{}, {} s nach dem Belasten</translation>
+    </message>
+    <message>
+        <source>{}, {} are needed</source>
+        <translation>{}, nötig sind {}</translation>
     </message>
     <message>
         <source>{}, {} are planned</source>
@@ -13593,6 +14029,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}.{} means nothing with law = {}; take it out or choose the law that reads it</source>
         <translation>{}.{} bedeutet nichts bei law = {}; herausnehmen oder das Gesetz wählen, das es liest</translation>
+    </message>
+    <message>
+        <source>{}: --decimal and --separator are of .csv files</source>
+        <translation>{}: --decimal und --separator gelten nur für .csv-Dateien</translation>
     </message>
     <message>
         <source>{}: HDF5 could not write the file ({}); free some space or choose another folder</source>
@@ -13703,10 +14143,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: channels.{}.unit = {}, und der Datensatz {} ist in {}; seine Einheit schreiben oder einen anderen Datensatz nennen</translation>
     </message>
     <message>
-        <source>{}: compiled code cannot be kept by a value of type {}; use a number, a string, a tuple, an array or a kernel</source>
-        <translation>{}: Kompilierter Code lässt sich nicht mit einem Wert vom Typ {} aufbewahren; eine Zahl, einen Text, ein Tupel, ein Feld oder einen Kernel nehmen</translation>
-    </message>
-    <message>
         <source>{}: could not be read within {:g} s; is its folder reachable?</source>
         <translation>{}: ließ sich nicht innerhalb von {} s lesen; ist der Ordner erreichbar?</translation>
     </message>
@@ -13751,16 +14187,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: {} statt {} Werte erhalten</translation>
     </message>
     <message>
+        <source>{}: holds no data for the figure {}</source>
+        <translation>{}: enthält keine Daten für das Bild {}</translation>
+    </message>
+    <message>
         <source>{}: holds no secret key; delete it</source>
         <translation>{}: enthält keinen geheimen Schlüssel; sie löschen</translation>
     </message>
     <message>
         <source>{}: holds revolution {} of {} planned; nothing is left to do</source>
         <translation>{}: enthält Umdrehung {} von {} geplanten; es bleibt nichts zu tun</translation>
-    </message>
-    <message>
-        <source>{}: how its unit becomes SI is not known</source>
-        <translation>{}: wie seine Einheit zu SI wird, ist nicht bekannt</translation>
     </message>
     <message>
         <source>{}: is a device or a socket; name a file</source>
@@ -13795,12 +14231,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: enthält keine ganze Umdrehung; einen Versuch mit Daten angeben</translation>
     </message>
     <message>
+        <source>{}: its head is damaged or it is not an HDF5 file; take another copy</source>
+        <translation>{}: Der Dateikopf ist beschädigt, oder es ist keine HDF5-Datei; nehmen Sie eine andere Kopie</translation>
+    </message>
+    <message>
         <source>{}: its readings do not give this number</source>
         <translation>{}: Seine Messungen ergeben diese Zahl nicht</translation>
     </message>
     <message>
-        <source>{}: limits.overspeed_rpm = {:g} must be above {} = {:g}</source>
-        <translation>{}: limits.overspeed_rpm = {} muss über {} = {} liegen</translation>
+        <source>{}: its structure is damaged and nothing in it can be found; take another copy</source>
+        <translation>{}: Die Struktur ist beschädigt, nichts darin ist auffindbar; nehmen Sie eine andere Kopie</translation>
+    </message>
+    <message>
+        <source>{}: laboratory.logo = {} cannot be read</source>
+        <translation>{}: laboratory.logo = {} lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>{}: laboratory.logo = {} is no file beside it; name one there</source>
+        <translation>{}: laboratory.logo = {} ist keine Datei daneben; eine dort angeben</translation>
     </message>
     <message>
         <source>{}: line {} is not an event ({}); name another journal</source>
@@ -13815,12 +14263,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: die Adresse einer Schnittstelle nennen, nicht alle</translation>
     </message>
     <message>
+        <source>{}: the key cannot be read</source>
+        <translation>{}: der Schlüssel lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>{}: this file is of an older version, which kept nothing by which its rows could be proved; take another copy</source>
+        <translation>{}: Die Datei stammt von einer älteren Version, die nichts ablegte, womit sich ihre Zeilen prüfen lassen; eine andere Kopie nehmen</translation>
+    </message>
+    <message>
         <source>{}: not a list of faults: {}</source>
         <translation>{}: keine Liste von Störungen: {}</translation>
     </message>
     <message>
-        <source>{}: not valid TOML: {}</source>
-        <translation>{}: kein gültiges TOML: {}</translation>
+        <source>the drive cannot be used: it has nothing for {}</source>
+        <translation>der Antrieb ist nicht verwendbar: er hat nichts für {}</translation>
+    </message>
+    <message>
+        <source>{}: not as it was sealed</source>
+        <translation>{}: nicht wie versiegelt</translation>
+    </message>
+    <message>
+        <source>{}: not as they were sealed between the rows {} and {}</source>
+        <translation>{}: zwischen den Zeilen {} und {} nicht wie versiegelt</translation>
     </message>
     <message>
         <source>{}: nothing is left to do. {}</source>
@@ -13839,8 +14303,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: nur {} ganze, ungestörte Umdrehungen; mindestens {} nehmen, besser {}</translation>
     </message>
     <message>
-        <source>{}: others can read it (mode {:04o}); chmod 600 it, and change the secrets where others are on this computer</source>
-        <translation>{}: Andere können sie lesen (Modus {}); chmod 600 ausführen und die Geheimnisse ändern, wenn andere an diesem Rechner sind</translation>
+        <source>{}: others can read the key that seals tests; chmod 600 it</source>
+        <translation>{}: Andere können den Schlüssel der Siegel lesen; setzen Sie die Rechte auf 600</translation>
     </message>
     <message>
         <source>{}: others can read this secret key; delete it, or chmod 600 it</source>
@@ -13923,6 +14387,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: die elastische Bewegung des Bolzens lässt sich nicht abziehen: {}; noch einmal umlaufen, mit --test und der Versuchsdatei dieser Buchse</translation>
     </message>
     <message>
+        <source>{}: the file cannot be copied beside {} ({}); choose another folder</source>
+        <translation>{}: Die Datei kann nicht neben {} kopiert werden ({}); wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
         <source>{}: the file cannot be created ({}); choose another folder</source>
         <translation>{}: Die Datei lässt sich nicht anlegen ({}); einen anderen Ordner wählen</translation>
     </message>
@@ -13967,6 +14435,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: Die Datei ist abgeschnitten, vielleicht eine unfertige Kopie; sie noch einmal kopieren</translation>
     </message>
     <message>
+        <source>{}: the file is damaged and stays as it is; salvage what is sound: rigapp salvage FILE --to NEW.h5</source>
+        <translation>{}: Die Datei ist beschädigt und bleibt, wie sie ist; retten Sie das Unversehrte: rigapp salvage FILE --to NEW.h5</translation>
+    </message>
+    <message>
+        <source>{}: the file is damaged; salvage what is sound with rigapp salvage FILE --to NEW.h5, and begin a new test</source>
+        <translation>{}: Die Datei ist beschädigt; retten Sie das Unversehrte mit rigapp salvage FILE --to NEW.h5, und beginnen Sie einen neuen Versuch</translation>
+    </message>
+    <message>
+        <source>{}: the file is damaged; salvage what is sound: rigapp salvage FILE --to NEW.h5</source>
+        <translation>{}: Die Datei ist beschädigt; retten Sie das Unversehrte: rigapp salvage FILE --to NEW.h5</translation>
+    </message>
+    <message>
         <source>{}: the file is empty; a copy of the test must be restored</source>
         <translation>{}: Die Datei ist leer; eine Kopie des Versuchs muss wiederhergestellt werden</translation>
     </message>
@@ -13995,6 +14475,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: Den Ordner {} gibt es nicht; ihn erst anlegen</translation>
     </message>
     <message>
+        <source>{}: the key cannot be read ({})</source>
+        <translation>{}: Der Schlüssel ist nicht lesbar ({})</translation>
+    </message>
+    <message>
         <source>{}: the map in use has expired, and an expired record forbids a start: take run_out out of [probes] for the roll</source>
         <translation>{}: die verwendete Karte ist abgelaufen, und ein abgelaufener Datensatz verbietet den Start: run_out für den Umlauf aus [probes] herausnehmen</translation>
     </message>
@@ -14015,6 +14499,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: der Datensatz {} ist in N je {}; der Prüfstand misst mV/V</translation>
     </message>
     <message>
+        <source>{}: the recorded line cannot be read</source>
+        <translation>{}: Die aufgezeichnete Leitung ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>{}: the recorded line is damaged at its beginning</source>
+        <translation>{}: Die aufgezeichnete Leitung ist am Anfang beschädigt</translation>
+    </message>
+    <message>
         <source>{}: the rolls differ by {:.2f} um from the map: the pin moves in the follower with the load. That part is no run-out; it is counted as uncertainty</source>
         <translation>{}: Die Umläufe weichen um {} um von der Karte ab: Der Bolzen bewegt sich mit der Last in der Koppel. Dieser Teil ist kein Rundlauf; er zählt als Unsicherheit</translation>
     </message>
@@ -14023,8 +14515,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: Der Rundlauf ist nicht größer als seine Unsicherheit ({} um, u = {} um); die Karte anzuwenden bringt nichts</translation>
     </message>
     <message>
+        <source>{}: the seal could not be written ({}); the original is untouched, free some space</source>
+        <translation>{}: Das Siegel konnte nicht geschrieben werden ({}); das Original ist unverändert, schaffen Sie Platz</translation>
+    </message>
+    <message>
         <source>{}: the test is complete with {} revolutions; begin a new test</source>
         <translation>{}: Der Versuch ist mit {} Umdrehungen vollständig; einen neuen Versuch beginnen</translation>
+    </message>
+    <message>
+        <source>{}: the test is running; wait for its end</source>
+        <translation>{}: Der Versuch läuft; warten Sie sein Ende ab</translation>
     </message>
     <message>
         <source>{}: the test is {}; only a test that has ended is compressed</source>
@@ -14095,6 +14595,26 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: Dies ist ein Ordner, keine Versuchsdatei</translation>
     </message>
     <message>
+        <source>{}: this is neither PNG nor JPEG</source>
+        <translation>{}: das ist weder PNG noch JPEG</translation>
+    </message>
+    <message>
+        <source>{}: this is no Ed25519 key; make one: rigapp calibrate key</source>
+        <translation>{}: Das ist kein Ed25519-Schlüssel; erzeugen Sie einen: rigapp calibrate key</translation>
+    </message>
+    <message>
+        <source>{}: this is no file but a device or a pipe; give a test file</source>
+        <translation>{}: Dies ist keine Datei, sondern ein Gerät oder eine Pipe; eine Prüfungsdatei angeben</translation>
+    </message>
+    <message>
+        <source>{}: this is no private key in PEM</source>
+        <translation>{}: Das ist kein privater Schlüssel in PEM</translation>
+    </message>
+    <message>
+        <source>{}: this is no recorded line; give a file of --record-wire</source>
+        <translation>{}: Das ist keine aufgezeichnete Leitung; eine Datei von --record-wire angeben</translation>
+    </message>
+    <message>
         <source>{}: this is not an HDF5 file; give a file that rigapp run wrote</source>
         <translation>{}: Dies ist keine HDF5-Datei; eine Datei angeben, die rigapp run schrieb</translation>
     </message>
@@ -14137,10 +14657,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}: {:g} rpm to revolution {}</source>
         <translation>{}: {} rpm bis Umdrehung {}</translation>
-    </message>
-    <message>
-        <source>{}: {} = {:g} is above the rig&apos;s spindle.maximum_speed_rpm = {:g}</source>
-        <translation>{}: {} = {} liegt über spindle.maximum_speed_rpm = {} des Prüfstands</translation>
     </message>
     <message>
         <source>{}: {} Then take them again</source>
@@ -14187,6 +14703,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: {} Zeile {} ist nicht, wo HDF5 sagt ({}); mit dieser HDF5-Bibliothek lässt sich kein Versuch speichern, rigapp doctor ausführen</translation>
     </message>
     <message>
+        <source>{}: {} rows were sealed, {} are there</source>
+        <translation>{}: {} Zeilen wurden versiegelt, {} sind vorhanden</translation>
+    </message>
+    <message>
+        <source>{}: {} rows, and a sheet of Excel holds {}; export .csv or .parquet</source>
+        <translation>{}: {} Zeilen, ein Blatt von Excel hat {}; als .csv oder .parquet exportieren</translation>
+    </message>
+    <message>
         <source>{}: {} samples are too few for {} orders; sample faster, or ask for fewer orders</source>
         <translation>{}: {} Messwerte sind zu wenig für {} Ordnungen; schneller abtasten oder weniger Ordnungen verlangen</translation>
     </message>
@@ -14197,6 +14721,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}: {}; all three must name one device, whose samples are simultaneous</source>
         <translation>{}: {}; alle drei müssen ein Gerät nennen, dessen Messwerte gleichzeitig sind</translation>
+    </message>
+    <message>
+        <source>{}: {}; rigapp writes no such file: do not use it, and ask who sent it</source>
+        <translation>{}: {}; rigapp schreibt keine solche Datei: nicht verwenden, und fragen, wer sie geschickt hat</translation>
     </message>
     <message>
         <source>{}: {}{} is not a known key{}</source>
@@ -14215,6 +14743,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}; alles darin wird gerade gerettet</translation>
     </message>
     <message>
+        <source>{}; extremes will be missed</source>
+        <translation>{}; Extremwerte werden verfehlt</translation>
+    </message>
+    <message>
         <source>{}; move it or the target until it shows about 0 V</source>
         <translation>{}; ihn oder das Ziel verschieben, bis er etwa 0 V zeigt</translation>
     </message>
@@ -14231,16 +14763,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}; danach die Warteschlange wieder starten</translation>
     </message>
     <message>
-        <source>{}limits.overload_N = {:g} can never be seen: the input of the load cell is full at {:.0f} N; lower the limit or raise load_cell.range_mV_per_V</source>
-        <translation>{}limits.overload_N = {} kann nie gesehen werden: Der Eingang des Kraftsensors ist bei {} N übersteuert; die Grenze senken oder load_cell.range_mV_per_V vergrößern</translation>
-    </message>
-    <message>
         <source>{}limits.rule {} ({}): {}</source>
         <translation>{}limits.rule {} ({}): {}</translation>
-    </message>
-    <message>
-        <source>{}{}: {:g} kg hang then</source>
-        <translation>{}{}: Dann hängen {} kg</translation>
     </message>
 </context>
 </TS>

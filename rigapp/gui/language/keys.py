@@ -8,10 +8,10 @@ from typing import Final
 from rigapp.config.ranges import keys_of
 from rigapp.config.recipe import TestFile
 from rigapp.config.rules import quantities
-from rigapp.presentation.numbers import capitalised
 from rigapp.presentation.translation import Text
 from rigapp.schema.channels import BASE, STATISTICS
 from rigapp.schema.units import stem_of
+from rigapp.texts import capitalised
 
 ENDINGS: Final = sorted(STATISTICS, key=len, reverse=True)
 """Ends of the columns of a channel, the longest first."""

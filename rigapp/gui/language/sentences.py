@@ -1,4 +1,4 @@
-"""Gather what others than the window tell out of their source, with braces where values stand."""
+"""Gather the templates of sentences out of the source: of ``say``, and of errors raised."""
 
 from __future__ import annotations
 
@@ -8,39 +8,64 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
-from rigapp.presentation.told import EDGES, templates
-from rigapp.presentation.translation import Text
+from rigapp.presentation.translation import EDGES, Text
+from rigapp.schema.alarms import KINDS
 from rigapp.schema.details import sentence_of
 
 ROOT: Final = Path(__file__).parents[3]
-
-SPEAKERS: Final = (
-    "drivers", "model", "calibration", "rigapp/calibrating", "rigapp/config", "rigapp/engine",
-    "rigapp/gui/data", "rigapp/gui/testfile", "rigapp/notify", "rigapp/prepare", "rigapp/process",
-    "rigapp/queue", "rigapp/replay", "rigapp/report", "rigapp/schema", "rigapp/service",
-    "rigapp/simulation", "rigapp/storage", "rigapp/study", "rigapp/twin",
+ON_TERMINALS: Final = (
+    "rigapp/analysis", "rigapp/cli", "rigapp/commands", "rigapp/page", "rigapp/publishing",
+    "rigapp/start",
 )  # fmt: skip
-"""Packages whose sentences the window shows; files and terminals have them in English."""
-
-PAPERS: Final = (
-    "drivers/rigapp_drivers/cia402/simulator", "drivers/rigapp_drivers/dataq/simulator",
-    "drivers/rigapp_drivers/gsv8/simulator", "drivers/rigapp_drivers/modbus_sensor/simulator",
-    "drivers/rigapp_drivers/roboclaw/simulator", "drivers/rigapp_drivers/simulator_api",
-    "rigapp/calibrating/certificate", "rigapp/calibrating/certificates",
-    "rigapp/calibrating/daily_chart", "rigapp/engine/recording/store", "rigapp/notify",
-    "rigapp/prepare", "rigapp/report", "rigapp/schema/channels", "rigapp/schema/columns",
-    "rigapp/schema/loglines", "rigapp/service/security", "rigapp/simulation",
-    "rigapp/storage/reading/export", "rigapp/storage/reading/oldlog", "rigapp/storage/structure",
-    "rigapp/study/pictures", "rigapp/study/table",
-)  # fmt: skip
-"""Their parts that write files, papers and terminals: of these the window shows what they raise."""
+"""Rooms of which the window shows nothing."""
 
 WORD: Final = re.compile(r"[^\W\d_]{2,}")
 NAMES: Final = {"rigapp", "rpm", "mm", "µm", "Hz", "kHz", "ms", "min", "px"}
 """The program and units of measurement: the same in every language."""
-PATTERNS: Final = re.compile(r"%[sd(]|\(\?|\(\.\+|\\[dSb]")
-"""What a journal of messages and regular expressions have."""
-LOGGED: Final = {"debug", "info", "warning", "error", "exception", "critical"}
+
+SYSTEM: Final = (
+    "Address already in use", "Broken pipe", "Cannot assign requested address",
+    "Connection refused", "Connection reset by peer", "Connection timed out",
+    "Device or resource busy", "Directory not empty", "Disk quota exceeded", "File exists",
+    "File name too long", "File too large", "Host is down", "Input/output error",
+    "Invalid argument", "Is a directory", "Name or service not known", "Network is unreachable",
+    "No route to host", "No space left on device", "No such device",
+    "No such device or address", "No such file or directory", "Not a directory",
+    "Operation not permitted", "Permission denied", "Read-only file system",
+    "Resource temporarily unavailable", "Stale file handle", "Too many open files", "timed out",
+)  # fmt: skip
+"""Errors of the operating system, which sentences have as values."""
+
+LIBRARIES: Final = (
+    "Cannot overwrite a value", "Expected '=' after a key in a key/value pair",
+    "Expected ']' at the end of a table declaration",
+    "Expected ']]' at the end of an array declaration",
+    "Expected newline or end of document after a statement", "Invalid date or datetime",
+    "Invalid hex value", "Invalid initial character for a key part", "Invalid statement",
+    "Invalid value", "Unclosed array", "Unclosed inline table", "Unescaped '\\' in a string",
+    "Unterminated string", "Invalid enum value {}", "expected {}, got {}", "expected {} >= {}",
+    "expected {} <= {}", "expected {} > {}", "expected {} < {}", "expected {} of length {}",
+    "expected {} of length {}, got {}", "expected {} of length >= {}",
+    "expected {} of length <= {}", "expected {} of at least length {}",
+)  # fmt: skip
+"""Errors of the readers of TOML and of records (``rigapp.config.errors``)."""
+
+QUANTITIES: Final = (
+    "clearance", "contact law", "density", "gravity", "stiffness", "exponent", "follower angle",
+    "follower speed",
+    "friction ramp", "impact speed floor", "layers", "loads", "moving mass", "node spacing",
+    "poissons ratio", "predictive band", "probe errors", "radii", "relative error", "restitution",
+    "running in revolutions", "sectors", "slider position", "slider velocity", "start angle",
+    "technique", "times", "tolerance", "typical force", "youngs modulus",
+)  # fmt: skip
+"""What the model calls a number that it cannot work with."""
+
+UNITS: Final = (
+    "revolutions", "revolutions/s", "revolutions/h", "standard deviations", "days",
+    "um per 1000 revolutions",
+    "a share of 1",
+)  # fmt: skip
+"""Units that are words."""
 
 
 def has_words(text: str) -> bool:
@@ -48,91 +73,62 @@ def has_words(text: str) -> bool:
     return any(word not in NAMES for word in WORD.findall(text))
 
 
-def sentences_of(module: Path, raised: bool = False) -> Iterator[str]:
-    """Yield the sentences of a module, with braces where it puts values, without their edges.
-
-    They are its strings of several words, and the arguments of ``Check`` of any length. raised:
-    only those of its errors.
-    """
-    tree = ast.parse(module.read_text("utf-8"))
-    roots = [one for one in ast.walk(tree) if isinstance(one, ast.Raise)] if raised else [tree]
-    for root in roots:
-        for one, checked in _strings(root):
-            template = sentence_of(_template(one)).strip(EDGES)
-            if has_words(_literal(template)) and (" " in template or checked):
-                yield template
-
-
-def _strings(node: ast.AST, checked: bool = False) -> Iterator[tuple[ast.AST, bool]]:
-    """Yield the strings below a node that may be shown, and whether ``Check`` takes them as such.
-
-    What explains, compares, annotates, decorates, names a thread or goes into a journal is not.
-    """
-    match node:
-        case ast.Compare() | ast.Expr(value=ast.Constant()) | ast.keyword(arg="name"):
-            return
-        case ast.Constant():
-            yield node, checked
-        case ast.JoinedStr(values=values):
-            yield node, checked
-            for one in values:
-                if isinstance(one, ast.FormattedValue):
-                    yield from _strings(one.value)
-        case ast.FunctionDef(args=args, body=body):
-            for part in (*args.defaults, *args.kw_defaults, *body):
-                yield from _strings(part) if part is not None else ()
-        case ast.ClassDef(body=body):
-            for statement in body:
-                yield from _strings(statement)
-        case ast.AnnAssign(value=ast.expr() as value):
-            yield from _strings(value)
-        case ast.Call(func=ast.Attribute(value=ast.Name(id="log"), attr=name)) if name in LOGGED:
-            return
-        case ast.Call(func=ast.Name(id="Worker")) | ast.Call(func=ast.Attribute(attr="_help")):
-            return
-        case _:
-            check = isinstance(node, ast.Call) and getattr(node.func, "id", "") == "Check"
-            for child in ast.iter_child_nodes(node):
-                yield from _strings(child, check)
-
-
-def _template(node: ast.AST) -> str:
-    """Return a string with braces where it puts values, empty where a node is none."""
-    match node:
-        case ast.Constant(value=str(text)) if not PATTERNS.search(text):
-            return text if "{" not in text else ""
-        case ast.JoinedStr(values=values):
-            return "".join(_piece(one) for one in values)
-    return ""
-
-
-def _piece(value: ast.expr) -> str:
-    match value:
-        case ast.Constant(value=str(text)):
-            return text.replace("{", "{{").replace("}", "}}")
-        case ast.FormattedValue(format_spec=ast.JoinedStr(values=[ast.Constant(value=str(spec))])):
-            return f"{{:{spec}}}"
-    return "{}"
-
-
-def _literal(template: str) -> str:
+def without_braces(template: str) -> str:
+    """Return what a template says itself."""
     return re.sub(r"\{[^{}]*\}", "", template)
 
 
-def _within(name: str, places: tuple[str, ...]) -> bool:
-    return any(name == one or name.startswith(f"{one}/") for one in places)
+def said() -> Iterator[tuple[str, Text]]:
+    """Yield the module and the template of each sentence, without its details and its edges."""
+    for source in ("drivers", "model", "calibration", "rigapp"):
+        for path in sorted((ROOT / source).rglob("*.py")):
+            name = path.relative_to(ROOT).with_suffix("").as_posix()
+            if not name.startswith(ON_TERMINALS):
+                yield from ((name, one) for one in sentences_of(path))
+
+
+def sentences_of(module: Path) -> Iterator[Text]:
+    """Yield the templates of a module."""
+    for node in ast.walk(ast.parse(module.read_text("utf-8"))):
+        for one in _texts(node):
+            template = sentence_of(one).strip(EDGES)
+            if has_words(without_braces(template)):
+                yield template
+
+
+def _texts(node: ast.AST) -> list[str]:
+    """Return what a call says, and the values of an enumeration that are words."""
+    match node:
+        case ast.ClassDef(bases=[ast.Attribute(attr="StrEnum")], body=body):
+            values = [one.value for one in body if isinstance(one, ast.Assign)]
+            return [one for one in _literals(values) if " " in one]
+        case (
+            ast.Raise(exc=ast.Call(args=arguments))
+            | ast.Call(func=ast.Attribute(attr="at"), args=arguments)
+        ):
+            return [one for one in _literals(arguments) if " " in one][:1]
+        case ast.Call(func=ast.Name(id="say"), args=arguments):
+            return _literals(arguments)[:1]
+    return []
+
+
+def _literals(nodes: list[ast.expr]) -> list[str]:
+    constants = [one.value for one in nodes if isinstance(one, ast.Constant)]
+    return [one for one in constants if isinstance(one, str)]
 
 
 def all_sentences() -> list[Text]:
-    """Return what others than the window say, each once: plain texts, and templates with values."""
-    found = {one for one in templates() if has_words(_literal(one))}
-    for speaker in SPEAKERS:
-        for path in (ROOT / speaker).rglob("*.py"):
-            name = path.relative_to(ROOT).with_suffix("").as_posix()
-            found.update(sentences_of(path, raised=_within(name, PAPERS)))
-    return sorted(found)
+    """Return the templates of all sentences, each once."""
+    of_alarms = (
+        text
+        for kind in KINDS.values()
+        for text in (kind.title, sentence_of(kind.sentence), kind.consequence, kind.action)
+    )
+    tables = (*of_alarms, *SYSTEM, *LIBRARIES, *QUANTITIES, *UNITS)
+    known = {*tables} | {template for _, template in said()}
+    return sorted(one for one in known if has_words(without_braces(one)))
 
 
 def all_templates() -> list[Text]:
-    """Return those of the sentences that have values; by them they are known again."""
+    """Return the sentences with values."""
     return [one for one in all_sentences() if "{" in one]

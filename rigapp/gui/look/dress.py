@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from rigapp.gui.look.fonts import FAMILY, window_font
 from rigapp.gui.look.sheet import style_sheet
-from rigapp.gui.look.tokens import Theme
+from rigapp.presentation.tokens import Theme
 
 
 def qt_palette(theme: Theme) -> QPalette:

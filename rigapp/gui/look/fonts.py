@@ -12,7 +12,7 @@ from pathlib import Path
 import fontpkg
 from PySide6.QtGui import QFont, QFontDatabase
 
-from rigapp.gui.look.tokens import BODY_PT
+from rigapp.presentation.tokens import BODY_PT
 
 FAMILY = "Inter"
 SEMI_BOLD = Path(__file__).with_name("Inter-SemiBold.ttf")

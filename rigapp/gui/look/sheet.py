@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import cache
 from string import Template
 
-from rigapp.gui.look.tokens import CAPTION_PT, CARD_RADIUS, RADIUS, VALUE_PT, Theme
+from rigapp.presentation.tokens import CAPTION_PT, CARD_RADIUS, RADIUS, VALUE_PT, Theme
 
 _SHEET = Template(
     """

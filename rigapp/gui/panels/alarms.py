@@ -11,11 +11,10 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QFont, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QLayout, QWidget
 
-from rigapp.gui.data.news import News, Takes
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import GAP, STEP, VALUE_PT
 from rigapp.gui.panel import Host
 from rigapp.gui.panels.limits import LimitPanel
+from rigapp.gui.panels.logbook import AlarmJournal
 from rigapp.gui.widgets.build import (
     button,
     column,
@@ -26,19 +25,18 @@ from rigapp.gui.widgets.build import (
     row,
     scrolling,
     split,
+    styled_label,
     tell,
     whole_number,
 )
 from rigapp.gui.widgets.details import FoldedDetails
 from rigapp.gui.widgets.reflow import FoldingSplitter, flowing
-from rigapp.gui.widgets.tables import PlainTable
-from rigapp.presentation.times import dated
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
-from rigapp.schema.details import details_of, sentence_of
-from rigapp.schema.loglines import ALARM
-from rigapp.schema.messages import NOTE_CHARACTERS, Alarm, Event, RunState, Severity
+from rigapp.presentation.tokens import GAP, STEP, VALUE_PT
+from rigapp.presentation.translation import Text, tr, translate
+from rigapp.schema.details import details_of
+from rigapp.schema.messages import NOTE_CHARACTERS, Alarm, RunState, Severity
 from rigapp.schema.words import WORDS
+from rigapp.viewer.news import News, Takes
 
 MARKS: Final[dict[Severity, Text]] = {
     Severity.WARNING: "▲ Warning",
@@ -57,8 +55,6 @@ BESIDE_FROM, LIST = 100 * STEP, 32 * STEP
 TITLE_WIDTH = 16 * STEP
 CARDS_HEIGHT = 32 * STEP
 """Of the alarms: one whole card, and the tools below it."""
-JOURNAL_LINES = 500
-"""Newest lines of the journal; all of them are in the log."""
 
 
 def order(alarms: tuple[Alarm, ...]) -> list[Alarm]:
@@ -90,13 +86,11 @@ class AlarmCard(QFrame):
         named(self, name, "Alarm")
         self._large = large
         self.chip = named(QLabel(), f"{name}_chip", "Severity")
-        self.title = prose(f"{name}_title", "Alarm")
-        self.title.setProperty("role", "title")
+        self.title = prose(f"{name}_title", "Alarm", role="title")
         if large:
             self.title.setFont(sized(self.font(), VALUE_PT, QFont.Weight.DemiBold))
         self.state = named(QLabel(), f"{name}_state", "State of the alarm")
-        self.since = named(QLabel(), f"{name}_since", "Since when")
-        self.since.setProperty("role", "caption")
+        self.since = named(QLabel(), f"{name}_since", "Since when", role="caption")
         grid = QGridLayout()
         grid.setHorizontalSpacing(GAP)
         grid.setVerticalSpacing(STEP // 2)
@@ -104,11 +98,9 @@ class AlarmCard(QFrame):
         self.texts: dict[str, QLabel] = {}
         self.captions: list[QLabel] = []
         for place, (key, caption) in enumerate(LINES.items()):
-            label = QLabel(tr(caption))
-            label.setProperty("role", "secondary")
-            self.captions.append(label)
+            self.captions.append(styled_label(caption, "secondary"))
             self.texts[key] = prose(f"{name}_{key}", caption)
-            grid.addWidget(label, place, 0, Qt.AlignmentFlag.AlignTop)
+            grid.addWidget(self.captions[-1], place, 0, Qt.AlignmentFlag.AlignTop)
             grid.addWidget(self.texts[key], place, 1)
         self.texts["action"].setProperty("role", "title")
         self.details = FoldedDetails(name)
@@ -120,9 +112,7 @@ class AlarmCard(QFrame):
             self.title.setMinimumWidth(TITLE_WIDTH)
         else:
             head = [flowing(self.chip, None, self.since), self.title, self.state]
-        made = column(*head, grid, on=self)
-        made.setContentsMargins(GAP, STEP, GAP, STEP)
-        made.setSpacing(STEP)
+        column(*head, grid, on=self, margins=(GAP, STEP), spacing=STEP)
 
     def show_alarm(self, alarm: Alarm, *, whole: bool, chosen: bool) -> None:
         """Show an alarm, with all that is told of it or its name alone."""
@@ -133,7 +123,7 @@ class AlarmCard(QFrame):
         first = f", {tr('first')}" if alarm.first_out else ""
         self.chip.setText(f"{tr(MARKS[alarm.severity])}{first}")
         self.chip.setToolTip(_explained("first") if alarm.first_out else "")
-        self.title.setText(retold(alarm.title))
+        self.title.setText(translate(alarm.title))
         self.title.setToolTip(_explained(alarm.title))
         self.state.setText(tr(alarm.state))
         self.state.setToolTip(_explained(alarm.state))
@@ -141,14 +131,14 @@ class AlarmCard(QFrame):
         cycle = tr("{}, cycle {}", stamp, alarm.revolution)
         self.since.setText(cycle if self._large else stamp)
         self.since.setToolTip(cycle)
-        for key, label in self.texts.items():
-            label.setText(retold(getattr(alarm, key)))
+        for key, line in self.texts.items():
+            line.setText(translate(getattr(alarm, key)))
         for part in (*self.captions, *self.texts.values()):
             part.setVisible(whole)
         self.details.show_details(details_of(alarm.cause) if whole else "")
-        said = f"{tr(MARKS[alarm.severity])}: {retold(alarm.title)}, {tr(alarm.state)}"
+        said = f"{tr(MARKS[alarm.severity])}: {translate(alarm.title)}, {tr(alarm.state)}"
         self.setAccessibleName(said)
-        self.setAccessibleDescription(retold(alarm.action))
+        self.setAccessibleDescription(translate(alarm.action))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Choose it."""
@@ -178,10 +168,8 @@ class AlarmCards(QWidget):
         if large:
             self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.cards: list[AlarmCard] = []
-        self.none = prose(f"{prefix}_no_alarms", "No alarms", "No alarms.")
-        self.none.setProperty("role", "secondary")
-        self._list = column(self.none, None, on=self)
-        self._list.setSpacing(STEP)
+        self.none = prose(f"{prefix}_no_alarms", "No alarms", "No alarms.", role="secondary")
+        self._list = column(self.none, None, on=self, spacing=STEP)
 
     @property
     def alarms(self) -> list[Alarm]:
@@ -251,9 +239,8 @@ class AlarmGlance(QFrame):
     def __init__(self) -> None:
         super().__init__()
         self._recorded = False
-        named(self, "alarm_glance", "Alarms").setProperty("role", "card")
-        self.title = named(QLabel(tr("Alarms")), "alarm_glance_title", "Alarms")
-        self.title.setProperty("role", "title")
+        named(self, "alarm_glance", "Alarms", role="card")
+        self.title = named(QLabel(tr("Alarms")), "alarm_glance_title", "Alarms", role="title")
         self.cards = AlarmCards("glance", large=False)
         self.acknowledge = button(
             "glance_acknowledge",
@@ -262,9 +249,9 @@ class AlarmGlance(QFrame):
             "Acknowledge the alarm that is told in full",
         )
         self.cards.changed.connect(self._enable)
-        made = column(row(self.title, None, self.acknowledge), self.cards, on=self)
-        made.setContentsMargins(STEP, STEP, STEP, STEP)
-        made.setSpacing(STEP)
+        column(
+            row(self.title, None, self.acknowledge), self.cards, on=self, margins=STEP, spacing=STEP
+        )
         self.hide()
 
     def show_alarms(self, alarms: tuple[Alarm, ...], *, recorded: bool = False) -> None:
@@ -336,7 +323,7 @@ class AlarmPanel(QWidget):
         )
         fit_hint(self.reason)
         self.setMinimumHeight(CARDS_HEIGHT)
-        column((self.area, 1), tools, on=self).setSpacing(STEP)
+        column((self.area, 1), tools, on=self, spacing=STEP)
         self._enable()
 
     def show_news(self, news: News) -> None:
@@ -344,7 +331,7 @@ class AlarmPanel(QWidget):
         self._recorded = news.is_replay
         if news.status is not None:
             self.show_alarms(news.status.alarms)
-            self.show_state(news.status.state)
+            self.show_state(news.status.engine.state)
             self._enable_buttons()
 
     def show_state(self, state: RunState | None) -> None:
@@ -387,44 +374,6 @@ class AlarmPanel(QWidget):
         reason, minutes = self.reason.text().strip(), self.minutes.value()
         self.reason.clear()
         self.wanted.emit("shelve", {"key": alarm.key, "reason": reason, "minutes": minutes})
-
-
-class AlarmJournal(QFrame):
-    """What happened to the alarms of the test, newest first."""
-
-    takes = Takes.HISTORY | Takes.LOG
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._events: Sequence[Event] = ()
-        named(self, "alarm_journal", "Journal of the alarms").setProperty("role", "card")
-        title = QLabel(tr("Journal"))
-        title.setProperty("role", "title")
-        self.table = PlainTable(
-            "journal_table", "Journal of the alarms", ("Time", "Cycle", "What happened", "Who")
-        )
-
-        made = column(title, (self.table, 1), on=self)
-        made.setContentsMargins(GAP, STEP, GAP, GAP)
-        made.setSpacing(STEP)
-
-    def show_news(self, news: News) -> None:
-        """Show the journal as the log was read last."""
-        if news.events is self._events:
-            return
-        self._events = news.events
-        lines = [one for one in reversed(news.events) if one.kind == ALARM][:JOURNAL_LINES]
-        self.table.show_rows(
-            [
-                (
-                    dated("%d %b %H:%M:%S", time.localtime(one.time)),
-                    str(one.revolution),
-                    sentence_of(one.text),
-                    one.source,
-                )
-                for one in lines
-            ]
-        )
 
 
 def alarm_page(host: Host) -> QWidget:

@@ -9,15 +9,14 @@ from dataclasses import replace
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QFrame, QProgressBar
 
-from rigapp.gui.data.news import News
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import BODY_PT, GAP, MARGIN, STEP, Theme
 from rigapp.gui.widgets.build import column, named
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.steps import ShownStep, StepRow
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import marked, tr
+from rigapp.presentation.tokens import BODY_PT, GAP, MARGIN, STEP, Theme
+from rigapp.presentation.translation import marked, tr, translate
 from rigapp.schema.messages import RunState
+from rigapp.viewer.news import News
 
 BEFORE = frozenset({RunState.IDLE, RunState.CONNECTING, RunState.READY, RunState.CALIBRATING})
 """States before a test, in which it matters what is connected."""
@@ -31,13 +30,15 @@ def connection_steps(news: News) -> list[ShownStep]:
         looking = marked("looking for it, or starting it")
         later = [ShownStep(name, "after the engine") for name in ("Devices", "First samples")]
         return _marked([ShownStep("Engine", looking), *later])
-    steps = [ShownStep("Engine", status.rig, done=True)]
-    waits = status.state is RunState.IDLE
-    for device in status.devices:
+    steps = [ShownStep("Engine", status.rig.name, done=True)]
+    waits = status.engine.state is RunState.IDLE
+    for device in status.rig.devices:
         found = device.identity or tr("{} on {}", device.driver, device.port)
-        line = retold(device.last_error) or (found if device.connected else tr("finding {}", found))
+        line = translate(device.last_error) or (
+            found if device.connected else tr("finding {}", found)
+        )
         steps.append(ShownStep(device.name, line, device.connected))
-    if not status.devices:
+    if not status.rig.devices:
         steps.append(ShownStep("Devices", "not connected yet" if waits else "making the ports"))
     age = news.data_age_s
     data = age is not None and math.isfinite(age) and not waits
@@ -57,16 +58,14 @@ class ConnectingCard(QFrame):
         super().__init__()
         self._theme = theme
         self._steps: list[ShownStep] = []
-        named(self, "connecting", "Connection of the rig").setProperty("role", "card")
+        named(self, "connecting", "Connection of the rig", role="card")
         self.title = ElidedLabel("connecting_title", "Connection of the rig")
         self.title.setFont(sized(self.font(), BODY_PT, QFont.Weight.DemiBold))
         self.bar = named(QProgressBar(), "connecting_bar", "Steps that are done")
         self.bar.setTextVisible(False)
         self.bar.setFixedHeight(STEP // 2)
         self.rows = [StepRow("connecting", number) for number in range(MOST)]
-        made = column(self.title, self.bar, *self.rows, on=self)
-        made.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
-        made.setSpacing(STEP)
+        column(self.title, self.bar, *self.rows, on=self, margins=(MARGIN, GAP), spacing=STEP)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""

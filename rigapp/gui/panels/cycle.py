@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
+import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
@@ -14,18 +15,23 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.gui.data.comparison import RevolutionCurves, statistics
-from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.recording import StoredRevolution
-from rigapp.gui.look.tokens import STEP, Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.channelcurves import ChannelCurvePanel
+from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.overlay import OverlayPanel
-from rigapp.gui.plots.polar import PolarPanel
-from rigapp.gui.widgets.build import button, named, page, split, whole_number
+from rigapp.gui.plots.palette import MODEL, LinePen
+from rigapp.gui.plots.plotting import PlotPanel, QuietPlot, plot_heading
+from rigapp.gui.widgets.build import button, column, named, page, split, whole_number
 from rigapp.gui.widgets.reflow import FoldingSplitter, flowing
+from rigapp.presentation.tokens import STEP, Theme
 from rigapp.presentation.translation import Text, tr
+from rigapp.viewer.channels import COMPONENTS as FORCES
+from rigapp.viewer.channels import SIZE
+from rigapp.viewer.comparison import RevolutionCurves, statistics
+from rigapp.viewer.frames import COMPONENT_NAMES, ForceFrame
+from rigapp.viewer.news import News, Takes
+from rigapp.viewer.ranges import nice_step
+from rigapp.viewer.recording import StoredRevolution
 
 STATISTICS: Final[tuple[Text, ...]] = ("max", "min", "RMS")
 BESIDE_FROM = 112 * STEP
@@ -130,6 +136,59 @@ class ValueTable(QTableWidget):
 def _signed(value: float, at: int) -> str:
     sign = "+" if at % len(KINDS) == 2 else ""
     return "–" if value != value else f"{value:{sign}.2f}"
+
+
+CIRCLE = np.linspace(0.0, 2.0 * np.pi, 91)
+POINTS = 720
+WAITING: Final[Text] = "No revolution measured yet: the force is drawn here where it points."
+
+
+class PolarPanel(PlotPanel):
+    """Draw both components against each other with circles of equal force."""
+
+    def __init__(self, prefix: str, theme: Theme) -> None:
+        super().__init__(f"{prefix}_polar_panel", "Force vector over one revolution")
+        self._drawn: RevolutionCurves | None = None
+        self._radius = 0.0
+        self.plot = QuietPlot(f"{prefix}_polar_plot", "Force vector, polar", theme)
+        self.plot.setAspectLocked(True)
+        self._circles = [self.plot.curve(LinePen("grid")) for _ in range(2)]
+        self.plot.empty(WAITING)
+        self._measured = self.plot.curve(LinePen("main"))
+        self._model = self.plot.curve(MODEL)
+        column(plot_heading("Force vector"), (self.plot, 1), on=self)
+
+    def refresh(self, shown: RevolutionCurves | None, frame: ForceFrame) -> None:
+        """Draw the revolution that the overlay shows."""
+        if shown is self._drawn:
+            return
+        self._drawn = shown
+        if shown is None:
+            clear(self._measured, self._model)
+            self.plot.empty(WAITING)
+            return
+        self.plot.empty("")
+        first, second = map(tr, COMPONENT_NAMES[frame])
+        self.plot.label("bottom", tr("Force {} (N)", first))
+        self.plot.label("left", tr("Force {} (N)", second))
+        step = max(1, len(shown.angle_deg) // POINTS)
+        self._measured.setData(*(shown.measured[name][::step] for name in FORCES))
+        if shown.model is not None:
+            self._model.setData(*(shown.model[name] for name in FORCES))
+        else:
+            clear(self._model)
+        self._place_circles(float(shown.measured[SIZE].max()))
+
+    def _place_circles(self, largest: float) -> None:
+        step = nice_step(largest, 2)
+        radius = step * np.ceil(largest / step)
+        if radius == self._radius:
+            return
+        self._radius = radius
+        for circle, part in zip(self._circles, (0.5, 1.0), strict=True):
+            circle.setData(part * radius * np.cos(CIRCLE), part * radius * np.sin(CIRCLE))
+        bound = 1.05 * radius
+        self.plot.setRange(xRange=(-bound, bound), yRange=(-bound, bound), padding=0.0)
 
 
 class CyclePanel(FoldingSplitter):

@@ -12,11 +12,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
 
-from rigapp.gui.data.channels import value_text
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.shown import Age, Renewed, age_of
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import GAP, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.panel import Host, StallCounter
 from rigapp.gui.widgets.build import (
     button,
@@ -27,15 +23,19 @@ from rigapp.gui.widgets.build import (
     named,
     prose,
     scrolling,
+    styled_label,
     tell,
 )
 from rigapp.gui.widgets.reflow import WrappingGrid, flowing
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.presentation.numbers import grouped, unit_text
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.tokens import GAP, MARGIN, STEP, VALUE_PT, Theme
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.details import details_of
-from rigapp.schema.messages import AT_REST, DeviceView, RunState, Status
+from rigapp.schema.messages import AT_REST, NO_TEST, DeviceView, RunState, Status
+from rigapp.viewer.channels import value_text
+from rigapp.viewer.news import News, Takes
+from rigapp.viewer.shown import Age, Renewed, age_of
 
 CHANNEL_HEADINGS: Final[tuple[Text, ...]] = (
     "Channel", "Signal", "Value", "Uncertainty", "Calibration", "What is positive",
@@ -98,16 +98,14 @@ class DeviceCard(QFrame):
         super().__init__()
         self._link = LinkWatch(clock)
         name = f"device_{device}"
-        named(self, name, device).setProperty("role", "card")
+        named(self, name, device, role="card")
         self.chip = named(QLabel(), f"{name}_health", "Health of the device")
         self.title = named(QLabel(device), f"{name}_title", "Device")
         self.title.setFont(sized(self.font(), VALUE_PT, QFont.Weight.DemiBold))
-        self.identity = prose(f"{name}_identity", "Driver, identity and port")
-        self.identity.setProperty("role", "secondary")
+        self.identity = prose(f"{name}_identity", "Driver, identity and port", role="secondary")
         self.link = prose(f"{name}_link", "Quality of the link")
         self.warnings = prose(f"{name}_warnings", "Warnings of the device")
-        self.details = prose(f"{name}_details", "What was counted on the line")
-        self.details.setProperty("role", "caption")
+        self.details = prose(f"{name}_details", "What was counted on the line", role="caption")
         self.details.hide()
         self.more = button(
             f"{name}_more", "Details", self.details.setVisible, checkable=True, rank="quiet"
@@ -122,15 +120,14 @@ class DeviceCard(QFrame):
         grid = QGridLayout()
         grid.setHorizontalSpacing(GAP)
         grid.setColumnStretch(1, 1)
-        for place, (caption, label) in enumerate(
-            ((tr("Link"), self.link), (tr("Device"), self.warnings))
-        ):
-            grid.addWidget(QLabel(caption), place, 0)
-            grid.addWidget(label, place, 1)
+        lines: tuple[tuple[Text, QLabel], ...] = (("Link", self.link), ("Device", self.warnings))
+        for place, (caption, line) in enumerate(lines):
+            grid.addWidget(QLabel(tr(caption)), place, 0)
+            grid.addWidget(line, place, 1)
         head = flowing(self.chip, (self.title, 1), self.more, self.reconnect)
-        made = column(head, self.identity, grid, self.details, on=self)
-        made.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
-        made.setSpacing(STEP)
+        column(
+            head, self.identity, grid, self.details, on=self, margins=(MARGIN, GAP), spacing=STEP
+        )
 
     def show_device(self, device: DeviceView) -> None:
         """Show a device as it is now."""
@@ -140,12 +137,12 @@ class DeviceCard(QFrame):
         self.chip.setText(tr(word))
         self.identity.setText(f"{device.identity or device.driver}, {device.port}")
         if not device.connected:
-            link = retold(device.last_error) or tr("not connected")
+            link = translate(device.last_error) or tr("not connected")
         elif device.sample_rate_Hz:
             link = tr("{}, {} samples/s", link, f"{device.sample_rate_Hz:g}")
         tell(self.link, "role", "caution" if disturbed or not device.connected else "")
         self.link.setText(link)
-        self.warnings.setText(retold(device.advice) or tr("no warning"))
+        self.warnings.setText(translate(device.advice) or tr("no warning"))
         told = (details_of(device.last_error), details_of(device.advice), counted(device))
         self.details.setText("\n".join(filter(None, told)))
         self.setAccessibleDescription(f"{tr(word)}, {link}")
@@ -174,8 +171,8 @@ def counted(device: DeviceView) -> str:
         },
     }
     lines = [f"{name}: {grouped(count)}" for name, count in counters.items()]
-    error = tr("last error: {}", retold(device.last_error)) if device.last_error else ""
-    return "\n".join([*lines, *filter(None, (retold(device.wiring), error))])
+    error = tr("last error: {}", translate(device.last_error)) if device.last_error else ""
+    return "\n".join([*lines, *filter(None, (translate(device.wiring), error))])
 
 
 class DevicePanel(QWidget):
@@ -254,7 +251,7 @@ class DevicePanel(QWidget):
     def show_news(self, news: News) -> None:
         """Show the newest values."""
         status, silence_s = news.status, news.silence_s
-        self._state = status.state if status is not None else None
+        self._state = status.engine.state if status is not None else None
         if status is not None:
             self._show_devices(status)
             told, sampled = age_of(news, Renewed.STATUS), age_of(news, Renewed.SAMPLE)
@@ -264,10 +261,10 @@ class DevicePanel(QWidget):
         self._enable()
 
     def _show_devices(self, status: Status) -> None:
-        names = [device.name for device in status.devices]
+        names = [device.name for device in status.rig.devices]
         for gone in self.cards.keys() - names:
             self.cards.pop(gone).deleteLater()
-        for device in status.devices:
+        for device in status.rig.devices:
             if device.name not in self.cards:
                 card = DeviceCard(device.name, self._clock)
                 card.reconnect_wanted.connect(self._reconnect)
@@ -278,7 +275,7 @@ class DevicePanel(QWidget):
     def _show_channels(self, status: Status, told: Age, sampled: Age) -> None:
         aged_channels = [
             (one, (sampled if one.age_s is None else told).and_before(one.age_s))
-            for one in status.channels
+            for one in status.rig.channels
         ]
         rows = [
             (
@@ -297,7 +294,7 @@ class DevicePanel(QWidget):
         self.channels.show_rows(rows, [old if age.old else None for _, age in aged_channels])
 
     def _show_drive(self, status: Status, told: Age) -> None:
-        drive, warning = status.drive, self._theme.mark(critical=False)
+        drive, warning = status.rig.drive, self._theme.mark(critical=False)
         if drive is None:
             self.drive.show_rows([(tr("State"), tr("not connected"))], [warning])
             return
@@ -305,7 +302,7 @@ class DevicePanel(QWidget):
         if drive.speed_rpm is not None and drive.setpoint_rpm is not None:
             speed = tr("{:.2f} of {:.2f} rpm", drive.speed_rpm, drive.setpoint_rpm)
         faults, warnings = (
-            ", ".join(map(retold, said)) or tr("none") for said in (drive.faults, drive.warnings)
+            ", ".join(map(translate, said)) or tr("none") for said in (drive.faults, drive.warnings)
         )
         rows: list[tuple[Text, Text, object]] = [
             ("Speed", speed, False),
@@ -335,10 +332,11 @@ class DevicePanel(QWidget):
             ("Longest stall", f"{1000.0 * self._watchdog.worst_s:.0f} ms"),
         ]
         if status is not None:
+            age_s = (status.test or NO_TEST).twin_age_s
             more: list[tuple[Text, str]] = [
-                ("Engine process", str(status.engine_pid)),
-                ("Rows not sent to this window", str(status.rows_dropped)),
-                ("Age of the prediction", value_text(status.twin_age_s, "s")),
+                ("Engine process", str(status.engine.pid)),
+                ("Rows not sent to this window", str(status.engine.rows_dropped)),
+                ("Age of the prediction", value_text(age_s, "s")),
             ]
             rows[1:1] = more
         self.health.show_rows([(tr(name), value) for name, value in rows])
@@ -361,14 +359,9 @@ class DevicePanel(QWidget):
 
 def _carded(title: Text, table: PlainTable) -> QFrame:
     """Return a table on a card, as high as a handful of rows."""
-    card = named(QFrame(), f"box_{table.objectName()}", title)
-    card.setProperty("role", "card")
-    caption = QLabel(tr(title))
-    caption.setProperty("role", "title")
+    card = named(QFrame(), f"box_{table.objectName()}", title, role="card")
     table.setMinimumHeight(TABLE_HEIGHT)
-    made = column(caption, table, on=card)
-    made.setContentsMargins(GAP, GAP, GAP, GAP)
-    made.setSpacing(STEP)
+    column(styled_label(title, "title"), table, on=card, margins=GAP, spacing=STEP)
     return card
 
 

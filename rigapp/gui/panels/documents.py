@@ -11,10 +11,10 @@ from PySide6.QtCore import QProcess, QTimer, QUrl
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 
-from rigapp.gui.look.tokens import STEP
 from rigapp.gui.widgets.build import button, named
+from rigapp.presentation.tokens import STEP
 from rigapp.presentation.translation import Text, tr
-from rigapp.process.children import module_command, start_module
+from rigapp.process.children import Child, module_command
 
 TIMEOUT_MS = 300_000
 """A report that takes longer has hung: that of 10^7 revolutions takes about a minute."""
@@ -47,7 +47,7 @@ KINDS = (
 
 def launch_process(arguments: Sequence[str]) -> None:
     """Start another rigapp on its own, which lives on when this window closes."""
-    start_module("rigapp", *arguments)
+    Child("rigapp", *arguments).leave()
 
 
 def open_document(path: Path) -> bool:

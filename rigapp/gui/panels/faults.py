@@ -8,10 +8,6 @@ from typing import Any, Final
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QFrame, QVBoxLayout, QWidget
 
-from rigapp.gui.data.channels import SIZE
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.panel import Host
 from rigapp.gui.widgets.build import (
     button,
@@ -27,9 +23,14 @@ from rigapp.gui.widgets.build import (
 from rigapp.gui.widgets.numbers import number
 from rigapp.gui.widgets.reflow import FoldingSplitter
 from rigapp.gui.widgets.tables import PlainTable
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.tokens import GAP, STEP
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.channels import BASE
 from rigapp.service.faults import FaultChoice, fault_choices
+from rigapp.texts import sentence_of_error
+from rigapp.viewer.channels import SIZE
+from rigapp.viewer.news import News, Takes
+from rigapp.viewer.tasks import TaskWorker
 
 BESIDE_FROM, LIST_HEIGHT, CARD_HEIGHT = 90 * STEP, 32 * STEP, 36 * STEP
 """Width of list and card beside each other; height of each below the other."""
@@ -63,8 +64,7 @@ class FaultPanel(QWidget):
         self.list = PlainTable("fault_list", "Faults", ("Where", "Fault"), marked=0)
         self.list.itemSelectionChanged.connect(self._chosen)
         self.channel = choice("fault_channel", "Channel of a signal fault", ())
-        self.converted = prose("fault_converted", "Duration in the other seconds")
-        self.converted.setProperty("role", "caption")
+        self.converted = prose("fault_converted", "Duration in the other seconds", role="caption")
         self.seconds = choice("fault_seconds", "Real or simulated seconds", SECONDS)
         self.duration = edit(
             "fault_duration", "Duration, empty: until ended", self._convert, hint="until ended"
@@ -76,8 +76,7 @@ class FaultPanel(QWidget):
             "fault_cause", "Cause fa&ult", self._cause, "Cause the fault", guarded=True
         )
         self.end = button("fault_end", "&End fault", self._end, "End the fault", guarded=True)
-        self.problem = prose("fault_problem", "Why the fault cannot be caused")
-        self.problem.setProperty("role", "error")
+        self.problem = prose("fault_problem", "Why the fault cannot be caused", role="error")
         self._build()
         self._chosen()
 
@@ -88,8 +87,7 @@ class FaultPanel(QWidget):
             "These faults happen in the simulated devices, on the wire or on the signals, not in"
             " the program: what you see is what a real fault would show.",
         )
-        card = named(QFrame(), "fault_card", "The chosen fault")
-        card.setProperty("role", "card")
+        card = named(QFrame(), "fault_card", "The chosen fault", role="card")
         form = QFormLayout()
         form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         for caption, field in (
@@ -101,9 +99,7 @@ class FaultPanel(QWidget):
             form.addRow(caption, field)
         form.addRow(row(self.cause, self.end, None))
         form.addRow(self.problem)
-        made = column(note, form, None, on=card)
-        made.setContentsMargins(2 * STEP, GAP, 2 * STEP, GAP)
-        made.setSpacing(GAP)
+        column(note, form, None, on=card, margins=(2 * STEP, GAP), spacing=GAP)
         left = filled(QVBoxLayout(), (self.search, (self.list, 1)))
         found = QWidget()
         found.setLayout(left)
@@ -121,12 +117,12 @@ class FaultPanel(QWidget):
         status = news.status
         if status is None:
             return
-        if status.simulated_speed != self._speed:
-            self._speed = status.simulated_speed
+        if status.rig.simulated_speed != self._speed:
+            self._speed = status.rig.simulated_speed
             self._convert()
-        views = [one.name for one in status.channels if one.age_s is None and one.name != SIZE]
+        views = [one.name for one in status.rig.channels if one.age_s is None and one.name != SIZE]
         self._offer_channels(views or [one.name for one in BASE.sampled])
-        devices = tuple((device.name, device.driver) for device in status.devices)
+        devices = tuple((device.name, device.driver) for device in status.rig.devices)
         if devices == self._devices or not devices:
             return
         self._devices = devices
@@ -163,8 +159,7 @@ class FaultPanel(QWidget):
         self.channel.setCurrentIndex(max(self.channel.findText(chosen), 0))
 
     def _choice(self) -> FaultChoice | None:
-        at = self.list.chosen()
-        return self.found[at] if at is not None and at < len(self.found) else None
+        return self.list.chosen_of(self.found)
 
     def _chosen(self) -> None:
         chosen = self._choice()
@@ -219,7 +214,7 @@ class FaultPanel(QWidget):
                 arguments["duration_s"] = self._seconds_for(chosen, duration)
             value = self._number(self.value.text(), tr("The value"))
         except ValueError as error:
-            self.problem.setText(str(error))
+            self.problem.setText(translate(sentence_of_error(error)))
             return
         if value is not None:
             arguments["value"] = value

@@ -4,38 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Final
 
-import msgspec
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGroupBox, QVBoxLayout
 
 from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rules import ALWAYS, limit_refusal
-from rigapp.gui.data.levels import levels_of, unit_of_quantity
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.look.tokens import STEP
 from rigapp.gui.widgets.build import button, edit, filled, fit_hint, named, prose
 from rigapp.gui.widgets.numbers import number
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.widgets.tables import PlainTable
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.tokens import STEP
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.schema.loglines import newest_limits
 from rigapp.schema.messages import NOTE_CHARACTERS, RunState
 from rigapp.schema.states import ACTIVE
+from rigapp.schema.wire import tree_of
+from rigapp.viewer.levels import levels_of, unit_of_quantity
+from rigapp.viewer.news import News, Takes
 
 REVOLUTIONS = "revolutions"
 VALUE_WIDTH = 10 * STEP
-WORDS: Final[dict[str, tuple[Text, str]]] = {
-    REVOLUTIONS: ("Test complete after so many revolutions", ""),
-    "overload_N": ("Switch the drive off when any |F| sample is above", "N"),
-    "overspeed_rpm": ("Switch the drive off when the speed is above", "rpm"),
-    "stale_data_s": ("Switch the drive off when the newest data are older than", "s"),
-}
-"""What is always there, in words, and its unit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,10 +45,10 @@ def limits_of(
     if test is None:
         return {}
     found = {
-        name: ShownLimit(tr(WORDS[name][0]), float(getattr(test.limits, name)), WORDS[name][1])
-        for name in ALWAYS
+        name: ShownLimit(translate(one.sentence), float(getattr(test.limits, name)), one.unit)
+        for name, one in ALWAYS.items()
     }
-    for level in levels_of([msgspec.to_builtins(rule) for rule in test.limits.rule]):
+    for level in levels_of([tree_of(rule) for rule in test.limits.rule]):
         if level.value is not None:
             unit = unit_of_quantity(level.quantity, table)
             found[f"{level.quantity}.{level.bound}"] = ShownLimit(
@@ -104,7 +95,8 @@ class LimitPanel(QGroupBox):
     def show_news(self, news: News) -> None:
         """Show the limits of the test, with the changes that its log tells of."""
         status = news.status
-        state, planned = (status.state, status.planned) if status is not None else (None, 0)
+        state = status.engine.state if status is not None else None
+        planned = status.test.planned if status is not None and status.test is not None else 0
         self._channels = news.data.channels
         self.show_limits(state, news.recipe, newest_limits(news.events), planned)
 
@@ -119,7 +111,9 @@ class LimitPanel(QGroupBox):
         self._active = state in ACTIVE
         limits = limits_of(test, changed, self._channels)
         if planned > 0:
-            limits[REVOLUTIONS] = ShownLimit(tr(WORDS[REVOLUTIONS][0]), float(planned))
+            limits[REVOLUTIONS] = ShownLimit(
+                tr("Test complete after so many revolutions"), float(planned)
+            )
         if limits != self._shown:
             self._shown = limits
             self.table.show_rows(
@@ -131,8 +125,7 @@ class LimitPanel(QGroupBox):
         self._enable()
 
     def _name(self) -> str | None:
-        at = self.table.chosen()
-        return list(self._shown)[at] if at is not None and at < len(self._shown) else None
+        return self.table.chosen_of(list(self._shown))
 
     def _chosen(self) -> None:
         name = self._name()
@@ -164,7 +157,7 @@ class LimitPanel(QGroupBox):
             return "This is the present value."
         if not self.reason.text().strip():
             return "Give the reason."
-        return retold(self._refusal(name, number))
+        return translate(self._refusal(name, number))
 
     def _refusal(self, name: str, number: float) -> str:
         if name == REVOLUTIONS:

@@ -6,17 +6,21 @@ import time
 from collections.abc import Sequence
 from typing import Final
 
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QVBoxLayout, QWidget
 
-from rigapp.gui.data.news import News, Takes
 from rigapp.gui.panel import Host
-from rigapp.gui.widgets.build import edit, filled, named, row
+from rigapp.gui.widgets.build import column, edit, filled, named, row, styled_label
 from rigapp.gui.widgets.tables import PlainTable
+from rigapp.presentation.times import dated
+from rigapp.presentation.tokens import GAP, STEP
 from rigapp.presentation.translation import Text, tr
+from rigapp.schema.details import sentence_of
+from rigapp.schema.loglines import ALARM
 from rigapp.schema.messages import Event
+from rigapp.viewer.news import News, Takes
 
 HEADINGS: Final[tuple[Text, ...]] = ("Time", "Cycle", "What", "Who", "Before", "After", "Text")
-SHOWN = 2000
+LOG_LINES, JOURNAL_LINES = 2000, 500
 """Newest lines shown; all of them are in the file."""
 
 
@@ -59,8 +63,47 @@ class LogPanel(QWidget):
             )
             if not wanted or any(wanted in text.lower() for text in texts):
                 rows.append(texts)
-        self.table.show_rows(rows[:SHOWN])
+        self.table.show_rows(rows[:LOG_LINES])
         self.count.setText(tr("{} of {} lines", len(rows), len(self._events)))
+
+
+class AlarmJournal(QFrame):
+    """What happened to the alarms of the test, newest first."""
+
+    takes = Takes.HISTORY | Takes.LOG
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._events: Sequence[Event] = ()
+        named(self, "alarm_journal", "Journal of the alarms", role="card")
+        self.table = PlainTable(
+            "journal_table", "Journal of the alarms", ("Time", "Cycle", "What happened", "Who")
+        )
+        column(
+            styled_label("Journal", "title"),
+            (self.table, 1),
+            on=self,
+            margins=(GAP, STEP, GAP, GAP),
+            spacing=STEP,
+        )
+
+    def show_news(self, news: News) -> None:
+        """Show the journal as the log was read last."""
+        if news.events is self._events:
+            return
+        self._events = news.events
+        lines = [one for one in reversed(news.events) if one.kind == ALARM][:JOURNAL_LINES]
+        self.table.show_rows(
+            [
+                (
+                    dated("%d %b %H:%M:%S", time.localtime(one.time)),
+                    str(one.revolution),
+                    sentence_of(one.text),
+                    one.source,
+                )
+                for one in lines
+            ]
+        )
 
 
 def log_page(host: Host) -> QWidget:

@@ -9,15 +9,14 @@ from typing import Final
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.look.tokens import GAP
 from rigapp.gui.panel import Host
-from rigapp.gui.widgets.build import button, column, named, prose
+from rigapp.gui.widgets.build import button, choose_paths, column, named, prose
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.widgets.tables import PlainTable
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.tokens import GAP
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.queue import ItemState, QueuedTest
+from rigapp.viewer.news import News, Takes
 
 NO_TESTS: Final[Text] = (
     "No test is in the queue. Add test files: each is recorded into a file of its own, and the next"
@@ -81,15 +80,14 @@ class QueuePanel(QWidget):
             guarded=True,
         )
         buttons = flowing(self.begin, self.halt, None, self.add, self.take_out)
-        made = column(self.told, (self.list, 1), buttons, on=self)
-        made.setSpacing(GAP)
+        column(self.told, (self.list, 1), buttons, on=self, spacing=GAP)
         self._show((), works=False)
 
     def show_news(self, news: News) -> None:
         """Show the queue as the engine tells it."""
         status = news.status
         if status is not None:
-            self._show(status.queue, works=status.queue_works)
+            self._show(status.engine.queue, works=status.engine.queue_works)
 
     def add_files(self, paths: Sequence[str]) -> None:
         """Ask for test files at the end of the queue."""
@@ -116,8 +114,7 @@ class QueuePanel(QWidget):
         self.take_out.setEnabled(chosen is not None and chosen.state is not ItemState.RUNNING)
 
     def _chosen(self) -> QueuedTest | None:
-        at = self.list.chosen()
-        return self._tests[at] if at is not None and at < len(self._tests) else None
+        return self.list.chosen_of(self._tests)
 
     def _remove(self) -> None:
         chosen = self._chosen()
@@ -125,17 +122,13 @@ class QueuePanel(QWidget):
             self.wanted.emit("queue_remove", {"numbers": [chosen.number]})
 
     def _choose(self) -> None:
-        dialog = QFileDialog(self, tr("Choose tests"), filter=tr("Tests (*.toml)"))
-        dialog.setFileMode(QFileDialog.FileMode.ExistingFiles)
-        dialog.filesSelected.connect(self.add_files)
-        dialog.finished.connect(dialog.deleteLater)
-        dialog.setModal(False)  # so that Stop can be pressed
-        dialog.show()
+        mode = QFileDialog.FileMode.ExistingFiles
+        choose_paths(self, "Choose tests", self.add_files, mode, "Tests (*.toml)")
 
 
 def _texts(one: QueuedTest) -> tuple[str, ...]:
     name, file = PurePath(one.test).name, PurePath(one.file).name if one.file else ""
-    return str(one.number), tr(STATES[one.state]), name, file, retold(one.sentence)
+    return str(one.number), tr(STATES[one.state]), name, file, translate(one.sentence)
 
 
 def queue_page(host: Host) -> QWidget:

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import Icon, icon
-from rigapp.gui.look.tokens import BODY_PT, CAPTION_PT, GAP, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import column, named, prose, row, signed
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
 from rigapp.gui.widgets.reflow import WrappingGrid
@@ -24,6 +23,7 @@ from rigapp.presentation.results import (
     reason_of,
     trust_lines,
 )
+from rigapp.presentation.tokens import BODY_PT, CAPTION_PT, GAP, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.messages import HowEnded
 from rigapp.schema.results import TestResult
@@ -107,7 +107,7 @@ class ResultCard(QFrame):
         super().__init__()
         self._theme = theme
         self.result: TestResult | None = None
-        named(self, name, "Result of the test").setProperty("role", "card")
+        named(self, name, "Result of the test", role="card")
         self.shape = named(QLabel(), f"{name}_shape", "How the test ended")
         self.shape.setFixedSize(SHAPE)
         self.headline = FittedLabel(
@@ -116,34 +116,27 @@ class ResultCard(QFrame):
             sized(self.font(), VALUE_PT, QFont.Weight.DemiBold),
         )
         self.reason = prose(f"{name}_reason", "Why the test ended")
-        self.origin = prose(f"{name}_origin", "Specimen, cycles and times")
-        self.origin.setProperty("role", "caption")
+        self.origin = prose(f"{name}_origin", "Specimen, cycles and times", role="caption")
         self.numbers = [NumberTile(name, place) for place in range(4)]
         self.trust = [TrustRow(name, place) for place in range(MOST_TRUST)]
         self.file = ElidedLabel(f"{name}_file", "File of the test")
         self.file.setFont(sized(self.font(), BODY_PT, QFont.Weight.DemiBold))
-        self.about = prose(f"{name}_about", "What the file holds")
-        self.about.setProperty("role", "caption")
+        self.about = prose(f"{name}_about", "What the file holds", role="caption")
         self._body = QWidget()
         self._lay_out(across)
         self.show_result(None, "")
 
     def _lay_out(self, across: int) -> None:
-        words = column(self.headline, self.reason, self.origin)
-        words.setSpacing(STEP // 2)
-        head = row((self.shape, 0), (words, 1))
+        words = column(self.headline, self.reason, self.origin, spacing=STEP // 2)
+        head = row((self.shape, 0), (words, 1), spacing=MARGIN)
         head.setAlignment(self.shape, Qt.AlignmentFlag.AlignTop)
-        head.setSpacing(MARGIN)
         grid = WrappingGrid(NUMBER_WIDTH, across)
         trust = WrappingGrid(NUMBER_WIDTH, across if across > 2 else 1)
         for made, parts in ((grid, self.numbers), (trust, self.trust)):
             for one in parts:
                 made.addWidget(one)
-        body = column(grid, trust, column(self.file, self.about), on=self._body)
-        body.setSpacing(GAP)
-        whole = column(head, self._body, on=self)
-        whole.setContentsMargins(MARGIN, MARGIN, MARGIN, GAP)
-        whole.setSpacing(MARGIN)
+        column(grid, trust, column(self.file, self.about), on=self._body, spacing=GAP)
+        column(head, self._body, on=self, margins=(MARGIN, MARGIN, MARGIN, GAP), spacing=MARGIN)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""

@@ -7,24 +7,24 @@ from typing import Final
 
 from PySide6.QtCore import QSize
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QStackedWidget, QWidget
+from PySide6.QtWidgets import QFrame, QSizePolicy, QStackedWidget, QWidget
 
-from rigapp.gui.data.news import News, Takes
 from rigapp.gui.look.icons import Icon, icon
-from rigapp.gui.look.tokens import GAP, MARGIN, STEP, Theme
 from rigapp.gui.panel import Act, Host
 from rigapp.gui.panels.documents import HTML, DocumentPanel
 from rigapp.gui.panels.resultcard import ResultCard
 from rigapp.gui.panels.results import ResultsPanel, ShelfPump
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.trend import TrendPanel
-from rigapp.gui.widgets.build import button, column, named
+from rigapp.gui.widgets.build import button, column, named, styled_label
 from rigapp.gui.widgets.labels import heading
 from rigapp.gui.widgets.reflow import flowing
+from rigapp.presentation.tokens import GAP, MARGIN, STEP, Theme
 from rigapp.presentation.translation import Text, tr
-from rigapp.schema.messages import HowEnded, Status
+from rigapp.schema.messages import NO_TEST, HowEnded, Status
 from rigapp.schema.results import RESUMABLE, TestResult
 from rigapp.schema.states import ACTIVE
+from rigapp.viewer.news import News, Takes
 
 TALL = 5 * STEP
 PAPERS_WIDTH, PLOT_WIDTH = 38 * STEP, 40 * STEP
@@ -36,11 +36,13 @@ READING: Final[Text] = "Reading what the test came to …"
 def has_result(news: News) -> bool:
     """Tell whether the test that is shown has ended."""
     status = news.status
-    return status is not None and bool(status.file) and _over(status) and not news.is_replay
+    if status is None or news.is_replay or not (status.test or NO_TEST).file:
+        return False
+    return _over(status)
 
 
 def _over(status: Status) -> bool:
-    return status.state not in ACTIVE
+    return status.engine.state not in ACTIVE
 
 
 class EndPage(QWidget):
@@ -94,21 +96,30 @@ class EndPage(QWidget):
         for one in self.buttons.values():
             one.setFixedHeight(TALL)
             one.setIconSize(QSize(20, 20))
-        then = QLabel(tr("Then"))
-        then.setProperty("role", "caption")
         made = self.buttons
-        acts = flowing(made["report"], made["compare"], None, then, made["new"], made["on"])
+        acts = flowing(
+            made["report"],
+            made["compare"],
+            None,
+            styled_label("Then", "caption"),
+            made["new"],
+            made["on"],
+        )
         acts.setSpacing(STEP)
         papers = QFrame()
         papers.setProperty("role", "card")
-        inner = column(heading("end_documents_title", "Documents"), self.documents, None, on=papers)
-        inner.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
-        inner.setSpacing(STEP)
+        column(
+            heading("end_documents_title", "Documents"),
+            self.documents,
+            None,
+            on=papers,
+            margins=(MARGIN, GAP),
+            spacing=STEP,
+        )
         papers.setMinimumWidth(PAPERS_WIDTH)
         plot.setMinimumWidth(PLOT_WIDTH)
         below = flowing((plot, 1), papers)
-        whole = column(self.card, acts, (below, 1), on=self)
-        whole.setSpacing(GAP)
+        column(self.card, acts, (below, 1), on=self, spacing=GAP)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -140,19 +151,19 @@ class EndPage(QWidget):
         if not has_result(news):
             self._asked = ""
             return
-        status = news.status
-        assert status is not None
-        wanted = f"{status.file} {status.committed}"
+        test = news.status.test if news.status is not None else None
+        assert test is not None
+        wanted = f"{test.file} {test.committed}"
         if wanted == self._asked:
             return
         self._asked = wanted
         self.card.show_result(None, READING)
         self._enable(None)
-        self._host.results.ask(Path(status.file), self._show)
+        self._host.results.ask(Path(test.file), self._show)
 
     def _show(self, result: TestResult) -> None:
-        status = self._status
-        if status is None or result.path != status.file:
+        test = self._status.test if self._status is not None else None
+        if test is None or result.path != test.file:
             return
         self.card.show_result(result, "")
         self._enable(result)

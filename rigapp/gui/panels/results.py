@@ -10,9 +10,6 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QHideEvent, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.look.tokens import GAP, MARGIN, STEP, Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.panels.compare import MOST, ComparePanel
 from rigapp.gui.panels.documents import DocumentPanel, Launch, launch_process
@@ -34,9 +31,12 @@ from rigapp.gui.widgets.labels import heading
 from rigapp.gui.widgets.reflow import FoldingSplitter, flowing
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.states import OUTCOMES
+from rigapp.presentation.tokens import GAP, MARGIN, STEP, Theme
 from rigapp.presentation.translation import Text, marked, tr
 from rigapp.schema.messages import HowEnded
 from rigapp.schema.results import RESUMABLE, TestResult
+from rigapp.viewer.news import News, Takes
+from rigapp.viewer.tasks import TaskWorker
 
 PUMP_MS = 50
 """Between two looks for results that were read: rows appear as they come."""
@@ -93,8 +93,7 @@ class ResultsPanel(QWidget):
         self.ending = choice(
             "result_ending", "Show only tests that ended so", endings, self._filter
         )
-        self.count = prose("result_count", "Tests in the folder")
-        self.count.setProperty("role", "caption")
+        self.count = prose("result_count", "Tests in the folder", role="caption")
         self.again = button("result_again", "&Look again", self.look, tip="Read the folder again")
         self.card = ResultCard("result_card", theme, across=2)
         self.documents = DocumentPanel("result", self.said.emit)
@@ -133,14 +132,16 @@ class ResultsPanel(QWidget):
         top = flowing("Find", (self.words, 2), "Ended", self.ending, self.again)
         card = QFrame()
         card.setProperty("role", "card")
-        inner = column(heading("documents_title", "Documents"), self.documents, on=card)
-        inner.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
-        inner.setSpacing(STEP)
-        acts = row((self.buttons["open"], 1), (self.buttons["compare"], 1))
-        acts.setSpacing(STEP)
+        column(
+            heading("documents_title", "Documents"),
+            self.documents,
+            on=card,
+            margins=(MARGIN, GAP),
+            spacing=STEP,
+        )
+        acts = row((self.buttons["open"], 1), (self.buttons["compare"], 1), spacing=STEP)
         inside = QWidget()
-        side = column(acts, self.buttons["resume"], self.card, card, None, on=inside)
-        side.setSpacing(GAP)
+        column(acts, self.buttons["resume"], self.card, card, None, on=inside, spacing=GAP)
         area = named(QScrollArea(), "result_side", "The chosen test")
         area.setWidgetResizable(True)
         area.setFrameShape(QFrame.Shape.NoFrame)
@@ -154,7 +155,7 @@ class ResultsPanel(QWidget):
             "results_split", Qt.Orientation.Vertical, [260, 340], self.table, self._compared
         )
         left = QWidget()
-        column(top, self.count, (both, 1), on=left).setSpacing(STEP)
+        column(top, self.count, (both, 1), on=left, spacing=STEP)
         self._parts = FoldingSplitter("results_fold", BESIDE_FROM).divide(
             (left, 900, LIST_HEIGHT), (area, CARD_WIDTH, CARD_HEIGHT)
         )

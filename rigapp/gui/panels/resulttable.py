@@ -30,14 +30,13 @@ from PySide6.QtWidgets import (
 
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import icon
-from rigapp.gui.look.tokens import BODY_PT, CAPTION_PT, STEP, Theme
 from rigapp.gui.panels.resultcard import SHAPES, SMALL, colour_of
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import named
 from rigapp.presentation.numbers import coefficient_number, grouped
 from rigapp.presentation.results import day, outcome_text
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, marked, tr
+from rigapp.presentation.tokens import BODY_PT, CAPTION_PT, STEP, Theme
+from rigapp.presentation.translation import Text, marked, tr, translate
 from rigapp.schema.messages import HowEnded
 from rigapp.schema.results import TestResult
 
@@ -177,7 +176,7 @@ class ResultModel(QAbstractTableModel):
                 return (result.title if result else "") or Path(path).name
             return made.text(result) if result else READING
         if role == Qt.ItemDataRole.ToolTipRole:
-            return f"{path}\n{retold(result.reason)}" if result else path
+            return f"{path}\n{translate(result.reason)}" if result else path
         if role == Qt.ItemDataRole.TextAlignmentRole and made.right:
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         return None

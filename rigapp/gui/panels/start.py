@@ -9,9 +9,7 @@ from PySide6.QtCore import QSize, Signal
 from PySide6.QtGui import QHideEvent, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
 
-from rigapp.gui.data.news import News, Takes
 from rigapp.gui.look.icons import Icon, icon
-from rigapp.gui.look.tokens import MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.panel import Act, Host
 from rigapp.gui.panels.results import ShelfPump
 from rigapp.gui.panels.resulttable import ROW_HEIGHT, ResultTable
@@ -20,8 +18,10 @@ from rigapp.gui.widgets.labels import heading
 from rigapp.gui.widgets.reflow import WrappingGrid
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.states import occupied_text
+from rigapp.presentation.tokens import MARGIN, STEP, VALUE_PT, Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.states import ACTIVE
+from rigapp.viewer.news import News, Takes
 
 LAST = 20
 """Tests that are listed; all of them stand under Results."""
@@ -62,7 +62,7 @@ WAY_WIDTH = 22 * STEP
 def may_begin(news: News) -> bool:
     """Tell whether nothing is under way yet."""
     status = news.status
-    return not news.is_replay and (status is None or status.state not in ACTIVE)
+    return not news.is_replay and (status is None or status.engine.state not in ACTIVE)
 
 
 class WayCard(QFrame):
@@ -74,12 +74,11 @@ class WayCard(QFrame):
         super().__init__()
         meaning, title, text, word, key = WAYS[act]
         self._meaning = meaning
-        named(self, f"way_{act.value}", title).setProperty("role", "card")
+        named(self, f"way_{act.value}", title, role="card")
         self.sign = QLabel()
         head = heading(f"way_title_{act.value}", title)
         head.setWordWrap(True)
-        self.text = prose(f"way_text_{act.value}", title, text)
-        self.text.setProperty("role", "secondary")
+        self.text = prose(f"way_text_{act.value}", title, text, role="secondary")
         self.button: QPushButton = button(
             f"way_button_{act.value}",
             tr(word),
@@ -90,13 +89,16 @@ class WayCard(QFrame):
             guarded=act in (Act.TRY, Act.CALIBRATE),
         )
         self.button.setFixedHeight(5 * STEP)
-        self.shortcut = prose(f"way_key_{act.value}", title, key)
-        self.shortcut.setProperty("role", "secondary")
-        made = column(
-            row((self.sign, 1), self.shortcut), head, (self.text, 1), self.button, on=self
+        self.shortcut = prose(f"way_key_{act.value}", title, key, role="secondary")
+        column(
+            row((self.sign, 1), self.shortcut),
+            head,
+            (self.text, 1),
+            self.button,
+            on=self,
+            margins=MARGIN,
+            spacing=STEP,
         )
-        made.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
-        made.setSpacing(STEP)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -113,8 +115,7 @@ class StartPage(QWidget):
         self._host = host
         named(self, "start_page", "Where to begin")
         self.title = heading("start_title", "Where would you like to begin?", VALUE_PT)
-        self.rig = prose("start_rig", "The rig")
-        self.rig.setProperty("role", "secondary")
+        self.rig = prose("start_rig", "The rig", role="secondary")
         self.ways = {act: WayCard(act) for act in WAYS}
         for card in self.ways.values():
             card.chosen.connect(host.do)
@@ -128,8 +129,7 @@ class StartPage(QWidget):
         cards = WrappingGrid(WAY_WIDTH, len(WAYS))
         for card in self.ways.values():
             cards.addWidget(card)
-        whole = column(self.title, self.rig, cards, below, (self.table, 1), on=self)
-        whole.setSpacing(STEP)
+        column(self.title, self.rig, cards, below, (self.table, 1), on=self, spacing=STEP)
         self.dress(host.theme)
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -152,7 +152,7 @@ class StartPage(QWidget):
     def show_news(self, news: News) -> None:
         """Say what rig it is."""
         status = news.status
-        free = status is None or status.calibration is None
+        free = status is None or status.engine.calibration is None
         self.ways[Act.TRY].button.setEnabled(free)
         if status is not None and not free:
             self.rig.setText(occupied_text(status))
@@ -160,10 +160,12 @@ class StartPage(QWidget):
             self.rig.setText(
                 tr("Looking for the engine of the rig. Results can be opened meanwhile.")
             )
-        elif status.simulated:
-            self.rig.setText(tr("{} is simulated: nothing real turns.", status.rig))
+        elif status.rig.simulated:
+            self.rig.setText(tr("{} is simulated: nothing real turns.", status.rig.name))
         else:
-            self.rig.setText(tr("{} is a real rig. The simulated one opens beside it.", status.rig))
+            self.rig.setText(
+                tr("{} is a real rig. The simulated one opens beside it.", status.rig.name)
+            )
 
     def _changed(self) -> None:
         self.table.refresh()

@@ -13,20 +13,19 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.look.tokens import GAP, STEP, Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.studyplot import StudyPlot
-from rigapp.gui.widgets.build import button, column, named, page, prose, split
+from rigapp.gui.widgets.build import button, choose_paths, column, named, page, prose, split
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.reflow import FoldingSplitter, WrappingGrid, flowing
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.presentation.numbers import axis_number, grouped
 from rigapp.presentation.times import MOMENT, dated
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.tokens import GAP, STEP, Theme
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.study.folder import PowerRow, StudyResults, studies_in
+from rigapp.viewer.news import News, Takes
+from rigapp.viewer.tasks import TaskWorker
 
 NO_STUDIES: Final[Text] = (
     "No study is in {}. `rigapp study STUDY.toml --to FOLDER` computes one; open its folder here."
@@ -39,11 +38,15 @@ SEEN_TITLE: Final[Text] = (
     " share of the tests:"
 )
 DEPENDS: Final[tuple[Text, ...]] = ("Parameter", "Alone", "With all others")
-FAILED: Final[tuple[Text, ...]] = ("Point", "Why there is no result")
+FAILED: Final[tuple[Text, ...]] = ("Point", "Why there is no result, or what to know about it")
 SEEN: Final[tuple[Text, ...]] = ("Factor", "Tests")
 BESIDE_FROM, TOLD_WIDTH, TABLE_WIDTH = 110 * STEP, 40 * STEP, 40 * STEP
 TABLE_HEIGHT, STUDY_HEIGHT = 16 * STEP, 90 * STEP
 """Width of list and study beside each other; heights below each other."""
+DEPENDS_MOST: Final[Text] = "Depends most on {}. Shares of the variance, with 95 % limits:"
+TOO_FEW: Final[Text] = (
+    "Too few points to say what it depends on. Shares of the variance, with 95 % limits:"
+)
 MOST_FAILED = 200
 """Reasons that are listed; the column ``problem`` of the table has them all."""
 
@@ -75,7 +78,9 @@ class StudiesPanel(QWidget):
         self.plot.result.currentIndexChanged.connect(self._show_dependence)
         self.depends = PlainTable("study_depends", "What the result depends on", DEPENDS, cut=(0,))
         self.power = PlainTable("study_power", "After how many revolutions it is seen", SEEN)
-        self.failed = PlainTable("study_failed", "Points without a result", FAILED, stretch=(1,))
+        self.failed = PlainTable(
+            "study_failed", "Points without a result, and with notes", FAILED, stretch=(1,)
+        )
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -95,8 +100,7 @@ class StudiesPanel(QWidget):
             (self.list, 360, TABLE_HEIGHT), (right, 960, STUDY_HEIGHT)
         )
         self.told.setMinimumWidth(TOLD_WIDTH)
-        whole = column(flowing((self.told, 1), self.another, self.again), (both, 1), on=self)
-        whole.setSpacing(GAP)
+        column(flowing((self.told, 1), self.another, self.again), (both, 1), on=self, spacing=GAP)
         self._show(None)
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -125,12 +129,12 @@ class StudiesPanel(QWidget):
         self.look()
 
     def _choose_folder(self) -> None:
-        dialog = QFileDialog(self, tr("Open another study"))
-        dialog.setFileMode(QFileDialog.FileMode.Directory)
-        dialog.fileSelected.connect(self.open_folder)
-        dialog.finished.connect(dialog.deleteLater)
-        dialog.setModal(False)  # so that Stop can be pressed
-        dialog.show()
+        choose_paths(
+            self,
+            "Open another study",
+            lambda folders: self.open_folder(folders[0]),
+            QFileDialog.FileMode.Directory,
+        )
 
     def _list(self, found: tuple[StudyResults, ...]) -> None:
         """Show what was found; the one that is shown or wanted stays chosen, else the newest."""
@@ -155,15 +159,14 @@ class StudiesPanel(QWidget):
         self.told.show_text(tr("{} cannot be read: {}", self._folder, error))
 
     def _choose(self) -> None:
-        at = self.list.chosen()
-        self._show(self._studies[at] if at is not None and at < len(self._studies) else None)
+        self._show(self.list.chosen_of(self._studies))
 
     def _show(self, study: StudyResults | None) -> None:
         self._shown = study
         self._wanted = study.folder if study is not None else self._wanted
         self.sentence.setText(_sentence(study) if study is not None else "")
-        failed = study.failed[:MOST_FAILED] if study is not None else ()
-        self.failed.show_rows([(grouped(number), retold(why)) for number, why in failed])
+        failed = (*study.failed, *study.noted)[:MOST_FAILED] if study is not None else ()
+        self.failed.show_rows([(grouped(number), translate(why)) for number, why in failed])
         self.failed.setVisible(bool(failed))
         self._show_power(study.power if study is not None else ())
         self.plot.show_study(study)
@@ -193,9 +196,9 @@ class StudiesPanel(QWidget):
         self._under.setVisible(any(one.isVisibleTo(self._under) for one in parts))
         if found:
             most = max(found, key=lambda one: one[0])[1][0]
-            self.depends_title.setText(
-                tr("Depends most on {}. Shares of the variance, with 95 % limits:", most)
-            )
+            clear = study is None or result is None or _resolved(study, result.name)
+            title = tr(DEPENDS_MOST, most) if clear else tr(TOO_FEW)
+            self.depends_title.setText(title)
 
 
 def _found(folders: Sequence[Path]) -> tuple[StudyResults, ...]:
@@ -210,10 +213,16 @@ def _row(study: StudyResults) -> tuple[str, ...]:
     return study.folder.name, study.kind or "–", points, changed
 
 
+def _resolved(study: StudyResults, result: str) -> bool:
+    """Tell whether the sensitivities of a result say what it depends on."""
+    known, keys = (study.sensitivities or {}).get(result), len(study.parameters)
+    return known is None or not known.points_needed(max(len(study.problems) // (keys + 2), 1))
+
+
 def _sentence(study: StudyResults) -> str:
     """Return how many points have a result, or why there is no table."""
     if study.said:
-        return retold(study.said)
+        return translate(study.said)
     points, waiting, failed = len(study.problems), study.waiting, len(study.failed)
     done = grouped(points - waiting - failed)
     if waiting:

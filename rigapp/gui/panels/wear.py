@@ -9,17 +9,16 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QWidget
 
-from rigapp.gui.data.knownwear import KnownWear, known_wear, newest_wear
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.look.tokens import STEP, Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.knownwear import DepthBandPanel, NarrowingPanel
 from rigapp.gui.widgets.build import column, named, prose
 from rigapp.gui.widgets.reflow import FoldingSplitter
 from rigapp.presentation.numbers import grouped
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import tr
+from rigapp.presentation.tokens import STEP, Theme
+from rigapp.presentation.translation import tr, translate
+from rigapp.viewer.knownwear import KnownWear, known_wear, newest_wear
+from rigapp.viewer.news import News, Takes
+from rigapp.viewer.tasks import TaskWorker
 
 BESIDE_FROM, TALL = 90 * STEP, 35 * STEP
 """Width for both plots beside each other, height of each below the other."""
@@ -100,7 +99,7 @@ class WearPanel(QWidget):
         self._not_before = time.monotonic() + REST_S
         if self._read[0] == wanted[0]:
             self._read, self._known = wanted, known
-            self._said = retold(known.sentence)
+            self._said = translate(known.sentence)
 
 
 def wear_page(host: Host) -> QWidget:

@@ -6,13 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rigapp.gui.data.channels import span_of, title_of
-from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.pyramid import thinned
-from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.data.series import MeasuredCycle
-from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.palette import LinePen
@@ -20,8 +13,15 @@ from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, detai
 from rigapp.gui.widgets.build import choice, column
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.presentation.numbers import unit_text
+from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import BASE, PROBES, Channel, ChannelTable, Kind
+from rigapp.viewer.channels import span_of, title_of
+from rigapp.viewer.frames import COMPONENT_NAMES, ForceFrame
+from rigapp.viewer.news import News, Takes
+from rigapp.viewer.pyramid import thinned
+from rigapp.viewer.ranges import SteadyRange
+from rigapp.viewer.series import MeasuredCycle
 
 ROLES = ("first", "second")
 

@@ -4,12 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from rigapp.gui.data.judged import EVERYTHING, Flagged, drawn
-from rigapp.gui.data.knownwear import COEFFICIENT, Floats, KnownWear
-from rigapp.gui.data.news import News
-from rigapp.gui.data.quantities import UM_PER_MM
-from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.limitlines import limit_lines
 from rigapp.gui.plots.marks import CurveName
@@ -17,7 +11,13 @@ from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, plot_heading, remark
 from rigapp.gui.widgets.build import column
 from rigapp.presentation.numbers import COEFFICIENT_SCALE, COEFFICIENT_UNIT, grouped
+from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, tr
+from rigapp.viewer.judged import EVERYTHING, Flagged, drawn
+from rigapp.viewer.knownwear import COEFFICIENT, Floats, KnownWear
+from rigapp.viewer.news import News
+from rigapp.viewer.quantities import UM_PER_MM
+from rigapp.viewer.ranges import SteadyRange
 
 BUCKETS = 1200
 """Points of a line across: about one for each pixel."""
@@ -87,7 +87,7 @@ class DepthBandPanel(PlotPanel):
         if np.isfinite(known.depth_um):
             highest = max(highest, known.depth_um)
         last = max(float(predictions.revolutions[-1]), float(known.planned), 1.0)
-        self.plot.setXRange(0.0, last, padding=0.0)
+        self.plot.show_range("x", 0.0, last)
         self.plot.fit(min(line.low, 0.0), max(highest, line.high))
         limits = limit_lines(news, {DEPTH})
         self.plot.show_marks(names=tuple(names), limits=limits)
@@ -128,7 +128,7 @@ class NarrowingPanel(PlotPanel):
         self.plot.steady = SteadyRange(0.02 * float(median[-1]))
         self.plot.fit(float(low.min()), float(high.max()))
         first, last = np.floor(x[0]), np.ceil(x[-1] + 1e-9)
-        self.plot.setXRange(first, max(last, first + 1.0), padding=0.02)
+        self.plot.show_range("x", first, max(last, first + 1.0), 0.02)
         decades = range(int(first), int(last) + 1)
         ticks = [[(float(power), grouped(10**power)) for power in decades]]
         self.plot.getAxis("bottom").setTicks(ticks)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from rigapp.gui.data.margins import watched
-from rigapp.gui.data.news import News
-from rigapp.gui.data.shown import level_of_limit
 from rigapp.gui.plots.marks import LimitLine
+from rigapp.viewer.margins import watched
+from rigapp.viewer.news import News
+from rigapp.viewer.shown import level_of_limit
 
 
 def alarm_token(news: News) -> tuple[tuple[str, str], ...]:

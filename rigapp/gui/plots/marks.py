@@ -13,12 +13,12 @@ from functools import cache, lru_cache
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QFont, QFontMetrics, QPainter, QPolygonF
 
-from rigapp.gui.data.moments import MarkedMoment
-from rigapp.gui.data.shown import MARKS, Level
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import CAPTION_PT, STEP, Theme
 from rigapp.gui.plots.palette import LinePen, line_pen
+from rigapp.presentation.tokens import CAPTION_PT, STEP, Theme
 from rigapp.schema.messages import Severity
+from rigapp.viewer.moments import MarkedMoment
+from rigapp.viewer.shown import MARKS, Level
 
 Tick = tuple[float, str]
 """A place on an axis, and what stands there."""

@@ -9,29 +9,12 @@ import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 
-from rigapp.gui.data.channels import SIZE
-from rigapp.gui.data.comparison import (
-    CURVES,
-    RevolutionCurves,
-    binned,
-    compose,
-    joint_uncertainty,
-    stacked,
-    uncertainty_of,
-    values_at,
-)
-from rigapp.gui.data.frames import FRAME_NAMES, SHORT_NAMES, ForceFrame
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.pyramid import thinned
-from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.data.recording import StoredRevolution, TripCycles
-from rigapp.gui.data.series import Doubt
-from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.limitlines import alarm_token, limit_lines
 from rigapp.gui.plots.marks import CurveName, Spot
 from rigapp.gui.plots.palette import MODEL, STALE_CURVE, LinePen
 from rigapp.gui.plots.plotting import (
+    STRIP_HEIGHT,
     CursorPlot,
     NameRoom,
     PlotPanel,
@@ -41,13 +24,30 @@ from rigapp.gui.plots.plotting import (
 from rigapp.gui.widgets.build import button, choice, column
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.presentation.numbers import grouped
-from rigapp.presentation.translation import Text, marked, tr
+from rigapp.presentation.tokens import STEP, Theme
+from rigapp.presentation.translation import Text, marked, tr, translate
+from rigapp.schema.columns import AGREEMENT_BIN_DEG
+from rigapp.viewer.channels import SIZE
+from rigapp.viewer.comparison import (
+    CURVES,
+    Floats,
+    RevolutionCurves,
+    binned,
+    compose,
+    joint_uncertainty,
+    stacked,
+    uncertainty_of,
+    values_at,
+)
+from rigapp.viewer.frames import FRAME_NAMES, SHORT_NAMES, ForceFrame
+from rigapp.viewer.news import News, Takes
+from rigapp.viewer.pyramid import thinned
+from rigapp.viewer.ranges import SteadyRange
+from rigapp.viewer.recording import StoredRevolution, TripCycles
+from rigapp.viewer.series import Doubt
 
 if TYPE_CHECKING:
     from rigapp.storage import LargestForce
-
-RESIDUAL_BIN_DEG = 2.0
-"""Short enough for the model's sharpest turn, long enough that noise averages out."""
 
 PENS = dict(zip(CURVES, map(LinePen, ("main", "first", "second")), strict=True))
 OTHER = LinePen("frozen")
@@ -57,6 +57,8 @@ WAITING: Final[Text] = (
 )
 NO_PREDICTION: Final[Text] = "No prediction yet: measured − model is drawn here."
 UNFOLLOWED: Final[Text] = "the speed changes faster than the prediction can follow"
+FORCE_HEIGHT = 24 * STEP
+"""Of the plot that each page of forces is looked at for."""
 WHOLE_TURN = np.array([0.0, 360.0])
 FROZEN, STORED, GOOD = marked("frozen"), marked("stored"), marked("last good")
 SAVED = marked("last saved")
@@ -114,6 +116,8 @@ class OverlayPanel(PlotPanel):
                 ("residual", marked("Measured minus model against crank angle")),
             )
         )
+        self.plot.setMinimumHeight(FORCE_HEIGHT)
+        self.residual_plot.setMinimumHeight(STRIP_HEIGHT)
         self.plot.show_crank_angle(label=False)
         self.plot.steady = SteadyRange(10.0)
         self.residual_plot.show_crank_angle()
@@ -174,7 +178,7 @@ class OverlayPanel(PlotPanel):
         if self.take_data(data):
             self._start_afresh(first=first)
         if news.status is not None:
-            self._uncertainty = uncertainty_of(news.status.channels)
+            self._uncertainty = uncertainty_of(news.status.rig.channels)
         if news.stale != self._stale:
             self._stale = news.stale
             self.plot.draw_with(self._model_pen, *self._model.values())
@@ -275,7 +279,7 @@ class OverlayPanel(PlotPanel):
             self._clear_model()
             return
         sure = self._doubt.uncertainty_N
-        at, means = binned(shown.angle_deg, stacked(shown.residual), RESIDUAL_BIN_DEG)
+        at, means = binned(shown.angle_deg, stacked(shown.residual), AGREEMENT_BIN_DEG)
         for name, mean in zip(CURVES, means, strict=True):
             self._residual[name].setData(at, mean)
             model = shown.model[name]
@@ -283,10 +287,20 @@ class OverlayPanel(PlotPanel):
             self._model_bands[name].setData(shown.model_angle_deg, model - sure, model + sure)
         raw = shown.residual[SIZE]
         self._raw_residual.setData(*thinned(shown.angle_deg, raw, buckets))
-        both = np.full(2, joint_uncertainty(self._uncertainty, sure))
-        self._band.setData(WHOLE_TURN, -both, both)
+        both = self._agreement(shown)
+        at = WHOLE_TURN if shown.agreement is None else shown.model_angle_deg
+        self._band.setData(at, -both, both)
         worst = float(np.abs(raw).max())
         self.residual_plot.fit(-worst, worst)
+
+    def _agreement(self, shown: RevolutionCurves) -> Floats:
+        """Return the band of measured minus predicted, N: on the model's angles, or at both ends.
+
+        A prediction of before knows the angle's part alone; the load cell's is added to it.
+        """
+        if shown.agreement is not None:
+            return shown.agreement
+        return np.full(2, joint_uncertainty(self._uncertainty, self._doubt.uncertainty_N))
 
     def _draw_others(self) -> None:
         buckets = max(self.plot.width(), 200)
@@ -316,7 +330,7 @@ class OverlayPanel(PlotPanel):
             largest, sign = self._peak.value_N, self._peak.sign
         peak = Spot(angle, largest, sign + tr("{:.1f} N at {:.0f}°", largest, angle), PENS[SIZE])
         self.plot.show_marks(names=tuple(names), spots=(peak,))
-        both = joint_uncertainty(self._uncertainty, self._doubt.uncertainty_N)
+        both = float(self._agreement(shown)[-1])
         if shown.residual is not None and math.isfinite(both):
             self.residual_plot.show_marks(names=(CurveName(f"± {both:.2g} N", MODEL, both),))
 
@@ -348,6 +362,8 @@ class OverlayPanel(PlotPanel):
         text, short = tr("N, grey: every sample"), "N"
         if self._doubt.unfollowed:
             text, short = f"▲ {tr(UNFOLLOWED)}", "▲"
+        elif self._doubt.deviation and self._cursor is None:
+            text, short = f"▲ {translate(self._doubt.deviation)}", "▲"
         elif self.shown is not None and self._cursor is not None and self.shown.model is not None:
             values = values_at(self.shown, self._cursor)
             text = "N: " + ", ".join(

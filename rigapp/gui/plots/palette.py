@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPen
 
-from rigapp.gui.look.tokens import Theme
+from rigapp.presentation.tokens import Theme
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,25 +3,30 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any, Final
 from weakref import ref
 
 import pyqtgraph as pg
-from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QFont, QFontMetrics, QKeyEvent, QPainter, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtCore import QPoint, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QFont,
+    QFontMetrics,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QResizeEvent,
+    QShowEvent,
+)
+from PySide6.QtWidgets import QGraphicsItem, QLabel, QRubberBand, QWidget
 
-from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.data.series import LiveData
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import BODY_PT, GAP, STEP, Theme
-from rigapp.gui.plots.axes import QuietAxis
 from rigapp.gui.plots.curves import Canvas, Dots, ShadedBand, Trace
 from rigapp.gui.plots.marks import (
     Marks,
     PlotFrame,
+    Tick,
     name_room,
     paint_axes,
     paint_captions,
@@ -32,13 +37,21 @@ from rigapp.gui.plots.marks import (
     paint_names,
     paint_next_limits,
     paint_spots,
+    small_font,
 )
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.widgets.build import named, prose
 from rigapp.gui.widgets.labels import ShortLabel
-from rigapp.presentation.numbers import grouped
+from rigapp.presentation.numbers import axis_number, grouped
+from rigapp.presentation.tokens import BODY_PT, GAP, STEP, Theme
 from rigapp.presentation.translation import Text, tr
+from rigapp.viewer.ranges import SteadyRange, round_places
+from rigapp.viewer.series import LiveData
 
+LEAST_HEIGHT = 20 * STEP
+"""Of what is shown as a plot, with its axis: a page too low for it scrolls."""
+STRIP_HEIGHT = 11 * STEP
+"""The same of a strip below a plot, which has its axis."""
 LEAST_ROOM = 2 * STEP
 """Beside a plot without names: half of the last tick's text stands there."""
 QUARTERS = range(0, 361, 90)
@@ -72,8 +85,68 @@ class NameRoom:
                 one.give_room()
 
 
+MOST_TICKS = 5
+"""More are read no better."""
+ROWS_APART = 2.0
+"""Heights of a tick's text between two ticks of a vertical axis."""
+TEXT_APART = "−00,000,000"
+"""At least the width of this between two ticks of a horizontal axis."""
+WIDEST = "−0.0000"
+"""Of the texts at a vertical axis: its room never changes, so that the plot keeps still."""
+
+
+class QuietAxis(pg.AxisItem):  # type: ignore[misc]
+    """One axis: its room beside the plot, and what is to be painted there."""
+
+    def __init__(self, side: str) -> None:
+        super().__init__(side)
+        self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemHasNoContents)
+        self.flat = side == "bottom"
+        self.text = ""
+        self.caption("")
+
+    def caption(self, text: str) -> None:
+        """Take what is drawn along it, with its unit."""
+        self.text = text
+        row = small_font()[1].height()
+        if self.flat:
+            self.setHeight((2 if text else 1) * (row + STEP // 2) + STEP // 2)
+        else:
+            widest = small_font()[1].horizontalAdvance(WIDEST)
+            self.setWidth(widest + STEP + (row + STEP if text else 0))
+
+    def ticks(self) -> list[Tick]:
+        """Return where the ticks are, and what stands at them."""
+        if self._tickLevels is not None:
+            return list(self._tickLevels[0])
+        metrics = small_font()[1]
+        size = self.width() if self.flat else self.height()
+        apart = (
+            metrics.horizontalAdvance(TEXT_APART) if self.flat else metrics.height() * ROWS_APART
+        )
+        most = min(MOST_TICKS, int(size / apart))
+        low, high = self.range
+        step, places = round_places(low, high, max(most, 2), 2 if self.flat else 3)
+        return [(at, axis_number(at, step)) for at in places]
+
+    def wheelEvent(self, event: Any) -> None:
+        """Leave the wheel to the plot."""
+        event.ignore()
+
+
+DRAG = 12
+"""Pixels that a rectangle has at least either way: less is a click with an unsteady hand."""
+
+
 class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
-    """A plot without menus, buttons, automatic ranges or a legend; ``show_marks`` does the rest."""
+    """A plot without buttons, automatic ranges or a legend; ``show_marks`` does the rest.
+
+    A rectangle drawn with the mouse is shown larger, moved by the middle button, until Backspace or
+    the menu shows all again; the menu (right click, Shift+F10) gives picture and data away.
+    ``said`` tells what came of it.
+    """
+
+    said = Signal(str, bool)
 
     def __init__(
         self,
@@ -92,7 +165,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self.setMouseEnabled(x=False, y=False)
         self.disableAutoRange()
         self.setFrameShape(pg.QtWidgets.QFrame.Shape.NoFrame)
-        self.setMinimumSize(QSize(120, 60))
+        self.setMinimumSize(QSize(120, LEAST_HEIGHT))
         self._axes = axes
         self._pens: dict[Any, LinePen] = {}
         self._canvas = Canvas()
@@ -113,8 +186,88 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         view = self.getViewBox()
         for moved in (view.sigRangeChanged, view.sigResized, view.geometryChanged):
             moved.connect(self._repaint)
+        self._home: dict[str, tuple[float, float]] = {}
+        self._movable = (False, False)
+        self._pressed: QPoint | None = None
+        self._frame_drawn = QRubberBand(QRubberBand.Shape.Rectangle, self)
         self.give_room()
         self.dress(theme)
+
+    @property
+    def zoomed(self) -> bool:
+        """Tell whether a part is shown larger."""
+        return bool(self._home)
+
+    def show_range(self, side: str, low: float, high: float, padding: float = 0.0) -> None:
+        """Show values from low to high on an axis, "x" or "y"; once nobody looks closer."""
+        if side in self._home:
+            self._home[side] = (low, high)
+        else:
+            (self.setXRange if side == "x" else self.setYRange)(low, high, padding=padding)
+
+    def zoom(self, x: tuple[float, float], y: tuple[float, float]) -> None:
+        """Show a part larger, until ``zoom_back``."""
+        if not self._home:
+            across, up = self.getViewBox().viewRange()
+            self._home = {"x": tuple(across), "y": tuple(up)}
+            self._movable = tuple(self.getViewBox().state["mouseEnabled"])
+            self.setMouseEnabled(x=True, y=True)
+        self.setXRange(*x, padding=0.0)
+        self.setYRange(*y, padding=0.0)
+        self._repaint()
+
+    def zoom_back(self) -> None:
+        """Show what is shown when nobody looks closer."""
+        home, self._home = self._home, {}
+        if home:
+            self.setMouseEnabled(*self._movable)
+        for side, (low, high) in home.items():
+            self.show_range(side, low, high)
+        self._repaint()
+
+    def captions(self) -> tuple[str, str]:
+        """Return what stands along the axes; for the vertical one what the plot is, without it."""
+        return self._axes["bottom"].text, self._axes["left"].text or self.accessibleName()
+
+    def drawn(self) -> Iterator[tuple[Trace | Dots, LinePen]]:
+        """Yield curves and points with their pens."""
+        return ((one, self._pens[one]) for one in self._canvas.traces)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Begin a rectangle, or a click."""
+        if event.button() == Qt.MouseButton.LeftButton and not self.instead:
+            self._pressed = event.position().toPoint()
+        super().mousePressEvent(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Draw the rectangle."""
+        if self._pressed is None:
+            super().mouseMoveEvent(event)
+            return
+        drawn = QRect(self._pressed, event.position().toPoint()).normalized()
+        self._frame_drawn.setGeometry(drawn)
+        self._frame_drawn.setVisible(min(drawn.width(), drawn.height()) >= DRAG)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """Show what is in the rectangle; one too small for that was a click."""
+        self._pressed = None
+        if self._frame_drawn.isVisible():
+            self._frame_drawn.hide()
+            self.scene().clickEvents.clear()  # else the next click were where this rectangle began
+            area = self._frame_drawn.geometry()
+            corners = [self.mapToScene(one) for one in (area.topLeft(), area.bottomRight())]
+            first, last = (self.getViewBox().mapSceneToView(one) for one in corners)
+            self.zoom((first.x(), last.x()), (last.y(), first.y()))
+            event.accept()
+            return
+        super().mouseReleaseEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Show all again by Backspace."""
+        if event.key() == Qt.Key.Key_Backspace and self.zoomed:
+            self.zoom_back()
+        else:
+            super().keyPressEvent(event)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme: background, axes, every curve and line."""
@@ -197,7 +350,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         if math.isfinite(low) and math.isfinite(high):
             self.empty("")
         if self.steady.update(low, high) and self.steady.range is not None:
-            self.setYRange(*self.steady.range, padding=0.0)
+            self.show_range("y", *self.steady.range)
 
     def show_marks(self, **parts: Any) -> None:
         """Show names, limits, moments or spots (see ``Marks``); the others stay."""
@@ -278,7 +431,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
 
     def show_crank_angle(self, *, label: bool = True) -> None:
         """Set the x axis to one revolution with ticks at every quarter."""
-        self.setXRange(0.0, 360.0, padding=0.0)
+        self.show_range("x", 0.0, 360.0)
         axis = self._axes["bottom"]
         axis.setTicks([[(float(at), f"{at}°") for at in QUARTERS]])
         if label:
@@ -307,7 +460,12 @@ class CursorPlot(QuietPlot):
         super().__init__(name, spoken, theme, lane=lane, room=room)
         self._pointed = pointed
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setToolTip(tr("Click, or Tab to it and use ← →, to read values; Esc ends it."))
+        self.setToolTip(
+            tr(
+                "Click, or Tab to it and use ← →, to read values; Esc ends it."
+                " Draw a rectangle to look closer."
+            )
+        )
         self.cursor_line = self.guide(0.0, horizontal=False)
         self.draw_with(LinePen("text"), self.cursor_line)
         self.cursor_line.hide()
@@ -357,7 +515,7 @@ class PlotPanel(QWidget):
     def __init__(self, name: str, spoken: Text) -> None:
         super().__init__()
         self._data: ref[LiveData] | None = None
-        named(self, name, spoken).setProperty("role", "card")
+        named(self, name, spoken, role="card")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setContentsMargins(GAP, STEP, GAP, STEP)
 
@@ -390,9 +548,7 @@ def plot_heading(text: Text) -> QLabel:
 
 def remark(name: str, spoken: Text) -> QLabel:
     """Return what is said in a few words below a title; it wraps."""
-    made = prose(name, spoken)
-    made.setProperty("role", "caption")
-    return made
+    return prose(name, spoken, role="caption")
 
 
 def detail(name: str, spoken: Text) -> ShortLabel:

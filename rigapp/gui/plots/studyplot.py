@@ -11,17 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtWidgets import QComboBox
 
-from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.look.tokens import STEP, Theme
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import PlotPanel, QuietPlot
 from rigapp.gui.widgets.build import choice, column
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.reflow import flowing
-from rigapp.presentation.numbers import capitalised, unit_text
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.numbers import unit_text
+from rigapp.presentation.tokens import STEP, Theme
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.study.folder import StudyColumn, StudyResults
+from rigapp.texts import capitalised
+from rigapp.viewer.ranges import SteadyRange
 
 NOTHING: Final[Text] = "Choose a study: its points are drawn here."
 LEAST_LETTERS = 16
@@ -40,7 +40,7 @@ def with_unit(words: str, unit: str) -> str:
 
 def result_title(one: StudyColumn) -> str:
     """Return what a result is, in the language of the window, with its unit."""
-    words = retold(one.words) or one.name
+    words = translate(one.words) or one.name
     return with_unit(capitalised(words), one.unit)
 
 
@@ -102,7 +102,7 @@ class StudyPlot(PlotPanel):
     def _draw(self) -> None:
         at, result = self.parameter.currentIndex(), self.column
         if self._study is None or result is None or at < 0:
-            said = retold(self._study.said) if self._study is not None else ""
+            said = translate(self._study.said) if self._study is not None else ""
             self._show_nothing(said or tr(NOTHING))
             return
         against = self._study.parameters[at]
@@ -120,7 +120,7 @@ class StudyPlot(PlotPanel):
         self._dots.setData(against.values, result.values)
         first, last = float(against.values.min()), float(against.values.max())
         room = ROOM * (last - first) or 0.5
-        self.plot.setXRange(first - room, last + room, padding=0.0)
+        self.plot.show_range("x", first - room, last + room)
         self.plot.steady = SteadyRange((high - low) or abs(high) or 1.0)
         self.plot.fit(low, high)
 

@@ -9,14 +9,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton
 
-from rigapp.gui.data.channels import SIZE
-from rigapp.gui.data.judged import Drawn, Flagged, View, banded, drawn
-from rigapp.gui.data.moments import moments
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.quantities import TrendLine, TrendQuantity, trend_quantities
-from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.data.series import LiveData, SeriesTable
-from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import ShadedBand, Trace
 from rigapp.gui.plots.limitlines import alarm_token, limit_lines
 from rigapp.gui.plots.marks import CurveName, Spot
@@ -34,8 +26,16 @@ from rigapp.gui.widgets.build import button, choice, column, row
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.times import duration
+from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, marked, tr
 from rigapp.schema.channels import BASE, ChannelTable
+from rigapp.viewer.channels import SIZE
+from rigapp.viewer.judged import Drawn, Flagged, View, banded, drawn
+from rigapp.viewer.moments import moments
+from rigapp.viewer.news import News, Takes
+from rigapp.viewer.quantities import TrendLine, TrendQuantity, trend_quantities
+from rigapp.viewer.ranges import SteadyRange
+from rigapp.viewer.series import LiveData, SeriesTable
 
 BUCKETS = 1200
 """Points of a line across, at most: about one for each pixel of a plot on a wide screen."""
@@ -67,6 +67,7 @@ class TrendPlot(CursorPlot):
         if wanted is None:
             super().keyPressEvent(event)
             return
+        self.zoom_back()
         self.setXRange(*wanted, padding=0.0)
         self.getViewBox().sigRangeChangedManually.emit([True, False])
 
@@ -162,8 +163,9 @@ class TrendPanel(PlotPanel):
             self._offer(data.channels)
         self._place_view(data.rows, data.predictions)
         view: View = tuple(self.plot.viewRange()[0])
-        token = (self._name, len(data.rows), len(data.predictions), view, self.view.cursor,
-                 len(news.events), news.recipe is None, alarm_token(news))  # fmt: skip
+        token = (self._name, len(data.rows), len(data.predictions), data.loaded, view,
+                 self.view.cursor, len(news.events), news.recipe is None,
+                 alarm_token(news))  # fmt: skip
         if token == self._drawn:
             return
         self._drawn = token
@@ -250,10 +252,10 @@ class TrendPanel(PlotPanel):
         cursor = self.view.cursor
         if cursor is None or not len(table):
             return table.last(column)
-        place = int(np.searchsorted(table.revolutions, cursor))
+        place = table.revolutions.searchsorted(cursor)
         if place >= len(table) or table.revolutions[place] != cursor:
             return float("nan")
-        return float(table.series(column).values[place])
+        return table.at(column, place)
 
     def _doubt(self, table: SeriesTable, line: TrendLine) -> str:
         doubt = self.quantity.scale * self._value(table, line.doubt) if line.doubt else np.nan
@@ -265,7 +267,7 @@ class TrendPanel(PlotPanel):
         wanted = self.view.range_of(rows.revolutions if len(rows) else predictions.revolutions)
         shown = self.plot.viewRange()[0]
         if wanted is not None and max(abs(wanted[side] - shown[side]) for side in (0, 1)) > 1e-6:
-            self.plot.setXRange(*wanted, padding=0.0)
+            self.plot.show_range("x", *wanted)
 
     def _moved_by_hand(self) -> None:
         self.view.move(*self.plot.viewRange()[0])

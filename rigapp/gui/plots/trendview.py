@@ -7,8 +7,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.gui.data.ranges import nice_step
 from rigapp.gui.plots.plotting import NameRoom
+from rigapp.schema.rownumbers import RowNumbers
+from rigapp.viewer.ranges import nice_step
 
 Floats = NDArray[np.float64]
 
@@ -49,7 +50,7 @@ class TrendView:
         self.mode, self.cursor = WHOLE, None
         self._tell()
 
-    def range_of(self, known: Floats) -> tuple[float, float] | None:
+    def range_of(self, known: Floats | RowNumbers) -> tuple[float, float] | None:
         """Return the cycles to show of the known ones, None where nothing is to be shown yet."""
         if self.mode == FREE:
             return self._free

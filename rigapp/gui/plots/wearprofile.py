@@ -13,18 +13,18 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.profiles import ANGLES_DEG as RECORDED_DEG
-from rigapp.gui.data.profiles import ShownProfile
-from rigapp.gui.data.quantities import UM_PER_MM
-from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.palette import MODEL, LinePen
 from rigapp.gui.plots.plotting import PlotPanel, QuietPlot, plot_heading, remark
 from rigapp.gui.widgets.build import column
+from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, tr
+from rigapp.viewer.news import News, Takes
+from rigapp.viewer.profiles import ANGLES_DEG as RECORDED_DEG
+from rigapp.viewer.profiles import ShownProfile
+from rigapp.viewer.quantities import UM_PER_MM
+from rigapp.viewer.ranges import SteadyRange
 
 Floats = NDArray[np.float64]
 
@@ -70,7 +70,7 @@ class WearProfilePanel(PlotPanel):
         self._drawn: tuple[object, ...] | None = None
         self.plot = QuietPlot(f"{prefix}_profile_plot", "Worn profile of the bushing", theme)
         self.plot.label("bottom", "Angle from the contact point, follower frame")
-        self.plot.setXRange(-180.0, 180.0, padding=0.0)
+        self.plot.show_range("x", -180.0, 180.0)
         ticks = [(float(at), f"{at}°".replace("-", "−")) for at in range(-180, 181, 90)]
         self.plot.getAxis("bottom").setTicks([ticks])
         self._band = self.plot.shade(MEASURED)

@@ -5,18 +5,16 @@ from __future__ import annotations
 import logging
 import os
 import queue
-import subprocess
 import threading
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from pathlib import Path
 
-import msgspec
-
-from rigapp.gui.data.tasks import TaskWorker
 from rigapp.presentation.translation import tr
-from rigapp.process.children import start_module
+from rigapp.process.children import Child, read_frames
 from rigapp.schema.results import TestResult
+from rigapp.schema.wire import decode
+from rigapp.viewer.tasks import TaskWorker
 
 log = logging.getLogger(__name__)
 
@@ -36,13 +34,7 @@ class ResultReader:
 
     def __init__(self, paths: Sequence[Path], *, closely: bool = False) -> None:
         options = ["--closely"] if closely else []
-        self._process = start_module(
-            "rigapp.report.results",
-            *options,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-        )
+        self._process = Child("rigapp.report.results", *options, pipes=True)
         self._found: queue.Queue[TestResult] = queue.Queue(WAITING)
         self._closed = threading.Event()
         self.problem = ""
@@ -68,25 +60,19 @@ class ResultReader:
         self._closed.set()
         self._process.kill()
         self._thread.join(timeout=2.0)
-        self._process.wait(timeout=2.0)
 
     def _read(self, paths: list[Path]) -> None:
-        sent, got, told = self._process.stdin, self._process.stdout, self._process.stderr
-        assert sent is not None
-        assert got is not None
-        assert told is not None
-        decoder = msgspec.msgpack.Decoder(TestResult)
+        process = self._process
         try:
-            with got, told:
-                with suppress(OSError), sent:
-                    sent.write(b"\n".join(os.fsencode(path) for path in paths))
-                while head := got.read(4):
-                    self._put(decoder.decode(got.read(int.from_bytes(head, "little"))))
-                self.problem = told.read().decode(errors="replace").strip().rpartition("\n")[2]
+            with suppress(OSError), process.stdin as stdin:
+                stdin.write(b"\n".join(os.fsencode(path) for path in paths))
+            for frame in read_frames(process.stdout):
+                self._put(decode(frame, TestResult))
+            self.problem = process.last_words()
         except (OSError, ValueError) as error:
             if not self._closed.is_set():
                 log.warning("Results of %d tests are not read: %s", len(paths), error)
-        self._process.wait()
+        process.close()
 
     def _put(self, result: TestResult) -> None:
         while not self._closed.is_set():

@@ -14,13 +14,12 @@ import msgspec
 
 from rigapp.config.ranges import Key, keys_of, refusal, unit_of
 from rigapp.config.recipe import TestFile
-from rigapp.gui.data.levels import levels_of
 from rigapp.gui.language.keys import key_name
 from rigapp.gui.widgets.numbers import number, whole
 from rigapp.presentation.numbers import unit_text
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.channels import BASE
+from rigapp.viewer.levels import levels_of
 
 HIDDEN = ("schema", "model.schema", "limits.rule", "run.step")
 """Keys that the form keeps as they are or shows in a table of their own."""
@@ -124,7 +123,7 @@ def parse_value(field: FieldSpec, text: str) -> Any:
     for one in value if field.kind == "pair" else (value,):
         wrong = refusal(field.path, one)
         if wrong:
-            raise ValueError(f"{where}: {retold(wrong)}")
+            raise ValueError(f"{where}: {translate(wrong)}")
     return value
 
 
@@ -204,7 +203,11 @@ def tables_in(value: Any) -> list[dict[str, Any]]:
 def in_form_words(sentence: str) -> str:
     """Return a sentence about keys of a test file with the labels of the form in their place."""
     labels = {field.path: f"\u201c{field.label}\u201d" for field in form_fields()}
-    return re.sub(r"\b[a-z_]+(\.\w+)+", lambda key: labels.get(key[0], key[0]), sentence)
+    return re.sub(
+        r"\b[a-z_]+(\.\w+)+",
+        lambda key: labels.get(key[0], key[0]),
+        sentence.removeprefix("test: "),
+    )
 
 
 def fields_named(sentence: str) -> list[str]:

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.gui.look.tokens import GAP, STEP
+from rigapp.config.rules import ALWAYS
 from rigapp.gui.testfile.fields import (
     FieldSpec,
     form_fields,
@@ -26,7 +26,8 @@ from rigapp.gui.testfile.fields import (
 )
 from rigapp.gui.widgets.build import choice, column, named, prose, row, tell
 from rigapp.gui.widgets.reflow import WrappingRow, together
-from rigapp.presentation.translation import Text, marked, tr
+from rigapp.presentation.tokens import GAP, STEP
+from rigapp.presentation.translation import Text, marked, tr, translate
 from rigapp.schema.criteria import CRITERIA
 
 Editor = QLineEdit | QComboBox | QCheckBox
@@ -61,11 +62,7 @@ BESIDE = {
 }
 """Fields that stand in the line of the field they belong to, with the word before them."""
 
-SENTENCES: dict[str, Text] = {
-    "limits.overload_N": "Switch the drive off when any |F| sample is above",
-    "limits.overspeed_rpm": "Switch the drive off when the speed is above",
-    "limits.stale_data_s": "Switch the drive off when the newest data are older than",
-}
+SENTENCES = {f"limits.{name}": one.sentence for name, one in ALWAYS.items()}
 """Fields whose caption is the beginning of a sentence."""
 
 
@@ -76,7 +73,7 @@ class FieldLine(QWidget):
         super().__init__()
         self.fields = [field]
         label = named(
-            QLabel(tr(SENTENCES.get(field.path, field.label))), f"caption_{field.path}", ""
+            QLabel(translate(SENTENCES.get(field.path, field.label))), f"caption_{field.path}", ""
         )
         label.setAccessibleName(label.text())
         label.setBuddy(editor)
@@ -89,9 +86,9 @@ class FieldLine(QWidget):
         self._line.setSpacing(STEP)
         self._line.add(label, 0)
         self._add(field, editor)
-        below = row((self.note, 1))
-        below.setContentsMargins(
-            CAPTION_WIDTH + STEP if field.path not in SENTENCES else 0, 0, 0, 0
+        below = row(
+            (self.note, 1),
+            margins=(CAPTION_WIDTH + STEP if field.path not in SENTENCES else 0, 0, 0, 0),
         )
         column(self._line, below, on=self)
         self.show_errors({})
@@ -147,9 +144,7 @@ class FieldForm:
             else:
                 self._lines[field.path] = FieldLine(field, editor)
                 lines.append(self._lines[field.path])
-        made = column(*lines, on=box)
-        made.setContentsMargins(GAP, STEP, GAP, GAP)
-        made.setSpacing(STEP)
+        column(*lines, on=box, margins=(GAP, STEP, GAP, GAP), spacing=STEP)
         return box
 
     def _editor(self, field: FieldSpec) -> Editor:

@@ -7,17 +7,20 @@ from collections import Counter
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
-from rigapp.gui.look.tokens import GAP, MARGIN, STEP
+from rigapp.checks.check import Check, CheckVerdict
 from rigapp.gui.widgets.build import column, named, prose, row, scrolling, tell
 from rigapp.gui.widgets.details import FoldedDetails
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import marked, tr
+from rigapp.presentation.tokens import GAP, MARGIN, STEP
+from rigapp.presentation.translation import marked, tr, translate
 from rigapp.schema.details import details_of
-from rigapp.service.preflight import Check, Checked
 
-MARKS = {Checked.GOOD: "✓", Checked.ATTENTION: "▲", Checked.BLOCKS: "◆"}
-ROLES = {Checked.GOOD: "", Checked.ATTENTION: "attention", Checked.BLOCKS: "critical"}
-ORDER = (Checked.BLOCKS, Checked.ATTENTION, Checked.GOOD)
+MARKS = {CheckVerdict.GOOD: "✓", CheckVerdict.ATTENTION: "▲", CheckVerdict.BLOCKS: "◆"}
+ROLES = {
+    CheckVerdict.GOOD: "",
+    CheckVerdict.ATTENTION: "attention",
+    CheckVerdict.BLOCKS: "critical",
+}
+ORDER = (CheckVerdict.BLOCKS, CheckVerdict.ATTENTION, CheckVerdict.GOOD)
 
 
 class CheckRow(QFrame):
@@ -39,22 +42,20 @@ class CheckRow(QFrame):
         self.what.setProperty("role", "title")
         self.finding.setProperty("role", "caption")
         self.details = FoldedDetails(f"check_{place}")
-        texts = column(self.what, self.finding, self.action, self.details)
-        texts.setSpacing(0)
-        made = row(self.mark, (texts, 1), on=self)
+        texts = column(self.what, self.finding, self.action, self.details, spacing=0)
+        made = row(self.mark, (texts, 1), on=self, margins=(STEP, STEP // 2))
         made.setAlignment(self.mark, Qt.AlignmentFlag.AlignTop)
-        made.setContentsMargins(STEP, STEP // 2, STEP, STEP // 2)
 
     def show_check(self, check: Check) -> None:
         """Show a check."""
-        good = check.verdict is Checked.GOOD
+        good = check.verdict is CheckVerdict.GOOD
         tell(self, "role", ROLES[check.verdict])
         self.mark.setText(MARKS[check.verdict])
-        what, finding, action = map(retold, (check.what, check.finding, check.action))
+        what, finding, action = map(translate, (check.name, check.sentence, check.advice))
         verdict = tr(check.verdict.value)
         self.what.setText(what if good else f"{what}: {verdict}")
         self.finding.setText(finding)
-        self.details.show_details(details_of(check.finding))
+        self.details.show_details(details_of(check.sentence))
         self.action.setText(action)
         self.action.setVisible(bool(action))
         self.setAccessibleName(f"{what}: {verdict}, {finding} {action}")
@@ -67,24 +68,30 @@ class PreflightPanel(QFrame):
         super().__init__()
         self.shown: list[Check] = []
         self.rows: list[CheckRow] = []
-        named(self, "preflight_panel", "Checks before the start").setProperty("role", "card")
-        self.title = named(QLabel(tr("Before the start")), "preflight_title", "Before the start")
-        self.title.setProperty("role", "title")
-        self.count = prose("preflight_count", "How many checks are good")
-        self.count.setProperty("role", "caption")
+        named(self, "preflight_panel", "Checks before the start", role="card")
+        self.title = named(
+            QLabel(tr("Before the start")), "preflight_title", "Before the start", role="title"
+        )
+        self.count = prose("preflight_count", "How many checks are good", role="caption")
         inside = QWidget()
-        self._list = column(None, on=inside)
-        self._list.setSpacing(STEP // 2)
+        self._list = column(None, on=inside, spacing=STEP // 2)
         area = scrolling("preflight_area", "List of checks", inside)
-        made = column(self.title, self.count, (area, 1), on=self)
-        made.setContentsMargins(GAP, MARGIN, STEP, GAP)
-        made.setSpacing(STEP // 2)
+        column(
+            self.title,
+            self.count,
+            (area, 1),
+            on=self,
+            margins=(GAP, MARGIN, STEP, GAP),
+            spacing=STEP // 2,
+        )
 
     @property
     def words(self) -> str:
         """Return how many checks are of which sort."""
         count = Counter(one.verdict for one in self.shown)
-        numbers = (count[one] for one in (Checked.GOOD, Checked.ATTENTION, Checked.BLOCKS))
+        numbers = (
+            count[one] for one in (CheckVerdict.GOOD, CheckVerdict.ATTENTION, CheckVerdict.BLOCKS)
+        )
         return tr("{} good, {} for attention, {} block", *numbers)
 
     def show_checks(self, checks: list[Check]) -> None:

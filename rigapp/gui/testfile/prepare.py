@@ -10,20 +10,23 @@ from PySide6.QtCore import QTimer
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 
-from rigapp.calibrating.records_in_use import RigRecords, with_records
+from rigapp.calibrating.records_in_use import with_records
+from rigapp.checks.check import Check, CheckVerdict
+from rigapp.checks.start import DiskFacts, preflight
 from rigapp.config.channels import channel_table
-from rigapp.config.loading import read_rig
+from rigapp.config.loading import RigRecords, read_rig
 from rigapp.config.recipe import TestFile
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.panel import Host
 from rigapp.gui.testfile.preflight import PreflightPanel
 from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.gui.widgets.build import named, row
+from rigapp.presentation.tokens import GAP, STEP
 from rigapp.presentation.translation import tr
 from rigapp.schema.details import error_text
-from rigapp.service.preflight import Check, Checked, DiskFacts, disk_facts, preflight
+from rigapp.service.preflight import disk_facts
+from rigapp.texts import say
+from rigapp.viewer.news import News, Takes
+from rigapp.viewer.tasks import TaskWorker
 
 DEFAULT_RATE_HZ = 1000.0  # to judge the disk by, until a device tells its own
 NARROW = 136 * STEP
@@ -61,9 +64,7 @@ class PreparePanel(QWidget):
         named(self, "prepare_page", "Prepare a test")
         self.recipe = RecipePanel()
         self.checks = PreflightPanel()
-        self._layout = row((self.recipe, 3), on=self)
-        self._layout.setContentsMargins(0, 0, 0, 0)
-        self._layout.setSpacing(GAP)
+        self._layout = row((self.recipe, 3), on=self, margins=0, spacing=GAP)
         self._fit = QTimer(self, singleShot=True, interval=0)
         self._fit.timeout.connect(self._fit_checks)
         self._place_checks(narrow=False)
@@ -97,14 +98,16 @@ class PreparePanel(QWidget):
     def show_news(self, news: News) -> None:
         """Check again."""
         status = news.status
-        rate = max((d.sample_rate_Hz for d in status.devices), default=0.0) if status else 0.0
+        rate = max((d.sample_rate_Hz for d in status.rig.devices), default=0.0) if status else 0.0
         self._ask_disk(rate or DEFAULT_RATE_HZ)
         self._ask_records()
         found = preflight(self._test, self._records, self._disk, status)
         if self._problem:
-            found.insert(1, Check("Rig file", Checked.BLOCKS, self._problem, "Correct it"))
+            found.insert(
+                1, Check(say("Rig file"), CheckVerdict.BLOCKS, self._problem, say("Correct it"))
+            )
         self.checks.show_checks([*self._of_form(), *found])
-        blocking = sum(1 for one in self.checks.shown if one.verdict is Checked.BLOCKS)
+        blocking = sum(1 for one in self.checks.shown if one.verdict is CheckVerdict.BLOCKS)
         self.recipe.show_checks(self.checks.words, blocking)
         self.recipe.rules.show_usual(news)
 
@@ -117,18 +120,33 @@ class PreparePanel(QWidget):
         """Say what of the form is not part of the armed test, and why none is armed."""
         armed = self.recipe.armed
         if armed is None:
-            yield Check("Armed test", Checked.BLOCKS, "none", "Open a test, or save the new one")
+            yield Check(
+                say("Armed test"),
+                CheckVerdict.BLOCKS,
+                say("none"),
+                say("Open a test, or save the new one"),
+            )
             return
         if armed.problem:
-            yield Check("File", Checked.BLOCKS, armed.problem, "Correct it in the form and save")
+            yield Check(
+                say("File"),
+                CheckVerdict.BLOCKS,
+                armed.problem,
+                say("Correct it in the form and save"),
+            )
         count = len(self.recipe.unsaved())
         if count:
             name = armed.path.name
             one = tr("1 change not part of {}", name)
             finding = tr("{} changes not part of {}", count, name) if count > 1 else one
-            yield Check("Form", Checked.ATTENTION, finding, "Save, or start without")
+            yield Check(say("Form"), CheckVerdict.ATTENTION, finding, say("Save, or start without"))
         if self.recipe.rules.draft is not None:
-            yield Check("Draft limit", Checked.ATTENTION, "not part of the test", "Add or discard")
+            yield Check(
+                say("Draft limit"),
+                CheckVerdict.ATTENTION,
+                say("not part of the test"),
+                say("Add or discard"),
+            )
 
     def _ask_records(self) -> None:
         rig, now = self._rig, self._clock()
@@ -145,7 +163,7 @@ class PreparePanel(QWidget):
 
     def _no_records(self, error: Exception) -> None:
         self._records = None
-        self._problem = error_text(error, "The test cannot be checked.")
+        self._problem = error_text(error, say("The test cannot be checked."))
 
     def _ask_disk(self, rate: float) -> None:
         test, now = self._test, self._clock()
@@ -162,7 +180,7 @@ class PreparePanel(QWidget):
         self._disk = facts
 
     def _no_disk(self, error: Exception) -> None:
-        self._disk = DiskFacts(self._folder, 0, 0, f"cannot be judged ‹{error}›")
+        self._disk = DiskFacts(self._folder, 0, 0, say("cannot be judged ‹{}›", error))
 
 
 def prepare_page(host: Host) -> QWidget:

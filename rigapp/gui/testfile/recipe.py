@@ -1,7 +1,7 @@
 """Prepare a test in steps: every key of the test file with unit, range and default.
 
 It is checked as one types, and every mistake stands at its field. The file as it is on the disk is
-the armed test (see ``armed``); what is typed is part of it once it is saved.
+the armed test (see ``selected_test``); what is typed is part of it once it is saved.
 """
 
 from __future__ import annotations
@@ -27,8 +27,6 @@ from rigapp.config.loading import judged_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.writing import whole_file
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import BODY_PT, GAP, MARGIN, STEP
-from rigapp.gui.testfile.armed import ArmedTest, read_armed
 from rigapp.gui.testfile.fields import (
     differences,
     fields_named,
@@ -40,15 +38,16 @@ from rigapp.gui.testfile.fields import (
 )
 from rigapp.gui.testfile.form import FieldForm, page_of
 from rigapp.gui.testfile.rules import LimitSentences
+from rigapp.gui.testfile.selected_test import SelectedTest, edited, read_selected
 from rigapp.gui.testfile.sequence import SequenceCard
 from rigapp.gui.testfile.steps import MODEL, STEPS, StepBar
-from rigapp.gui.testfile.tomltext import edited
 from rigapp.gui.testfile.unsaved import UnsavedBar
 from rigapp.gui.widgets.build import button, column, named, prose, row, scrolling, tell
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.reflow import flowing
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, marked, tr
+from rigapp.presentation.tokens import BODY_PT, GAP, MARGIN, STEP
+from rigapp.presentation.translation import Text, marked, tr, translate
+from rigapp.texts import sentence_of_error
 
 NO_FILE: Final[Text] = "New test, not saved yet"
 LEAST_HEIGHT = 24 * STEP
@@ -65,7 +64,7 @@ class RecipePanel(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.armed: ArmedTest | None = None
+        self.armed: SelectedTest | None = None
         self.test: TestFile | None = None
         self._begun: dict[str, Any] = dict(EMPTY)
         self._text = ""
@@ -118,9 +117,9 @@ class RecipePanel(QWidget):
         Changes that are not saved are lost; ``ask_before`` asks first.
         """
         try:
-            armed = read_armed(path)
+            armed = read_selected(path)
         except UnusableInput as error:
-            self._say(str(error), good=False)
+            self._say(translate(sentence_of_error(error)), good=False)
             return False
         self._take(armed)
         return True
@@ -131,12 +130,12 @@ class RecipePanel(QWidget):
         self._fill(tree)
         self._arm(None)
 
-    def _take(self, armed: ArmedTest) -> None:
+    def _take(self, armed: SelectedTest) -> None:
         self._text = armed.text
         self._fill(armed.tree)
         self._arm(armed)
 
-    def _arm(self, armed: ArmedTest | None) -> None:
+    def _arm(self, armed: SelectedTest | None) -> None:
         self.armed = armed
         self._words = [""] * len(STEPS)
         self._judge()
@@ -192,9 +191,9 @@ class RecipePanel(QWidget):
             with whole_file(path) as part:
                 part.write_text(text, encoding="utf-8")
             self._text = text
-            self._arm(read_armed(path, text))
+            self._arm(read_selected(path, text))
         except UnusableInput as error:
-            self._say(str(error), good=False)
+            self._say(translate(sentence_of_error(error)), good=False)
             return False
         return True
 
@@ -264,11 +263,9 @@ class RecipePanel(QWidget):
         self.unsaved_bar = UnsavedBar(self._save, tools)
         card = self._tools = named(QFrame(), "recipe_tools", "Test file")
         card.setProperty("role", "card")
-        told = row((self.name, 1), (self.verdict, 3))
-        told.setSpacing(GAP)
-        made = column(told, tools, self.unsaved_bar, on=card)
-        made.setContentsMargins(MARGIN, STEP // 2, MARGIN, STEP)
-        column(self.steps, (self.pages, 1), card, on=self).setSpacing(GAP)
+        told = row((self.name, 1), (self.verdict, 3), spacing=GAP)
+        column(told, tools, self.unsaved_bar, on=card, margins=(MARGIN, STEP // 2, MARGIN, STEP))
+        column(self.steps, (self.pages, 1), card, on=self, spacing=GAP)
 
     def _model(self) -> list[QWidget]:
         """Return the cards of the last step: the mechanism and all else are folded."""
@@ -291,7 +288,7 @@ class RecipePanel(QWidget):
         self.unfold.setChecked(True)
         self.unfold.setChecked(False)
         head = QWidget()
-        row(self.unfold, None, on=head).setContentsMargins(0, 0, 0, 0)
+        row(self.unfold, None, on=head, margins=0)
         return [*shown, head, inside]
 
     def _judge(self) -> None:
@@ -338,7 +335,7 @@ class RecipePanel(QWidget):
         others = []
         for fault in wrong:
             named_fields = [path for path in fields_named(fault) if path in self.form.editors]
-            sentence = f"{retold(in_form_words(fault).rstrip('.'))}."
+            sentence = f"{in_form_words(translate(fault)).rstrip('.')}."
             if any(path in errors for path in named_fields):
                 continue  # said already, or a consequence of what stands there
             if named_fields:

@@ -20,7 +20,25 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.config.recipe import LimitsSection
-from rigapp.gui.data.levels import (
+from rigapp.gui.testfile.fields import show_value
+from rigapp.gui.widgets.build import (
+    button,
+    choice,
+    column,
+    edit,
+    filled,
+    named,
+    prose,
+    styled_label,
+    take_away,
+    tell,
+)
+from rigapp.gui.widgets.numbers import number, whole
+from rigapp.gui.widgets.reflow import SentencePart, flowing, sentence_row
+from rigapp.presentation.tokens import STEP
+from rigapp.presentation.translation import Text, tr
+from rigapp.schema.channels import BASE, ChannelTable
+from rigapp.viewer.levels import (
     ACTIONS,
     OTHER_ACTIONS,
     LimitLevel,
@@ -32,14 +50,7 @@ from rigapp.gui.data.levels import (
     rules_of,
     unit_of_quantity,
 )
-from rigapp.gui.data.news import News
-from rigapp.gui.look.tokens import STEP
-from rigapp.gui.testfile.fields import show_value
-from rigapp.gui.widgets.build import button, choice, column, edit, filled, named, prose, tell
-from rigapp.gui.widgets.numbers import number, whole
-from rigapp.gui.widgets.reflow import SentencePart, flowing, sentence_row
-from rigapp.presentation.translation import Text, tr
-from rigapp.schema.channels import BASE, ChannelTable
+from rigapp.viewer.news import News
 
 SENTENCE: Final[Text] = "{action} when {quantity} is {side} {value} in {revolutions} revolutions"
 ENDS: Final[Text] = "{note} ends {back} inside"
@@ -89,8 +100,7 @@ class LevelRow(QFrame):
         self.back = edit(f"{name}_back", tr("How far inside limit {} its alarm ends", place))
         self.units = [QLabel(), QLabel()]
         wrong = tr("What is wrong with limit {}, or its usual range", place)
-        self.note = prose(f"{name}_note", wrong)
-        self.note.setProperty("role", "caption")
+        self.note = prose(f"{name}_note", wrong, role="caption")
         self.remove = button(f"{name}_remove", "Remove", spoken=tr("Remove limit {}", place))
         self.remove.setProperty("rank", "quiet")
         for line, width in (
@@ -115,9 +125,7 @@ class LevelRow(QFrame):
             second.add(QLabel(tr("in step {} only", listed(self.level.steps))), 0)
         second.add(self.remove, 0)
         self.note.setMinimumWidth(NOTE_WIDTH)
-        made = column(first, second, on=self)
-        made.setContentsMargins(0, STEP, 0, STEP)
-        made.setSpacing(STEP // 2)
+        column(first, second, on=self, margins=(0, STEP), spacing=STEP // 2)
 
     def _field(self, wide: QWidget, unit: QLabel) -> Callable[[str], SentencePart]:
         """Return what finds the field of a name, and the unit that follows a number."""
@@ -155,8 +163,8 @@ class LevelRow(QFrame):
         self.quantity.view().setMinimumWidth(self.quantity.view().sizeHintForColumn(0) + 4 * STEP)
 
     def _show_unit(self) -> None:
-        for label in self.units:
-            label.setText(unit_of_quantity(self.quantity.currentData(), self._table))
+        for unit in self.units:
+            unit.setText(unit_of_quantity(self.quantity.currentData(), self._table))
 
     def read(self) -> tuple[LimitLevel, list[str]]:
         """Return the level that is filled in, and what cannot be read of it; marks the fields."""
@@ -201,7 +209,7 @@ class LevelRow(QFrame):
         text = ""
         for rows in (news.data.rows, news.data.predictions):
             if self.level.quantity in rows.names:
-                values = rows.series(self.level.quantity).values[-USUAL_ROWS:]
+                values = rows.newest(self.level.quantity, USUAL_ROWS)
                 known = values[np.isfinite(values)]
                 if len(known):
                     low, high = np.percentile(known, USUAL_PERCENT)
@@ -232,12 +240,13 @@ class LimitSentences(QGroupBox):
         self.add = button("rule_add", "Add a limit", self.begin)
         self.keep = button("draft_add", "Add limit", self._keep, rank="primary")
         self.discard = button("draft_discard", "Discard", self._discard, "Discard the draft")
-        self.chip = QLabel(tr("Draft, not yet part of the test"))
-        self.chip.setProperty("role", "caption")
+        self.chip = styled_label("Draft, not yet part of the test", "caption")
         self.none = prose(
-            "no_limits", "No limits", "None yet: a limit tells when the joint changes."
+            "no_limits",
+            "No limits",
+            "None yet: a limit tells when the joint changes.",
+            role="secondary",
         )
-        self.none.setProperty("role", "secondary")
         tools = flowing(self.add, self.chip, None, self.discard, self.keep)
         filled(QVBoxLayout(self), (self.none, self._list, tools))
         self._show()
@@ -246,7 +255,7 @@ class LimitSentences(QGroupBox):
         """Show rules as a test file holds them; a draft goes."""
         self._discard()
         for line in self.rows:
-            self._drop(line)
+            take_away(line, self._list)
         self.rows = []
         self._given = [dict(rule) for rule in rules]
         for level in levels_of(self._given):
@@ -347,21 +356,16 @@ class LimitSentences(QGroupBox):
 
     def _discard(self) -> None:
         if self.draft is not None:
-            self._drop(self.draft)
+            take_away(self.draft, self._list)
             self.draft = None
             self._show()
             self.changed.emit()
 
     def _remove(self, line: LevelRow, checked: bool = False) -> None:
         self.rows.remove(line)
-        self._drop(line)
+        take_away(line, self._list)
         self._show()
         self.changed.emit()
-
-    def _drop(self, line: LevelRow) -> None:
-        self._list.removeWidget(line)
-        line.hide()
-        line.deleteLater()
 
     def _show(self) -> None:
         drafting = self.draft is not None

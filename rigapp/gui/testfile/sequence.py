@@ -12,15 +12,25 @@ from PySide6.QtWidgets import QFrame, QGroupBox, QLabel, QLineEdit, QVBoxLayout
 from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.sequence import Sequence as Steps
-from rigapp.gui.look.tokens import STEP
 from rigapp.gui.testfile.fields import show_value
 from rigapp.gui.testfile.rules import NUMBER, WHOLE_NUMBER
-from rigapp.gui.widgets.build import button, choice, column, edit, filled, named, prose, row, tell
+from rigapp.gui.widgets.build import (
+    button,
+    choice,
+    column,
+    edit,
+    filled,
+    named,
+    prose,
+    row,
+    take_away,
+    tell,
+)
 from rigapp.gui.widgets.numbers import number, whole
 from rigapp.gui.widgets.reflow import SentencePart, sentence_row
 from rigapp.presentation.numbers import grouped
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.tokens import STEP
+from rigapp.presentation.translation import Text, tr, translate
 
 SENTENCE: Final[Text] = "{name} {length} {kind} at {speed_rpm} rpm, then rest {rest_s} s"
 """The line of a step, with its fields in the place of the braces."""
@@ -52,8 +62,9 @@ class StepLine(QFrame):
         self.speed_rpm = edit(f"{name}_speed", tr("Speed of step {}", made))
         self.rest_s = edit(f"{name}_rest", tr("Rest after step {}", made))
         self.rest_s.setPlaceholderText("0")
-        self.note = prose(f"{name}_note", tr("What is wrong with step {}, or where it is", made))
-        self.note.setProperty("role", "caption")
+        self.note = prose(
+            f"{name}_note", tr("What is wrong with step {}, or where it is", made), role="caption"
+        )
         self.sooner = button(f"{name}_sooner", "Earlier", spoken=tr("Put step {} earlier", made))
         self.remove = button(f"{name}_remove", "Remove", spoken=tr("Remove step {}", made))
         for one in (self.sooner, self.remove):
@@ -69,11 +80,8 @@ class StepLine(QFrame):
 
     def _lay_out(self) -> None:
         first = sentence_row(tr(SENTENCE), self._field, before=self.place)
-        second = row((self.note, 1), self.sooner, self.remove)
-        second.setSpacing(STEP)
-        made = column(first, second, on=self)
-        made.setContentsMargins(0, STEP, 0, STEP)
-        made.setSpacing(STEP // 2)
+        second = row((self.note, 1), self.sooner, self.remove, spacing=STEP)
+        column(first, second, on=self, margins=(0, STEP), spacing=STEP // 2)
 
     def _field(self, name: str) -> SentencePart:
         return getattr(self, name), None, False
@@ -122,7 +130,7 @@ class StepLine(QFrame):
         except ValueError:
             fault = tr(WHOLE_NUMBER if counted else NUMBER, repr(text))
         else:
-            fault = retold(refusal(f"run.step.{key}", value))
+            fault = translate(refusal(f"run.step.{key}", value))
         if not fault:
             return value
         tell(line, "wrong", True)
@@ -154,15 +162,14 @@ class SequenceCard(QGroupBox):
         self.rows: list[StepLine] = []
         self._made = 0
         self._list = column()
-        self.none = prose("no_steps", "No steps", NONE_YET)
-        self.none.setProperty("role", "secondary")
+        self.none = prose("no_steps", "No steps", NONE_YET, role="secondary")
         self.add = button("step_add", "Add a step", self._begin)
         filled(QVBoxLayout(self), (self.none, self._list, row(self.add, None)))
 
     def fill(self, steps: Sequence[dict[str, Any]]) -> None:
         """Show steps as a test file holds them."""
         for line in self.rows:
-            self._drop(line)
+            take_away(line, self._list)
         self.rows = []
         for step in steps:
             self._append(dict(step))
@@ -215,11 +222,6 @@ class SequenceCard(QGroupBox):
 
     def _remove(self, line: StepLine, checked: bool = False) -> None:
         self.rows.remove(line)
-        self._drop(line)
+        take_away(line, self._list)
         self.none.setVisible(not self.rows)
         self.changed.emit()
-
-    def _drop(self, line: StepLine) -> None:
-        self._list.removeWidget(line)
-        line.hide()
-        line.deleteLater()

@@ -14,10 +14,10 @@ from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
 from rigapp.config.ranges import unit_of
 from rigapp.config.recipe import TestFile
 from rigapp.config.rules import ALWAYS
-from rigapp.gui.look.tokens import STEP
 from rigapp.gui.widgets.build import choice, column, named, row, tell
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.presentation.numbers import grouped, unit_text
+from rigapp.presentation.tokens import STEP
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.criteria import CRITERIA
 
@@ -109,11 +109,8 @@ class StepButton(QPushButton):
         self.title.setProperty("role", "title")
         self.words = ElidedLabel(f"step_{title.lower()}_words", tr("{} in short", tr(title)))
         self.words.setProperty("role", "caption")
-        texts = column(None, self.title, self.words, None)
-        texts.setSpacing(0)
-        layout = row(self.mark, (texts, 1), on=self)
-        layout.setContentsMargins(STEP, 0, STEP // 2, 0)
-        layout.setSpacing(STEP)
+        texts = column(None, self.title, self.words, None, spacing=0)
+        row(self.mark, (texts, 1), on=self, margins=(STEP, 0, STEP // 2, 0), spacing=STEP)
         for one in (self.mark, self.title, self.words):
             one.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
@@ -150,7 +147,7 @@ class StepBar(QFrame):
 
     def __init__(self, titles: Sequence[Text]) -> None:
         super().__init__()
-        named(self, "steps", "Steps of preparing a test").setProperty("role", "card")
+        named(self, "steps", "Steps of preparing a test", role="card")
         self._offered = len(titles)
         self.buttons = [StepButton(place, title) for place, title in enumerate(titles)]
         for place, one in enumerate(self.buttons):
@@ -158,9 +155,7 @@ class StepBar(QFrame):
         self.choice = choice("step_choice", "Step", (), None)
         self.choice.activated.connect(self._choose)
         parts: list[tuple[QWidget, int]] = [(one, 1) for one in self.buttons]
-        layout = row(*parts, (self.choice, 1), on=self)
-        layout.setContentsMargins(1, 1, 1, 1)
-        layout.setSpacing(0)
+        row(*parts, (self.choice, 1), on=self, margins=1, spacing=0)
 
     def _choose(self, place: int, checked: bool = True) -> None:
         self.chosen.emit(place)

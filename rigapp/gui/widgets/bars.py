@@ -8,10 +8,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QPushButton
 
-from rigapp.gui.look.tokens import GAP, MARGIN, STEP
 from rigapp.gui.widgets.build import named, prose
 from rigapp.gui.widgets.details import details_button
 from rigapp.gui.widgets.reflow import flowing
+from rigapp.presentation.tokens import GAP, MARGIN, STEP
 from rigapp.presentation.translation import Text, tr
 
 TEXT_WIDTH = 34 * STEP

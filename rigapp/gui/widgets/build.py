@@ -7,10 +7,12 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 from typing import Any, TypeVar
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtWidgets import (
+    QAbstractSpinBox,
     QBoxLayout,
     QComboBox,
+    QFileDialog,
     QHBoxLayout,
     QLabel,
     QLayout,
@@ -24,24 +26,93 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.gui.look.tokens import GAP, STEP
-from rigapp.gui.widgets.guarded import GuardedButton
-from rigapp.gui.widgets.wheel import steady_field
+from rigapp.presentation.tokens import GAP, STEP
 from rigapp.presentation.translation import Text, tr
 
 Made = TypeVar("Made", bound=QWidget)
 Layout = TypeVar("Layout", bound=QBoxLayout)
+Field = TypeVar("Field", bound=QComboBox | QAbstractSpinBox)
 Item = QWidget | QLayout | Text | None
+Margins = int | tuple[int, int] | tuple[int, int, int, int]
 
 HINT_FRAME = 4 * STEP
 """Around the hint of a line: its edges, and the sign that empties it."""
 Called = Callable[..., Any]
 
 
-def named(widget: Made, name: str, spoken: Text, tip: Text = "") -> Made:
-    """Give a widget its names, and a tool tip where there is one."""
+class GuardedButton(QPushButton):
+    """A button that changes something at the rig: closed while another viewer is in command.
+
+    What the panel wants (``setEnabled``, ``setToolTip``) is kept and comes back afterwards.
+    """
+
+    def __init__(self, text: str = "") -> None:
+        super().__init__(text)
+        self._wanted = True
+        self._tip = ""
+        self._why = ""
+
+    def setEnabled(self, enabled: bool) -> None:
+        """Enable it, unless it is forbidden."""
+        self._wanted = enabled
+        allowed = enabled and not self._why
+        if allowed != self.isEnabled():
+            around = self.parentWidget()
+            if not allowed and self.hasFocus() and around is not None:
+                # Qt would give the focus to the next field, and scroll the page to it.
+                around.setFocus()
+            super().setEnabled(allowed)
+            if allowed and around is not None and around.hasFocus():
+                self.setFocus()
+
+    def setToolTip(self, tip: str) -> None:
+        """Take the tool tip; while forbidden, the reason is shown in its place."""
+        self._tip = tip
+        self._show()
+
+    def forbid(self, why: str) -> None:
+        """Close the button with a reason; an empty reason opens it again."""
+        if why != self._why:
+            self._why = why
+            self.setEnabled(self._wanted)
+            self._show()
+
+    def _show(self) -> None:
+        shown = self._why or self._tip
+        if shown != self.toolTip():
+            super().setToolTip(shown)
+            self.setAccessibleDescription(shown)
+
+
+class WheelGuard(QObject):
+    """Leave the wheel over a field to the page unless the field has the focus."""
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keep the wheel from a field without the focus."""
+        if event.type() is not QEvent.Type.Wheel or not isinstance(watched, QWidget):
+            return False
+        if watched.hasFocus():
+            return False
+        event.ignore()
+        return True
+
+
+def steady_field(field: Field) -> Field:
+    """Return a field that takes the wheel with the focus only, its number where texts begin."""
+    field.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    field.installEventFilter(WheelGuard(field))
+    if isinstance(field, QAbstractSpinBox):
+        # A style sheet's padding does not reach the line inside.
+        field.lineEdit().setTextMargins(STEP - 2, 0, 0, 0)
+    return field
+
+
+def named(widget: Made, name: str, spoken: Text, tip: Text = "", *, role: str = "") -> Made:
+    """Set a widget's names, its tool tip where there is one, and its role (see ``look.sheet``)."""
     widget.setObjectName(name)
     widget.setAccessibleName(tr(spoken))
+    if role:
+        widget.setProperty("role", role)
     if tip:
         widget.setToolTip(tr(tip))
     return widget
@@ -131,26 +202,56 @@ def whole_number(name: str, spoken: Text, low: int, high: int) -> QSpinBox:
     return made
 
 
-def prose(name: str, spoken: Text, text: Text = "") -> QLabel:
+def styled_label(text: Text, role: str) -> QLabel:
+    """Return a label that names what stands beside or below it; role: see ``look.sheet``."""
+    made = QLabel(tr(text))
+    made.setProperty("role", role)
+    return made
+
+
+def prose(name: str, spoken: Text, text: Text = "", *, role: str = "") -> QLabel:
     """Return a label for whole sentences."""
-    made = named(QLabel(tr(text)), name, spoken)
+    made = named(QLabel(tr(text)), name, spoken, role=role)
     made.setTextFormat(Qt.TextFormat.PlainText)
     made.setWordWrap(True)
     made.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
     return made
 
 
-def row(*items: Item | tuple[Item, int], on: QWidget | None = None) -> QHBoxLayout:
-    """Return items side by side; see ``filled``."""
-    return filled(QHBoxLayout(on) if on is not None else QHBoxLayout(), items)
+def row(
+    *items: Item | tuple[Item, int],
+    on: QWidget | None = None,
+    margins: Margins | None = None,
+    spacing: int | None = None,
+) -> QHBoxLayout:
+    """Return items side by side, by default with the style's distances; see ``filled``."""
+    made = filled(QHBoxLayout(on) if on is not None else QHBoxLayout(), items)
+    return spaced(made, margins, spacing)
 
 
-def column(*items: Item | tuple[Item, int], on: QWidget | None = None) -> QVBoxLayout:
-    """Return items below each other, close together; see ``filled``."""
+def column(
+    *items: Item | tuple[Item, int],
+    on: QWidget | None = None,
+    margins: Margins = 0,
+    spacing: int = 2,
+) -> QVBoxLayout:
+    """Return items below each other, by default close together; see ``filled``."""
     made = filled(QVBoxLayout(on) if on is not None else QVBoxLayout(), items)
-    made.setContentsMargins(0, 0, 0, 0)
-    made.setSpacing(2)
-    return made
+    return spaced(made, margins, spacing)
+
+
+def spaced(layout: Layout, margins: Margins | None, spacing: int | None) -> Layout:
+    """Set the distances of a layout, in pixels; None leaves what the style says.
+
+    margins: on all sides; or beside, above and below; or left, top, right, bottom.
+    """
+    if isinstance(margins, int):
+        layout.setContentsMargins(margins, margins, margins, margins)
+    elif margins is not None:
+        layout.setContentsMargins(*(margins if len(margins) == 4 else margins * 2))
+    if spacing is not None:
+        layout.setSpacing(spacing)
+    return layout
 
 
 def signed(size: QSize, text: QLabel, line: QLabel, on: QWidget) -> QLabel:
@@ -158,9 +259,8 @@ def signed(size: QSize, text: QLabel, line: QLabel, on: QWidget) -> QLabel:
     sign = QLabel()
     sign.setFixedSize(size)
     line.setProperty("role", "caption")
-    words = column(text, line)
-    words.setSpacing(0)
-    row(sign, (words, 1), on=on).setContentsMargins(0, 0, 0, 0)
+    words = column(text, line, spacing=0)
+    row(sign, (words, 1), on=on, margins=0)
     return sign
 
 
@@ -228,3 +328,25 @@ def split(
         made.addWidget(part)
     made.setSizes(list(sizes))
     return made
+
+
+def take_away(line: QWidget, layout: QBoxLayout) -> None:
+    """Take a line out of a list and destroy it; it is hidden at once, not at the next event."""
+    layout.removeWidget(line)
+    line.hide()
+    line.deleteLater()
+
+
+def choose_paths(
+    parent: QWidget, title: Text, chosen: Called, mode: QFileDialog.FileMode, files: Text = ""
+) -> None:
+    """Let somebody choose files or a folder, beside the window, so that Stop can be pressed.
+
+    chosen: called with the paths, a list of texts. files: what they are, with their endings.
+    """
+    dialog = QFileDialog(parent, tr(title), filter=tr(files))
+    dialog.setFileMode(mode)
+    dialog.filesSelected.connect(chosen)
+    dialog.finished.connect(dialog.deleteLater)
+    dialog.setModal(False)
+    dialog.show()

@@ -20,12 +20,11 @@ class FoldedDetails(QWidget):
 
     def __init__(self, name: str) -> None:
         super().__init__()
-        self.details = prose(f"{name}_details", "Details")
-        self.details.setProperty("role", "caption")
+        self.details = prose(f"{name}_details", "Details", role="caption")
         self.details.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.details.hide()
         self.more = details_button(name, self.details.setVisible)
-        column(row(self.more, None), self.details, on=self).setContentsMargins(0, 0, 0, 0)
+        column(row(self.more, None), self.details, on=self, margins=0)
         self.hide()
 
     def show_details(self, details: str) -> None:

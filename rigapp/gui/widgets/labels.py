@@ -9,7 +9,7 @@ from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import BODY_PT
+from rigapp.presentation.tokens import BODY_PT
 from rigapp.presentation.translation import Text, tr
 
 WRAPPED = int(Qt.TextFlag.TextWordWrap)

@@ -10,8 +10,8 @@ from PySide6.QtCore import QEvent, QMargins, QRect, QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLabel, QLayout, QLayoutItem, QSpacerItem, QSplitter, QWidget
 
-from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.widgets.build import Item, named, row
+from rigapp.presentation.tokens import GAP, STEP
 from rigapp.presentation.translation import Text, tr
 
 Line = list[tuple[QLayoutItem, QSize]]
@@ -229,9 +229,7 @@ def together(*parts: QWidget | tuple[QWidget, int] | None) -> QWidget:
     if len(there) == 1:
         return there[0][0] if isinstance(there[0], tuple) else there[0]
     made = QWidget()
-    line = row(*there, on=made)
-    line.setContentsMargins(0, 0, 0, 0)
-    line.setSpacing(STEP)
+    row(*there, on=made, margins=0, spacing=STEP)
     return made
 
 

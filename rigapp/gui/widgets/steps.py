@@ -8,9 +8,9 @@ from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.look.icons import Icon, icon
-from rigapp.gui.look.tokens import STEP, Theme
 from rigapp.gui.widgets.build import named, signed
 from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.presentation.tokens import STEP, Theme
 from rigapp.presentation.translation import Text, marked, tr
 
 SIGN = QSize(2 * STEP + 4, 2 * STEP + 4)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from typing import TypeVar
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt
 from PySide6.QtGui import QBrush, QColor, QResizeEvent, QShowEvent
@@ -16,10 +17,11 @@ from PySide6.QtWidgets import (
     QTableWidgetItem,
 )
 
-from rigapp.gui.look.tokens import STEP
 from rigapp.gui.widgets.build import named
+from rigapp.presentation.tokens import STEP
 from rigapp.presentation.translation import Text, tr
 
+Row = TypeVar("Row")
 Index = QModelIndex | QPersistentModelIndex
 Mark = tuple[str, str] | None
 """Background and ink of a marked cell; None: it has no colour of its own."""
@@ -195,6 +197,11 @@ class PlainTable(QTableWidget):
     def chosen(self) -> int | None:
         """Return the chosen row, the first one of several; None where none is."""
         return next(iter(self.all_chosen()), None)
+
+    def chosen_of(self, rows: Sequence[Row]) -> Row | None:
+        """Return what the chosen row shows; rows: what was shown, in its order."""
+        index = self.chosen()
+        return rows[index] if index is not None and index < len(rows) else None
 
     def texts(self) -> list[list[str]]:
         """Return what is shown."""

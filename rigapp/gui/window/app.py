@@ -9,15 +9,15 @@ from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.data.connection import ClientFactory, EngineConnection
-from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.language.catalogue import LANGUAGES, chosen_language, speak_language
 from rigapp.gui.look.dress import apply_theme
-from rigapp.gui.look.tokens import THEMES
 from rigapp.gui.window.selftest import run_self_test
 from rigapp.gui.window.window import PROGRAM, MainWindow
+from rigapp.presentation.tokens import THEMES
 from rigapp.process.ending import asked_to_end, end_at_once
 from rigapp.process.memory import end_of_loading
+from rigapp.viewer.connection import ClientFactory, EngineConnection
+from rigapp.viewer.showntest import ShownTest
 
 LOOK_MS = 200  # Ctrl-C is obeyed at once, to a person
 LOADED_MS = 3000

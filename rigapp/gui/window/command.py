@@ -5,11 +5,11 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QWidget
 
-from rigapp.gui.data.commanding import CommandHolder
-from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import button, column, named
+from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, tr
+from rigapp.viewer.commanding import CommandHolder
 
 KEY = "F2"
 

@@ -12,22 +12,21 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QFont, QKeySequence, QShortcut
 from PySide6.QtWidgets import QFrame, QPushButton, QSizePolicy, QStackedWidget, QWidget
 
-from rigapp.gui.data.connection import ConnectionState
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import Icon, icon
-from rigapp.gui.look.tokens import MARGIN, MESSAGE_LINES, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import button, column, edit, filled, named, row
 from rigapp.gui.widgets.details import details_button
 from rigapp.gui.widgets.labels import ElidedLabel, FewLinesLabel
 from rigapp.gui.window.command import CommandLine
 from rigapp.gui.window.headline import identity
 from rigapp.presentation.states import occupied_text
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.tokens import MARGIN, MESSAGE_LINES, STEP, VALUE_PT, Theme
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.details import details_of, marked_details, sentence_of
 from rigapp.schema.messages import AT_REST, NOTE_CHARACTERS, Remedy, Reply, RunState, Status
 from rigapp.schema.states import ACTIVE, Trigger, is_untimely
+from rigapp.viewer.connection import ConnectionState
 
 Send = Callable[[str, dict[str, Any], Callable[[Reply], None]], None]
 
@@ -102,6 +101,16 @@ BAR_HEIGHT = 8 * STEP
 BUTTON_HEIGHT = 5 * STEP
 STOP_SIZE = QSize(22 * STEP, 6 * STEP)
 TIGHT_STOP_SIZE = QSize(15 * STEP, 6 * STEP)
+
+
+RANKS = {"stop": "dangerous", "start": "primary", "resume": "primary"}
+"""Of the buttons that are no ordinary ones."""
+
+
+def icon_colour(verb: str, theme: Theme) -> str:
+    """Return the colour of a button's icon, which stands out from the button."""
+    inks = {"dangerous": theme.critical, "primary": theme.highlighted_text}
+    return inks.get(RANKS.get(verb, ""), theme.text)
 
 
 class ControlRow(QFrame):
@@ -214,15 +223,17 @@ class ControlRow(QFrame):
             f"#controls {{ background: {theme.base}; border-top: 1px solid {theme.hairline}; }}",
         )
         for spec in BUTTONS:
-            colour = theme.critical if spec.verb == "stop" else theme.text
+            colour = icon_colour(spec.verb, theme)
             self.buttons[spec.verb].setIcon(icon(spec.icon, colour, theme.muted))
         self.note.setIcon(icon(Icon.NOTE, theme.text, theme.muted))
         self._paint_answer()
 
     def show_status(self, status: Status | None, connection: ConnectionState) -> None:
         """Enable what applies now; Stop is always allowed."""
-        self._state = status.state if status is not None else None
-        self._occupied = occupied_text(status) if status is not None and status.calibration else ""
+        self._state = status.engine.state if status is not None else None
+        self._occupied = (
+            occupied_text(status) if status is not None and status.engine.calibration else ""
+        )
         self._start_when_ready()
         self._show_identity(status)
         for command in BUTTONS:
@@ -240,12 +251,12 @@ class ControlRow(QFrame):
 
     def _show_identity(self, status: Status | None) -> None:
         test, line = identity(status) if status is not None else ("", "")
-        if status is not None and status.state not in ACTIVE and self._armed:
+        if status is not None and status.engine.state not in ACTIVE and self._armed:
             test = tr("{}, armed", self._armed)  # what Start beside it begins, not what has ended
         self.test.show_text(test)
         self.line.show_text(line)
         # Pressing Start or Go on disables it: the other one may only come when it applies.
-        paused = status is not None and status.state is RunState.PAUSED
+        paused = status is not None and status.engine.state is RunState.PAUSED
         self.start_place.setCurrentIndex(int(paused))
 
     def _applies(self, command: ButtonSpec, status: Status) -> bool:
@@ -253,7 +264,7 @@ class ControlRow(QFrame):
         if status.recovery.verb == command.verb:
             return True
         in_the_way = command.verb == "start" and Remedy.RESET in status.recovery.left
-        return status.state in command.states and not in_the_way
+        return status.engine.state in command.states and not in_the_way
 
     def act(self, verb: str) -> None:
         """Do what the button of a verb does."""
@@ -349,9 +360,9 @@ class ControlRow(QFrame):
         self.answered.emit()
         stamp = time.strftime("%H:%M:%S")
         if reply.ok:
-            told = tr("{}: done. {}", label, retold(reply.sentence))
+            told = tr("{}: done. {}", label, translate(reply.sentence))
         else:
-            told = tr("{} refused: {}", label, retold(reply.sentence))
+            told = tr("{} refused: {}", label, translate(reply.sentence))
         self.show_answer(f"{stamp}  {told}{marked_details(reply.sentence)}", good=reply.ok)
 
     def _stopped_at_rest(self, reply: Reply) -> None:
@@ -367,8 +378,8 @@ class ControlRow(QFrame):
             return f"{tip} ({command.key})"
         if self._occupied and command.verb in ("start", "resume"):
             return tr("{}. Not now. {}", tip, self._occupied)
-        if status is not None and status.state in command.states:
-            return tr("{}. Not now. {}", tip, retold(status.recovery.sentence))
+        if status is not None and status.engine.state in command.states:
+            return tr("{}. Not now. {}", tip, translate(status.recovery.sentence))
         now = tr(self._state.value if self._state is not None else "not known")
         states = tr(" or ").join(sorted(tr(state.value) for state in command.states))
         return tr("{}. Not now: the state is {}; it must be {}", tip, now, states)
@@ -382,7 +393,7 @@ class ControlRow(QFrame):
             tip=f"{tr(spec.tip)} ({spec.key})",
             # Stopping is for everybody, whoever is in command.
             guarded=spec.verb != "stop",
-            rank={"stop": "dangerous", "start": "primary", "resume": "primary"}.get(spec.verb, ""),
+            rank=RANKS.get(spec.verb, ""),
         )
         made.setFixedHeight(BUTTON_HEIGHT)
         return made

@@ -15,14 +15,14 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QProgressBar, QWidget
 
-from rigapp.gui.data.shown import MARKS, Level
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import CAPTION_PT, LARGE_PT, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import column, named, row
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
 from rigapp.gui.window.headline import Headline, StateShape, TileText
+from rigapp.presentation.tokens import CAPTION_PT, LARGE_PT, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.presentation.translation import Text, tr
+from rigapp.viewer.shown import MARKS, Level
 
 BAR_HEIGHT = 5
 """Of the bars in tiles, in pixels: thin, since the number says it exactly."""

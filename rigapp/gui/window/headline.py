@@ -9,11 +9,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import PurePath
 
-from rigapp.gui.data.connection import ConnectionState
-from rigapp.gui.data.margins import DEPTH, Margin, nearest_margin, newest_force, overload_limit
-from rigapp.gui.data.news import News
-from rigapp.gui.data.quantities import LARGEST
-from rigapp.gui.data.shown import UNKNOWN_AGE, Age, Level, Renewed, age_of, aged, level_of
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.states import (
     calibration_text,
@@ -23,10 +18,14 @@ from rigapp.presentation.states import (
     state_word,
 )
 from rigapp.presentation.times import dated, duration
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, marked, tr
-from rigapp.schema.messages import HowEnded, RunState, Severity, Status
+from rigapp.presentation.translation import Text, marked, tr, translate
+from rigapp.schema.messages import NO_TEST, HowEnded, RunState, Severity, Status
 from rigapp.schema.states import ACTIVE
+from rigapp.viewer.connection import ConnectionState
+from rigapp.viewer.margins import DEPTH, Margin, nearest_margin, newest_force, overload_limit
+from rigapp.viewer.news import News
+from rigapp.viewer.quantities import LARGEST
+from rigapp.viewer.shown import UNKNOWN_AGE, Age, Level, Renewed, age_of, aged, level_of
 
 
 class StateShape(enum.StrEnum):
@@ -122,18 +121,19 @@ def headline(
     """Return what the header shows for a status (None: never heard of the engine)."""
     unknown = TileText("–")
     if status is None:
-        state = TileText("Attaching", retold(connection_reason))
+        state = TileText("Attaching", translate(connection_reason))
         return Headline(
             StateShape.ARROWS, state, unknown, 0.0, unknown, 0.0, unknown, unknown, unknown
         )
     shape, state = _state(status, connection, connection_reason)
+    test = status.test or NO_TEST
     if replay:
         state = TileText(tr("REPLAY"), f"{state.value}: {state.detail}", state.level)
     return Headline(
         shape=shape,
         state=state,
         cycle=aged(_cycle(status, now(), connection), measured.told),
-        progress=status.revolution / status.planned if status.planned > 0 else 0.0,
+        progress=test.revolution / test.planned if test.planned > 0 else 0.0,
         force=aged(_force(status, measured, replay), measured.turned),
         used=_used(measured),
         wear=aged(_wear(status, measured), measured.predicted),
@@ -145,30 +145,32 @@ def headline(
 def _state(
     status: Status, connection: ConnectionState, connection_reason: str
 ) -> tuple[StateShape, TileText]:
+    test = status.test or NO_TEST
     if connection is ConnectionState.LOST:
         return StateShape.BROKEN, TileText(
-            "No engine", tr("{}; trying again", retold(connection_reason)), Level.CRITICAL
+            "No engine", tr("{}; trying again", translate(connection_reason)), Level.CRITICAL
         )
     if connection is ConnectionState.SILENT:
-        word = tr(status.state.value)
+        word = tr(status.engine.state.value)
         return StateShape.BROKEN, TileText(
-            "Silent", tr("was {}; {}", word, retold(connection_reason)), Level.WARNING
+            "Silent", tr("was {}; {}", word, translate(connection_reason)), Level.WARNING
         )
-    shape = _SHAPES.get(status.state, StateShape.ARROWS)
-    if status.state is RunState.STOPPED and status.outcome is not None:
-        shape = _OUTCOME_SHAPES.get(status.outcome, shape)
+    shape = _SHAPES.get(status.engine.state, StateShape.ARROWS)
+    if status.engine.state is RunState.STOPPED and test.outcome is not None:
+        shape = _OUTCOME_SHAPES.get(test.outcome, shape)
     level = Level.CRITICAL if shape is StateShape.DIAMOND else Level.NORMAL
-    detail = rest_text(status) if is_resting(status) else retold(status.reason)
-    if status.state is RunState.CALIBRATING:
+    detail = rest_text(status) if is_resting(status) else translate(status.engine.reason)
+    if status.engine.state is RunState.CALIBRATING:
         detail = calibration_text(status)
     return shape, TileText(state_word(status), detail, level)
 
 
 def _cycle(status: Status, now: float, connection: ConnectionState) -> TileText:
-    if status.planned <= 0:
+    test = status.test or NO_TEST
+    if test.planned <= 0:
         return TileText("–", "no test")
-    count = tr("{} of {}", grouped(status.revolution), grouped(status.planned))
-    saved = tr("{} saved", grouped(status.committed))
+    count = tr("{} of {}", grouped(test.revolution), grouped(test.planned))
+    saved = tr("{} saved", grouped(test.committed))
     # Of an engine that does not answer nobody knows when the test ends.
     end, when = _end(status, now) if connection is ConnectionState.ATTACHED else ("", "")
     return TileText(count, f"{saved}, {end}" if end else saved, short=when)
@@ -176,12 +178,13 @@ def _cycle(status: Status, now: float, connection: ConnectionState) -> TileText:
 
 def _end(status: Status, now: float) -> tuple[Text, Text]:
     """Return when the test ends, in words and in few; while it is paused, nobody knows."""
-    if status.state in (RunState.PAUSED, RunState.PAUSING) and not status.resting:
+    test = status.test or NO_TEST
+    if status.engine.state in (RunState.PAUSED, RunState.PAUSING) and not test.resting:
         return tr("the end waits"), "the end waits"
-    if status.state not in ACTIVE or status.expected_end_at <= 0.0:
+    if status.engine.state not in ACTIVE or test.expected_end_at <= 0.0:
         return "", ""
-    left = max(0.0, status.expected_end_at - now)
-    moment = time.localtime(status.expected_end_at)
+    left = max(0.0, test.expected_end_at - now)
+    moment = time.localtime(test.expected_end_at)
     today = time.localtime(now)
     days = (moment.tm_year, moment.tm_yday) != (today.tm_year, today.tm_yday)
     when = dated("%a %H:%M" if days else "%H:%M", moment)
@@ -202,7 +205,7 @@ def _force(status: Status, measured: NewestMeasured, replay: bool) -> TileText:
     if known and math.isfinite(measured.overload_N):
         value = tr("{} of {}", value, f"{measured.overload_N:.0f} N")
     level = level_of(status.alarms, LARGEST)
-    active = status.state in ACTIVE
+    active = status.engine.state in ACTIVE
     if measured.nearest is not None and (active or replay):
         return TileText(value, measured.nearest.left, level, measured.nearest.short)
     if active:
@@ -219,7 +222,7 @@ def _used(measured: NewestMeasured) -> float:
 def _wear(status: Status, measured: NewestMeasured) -> TileText:
     level = level_of(status.alarms, DEPTH)
     if not math.isfinite(measured.wear_um):
-        if status.state in ACTIVE:
+        if status.engine.state in ACTIVE:
             return TileText("–", "not measured yet", level, "not yet")
         return TileText("–", "no test running", level, "no test")
     value = f"{measured.wear_um:.1f}"
@@ -229,10 +232,11 @@ def _wear(status: Status, measured: NewestMeasured) -> TileText:
 
 
 def _agreement(status: Status) -> TileText:
-    if status.twin_revolution <= 0 or status.residual_rms_N is None:
+    test = status.test or NO_TEST
+    if test.twin_revolution <= 0 or test.residual_rms_N is None:
         return TileText("–", "no prediction", short="none")
-    behind = status.revolution - status.twin_revolution
-    value = f"±{status.residual_rms_N:.1f} N"
+    behind = test.revolution - test.twin_revolution
+    value = f"±{test.residual_rms_N:.1f} N"
     late = tr("RMS, {} cycles ago", grouped(behind))
     level = level_of(status.alarms, "residual_rms")
     return TileText(value, "RMS, this cycle" if behind <= 1 else late, level, "RMS")
@@ -246,7 +250,7 @@ def _alarms(status: Status) -> TileText:
     critical = any(alarm.severity is Severity.CRITICAL for alarm in shown)
     first = next((alarm for alarm in shown if alarm.first_out), shown[0])
     count = f"{len(shown)}" if not new else tr("{}, {} new", len(shown), new)
-    return TileText(count, retold(first.title), Level.CRITICAL if critical else Level.WARNING)
+    return TileText(count, translate(first.title), Level.CRITICAL if critical else Level.WARNING)
 
 
 def measured(news: News) -> NewestMeasured:
@@ -271,23 +275,24 @@ def rig_words(news: News) -> tuple[str, str]:
     """Return the rig's name, and what it is where it is no real one."""
     if news.status is None:
         return "", ""
-    kind: Text = "REPLAY" if news.is_replay else "SIMULATED" if news.status.simulated else ""
-    return news.status.rig, tr(kind)
+    kind: Text = "REPLAY" if news.is_replay else "SIMULATED" if news.status.rig.simulated else ""
+    return news.status.rig.name, tr(kind)
 
 
 def identity(status: Status) -> tuple[str, str]:
     """Return what runs, in a line, and with which rig, speed, operator and file, in another."""
+    test = status.test or NO_TEST
     parts = []
-    if status.simulated:
-        speed = status.simulated_speed
+    if status.rig.simulated:
+        speed = status.rig.simulated_speed
         known = math.isfinite(speed) and speed > 0
         parts.append(tr("simulated") + (f" × {speed:.3g}" if known else ""))
-    if status.state in ACTIVE and status.step:
-        parts.append(tr("step {} of {}", status.step, status.steps))
-    if status.state in ACTIVE:
-        parts.append(tr("{:.1f} rpm", status.target_rpm))
-    if status.operator:
-        parts.append(status.operator)
-    if status.file:
-        parts.append(PurePath(status.file).name)
-    return status.test or tr("No test yet"), ", ".join(parts)
+    if status.engine.state in ACTIVE and test.step:
+        parts.append(tr("step {} of {}", test.step, test.steps))
+    if status.engine.state in ACTIVE:
+        parts.append(tr("{:.1f} rpm", test.target_rpm))
+    if status.engine.operator:
+        parts.append(status.engine.operator)
+    if test.file:
+        parts.append(PurePath(test.file).name)
+    return test.title or tr("No test yet"), ", ".join(parts)

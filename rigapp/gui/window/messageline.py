@@ -11,10 +11,10 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from rigapp.gui.look.dress import dress_part
-from rigapp.gui.look.tokens import CAPTION_PT, GAP, MARGIN, STEP, Theme
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import named, row
 from rigapp.presentation.times import dated
+from rigapp.presentation.tokens import CAPTION_PT, GAP, MARGIN, STEP, Theme
 
 HEIGHT = 13 * STEP // 2
 """Of the line: ``MESSAGE_LINES`` of text, as many as a cause and its remedy have at 1366 pixels."""

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from PySide6.QtCore import Signal
 
-from rigapp.gui.data.connection import ConnectionState
-from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import button
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.states import state_details, state_line
 from rigapp.presentation.times import duration
+from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import tr
-from rigapp.schema.messages import RunState, Status
+from rigapp.schema.messages import NO_TEST, RunState, Status
 from rigapp.schema.states import ACTIVE
+from rigapp.viewer.connection import ConnectionState
 
 
 class NoticeBar(Bar):
@@ -51,16 +51,17 @@ class NoticeBar(Bar):
 
     def take_status(self, status: Status, *, replay: bool = False) -> None:
         """Take the newest status; of a replay it is told that nothing moves."""
+        test = status.test or NO_TEST
         if replay:
-            self.say(tr("{}: no rig is connected, nothing moves.", status.test))
+            self.say(tr("{}: no rig is connected, nothing moves.", test.title))
             self.away.hide()
             self.end.hide()
             self.show_when(True)
             return
         last, self._last = self._last, status
-        if last is not None and last.engine_pid != status.engine_pid:
+        if last is not None and last.engine.pid != status.engine.pid:
             self._restart = restart_sentence(last)
-        if status.state in ACTIVE:
+        if status.engine.state in ACTIVE:
             self._restart = ""
         self._show()
 
@@ -79,10 +80,11 @@ class NoticeBar(Bar):
             or (state_line(status, RECOVER_KEY) if status is not None else "")
         )
         bad = bool(text) and (
-            bool(silent or self._restart) or (status is not None and status.state is RunState.FAULT)
+            bool(silent or self._restart)
+            or (status is not None and status.engine.state is RunState.FAULT)
         )
         self.away.setVisible(bool(self._restart) and not silent)
-        found = status.calibration if status is not None and not silent else None
+        found = status.engine.calibration if status is not None and not silent else None
         self.end.setVisible(found is not None and found.since != self.own_calibration)
         told = status if status is not None and not (silent or self._restart) else None
         self.say(text, state_details(told) if told is not None else "")
@@ -109,7 +111,7 @@ def silence_sentence(connection: ConnectionState, silence_s: float, last: Status
     if last is None or connection not in (ConnectionState.SILENT, ConnectionState.LOST):
         return ""
     text = tr("The engine has not answered for {}: every value is old.", duration(silence_s))
-    if last.state in (RunState.IDLE, RunState.READY, RunState.STOPPED):
+    if last.engine.state in (RunState.IDLE, RunState.READY, RunState.STOPPED):
         return text
     more = tr("Press the emergency stop before you reach into the rig.")
     return f"{text}  {more}"
@@ -117,14 +119,15 @@ def silence_sentence(connection: ConnectionState, silence_s: float, last: Status
 
 def restart_sentence(last: Status) -> str:
     """Return what to say when another engine process answers than the one before."""
-    if last.state not in ACTIVE:
+    if last.engine.state not in ACTIVE:
         return ""
+    test = last.test or NO_TEST
     return tr(
         "The engine ended while {test} was {state}, and a new one was started. The drive's own"
         " watchdog stops the spindle. {saved} revolutions are safe in {file}. To go on with it:"
         " Results (Ctrl+8), Go on with it.",
-        test=last.test or tr("a test"),
-        state=tr(last.state.value),
-        saved=grouped(last.committed),
-        file=last.file,
+        test=test.title or tr("a test"),
+        state=tr(last.engine.state.value),
+        saved=grouped(test.committed),
+        file=test.file,
     )

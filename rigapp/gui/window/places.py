@@ -13,8 +13,8 @@ from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QPushButton, QToolBu
 
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.icons import Icon, icon
-from rigapp.gui.look.tokens import CAPTION_PT, GAP, STEP, Theme
 from rigapp.gui.widgets.build import button, choice, column, follow_in_tab_order, named, row
+from rigapp.presentation.tokens import CAPTION_PT, GAP, STEP, Theme
 from rigapp.presentation.translation import Text, marked, tr
 
 RAIL_WIDTH = 12 * STEP

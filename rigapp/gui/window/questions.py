@@ -67,9 +67,9 @@ class EndCalibrationBar(Bar):
 
     def ask(self, status: Status) -> None:
         """Show the question with the focus on keeping it open."""
-        if status.calibration is None:
+        if status.engine.calibration is None:
             return
-        self._since = status.calibration.since
+        self._since = status.engine.calibration.since
         words = calibration_text(status)
         text: Text = "Calibrating: {}. Look at the pin: take off what hangs on it, keep hands away."
         self.say(tr(text, words))
@@ -78,7 +78,7 @@ class EndCalibrationBar(Bar):
 
     def take_status(self, status: Status) -> None:
         """Ask no longer about a calibration that is over."""
-        found = status.calibration
+        found = status.engine.calibration
         if not self.isHidden() and (found is None or found.since != self._since):
             self.hide()
 

@@ -10,13 +10,12 @@ from typing import Final
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QLabel
 
-from rigapp.gui.look.tokens import CARD_RADIUS, GAP, MARGIN, STEP, Theme
 from rigapp.gui.widgets.build import button, column, named, prose
 from rigapp.gui.widgets.details import FoldedDetails
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.tokens import CARD_RADIUS, GAP, MARGIN, STEP, Theme
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.details import details_of
-from rigapp.schema.messages import Alarm, Remedy, RunState, Severity, Status
+from rigapp.schema.messages import NO_TEST, Alarm, Remedy, RunState, Severity, Status
 from rigapp.schema.states import ACTIVE
 
 KEY: Final = "F10"
@@ -50,9 +49,9 @@ UNDER_WAY: Final = ACTIVE - {RunState.STOPPING}
 
 def needs_recovery(status: Status) -> bool:
     """Tell whether something is in the way of the next start."""
-    if status.state in ACTIVE or status.state is RunState.CONNECTING:
+    if status.engine.state in ACTIVE or status.engine.state is RunState.CONNECTING:
         return False
-    return status.state is RunState.FAULT or _worst(status) is not None
+    return status.engine.state is RunState.FAULT or _worst(status) is not None
 
 
 def _worst(status: Status) -> Alarm | None:
@@ -118,7 +117,7 @@ class RecoverPanel(QFrame):
         changed = before is None or status is None or _situation(before) != _situation(status)
         if changed:
             self._asked = False
-        if status is None or status.state in UNDER_WAY:
+        if status is None or status.engine.state in UNDER_WAY:
             self.hide()
         elif needs_recovery(status) and self.isHidden():
             self._why = ""
@@ -147,7 +146,9 @@ class RecoverPanel(QFrame):
             return
         self._asked = True
         self._show()
-        self.wanted.emit(verb, {"file": status.file} if verb == "resume_file" else {})
+        self.wanted.emit(
+            verb, {"file": (status.test or NO_TEST).file} if verb == "resume_file" else {}
+        )
 
     def _show(self) -> None:
         status = self._status
@@ -158,9 +159,9 @@ class RecoverPanel(QFrame):
         if worst is not None:
             self._why = worst.cause
         self._frame(recovered=told.step is Remedy.GO_ON)
-        self.cause.setText(retold(self._why or status.reason))
-        self.details.show_details(details_of(self._why or status.reason))
-        self.next.setText(retold(told.sentence))
+        self.cause.setText(translate(self._why or status.engine.reason))
+        self.details.show_details(details_of(self._why or status.engine.reason))
+        self.next.setText(translate(told.sentence))
         for number, (step, label) in enumerate(self.steps.items(), 1):
             now = step is told.step
             label.setHidden(self._tight and not now)
@@ -174,7 +175,7 @@ class RecoverPanel(QFrame):
             text = tr("Wait")
         self.button.setText(f"{tr(text)}  {KEY}")
         self.button.setEnabled(bool(told.verb) and not self._asked)
-        self.button.setToolTip(retold(told.sentence))
+        self.button.setToolTip(translate(told.sentence))
         self.other.setVisible(told.verb == "resume_file")
         self.away.setVisible(told.step is Remedy.GO_ON)
 
@@ -211,4 +212,9 @@ class RecoverPanel(QFrame):
 
 def _situation(status: Status) -> tuple[object, ...]:
     worst = _worst(status)
-    return status.state, status.reason, status.recovery, worst.cause if worst is not None else ""
+    return (
+        status.engine.state,
+        status.engine.reason,
+        status.recovery,
+        worst.cause if worst is not None else "",
+    )

@@ -17,12 +17,12 @@ from PySide6.QtWidgets import QFrame, QLabel, QSlider, QSpinBox
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import Icon, icon
-from rigapp.gui.look.tokens import GAP, MARGIN, RADIUS, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import button, choice, named, whole_number
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.window.controls import BAR_HEIGHT, BUTTON_HEIGHT
+from rigapp.presentation.tokens import GAP, MARGIN, RADIUS, STEP, VALUE_PT, Theme
 from rigapp.presentation.translation import tr
-from rigapp.schema.messages import RunState, Status
+from rigapp.schema.messages import NO_TEST, RunState, Status
 
 SPEEDS = (0.1, 1.0, 10.0, 100.0, 1000.0, 10_000.0)
 FRAME = STEP // 2
@@ -126,20 +126,21 @@ class ReplayBar(QFrame):
 
     def show_status(self, status: Status, last_recorded: int) -> None:
         """Follow the replay, unless somebody is just moving the slider or typing."""
-        playing = status.state is RunState.RUNNING
+        test = status.test or NO_TEST
+        playing = status.engine.state is RunState.RUNNING
         if playing != self._playing:
             self._playing = playing
             self._show_playing()
-        first, last = status.first_revolution, max(last_recorded, 1)
+        first, last = test.first_revolution, max(last_recorded, 1)
         if (first, last) != (self._first, self._last):
             self._first, self._last = first, last
             self.revolution.setRange(0, last)
         span = max(1, self._last - self._first + 1)
-        place = round(STEPS * (status.revolution - self._first + 1) / span)
+        place = round(STEPS * (test.revolution - self._first + 1) / span)
         if not self.place.isSliderDown():
             _show(self.place, max(0, min(STEPS, place)))
         if not self.revolution.hasFocus():
-            _show(self.revolution, status.revolution)
+            _show(self.revolution, test.revolution)
 
     def _show_playing(self) -> None:
         text = tr("Pause  F6") if self._playing else tr("Play  F7")

@@ -10,11 +10,20 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QProgressBar, QScrollArea, QWidget
 
-from rigapp.gui.data.channels import SIZE, FreeValue, value_text
-from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, wear_of
-from rigapp.gui.data.margins import Margin, margins
-from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.shown import (
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.panels.alarms import AlarmGlance
+from rigapp.gui.panels.connecting import BEFORE, ConnectingCard
+from rigapp.gui.widgets.build import column, named
+from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
+from rigapp.gui.window.headline import TileText, data_age
+from rigapp.gui.window.recover import RecoverPanel
+from rigapp.presentation.tokens import CAPTION_PT, GAP, MARGIN, STEP, VALUE_PT, Theme
+from rigapp.presentation.translation import Text, tr
+from rigapp.viewer.channels import SIZE, FreeValue, value_text
+from rigapp.viewer.knownwear import COEFFICIENT, REMAINING, wear_of
+from rigapp.viewer.margins import Margin, margins
+from rigapp.viewer.news import News, Takes
+from rigapp.viewer.shown import (
     MARKS,
     Level,
     Renewed,
@@ -24,15 +33,6 @@ from rigapp.gui.data.shown import (
     level_of,
     quantity_level,
 )
-from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import CAPTION_PT, GAP, MARGIN, STEP, VALUE_PT, Theme
-from rigapp.gui.panels.alarms import AlarmGlance
-from rigapp.gui.panels.connecting import BEFORE, ConnectingCard
-from rigapp.gui.widgets.build import column, named
-from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
-from rigapp.gui.window.headline import TileText, data_age
-from rigapp.gui.window.recover import RecoverPanel
-from rigapp.presentation.translation import Text, tr
 
 WIDTH = 42 * STEP
 NARROW_WIDTH = 39 * STEP
@@ -124,11 +124,11 @@ class LiveCard(QFrame):
     def show_news(self, news: News) -> None:
         """Show what is newest."""
         status, rows = news.status, news.data.rows
-        views = {view.name: view for view in status.channels} if status is not None else {}
+        views = {view.name: view for view in status.rig.channels} if status is not None else {}
         parts = [views[name].value for name in ("force_1", "force_2") if name in views]
         force = math.hypot(*parts) if len(parts) == 2 else math.nan
         alarms = status.alarms if status is not None else ()
-        rms, rpm = rows.last(f"{SIZE}_rms"), status.speed_rpm if status is not None else None
+        rms, rpm = rows.last(f"{SIZE}_rms"), status.rig.speed_rpm if status is not None else None
         fields = {
             name: aged(TileText(value_text(value, unit, 1), level=level), age_of(news, renewed))
             for name, value, unit, level, renewed in (
@@ -307,7 +307,7 @@ class SideColumn(QScrollArea):
         self.live.show_news(news)
         if news.status is not None:
             self.alarms.show_alarms(news.status.alarms, recorded=news.is_replay)
-        before = not news.is_replay and (news.status is None or news.status.state in BEFORE)
+        before = not news.is_replay and (news.status is None or news.status.engine.state in BEFORE)
         normal = self.recover.isHidden()
         for card, wanted in (
             (self.connecting, normal and before),

@@ -9,9 +9,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QScrollArea, QStackedWidget, QWidget
 
 from rigapp.gui.look.dress import dress_part
-from rigapp.gui.look.tokens import Theme
 from rigapp.gui.panel import Dressed, InParts
 from rigapp.gui.widgets.build import named
+from rigapp.presentation.tokens import Theme
 
 
 class Stage(QStackedWidget):

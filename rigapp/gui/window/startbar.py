@@ -12,7 +12,6 @@ from PySide6.QtWidgets import QFileDialog, QFrame
 
 from rigapp.config.names import new_result
 from rigapp.config.ranges import RANGES
-from rigapp.gui.look.tokens import GAP, MARGIN, STEP
 from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.gui.testfile.unsaved import listed
 from rigapp.gui.widgets.build import (
@@ -26,6 +25,7 @@ from rigapp.gui.widgets.build import (
     whole_number,
 )
 from rigapp.gui.widgets.reflow import flowing
+from rigapp.presentation.tokens import GAP, MARGIN, STEP
 from rigapp.presentation.translation import tr
 
 FILE_WIDTH, TOLD_WIDTH = 24 * STEP, 28 * STEP

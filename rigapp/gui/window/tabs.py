@@ -10,33 +10,33 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
 
-from rigapp.gui.data.news import News, Takes, tripped
-from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.look.dress import dress_part
-from rigapp.gui.look.tokens import Theme
 from rigapp.gui.panel import Act, Dressed, Host, InParts, Panel, StallCounter
 from rigapp.gui.panels.alarms import alarm_page
 from rigapp.gui.panels.cycle import cycle_page
 from rigapp.gui.panels.devices import device_page
 from rigapp.gui.panels.faults import fault_page
 from rigapp.gui.panels.logbook import log_page
-from rigapp.gui.panels.overview import overview_page
 from rigapp.gui.panels.queue import queue_page
 from rigapp.gui.panels.resultpage import has_result, result_page
 from rigapp.gui.panels.results import results_page
 from rigapp.gui.panels.start import may_begin, start_page
 from rigapp.gui.panels.studies import studies_page
-from rigapp.gui.panels.trends import trend_page
+from rigapp.gui.panels.trends import overview_page, trend_page
 from rigapp.gui.panels.wear import wear_page
+from rigapp.gui.plots.plotmenu import offer_menus
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.testfile.prepare import PreparePanel, prepare_page
 from rigapp.gui.widgets.build import named
 from rigapp.gui.widgets.turns import Turns
 from rigapp.gui.window.places import PageName, RailPlace
+from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.states import ACTIVE
+from rigapp.viewer.news import News, Takes, tripped
+from rigapp.viewer.showntest import ShownTest
+from rigapp.viewer.tasks import TaskWorker
 
 
 def _always(news: News) -> bool:
@@ -48,7 +48,7 @@ def _with_rig(news: News) -> bool:
 
 
 def _simulated(news: News) -> bool:
-    return news.status is not None and news.status.simulated and not news.is_replay
+    return news.status is not None and news.status.rig.simulated and not news.is_replay
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,6 +131,7 @@ class Tabs(QTabWidget):
             self.setTabToolTip(place, f"{tr(tab.title)} ({tab.key})")
             shortcut = QShortcut(QKeySequence(tab.key), self)
             shortcut.activated.connect(partial(self._go_to, place))
+        offer_menus(self, self.said.emit)
         self._offer_tabs()
         self.splitters = [one for one in self.findChildren(QSplitter) if one.objectName()]
         self.currentChanged.connect(self._changed)
@@ -224,7 +225,7 @@ class Tabs(QTabWidget):
         if page in ("start", "result") and not TABS[self.currentIndex()].shown(news):
             self.show_page("overview")
         self._offer_tabs()
-        over = has_result(news) and (was is None or was.state in ACTIVE)
+        over = has_result(news) and (was is None or was.engine.state in ACTIVE)
         if over and page in ("start", "overview") and now is not None and not tripped(now):
             self.show_page("result")
 

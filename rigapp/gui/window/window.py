@@ -25,18 +25,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.gui.data.connection import ConnectionState, EngineConnection
-from rigapp.gui.data.news import News
-from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.look.dress import apply_theme, dress_part
-from rigapp.gui.look.tokens import GAP, MARGIN, STEP, THEMES, TIGHT_HEIGHT, TIGHT_WIDTH, Theme
 from rigapp.gui.panel import Act
 from rigapp.gui.panels.alarms import AlarmPanel
 from rigapp.gui.panels.documents import launch_process
 from rigapp.gui.results.shelf import ResultShelf
-from rigapp.gui.widgets.build import button, column, follow_in_tab_order, named, row
-from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.gui.widgets.build import GuardedButton, button, column, follow_in_tab_order, named, row
 from rigapp.gui.widgets.turns import Turns
 from rigapp.gui.window.command import KEY as COMMAND_KEY
 from rigapp.gui.window.command import ViewerBar, why_forbidden
@@ -57,12 +51,16 @@ from rigapp.gui.window.startbar import StartBar
 from rigapp.gui.window.tabs import Tabs
 from rigapp.gui.window.watchdog import IDLE_PERIOD_S, PERIOD_S, Watchdog
 from rigapp.presentation.states import occupied_text
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.tokens import GAP, MARGIN, STEP, THEMES, TIGHT_HEIGHT, TIGHT_WIDTH, Theme
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.process.memory import begin_to_load, end_of_loading
 from rigapp.schema.details import error_text
-from rigapp.schema.messages import Reply, RunState, Snapshot, Status
+from rigapp.schema.messages import NO_TEST, Reply, RunState, Snapshot, Status
 from rigapp.schema.states import ACTIVE
+from rigapp.viewer.connection import ConnectionState, EngineConnection
+from rigapp.viewer.news import News
+from rigapp.viewer.showntest import ShownTest
+from rigapp.viewer.tasks import TaskWorker
 
 if TYPE_CHECKING:
     from rigapp.gui.wizard.wizard import CalibrationWizard
@@ -367,15 +365,15 @@ class MainWindow(QMainWindow):
         status = self._connection.status
         if not reply.ok or status is None:
             self._end_calibration()
-            self.controls.show_answer(retold(reply.sentence), good=False)
+            self.controls.show_answer(translate(reply.sentence), good=False)
             return
         begun = reply.result or {}
         self.controls.show_answer("", good=True)
         self._calibrating_since, self._occupies = begun.get("since", 0.0), False
         self.notice.own_calibration = self._calibrating_since
-        operator = status.operator or getuser()
+        operator = status.engine.operator or getuser()
         test = self.tabs.prepare.recipe.path
-        rig = Rig(status.rig, status.simulated, operator, self._rig_file, test)
+        rig = Rig(status.rig.name, status.rig.simulated, operator, self._rig_file, test)
         line, folder = self._connection.request, self._results_folder
         choice = CHOICES[which]
         assert self._make_wizard is not None
@@ -428,11 +426,11 @@ class MainWindow(QMainWindow):
 
     def _may_calibrate(self) -> Status | None:
         status = self._connection.status
-        if self._connection.is_replay or status is None or status.state in ACTIVE:
+        if self._connection.is_replay or status is None or status.engine.state in ACTIVE:
             why: Text = "Calibrating needs a running engine and no test under way."
             self.controls.show_answer(why, good=False)
             return None
-        if status.calibration is not None:
+        if status.engine.calibration is not None:
             self.controls.tell_occupied()
             return None
         return status
@@ -445,7 +443,7 @@ class MainWindow(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask while a test is under way; else remember the layout and detach."""
         status = self._connection.status
-        active = status is not None and status.state in ACTIVE
+        active = status is not None and status.engine.state in ACTIVE
         attached = (
             self._connection.state is ConnectionState.ATTACHED and not self._connection.is_replay
         )
@@ -490,7 +488,7 @@ class MainWindow(QMainWindow):
 
     def _take(self, snapshot: Snapshot) -> None:
         status = snapshot.status
-        busy = status.state in ACTIVE or self._start_wanted is not None
+        busy = status.engine.state in ACTIVE or self._start_wanted is not None
         self._keep(IN_TEST if busy else IDLE)
         self.recover.take_status(None if self._connection.is_replay else status)
         self.notice.take_status(status, replay=self._connection.is_replay)
@@ -498,11 +496,11 @@ class MainWindow(QMainWindow):
         self._test.take(snapshot)
         self.tabs.take(self.news)
         self._show_place()
-        if self._start_wanted is not None and status.state in STARTABLE:
+        if self._start_wanted is not None and status.engine.state in STARTABLE:
             test, self._start_wanted = self._start_wanted, None
             self.controls.show_status(status, self._connection.state)
             self.start_bar.start(test)
-        title = f"{status.test or status.rig} – {PROGRAM}"
+        title = f"{(status.test or NO_TEST).title or status.rig.name} – {PROGRAM}"
         if self._forbidden and not self._connection.is_replay:
             title = tr("Viewing only: {}", title)
         if self.windowTitle() != title:
@@ -510,7 +508,7 @@ class MainWindow(QMainWindow):
 
     def _take_occupied(self, status: Status) -> None:
         """Take which calibration occupies the rig; close ours when somebody else has ended it."""
-        found = status.calibration
+        found = status.engine.calibration
         self.end_calibration.take_status(status)
         self.start_bar.show_occupied(occupied_text(status) if found is not None else "")
         ours = found is not None and found.since == self._calibrating_since
@@ -527,7 +525,7 @@ class MainWindow(QMainWindow):
     def _next_step(self) -> None:
         """Do the next step that the message line names; there is none in a calibration."""
         status = self._connection.status
-        if status is not None and status.state is RunState.CALIBRATING:
+        if status is not None and status.engine.state is RunState.CALIBRATING:
             self.controls.tell_occupied()
         self.recover.press()
 
@@ -562,7 +560,7 @@ class MainWindow(QMainWindow):
 
     def _close_when_stopped(self) -> None:
         status = self._connection.status
-        if self._closing == "when stopped" and status and status.state not in ACTIVE:
+        if self._closing == "when stopped" and status and status.engine.state not in ACTIVE:
             self._leave()
 
     def _do(self, act: Act) -> None:
@@ -579,7 +577,7 @@ class MainWindow(QMainWindow):
         status = self._connection.status
         if status is None:
             self._say("Wait for the engine: which rig it drives is not known yet.", good=False)
-        elif status.simulated and self.start_bar.first is not None:
+        elif status.rig.simulated and self.start_bar.first is not None:
             self.start_bar.start(self.start_bar.first)
         else:
             launch_process(["gui", "--start"])
@@ -675,7 +673,7 @@ class MainWindow(QMainWindow):
         self._show_side()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """RailPlace the card of a start when it appears."""
+        """Show the card of a start when it appears."""
         if watched is self.start_bar and event.type() == QEvent.Type.Show:
             self._place_start_bar()
         return super().eventFilter(watched, event)

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from rigapp.calibrating.records_in_use import RecordPlace
-from rigapp.calibrating.rig_file import name_record
+from rigapp.calibrating.records_in_use import RecordPlace, name_record
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.widgets.build import button, prose
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import sentence
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, marked, tr
+from rigapp.presentation.translation import Text, marked, tr, translate
+from rigapp.texts import sentence_of_error
 
 USE: Text = "Write its name into the &rig file…"
 
@@ -100,8 +99,10 @@ class CertificatePage(GuidePage):
             return
         if not self._asked:
             self._asked = True
+            found = " ".join(map(translate, outcome.as_found[1])) if outcome.changed else ""
             self.used.setText(
-                tr(
+                f"{found}\n" * bool(found)
+                + tr(
                     "Write the name of this record into {}? Comments and all else stay, and a copy"
                     " of the file as it is now is kept beside it.",
                     file,
@@ -114,14 +115,16 @@ class CertificatePage(GuidePage):
             copy = name_record(file, outcome.saved, self._place)
         except UnusableInput as error:
             self._leave()
-            self.used.setText(retold(str(error)))
+            self.used.setText(translate(sentence_of_error(error)))
             return
         self._asked = False
         self.use.hide()
         self.no.hide()
         words = tr("{} names the record now; the former file is {}.", file.name, copy.name)
         self.used.setText(words)
-        self._live.ask("use_records", lambda reply: self.used.setText(f"{words} {reply.sentence}"))
+        self._live.ask(
+            "use_records", lambda reply: self.used.setText(f"{words} {translate(reply.sentence)}")
+        )
 
 
 def _load_writers() -> None:
@@ -129,5 +132,5 @@ def _load_writers() -> None:
     import matplotlib.figure  # noqa: F401
 
     import rigapp.calibrating.certificate
-    import rigapp.report.page.html
+    import rigapp.report.page.manuscript
     import rigapp.report.page.pdf  # noqa: F401

@@ -7,13 +7,12 @@ import pyqtgraph as pg
 from PySide6.QtWidgets import QWidget
 
 from rigapp.calibrating.daily_history import DailyHistory, verdict_lines
-from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.palette import line_pen
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import column
 from rigapp.gui.wizard.parts import caption, sentence, taking_what_is_left
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.tokens import Theme
+from rigapp.presentation.translation import Text, tr, translate
 
 
 class ChartPlot(QWidget):
@@ -68,7 +67,7 @@ class ChartPlot(QWidget):
         margin = max(0.15 * (high - low), 1e-4)
         self.plot.setXRange(0.5, max(8.5, len(one.values) + 0.5), padding=0.0)
         self.plot.setYRange(low - margin, high + margin, padding=0.0)
-        self.words.setText("\n".join(map(retold, verdict_lines(found))))
+        self.words.setText("\n".join(map(translate, verdict_lines(found))))
 
     def _level(self, value: float, words: Text, *, dotted: bool = False) -> None:
         pen = line_pen(self._theme.text, dotted=dotted)

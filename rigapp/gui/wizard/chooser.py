@@ -9,9 +9,9 @@ from functools import partial
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDialog, QLabel, QVBoxLayout, QWidget
 
-from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.widgets.build import button, filled
 from rigapp.gui.widgets.labels import scaled_font
+from rigapp.presentation.tokens import GAP, STEP
 from rigapp.presentation.translation import Text, tr
 
 

@@ -18,7 +18,6 @@ from rigapp.config.calibration_settings import (
     RunOutFile,
     load_cell_meaning,
 )
-from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import choice, edit, whole_number
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import PlotNames, number
@@ -26,9 +25,10 @@ from rigapp.gui.wizard.plan_page import RIG, Field, Questions, Values
 from rigapp.gui.wizard.rolling_page import RollingCalibration, RollingPage
 from rigapp.gui.wizard.scenes import Piece, ProbeScene, RollScene, Scene, WeightScene, stack_of
 from rigapp.gui.wizard.taking_page import TakingPage, TakingWords
+from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp_calibration.load_cell.plans import LoadCellPlan
-from rigapp_calibration.load_cell.plausible import GRAVITY
+from rigapp_calibration.load_cell.settings import GRAVITY
 from rigapp_calibration.probes.plans import ProbePlan
 from rigapp_calibration.probes.readings import FEWEST_POSITIONS
 from rigapp_calibration.taking.procedure import Step, StepKind, duration_words
@@ -105,8 +105,8 @@ def weight_scene(session: Any, window: Any, readiness: Readiness | None) -> Scen
 
 _WEIGHING_PLANS: tuple[tuple[Text, str], ...] = (
     ("Daily check: one weight at 4 pin angles", "daily"),
-    ("Routine: 4 pin angles, 5 loads up and down", "routine"),
-    ("Full: 12 pin angles, 10 loads up and down", "full"),
+    ("Routine: 8 pin angles, two of them twice, 5 loads up and down", "routine"),
+    ("Full: 12 pin angles, two of them twice, 10 loads up and down", "full"),
 )
 _WEIGHTS: Text = "Weights, kilograms; 5x8 are eight of 5 kg"
 _MASS = partial(number, low=0.0, high=20.0, decimals=4, step=0.1, unit="kg")

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
-from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.widgets.build import button, choice, named, row
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.wizard.live_calibration import LiveCalibration
+from rigapp.presentation.tokens import GAP, STEP
 from rigapp.presentation.translation import Text, tr
 
 

@@ -14,9 +14,10 @@ from rigapp.calibrating.practice import Action
 from rigapp.calibrating.session import LiveSession, Outcome, Rig
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.data.tasks import TaskWorker
-from rigapp.presentation.told import retold
+from rigapp.presentation.translation import translate
 from rigapp.schema.messages import Reply
+from rigapp.texts import sentence_of_error
+from rigapp.viewer.tasks import TaskWorker
 from rigapp_calibration.taking.procedure import ProcedureError
 from rigapp_calibration.taking.signals import LISTEN_S, Readiness, SignalState
 
@@ -159,7 +160,7 @@ class LiveCalibration(QObject):
         if not reply.ok:
             self.window = self.readiness = None
             if self.session is not None:
-                self.said.emit(retold(reply.sentence))
+                self.said.emit(translate(reply.sentence))
             self.looked.emit()
             return
         self.view = reply.result
@@ -193,7 +194,7 @@ class LiveCalibration(QObject):
         try:
             act(self.session)
         except (ProcedureError, UnusableInput) as error:
-            self.said.emit(retold(str(error)))
+            self.said.emit(translate(sentence_of_error(error)))
             self.moved.emit()
             return False
         self.said.emit("")
@@ -211,7 +212,9 @@ class LiveCalibration(QObject):
 
     def run(self, work: Callable[[], Any], done: Callable[[Any], None]) -> None:
         """Do work off the screen's thread; a failure is said."""
-        self._worker.submit(work, done, lambda error: self.said.emit(retold(str(error))))
+        self._worker.submit(
+            work, done, lambda error: self.said.emit(translate(sentence_of_error(error)))
+        )
 
     def ask(self, verb: str, handler: Callable[[Reply], None]) -> None:
         """Ask the engine for something without arguments; the handler is called later."""
@@ -260,4 +263,4 @@ class LiveCalibration(QObject):
 
     def _failed(self, sentence: str) -> None:
         self.goes_ahead = False
-        self.said.emit(retold(sentence))
+        self.said.emit(translate(sentence))

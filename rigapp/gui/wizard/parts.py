@@ -21,14 +21,12 @@ from PySide6.QtWidgets import (
 
 from rigapp.calibrating.session import ResidualsSoFar
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import LARGE_PT, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.plots.palette import line_pen
 from rigapp.gui.plots.plotting import QuietPlot
-from rigapp.gui.widgets.build import column, named, prose, row
+from rigapp.gui.widgets.build import column, named, prose, row, steady_field
 from rigapp.gui.widgets.labels import FittedLabel, scaled_font
-from rigapp.gui.widgets.wheel import steady_field
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.tokens import LARGE_PT, MARGIN, STEP, VALUE_PT, Theme
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp_calibration.taking.signals import Readiness, SignalState
 
 LEAST_PLOT = 15 * STEP
@@ -184,7 +182,7 @@ class Stability(QWidget):
             state, words = readiness.state, readiness.words
         self.sign.show_state(state)
         self.word.setText(tr(WORDS[state]))
-        words = "" if words == "steady" else retold(words)
+        words = "" if words == "steady" else translate(words)
         self.why.setText(words)
         self.setAccessibleDescription(f"{tr(WORDS[state])}: {words}")
 
@@ -268,4 +266,4 @@ class ResidualPlot(QWidget):
             item.setData(x, residual)
         self.plot.setXRange(*found.span, padding=0.0)
         self.plot.setYRange(-found.reach, found.reach, padding=0.0)
-        self.words.setText(retold(found.words))
+        self.words.setText(translate(found.words))

@@ -23,14 +23,14 @@ from PySide6.QtWidgets import (
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
-from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import button, choice, edit, filled, fit_hint, prose, row
 from rigapp.gui.wizard.guide_page import TWO, GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import field, fields_form, prefix_of, sentence
 from rigapp.gui.wizard.scenes import Picture, Scene
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, marked, tr
+from rigapp.presentation.tokens import Theme
+from rigapp.presentation.translation import Text, marked, tr, translate
+from rigapp.texts import sentence_of_error
 
 NEW: Text = "Begin a new calibration"
 PLAN, RIG = "plan", "rig"
@@ -197,7 +197,7 @@ class PlanPage(GuidePage):
                 self._given = read_document(Path(name), type(self._given)).record
                 self._show_settings()
             except UnusableInput as error:
-                self.problem.setText(retold(str(error)))
+                self.problem.setText(translate(sentence_of_error(error)))
                 return False
             self.problem.clear()
         return True
@@ -237,7 +237,7 @@ class PlanPage(GuidePage):
             plan = None if chosen else self.wanted()
             live.open(self.settings_now(), Path(chosen) if chosen else new, plan)
         except UnusableInput as error:
-            self.problem.setText(retold(str(error)))
+            self.problem.setText(translate(sentence_of_error(error)))
             self.fields[self.asks.culprit].setFocus()
             return False
         self.problem.clear()
@@ -254,8 +254,8 @@ class PlanPage(GuidePage):
         try:
             told = self.asks.describe(self.wanted(), self.values, self.settings_now())
         except (UnusableInput, ValueError) as error:
-            told = str(error)
-        self.summary.setText(told)
+            told = sentence_of_error(error)
+        self.summary.setText(translate(told))
 
     def _propose(self) -> None:
         """Propose what the engine's answer tells, until something else is typed."""

@@ -14,14 +14,14 @@ from PySide6.QtWidgets import (
 from rigapp.calibrating.daily_history import STORE, DailyHistory
 from rigapp.calibrating.session import NumberTable, Outcome
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import column, edit, named, row
 from rigapp.gui.wizard.chart_plot import ChartPlot
 from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import ResidualPlot, sentence
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, marked, tr
+from rigapp.presentation.tokens import Theme
+from rigapp.presentation.translation import Text, marked, tr, translate
+from rigapp.texts import sentence_of_error
 
 
 class ResultPage(GuidePage):
@@ -94,7 +94,7 @@ class ResultPage(GuidePage):
         try:
             self._live.outcome = session.save(outcome, Path(self.target.text().strip()))
         except UnusableInput as error:
-            self.problem.setText(retold(str(error)))
+            self.problem.setText(translate(sentence_of_error(error)))
             self.target.setFocus()
             return False
         return True
@@ -114,7 +114,7 @@ class ResultPage(GuidePage):
         words: tuple[Text, Text] = ("Accepted", "Refused")
         if outcome.check is not None:
             words = (marked("The daily check is passed"), marked("The check failed"))
-            self.problems.setText("\n".join(map(retold, outcome.lines)))
+            self.problems.setText("\n".join(map(translate, outcome.lines)))
             self._live.run(lambda: session.keep_check(outcome, self._store), self._show_history)
         else:
             self._show_calibration(outcome)
@@ -135,11 +135,13 @@ class ResultPage(GuidePage):
 
     def _show_calibration(self, outcome: Outcome) -> None:
         notes = [
-            ("• " if one["blocks"] else tr("Note: ")) + retold(str(one["sentence"]))
+            ("• " if one["blocks"] else tr("Note: ")) + translate(str(one["sentence"]))
             for one in outcome.result["problems"]
         ]
         if not outcome.accepted:
-            notes.append(retold(self._live.session.refused))
+            notes.append(translate(self._live.session.refused))
+        if outcome.changed:
+            notes += [f"• {translate(line)}" for line in outcome.as_found[1]]
         self.problems.setText("\n".join(notes))
         for widget in (self.target, self.target_label):
             widget.setVisible(outcome.accepted)
@@ -150,14 +152,15 @@ class ResultPage(GuidePage):
         if outcome.table is not None:
             self._fill(outcome.table)
         lines = outcome.lines[outcome.table.in_lines if outcome.table is not None else 0 :]
-        self.words.setText("\n".join(map(retold, lines)).replace(" um", " µm"))
+        found = () if outcome.changed else outcome.as_found[1]
+        self.words.setText("\n".join(map(translate, (*lines, *found))).replace(" um", " µm"))
 
     def _fill(self, table: NumberTable) -> None:
         self.matrix.setRowCount(len(table.rows))
         self.matrix.setColumnCount(len(table.columns) - 1)
-        headings = [retold(one).replace(" (", "\n(", 1) for one in table.columns[1:]]
+        headings = [translate(one).replace(" (", "\n(", 1) for one in table.columns[1:]]
         self.matrix.setHorizontalHeaderLabels(headings)
-        self.matrix.setVerticalHeaderLabels([retold(name) for name, *_ in table.rows])
+        self.matrix.setVerticalHeaderLabels([translate(name) for name, *_ in table.rows])
         self.matrix.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         for axis, (_, *texts) in enumerate(table.rows):
             for place, text in enumerate(texts):

@@ -7,15 +7,15 @@ from typing import Any
 from PySide6.QtWidgets import QAbstractButton, QProgressBar, QVBoxLayout
 
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.look.tokens import GAP, Theme
 from rigapp.gui.widgets.build import button, filled, named, prose, tell
 from rigapp.gui.wizard.guide_page import TWO, GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration, Question
 from rigapp.gui.wizard.parts import MeasuredCard, sentence
 from rigapp.gui.wizard.scenes import Picture, RollScene
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.tokens import GAP, Theme
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.messages import Reply
+from rigapp.texts import sentence_of_error
 
 
 class RollingCalibration(LiveCalibration):
@@ -39,7 +39,7 @@ class RollingCalibration(LiveCalibration):
         self._asked = False
         self.view = reply.result if reply.ok else None
         if not reply.ok:
-            self.said.emit(retold(reply.sentence))
+            self.said.emit(translate(reply.sentence))
         elif self.rolling and self.session is not None:
             self._go_on(self.session, reply.result)
         self.looked.emit()
@@ -48,7 +48,7 @@ class RollingCalibration(LiveCalibration):
         try:
             action = session.runs.go_on(status)
         except UnusableInput as error:
-            self._end(str(error))
+            self._end(sentence_of_error(error))
             return
         if action is not None:
             self._asked = True
@@ -66,7 +66,7 @@ class RollingCalibration(LiveCalibration):
 
     def _end(self, sentence: str) -> None:
         self.rolling = False
-        self.said.emit(retold(sentence))
+        self.said.emit(translate(sentence))
         self.moved.emit()
 
 
@@ -135,7 +135,7 @@ class RollingPage(GuidePage):
         elif rolling:
             told = tr("The spindle turns. Keep your hands away.")
         self.instruction.setText(tr(told))
-        self.words.setText(retold(runs.words))
+        self.words.setText(translate(runs.words))
         self.measured.show_value(self.progress_words())
         speeds = ", ".join(f"{rpm:g}" for rpm in session.plan.speeds)
         self.picture.show_scene(RollScene(f"{speeds} rpm", turning=rolling))

@@ -13,10 +13,10 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, Q
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import BODY_PT, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import named
+from rigapp.presentation.tokens import BODY_PT, STEP, VALUE_PT, Theme
 from rigapp.presentation.translation import Text, tr
-from rigapp_calibration.taking.pieces import told_pieces
+from rigapp_calibration.load_cell.weights import told_pieces
 
 LEAST = QSize(30 * STEP, 24 * STEP)
 """Less than this and the words on the weights run into each other."""

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 from PySide6.QtWidgets import QFrame
 
-from rigapp.gui.look.tokens import MARGIN, STEP, Theme
 from rigapp.gui.widgets.build import column, named, prose
 from rigapp.gui.widgets.steps import ShownStep, StepRow
+from rigapp.presentation.tokens import MARGIN, STEP, Theme
 from rigapp.presentation.translation import Text
 
 WIDTH = 26 * STEP

@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import CAPTION_PT, GAP, Theme
 from rigapp.gui.widgets.build import button, edit, filled, fit_hint, named, row, tell
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.wizard.guide_page import FOUR, TWO, GuidePage
@@ -35,9 +34,9 @@ from rigapp.gui.wizard.parts import (
     taking_what_is_left,
 )
 from rigapp.gui.wizard.scenes import Picture, Scene
-from rigapp.presentation.numbers import capitalised
-from rigapp.presentation.told import retold
-from rigapp.presentation.translation import Text, marked, tr
+from rigapp.presentation.tokens import CAPTION_PT, GAP, Theme
+from rigapp.presentation.translation import Text, marked, tr, translate
+from rigapp.texts import capitalised
 from rigapp_calibration.taking.procedure import StepKind
 from rigapp_calibration.taking.signals import Readiness
 
@@ -155,7 +154,7 @@ class TakingPage(GuidePage):
     def _show_step(self) -> None:
         """Show what to do and how far it is, offer the position to which it leads."""
         procedure = self.live_calibration.session.procedure
-        self.instruction.setText(retold(procedure.instruction).replace(" um", " µm"))
+        self.instruction.setText(translate(procedure.instruction).replace(" um", " µm"))
         self.progress.setRange(0, len(procedure.steps))
         self.progress.setValue(procedure.position)
         self.measured.setVisible(not procedure.done)
@@ -169,7 +168,7 @@ class TakingPage(GuidePage):
         if self._words.read_off:
             self.shown.setValue(1e6 * procedure.step.value)
             self.shown.setEnabled(procedure.step.kind is StepKind.READING)
-        progress = retold(procedure.progress)
+        progress = translate(procedure.progress)
         self.left.setText(capitalised(progress))
         button = tr(self._words.buttons.get(procedure.step.kind, RECORD))
         if procedure.step.kind is StepKind.PRELOAD and procedure.step.optional:
@@ -198,7 +197,7 @@ class TakingPage(GuidePage):
         if waits:
             self.take_focus()
         known = readiness is not None and not math.isnan(readiness.felt)
-        self.live.setText(retold(live.session.told_live(readiness)) if known else "")
+        self.live.setText(translate(live.session.told_live(readiness)) if known else "")
         self._show_measured(readiness if known else None)
         self._show_scene()
 

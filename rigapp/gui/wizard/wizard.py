@@ -13,7 +13,6 @@ from PySide6.QtWidgets import QWidget, QWizard
 from rigapp.calibrating.session import Rig
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.gui.look.dress import dress_part
-from rigapp.gui.look.tokens import TIGHT_WIDTH, Theme
 from rigapp.gui.widgets.build import tell
 from rigapp.gui.widgets.steps import ShownStep
 from rigapp.gui.wizard.angle_page import AnglePage
@@ -27,8 +26,9 @@ from rigapp.gui.wizard.plan_page import PlanPage
 from rigapp.gui.wizard.result_page import ResultPage
 from rigapp.gui.wizard.scenes import Picture
 from rigapp.gui.wizard.stepscolumn import WIDTH, StepsColumn
-from rigapp.presentation.numbers import capitalised
+from rigapp.presentation.tokens import TIGHT_WIDTH, Theme
 from rigapp.presentation.translation import Text, tr
+from rigapp.texts import capitalised
 
 FORWARD = (
     QWizard.WizardButton.NextButton,

@@ -1,10 +1,16 @@
-"""What a certificate or a report says, before it is set as a page: sections of plain blocks."""
+"""The parts of a document, and the document as HTML and as plain values."""
 
 from __future__ import annotations
 
+from base64 import b64encode
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 Row = tuple[str, ...]
+
+PNG = b"\x89PNG\r\n"
+JPEG = b"\xff\xd8\xff"
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,12 +32,15 @@ class Table:
 
 @dataclass(frozen=True, slots=True)
 class Figure:
-    """A picture as PNG or SVG bytes, with the words for who cannot see it."""
+    """A drawing, with the words for who cannot see it.
+
+    draw: returns it as "svg", "pdf" or "png", the same bytes each time, in its own width or a given
+    one in mm.
+    """
 
     title: str
-    image: bytes
+    draw: Callable[..., bytes]
     words: str
-    mime: str = "image/png"
     caption: str = ""
 
 
@@ -55,10 +64,32 @@ class Section:
 
 
 @dataclass(frozen=True, slots=True)
+class Cover:
+    """The first page of a document, which answers what came out, of what, for whom.
+
+    letterhead: lines of who made it, the first one strong. logo: PNG or JPEG, empty without.
+    facts: names and what stands below them. results: name, value and a remark. warnings: what must
+    not be overlooked. note: small print below the results. figures: of the whole test, the first
+    one as wide as the page; the second beside texts, each of a word in bold and what follows it.
+    """
+
+    subtitle: str
+    facts: tuple[Row, ...]
+    results: tuple[Row, ...]
+    letterhead: tuple[str, ...] = ()
+    logo: bytes = b""
+    warnings: tuple[str, ...] = ()
+    note: str = ""
+    figures: tuple[Figure, ...] = ()
+    texts: tuple[Row, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Manuscript:
     """A whole document. footer: at the foot of every page. closing: small print at the end.
 
-    mark: what must be read on every page, as that it is a draft.
+    mark: what must be read on every page, as that it is a draft. statement: beside the footer.
+    made_at: the time that the document bears, seconds since 1970; 0: none.
     """
 
     title: str
@@ -67,6 +98,22 @@ class Manuscript:
     closing: str = ""
     signatures: tuple[str, ...] = ("Operator, date", "Reviewer, date")
     mark: str = ""
+    cover: Cover | None = None
+    statement: str = ""
+    made_at: float = 0.0
+
+    def figures(self) -> list[Figure]:
+        """Return all figures, in the order of their numbers."""
+        first = list(self.cover.figures) if self.cover is not None else []
+        blocks = [block for section in self.sections for block in section.blocks]
+        return first + [block for block in blocks if isinstance(block, Figure)]
+
+    def labels(self) -> dict[int, str]:
+        """Return "Figure 1", "Table 1" and so on, by the identity of each; tables with a title."""
+        found = {id(one): f"Figure {n}" for n, one in enumerate(self.figures(), 1)}
+        blocks = [block for section in self.sections for block in section.blocks]
+        tables = [one for one in blocks if isinstance(one, Table) and one.title]
+        return found | {id(one): f"Table {n}" for n, one in enumerate(tables, 1)}
 
 
 def is_number(text: str) -> bool:
@@ -91,3 +138,83 @@ def numeric_columns(table: Table) -> frozenset[int]:
         if all(is_number(row[place]) for row in table.rows)
         and any(row[place] not in ("", "–") for row in table.rows)
     )
+
+
+def as_html(document: Manuscript) -> bytes:
+    """Return the document as one HTML file with its pictures inside."""
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    environment = Environment(
+        loader=PackageLoader("rigapp.report.page", "templates"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    template = environment.get_template("document.html")
+    labels = document.labels()
+    return template.render(
+        document=document,
+        kind_of=_kind,
+        data_of=_data,
+        logo=_logo(document),
+        numeric=numeric_columns,
+        label_of=lambda block: labels.get(id(block), ""),
+    ).encode(errors="replace")
+
+
+def _logo(document: Manuscript) -> str:
+    logo = document.cover.logo if document.cover is not None else b""
+    kind = "png" if logo.startswith(PNG) else "jpeg"
+    return f"data:image/{kind};base64,{b64encode(logo).decode()}" if logo else ""
+
+
+def _kind(block: Block) -> str:
+    return type(block).__name__.lower()
+
+
+def _data(figure: Figure) -> str:
+    return f"data:image/svg+xml;base64,{b64encode(figure.draw('svg')).decode()}"
+
+
+def plain(document: Manuscript) -> dict[str, Any]:
+    """Return title, sections and blocks of a document; cells stay the words that are printed."""
+    sections = [
+        {"title": section.title, "blocks": [_plain_block(one) for one in section.blocks]}
+        for section in document.sections
+    ]
+    cover = document.cover
+    results = () if cover is None else cover.results
+    return {
+        "title": document.title,
+        "facts": dict(() if cover is None else ((name, value) for name, value in cover.facts)),
+        "results": [dict(zip(_RESULT, row, strict=True)) for row in results],
+        "mark": document.mark,
+        "sections": sections,
+        "closing": document.closing,
+    }
+
+
+_RESULT = ("name", "value", "remark")
+
+
+def _plain_block(block: Block) -> dict[str, Any]:
+    match block:
+        case Text():
+            return {"kind": "text", "text": block.text, "strong": block.strong}
+        case Table():
+            return {
+                "kind": "table",
+                "title": block.title,
+                "header": block.header,
+                "rows": block.rows,
+            }
+        case Figure():
+            return {
+                "kind": "figure",
+                "title": block.title,
+                "words": block.words,
+                "caption": block.caption,
+            }
+        case Listing():
+            return {"kind": "listing", "title": block.title, "text": block.text}

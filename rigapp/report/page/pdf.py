@@ -1,9 +1,13 @@
-"""Set a document on pages with reportlab, without a time stamp, so that the bytes repeat."""
+"""Set a document on pages with reportlab; figures are put in as lines and text by pypdf.
+
+Nothing comes from the clock or the machine, so that the bytes repeat.
+"""
 
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from datetime import UTC, datetime
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -23,6 +27,7 @@ from reportlab.platypus import (
     Flowable,
     Image,
     KeepTogether,
+    PageBreak,
     Paragraph,
     Preformatted,
     SimpleDocTemplate,
@@ -32,16 +37,20 @@ from reportlab.platypus import Table as Grid
 
 from rigapp.report.page.manuscript import (
     Block,
+    Cover,
     Figure,
     Listing,
     Manuscript,
+    Row,
     Table,
     Text,
     numeric_columns,
 )
 
 PLAIN, BOLD, FIXED = "DejaVuSans", "DejaVuSans-Bold", "DejaVuSansMono"
-WIDTH = 174 * mm
+MARGIN = 16 * mm
+FRAME_PADDING = 6.0  # of reportlab, on each side of what is set
+WIDTH = 178 * mm
 CELL_SIZE = 7.0
 CELL_PADDING = 8.0
 NAME_WIDTH = 55 * mm
@@ -65,8 +74,10 @@ LINE = [
 def set_pages(document: Manuscript) -> bytes:
     """Return the PDF; two passes, since every page names the number of pages."""
     _prepare()
-    pages = _build(document, 0)[1]
-    return _build(document, pages)[0]
+    drawings = {id(one): _Drawing(one.draw("pdf")) for one in document.figures()}
+    pages = _build(document, 0, drawings)[1]
+    data = _build(document, pages, drawings)[0]
+    return _finished(data, list(drawings.values()), document.made_at)
 
 
 as_pdf = set_pages
@@ -85,8 +96,73 @@ def _prepare() -> None:
     pdfmetrics.registerFontFamily(PLAIN, normal=PLAIN, bold=BOLD, italic=PLAIN, boldItalic=BOLD)
 
 
-def _build(document: Manuscript, pages: int) -> tuple[bytes, int]:
-    """Set the pages; without their number only to count them, with room for the pictures."""
+class _Drawing(Flowable):  # type: ignore[misc, unused-ignore]
+    """The place of a figure, as wide as the page; the figure itself is put in at the end.
+
+    data: a PDF of one page. at: page, and where on it the lower left corner came to lie.
+    """
+
+    def __init__(self, data: bytes) -> None:
+        from pypdf import PdfReader
+
+        super().__init__()
+        self.page = PdfReader(io.BytesIO(data)).pages[0]
+        self.scale = min(1.0, WIDTH / float(self.page.mediabox.width))
+        self.width = self.scale * float(self.page.mediabox.width)
+        self.height = self.scale * float(self.page.mediabox.height)
+        self.at = (0, 0.0, 0.0)
+
+    def draw(self) -> None:
+        """Note where the figure belongs."""
+        self.at = (self.canv.getPageNumber() - 1, *self.canv.absolutePosition(0, 0))
+
+
+def _finished(data: bytes, drawings: Sequence[_Drawing], made_at: float) -> bytes:
+    """Return a PDF with its date, and each figure in its place as a form drawn on the page."""
+    from pypdf import PdfReader, PdfWriter
+    from pypdf.generic import (
+        ArrayObject,
+        DictionaryObject,
+        NameObject,
+        StreamObject,
+    )
+
+    writer = PdfWriter(clone_from=PdfReader(io.BytesIO(data)))
+    for number, drawing in enumerate(drawings, 1):
+        place, left, bottom = drawing.at
+        page, name = writer.pages[place], NameObject(f"/Figure{number}")
+        form = StreamObject()
+        contents = drawing.page.get_contents()
+        form.set_data(contents.get_data() if contents is not None else b"")
+        form[NameObject("/Type")] = NameObject("/XObject")
+        form[NameObject("/Subtype")] = NameObject("/Form")
+        form[NameObject("/BBox")] = ArrayObject(drawing.page.mediabox)
+        resources = drawing.page["/Resources"].get_object()
+        assert isinstance(resources, DictionaryObject)
+        form[NameObject("/Resources")] = resources.clone(writer)
+        own = page["/Resources"].get_object()
+        assert isinstance(own, DictionaryObject)
+        forms = own.setdefault(NameObject("/XObject"), DictionaryObject()).get_object()
+        forms[name] = writer._add_object(form.flate_encode())
+        put = (
+            f"q {drawing.scale:.6f} 0 0 {drawing.scale:.6f} {left:.3f} {bottom:.3f} cm {name} Do Q"
+        )
+        before = page.get_contents()
+        stream = StreamObject()
+        stream.set_data((before.get_data() if before is not None else b"") + b"\n" + put.encode())
+        page[NameObject("/Contents")] = writer._add_object(stream.flate_encode())
+    facts = {"/Producer": "rigapp"}
+    if made_at > 0.0:
+        made = f"D:{datetime.fromtimestamp(made_at, UTC):%Y%m%d%H%M%S}Z"
+        facts |= {"/CreationDate": made, "/ModDate": made}
+    writer.add_metadata(facts)
+    stream_out = io.BytesIO()
+    writer.write(stream_out)
+    return stream_out.getvalue()
+
+
+def _build(document: Manuscript, pages: int, drawings: Mapping[int, _Drawing]) -> tuple[bytes, int]:
+    """Set the pages; without their number only to count them."""
     stream = io.BytesIO()
     template = SimpleDocTemplate(
         stream,
@@ -95,13 +171,13 @@ def _build(document: Manuscript, pages: int) -> tuple[bytes, int]:
         title=document.footer,
         author="",
         lang="en",
-        leftMargin=18 * mm,
-        rightMargin=18 * mm,
+        leftMargin=MARGIN - FRAME_PADDING,
+        rightMargin=MARGIN - FRAME_PADDING,
         topMargin=16 * mm,
         bottomMargin=18 * mm,
     )
     footer = _footer(document, pages)
-    template.build(_story(document, draft=pages == 0), onFirstPage=footer, onLaterPages=footer)
+    template.build(_story(document, drawings), onFirstPage=footer, onLaterPages=footer)
     return stream.getvalue(), template.page
 
 
@@ -117,8 +193,8 @@ def _footer(document: Manuscript, pages: int) -> Callable[[Canvas, Any], None]:
             canvas.drawCentredString(105 * mm, 286 * mm, mark)
             canvas.setFillColor(colors.black)
         canvas.setFont(PLAIN, 7.5)
-        canvas.drawString(18 * mm, 10 * mm, text)
-        canvas.drawRightString(192 * mm, 10 * mm, f"page {template.page} of {pages}")
+        canvas.drawString(MARGIN, 10 * mm, text)
+        canvas.drawRightString(MARGIN + WIDTH, 10 * mm, f"page {template.page} of {pages}")
 
     return draw
 
@@ -152,6 +228,38 @@ CAPTION = _style("caption", 8.5, bold=True, spaceBefore=6, spaceAfter=2)
 FIXED_STYLE = ParagraphStyle("fixed", fontName=FIXED, fontSize=6.5, leading=8.2)
 
 
+COVER_TITLE = _style("cover title", 17, bold=True, spaceAfter=3)
+SUBTITLE = _style("subtitle", 9.5, textColor=colors.HexColor("#4a535f"), spaceAfter=2)
+HEAD_RIGHT = _style("laboratory", 9.5, bold=True, alignment=2)
+LINE_RIGHT = _style("address", 8.5, alignment=2, textColor=colors.HexColor("#4a535f"))
+RESULT_STYLES = (
+    _style("result name", 10.5, textColor=colors.HexColor("#4a535f")),
+    _style("result value", 10.5, bold=True),
+    _style("result remark", 8.0, textColor=colors.HexColor("#4a535f")),
+)
+FACTS_BESIDE = 4
+RULE = colors.HexColor("#c3c9d1")
+BARE = [
+    ("LEFTPADDING", (0, 0), (-1, -1), 0),
+    ("RIGHTPADDING", (0, 0), (-1, -1), CELL_PADDING),
+    ("VALIGN", (0, 0), (-1, -1), "TOP"),
+]
+LETTERHEAD = [*BARE, ("LINEBELOW", (0, 0), (-1, -1), 1.0, colors.black),
+              ("RIGHTPADDING", (0, 0), (-1, -1), 0)]  # fmt: skip
+FACTS_LINE = [
+    *BARE,
+    ("LINEABOVE", (0, 0), (-1, -1), 0.4, RULE),
+    ("TOPPADDING", (0, 0), (-1, -1), 2),
+]
+RESULT_LINE = [
+    *BARE,
+    ("LINEBELOW", (0, 0), (-1, -1), 0.4, RULE),
+    ("VALIGN", (0, 0), (-1, -1), "MIDDLE"),
+    ("TOPPADDING", (0, 0), (-1, -1), 4),
+    ("BOTTOMPADDING", (0, 0), (-1, -1), 5),
+]
+
+
 class _Heading(Paragraph):  # type: ignore[misc, unused-ignore]
     """A heading that also stands in the outline of the PDF."""
 
@@ -163,12 +271,19 @@ class _Heading(Paragraph):  # type: ignore[misc, unused-ignore]
         super().draw()
 
 
-def _story(document: Manuscript, draft: bool) -> list[Flowable]:
-    story: list[Flowable] = [Paragraph(escape(document.title), TITLE)]
+def _story(document: Manuscript, drawings: Mapping[int, _Drawing]) -> list[Flowable]:
+    labels = document.labels()
+    story: list[Flowable] = []
+    if document.cover is not None:
+        story += _cover(document, document.cover, drawings, labels)
+    else:
+        story.append(Paragraph(escape(document.title), TITLE))
     for section in document.sections:
         heading = [_Heading(escape(section.title), HEADING)] if section.title else []
         for place, block in enumerate(section.blocks):
-            story += _flowables(block, heading if place == 0 else [], draft)
+            story += _flowables(block, heading if place == 0 else [], drawings, labels)
+    if document.statement:
+        story += [Spacer(0, 4 * mm), Paragraph(escape(document.statement), BODY)]
     if document.signatures:
         story.append(_signatures(document.signatures))
     if document.closing:
@@ -176,14 +291,79 @@ def _story(document: Manuscript, draft: bool) -> list[Flowable]:
     return story
 
 
-def _flowables(block: Block, heading: list[Flowable], draft: bool) -> list[Flowable]:
+def _cover(
+    document: Manuscript,
+    cover: Cover,
+    drawings: Mapping[int, _Drawing],
+    labels: Mapping[int, str],
+) -> list[Flowable]:
+    """Set the first page; the sections begin on the next one."""
+    story: list[Flowable] = []
+    if cover.letterhead or cover.logo:
+        story += [_letterhead(cover), Spacer(0, 7 * mm)]
+    story.append(Paragraph(escape(document.title), COVER_TITLE))
+    story.append(Paragraph(escape(cover.subtitle), SUBTITLE))
+    story += [Paragraph(escape(one), STRONG) for one in cover.warnings]
+    story += [Spacer(0, 3 * mm), _facts(cover.facts), _Heading("Result", HEADING)]
+    rows = [
+        [Paragraph(_cell(one), style) for one, style in zip(row, RESULT_STYLES, strict=True)]
+        for row in cover.results
+    ]
+    widths = [42 * mm, 62 * mm, WIDTH - 104 * mm]
+    story += [Grid(rows, colWidths=widths, style=RESULT_LINE), Spacer(0, 1 * mm)]
+    story += [Paragraph(escape(cover.note), SMALL), Spacer(0, 3 * mm)]
+    beside = [
+        Paragraph(f"<b>{escape(lead)}</b> {escape(text)}", BODY) for lead, text in cover.texts
+    ]
+    for place, figure in enumerate(cover.figures):
+        parts = _figure(figure, drawings[id(figure)], labels[id(figure)])
+        if place == 0 and len(cover.figures) > 1:
+            story.append(KeepTogether(parts))
+        else:
+            story.append(Grid([[parts, beside]], colWidths=[WIDTH / 2, WIDTH / 2], style=BARE))
+            beside = []
+    return [*story, *beside, PageBreak()]
+
+
+def _letterhead(cover: Cover) -> Grid:
+    logo: list[Any] = []
+    if cover.logo:
+        wide, high = ImageReader(io.BytesIO(cover.logo)).getSize()
+        scale = min(60 * mm / wide, 18 * mm / high)
+        logo = [Image(io.BytesIO(cover.logo), scale * wide, scale * high, hAlign="LEFT")]
+    styles = [HEAD_RIGHT, *[LINE_RIGHT] * len(cover.letterhead)]
+    lines = [
+        Paragraph(escape(line), style)
+        for line, style in zip(cover.letterhead, styles, strict=False)
+    ]
+    return Grid([[logo, lines]], colWidths=[WIDTH / 2, WIDTH / 2], style=LETTERHEAD)
+
+
+def _facts(facts: Sequence[Row]) -> Grid:
+    """Set facts in columns, each below its name."""
+    cells = [
+        [Paragraph(escape(name), SMALL), Paragraph(_cell(value), BODY)] for name, value in facts
+    ]
+    cells += [[]] * (-len(cells) % FACTS_BESIDE)
+    rows = [cells[at : at + FACTS_BESIDE] for at in range(0, len(cells), FACTS_BESIDE)]
+    return Grid(rows, colWidths=[WIDTH / FACTS_BESIDE] * FACTS_BESIDE, style=FACTS_LINE)
+
+
+def _flowables(
+    block: Block,
+    heading: list[Flowable],
+    drawings: Mapping[int, _Drawing],
+    labels: Mapping[int, str],
+) -> list[Flowable]:
     """Set a block below its heading, which is never left alone at the foot of a page."""
     if isinstance(block, Figure):
-        return [KeepTogether([*heading, *_figure(block, draft)])]
+        return [KeepTogether([*heading, *_figure(block, drawings[id(block)], labels[id(block)])])]
     if isinstance(block, Text):
         paragraph = Paragraph(escape(block.text), STRONG if block.strong else BODY)
         return [CondPageBreak(HEADING_ROOM), *heading, paragraph] if heading else [paragraph]
-    title = [Paragraph(escape(block.title), CAPTION)] if block.title else []
+    label = labels.get(id(block), "")
+    named = f"{label}. {block.title}" if label else block.title
+    title = [Paragraph(escape(named), CAPTION)] if named else []
     if isinstance(block, Listing):
         text = block.text.expandtabs(4) or " "
         listing = Preformatted(text, FIXED_STYLE, maxLineLength=LISTING_COLUMNS, newLineChars="  ")
@@ -194,13 +374,11 @@ def _flowables(block: Block, heading: list[Flowable], draft: bool) -> list[Flowa
     return [CondPageBreak(HEADING_ROOM), *parts]
 
 
-def _figure(figure: Figure, draft: bool) -> list[Flowable]:
-    width, height = ImageReader(io.BytesIO(figure.image)).getSize()
-    caption = f"<b>{escape(figure.title)}.</b> {escape(figure.caption)}"
-    drawn = WIDTH, WIDTH * height / width
+def _figure(figure: Figure, drawing: _Drawing, label: str) -> list[Flowable]:
+    caption = f"<b>{label}. {escape(figure.title)}.</b> {escape(figure.caption)}"
     return [
         Spacer(0, 3 * mm),
-        Spacer(*drawn) if draft else Image(io.BytesIO(figure.image), *drawn),
+        drawing,
         Paragraph(caption, SMALL),
         Spacer(0, 2 * mm),
     ]

@@ -13,7 +13,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameters
 
 if TYPE_CHECKING:
-    from rigapp.report.paper.chapter import Chapter
+    from rigapp.report.paper.pages import Chapter
     from rigapp_model.parameters import Parameters
 
 PARAMETERS = Path(__file__).with_name("parameters")
@@ -53,7 +53,7 @@ def make_paper(
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise UnusableInput(f"--to {folder}: cannot be made ({error.strerror}).") from error
+        raise UnusableInput("--to {}: cannot be made ({}).", folder, error.strerror) from error
     written, sections = [], []
     complete = True
     try:
@@ -71,7 +71,7 @@ def make_paper(
 
 def parts(recorded: Path | None = None) -> tuple[Part, ...]:
     """Return what computes the comparisons, in the paper's order."""
-    from rigapp.report.paper import kinematics, profiles, table2, techniques, wear
+    from rigapp.report.paper import kinematics, table2, techniques, wear
     from rigapp.report.paper.recorded import recorded_chapters
 
     steel, simulation, experiment = (
@@ -95,5 +95,5 @@ def parts(recorded: Path | None = None) -> tuple[Part, ...]:
         measured = tuple(recorded_chapters(recorded))
         found.append(lambda tell: measured)
     found.append(lambda tell: [table2.table_2(simulation, experiment, speed, tell)])
-    found.append(lambda tell: [profiles.worn_profiles(simulation, experiment, speed, tell)])
+    found.append(lambda tell: [table2.worn_profiles(simulation, experiment, speed, tell)])
     return tuple(found)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rigapp.report.paper.chapter import Chapter, largest_difference
+from rigapp.report.paper.pages import Chapter, largest_difference
 
 if TYPE_CHECKING:
     from rigapp_model.parameters import Mechanism, Parameters

@@ -1,18 +1,44 @@
-"""The comparisons as files: tables, pictures, and a page of plain sentences."""
+"""One comparison with the paper, and the pages that show all of them."""
 
 from __future__ import annotations
 
-import io
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
+
+import numpy as np
 
 from rigapp.config.writing import whole_file
-from rigapp.report.page.html import as_html
-from rigapp.report.page.manuscript import Block, Figure, Manuscript, Section, Table, Text
-from rigapp.report.paper.chapter import Chapter
+from rigapp.report.page.figures import in_style, saved
+from rigapp.report.page.manuscript import Block, Figure, Manuscript, Section, Table, Text, as_html
 from rigapp.report.tables import write_table
-from rigapp.report.testreport.plots import STYLE
+
+
+@dataclass(frozen=True, slots=True)
+class Chapter:
+    """Hold a comparison. ``name`` names its files; ``columns`` are the CSV table's.
+
+    ``draw`` draws on matplotlib axes, as many as ``panels``; ``words`` say what the picture shows
+    to who cannot see it; ``table`` is a small one for the page, with its header first.
+    """
+
+    name: str
+    title: str
+    columns: Mapping[str, np.ndarray]
+    sentences: Sequence[str]
+    draw: Callable[[Sequence[Any]], None]
+    words: str
+    panels: int = 1
+    table: Sequence[tuple[str, ...]] = field(default_factory=tuple)
+    warning: str = ""
+
+
+def largest_difference(a: np.ndarray, b: np.ndarray) -> float:
+    """Return the largest difference of two curves as a part of the first one's size."""
+    return float(np.abs(a - b).max() / max(np.abs(a).max(), 1e-300))
+
 
 TITLE = "The paper's comparisons, computed again"
 INTRODUCTION = (
@@ -28,17 +54,16 @@ def write_chapter(folder: Path, chapter: Chapter) -> tuple[list[Path], Section]:
     """Write a chapter's table and picture; return their paths and its part of the page."""
     table = folder / f"{chapter.name}.csv"
     write_table("--to", table, chapter.columns)
-    image = picture(chapter)
+    figure = picture(chapter)
     drawn = folder / f"{chapter.name}.png"
-    save(drawn, image)
+    save(drawn, figure.draw("png"))
     blocks: list[Block] = [Text(sentence) for sentence in chapter.sentences]
     if chapter.warning:
         blocks.append(Text(chapter.warning, strong=True))
     if chapter.table:
         header, *rows = chapter.table
         blocks.append(Table("", tuple(rows), header))
-    caption = f"Numbers: {table.name}."
-    blocks.append(Figure(chapter.title, image, chapter.words, caption=caption))
+    blocks.append(figure)
     return [table, drawn], Section(chapter.title, tuple(blocks))
 
 
@@ -47,20 +72,15 @@ def size_in(panels: int) -> tuple[float, float]:
     return 7.2, 1.0 + 1.9 * panels
 
 
-def picture(chapter: Chapter) -> bytes:
-    """Draw a chapter as PNG."""
-    import matplotlib
+def picture(chapter: Chapter) -> Figure:
+    """Draw a chapter."""
     from matplotlib.figure import Figure as Canvas
 
-    with matplotlib.rc_context():
-        matplotlib.rcdefaults()
-        matplotlib.rcParams.update(STYLE)
+    with in_style():
         canvas = Canvas(figsize=size_in(chapter.panels), layout="constrained")
         axes = canvas.subplots(chapter.panels, 1, squeeze=False)[:, 0]
         chapter.draw(list(axes))
-        stream = io.BytesIO()
-        canvas.savefig(stream, format="png", dpi=160, metadata={"Software": None})
-    return stream.getvalue()
+    return saved(canvas, chapter.title, chapter.words, f"Numbers: {chapter.name}.csv.")
 
 
 def provenance(path: Path) -> Section:

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from rigapp.config.errors import UnusableInput
-from rigapp.report.paper.chapter import Chapter
 from rigapp.report.paper.kinematics import COLOURS, DEGREES
+from rigapp.report.paper.pages import Chapter
 from rigapp.report.testreport.model_facts import CyclePicture, cycles_of
 from rigapp.report.testreport.worn import CURVES, worn_of
 from rigapp.schema.messages import NOT_STEADY
@@ -28,7 +28,7 @@ def recorded_chapters(path: Path) -> Iterator[Chapter]:
         found = [draw(reader) for draw in (force_of_a_cycle, extrema, profile)]
     chapters = [one for one in found if one is not None]
     if not chapters:
-        raise UnusableInput(f"{path}: it holds no whole revolution; give a test with data.")
+        raise UnusableInput("{}: it holds no whole revolution; give a test with data.", path)
     yield from chapters
 
 

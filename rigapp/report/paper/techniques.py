@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rigapp.report.paper.chapter import Chapter
 from rigapp.report.paper.kinematics import COLOURS, DEGREES, MM, POINTS, angles
+from rigapp.report.paper.pages import Chapter
 from rigapp.report.paper.table2 import CYCLES
 from rigapp.report.paper.wear import Tell, shared, whole_life
 
 if TYPE_CHECKING:
-    from rigapp_model.ensemble import Ensemble
-    from rigapp_model.impact_system import ClearanceSystem
+    from rigapp_model.contact.ensemble import Ensemble
+    from rigapp_model.contact.impact_system import ClearanceSystem
     from rigapp_model.parameters import Parameters
 
 TOLERANCE = 3e-3  # a line's width of the figure
@@ -30,8 +30,8 @@ SHADES = (COLOURS[0], COLOURS[1], COLOURS[4])
 
 def forces(parameters: Parameters, speed: float, tell: Tell) -> Chapter:
     """Return the joint force by the three techniques, with the spring and without."""
-    from rigapp_model.ensemble import ensemble
-    from rigapp_model.impact import contact_cycle
+    from rigapp_model.contact.ensemble import ensemble
+    from rigapp_model.contact.impact import contact_cycle
     from rigapp_model.joints import continuous_contact, perfect_joint
 
     loose = replace(parameters, mechanism=replace(parameters.mechanism, spring=None))
@@ -74,7 +74,7 @@ def forces(parameters: Parameters, speed: float, tell: Tell) -> Chapter:
 
 
 def _system(parameters: Parameters, speed: float) -> ClearanceSystem:
-    from rigapp_model.impact_system import clearance_system
+    from rigapp_model.contact.impact_system import clearance_system
 
     return clearance_system(
         parameters.mechanism,

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rigapp.report.paper.chapter import Chapter
 from rigapp.report.paper.kinematics import COLOURS, MM
+from rigapp.report.paper.pages import Chapter
 
 if TYPE_CHECKING:
     from rigapp_model.parameters import Parameters
@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 Tell = Callable[[float], None]
 CYCLES = 23_000  # as far as the paper's Figs 13 and 15 go
 TOLERANCE = 1e-3  # a line's width of the figures
+# Straight lines between them are nearer the course than a line's width: between 1, 3, 10, ...
+# they are off by more than the differences that the figure shows.
+ROWS = CYCLES * (np.arange(1.0, 40.0) / 40.0) ** 2  # evenly in the root, as depth begins to grow
 # The same again, coarser: what differs is what a difference of two lives is known to.
 COARSER = 3e-3
 KINDS = {
@@ -104,6 +107,7 @@ def _lives(parameters: Parameters, speed: float, tolerance: float, tell: Tell) -
             tolerance=tolerance,
             evolving=kind == "evolving",
             progress=tell,
+            rows=ROWS,
         )
         for kind, (technique, _) in KINDS.items()
     }

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -15,18 +16,19 @@ import numpy as np
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_rig
-from rigapp.presentation.numbers import capitalised, grouped
+from rigapp.config.report import ReportFile
+from rigapp.presentation.numbers import grouped
 from rigapp.presentation.results import key_numbers, outcome_text
 from rigapp.presentation.times import duration
-from rigapp.report.page.manuscript import Block, Manuscript, Section, Table, Text
+from rigapp.report.page.manuscript import Manuscript, Section, Table
 from rigapp.report.results import result_of_open
 from rigapp.report.testreport import datasections, logsections, setupsections
-from rigapp.report.testreport.facts import Rows, rows_of
+from rigapp.report.testreport.cover import cover_of, numbered, report_settings
+from rigapp.report.testreport.facts import Rows, rows_of, stated_uncertainties
 from rigapp.report.testreport.identified import identified
 from rigapp.report.testreport.identifiedsections import known_section
 from rigapp.report.testreport.model_facts import agreement_of, bursts_of, cycles_of
-from rigapp.report.testreport.stepsection import step_section
-from rigapp.report.testreport.uncertainty import stated_uncertainties
+from rigapp.report.testreport.setupsections import step_section
 from rigapp.report.testreport.wording import (
     REASONS,
     STATUSES,
@@ -40,7 +42,16 @@ from rigapp.report.testreport.wording import (
 from rigapp.report.testreport.worn import worn_of
 from rigapp.schema.details import sentence_of
 from rigapp.schema.results import TestResult
-from rigapp.storage import LargestForce, TestReader, largest_force, open_test, trip_of
+from rigapp.storage import (
+    NEWEST_BYTES,
+    LargestForce,
+    TestReader,
+    found_damage,
+    largest_force,
+    open_test,
+    trip_of,
+)
+from rigapp.texts import capitalised
 from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty, force_uncertainty
 
 LEADS = {
@@ -59,16 +70,17 @@ class FileIdentity:
     digest: str
 
 
-def report_of(path: Path, vector: bool) -> Manuscript:
-    """Compose the report of a test file; vector: pictures as SVG, else as PNG.
+def report_of(path: Path, settings: Path | None = None) -> Manuscript:
+    """Compose the report of a test file. settings: a report.toml, else the one that is found.
 
     A file that is replaced meanwhile by its compressed form is read again. Raises UnusableInput for
     a file that cannot be read as a test.
     """
+    own = report_settings(path, settings)
     while True:
         before = _inode(path)
         with open_test(path) as reader:
-            document = _document(reader, path, vector)
+            document = _document(reader, path, own)
         if _inode(path) == before:
             return document
 
@@ -80,7 +92,7 @@ def _inode(path: Path) -> int:
         return 0
 
 
-def _document(reader: TestReader, path: Path, vector: bool) -> Manuscript:
+def _document(reader: TestReader, path: Path, settings: tuple[ReportFile, bytes]) -> Manuscript:
     summary, about = reader.summary(), reader.metadata()
     identity = _identity(path, running=summary["status"] == "running")
     rows, agreement = rows_of(reader), agreement_of(reader)
@@ -88,7 +100,6 @@ def _document(reader: TestReader, path: Path, vector: bool) -> Manuscript:
     file = path.stat()
     result = result_of_open(reader, file.st_mtime, file.st_size, closely=True)
     events = reader.events()
-    gaps = rows.gaps if rows is not None else ()
     sections = [
         _summary(
             summary,
@@ -100,31 +111,37 @@ def _document(reader: TestReader, path: Path, vector: bool) -> Manuscript:
             uncertainty,
             result,
         ),
+        *datasections.trip(trip_of(reader), sentence_of(summary["reason"])),
         *logsections.sections(reader, events, rows, summary["reason"]),
         *datasections.extremes(
-            rows, agreement, vector, uncertainty, stated_uncertainties(reader.calibration())
+            rows, agreement, uncertainty, stated_uncertainties(reader.calibration())
         ),
         *step_section(reader),
-        *datasections.agreement(agreement, rows, vector, events),
+        *datasections.agreement(agreement, rows, events),
         datasections.cycles(
             cycles_of(reader),
             reader.state("cycles_refused"),
-            vector,
             uncertainty,
             bursts_of(reader),
             [one.revolution for one in reader.unfinished()],
-            trip_of(reader),
         ),
-        datasections.wear(agreement, gaps, vector, worn_of(reader)),
-        *([] if agreement is None else [known_section(identified(reader, path), vector)]),
+        datasections.wear(agreement, worn_of(reader)),
+        *([] if agreement is None else [known_section(identified(reader, path))]),
         datasections.quality(rows),
         *setupsections.sections(reader),
         _file_section(identity, summary, reader),
     ]
     title = about["title"] or path.stem
+    warnings = _warnings(summary, _simulated(reader, about))
+    own = settings[0].report
+    lines = (f"Test report: {title} ({identity.name})", numbered(own.number, reader, about))
     return Manuscript(
         title=f"Test report: {title}",
-        footer=f"Test report: {title} ({identity.name})",
+        footer=" · ".join(line for line in lines if line),
+        cover=cover_of(reader, about, result, rows, agreement, settings, warnings),
+        statement=own.statement,
+        signatures=own.signatures,
+        made_at=_moment(about["ended"] or about["started"]),
         sections=tuple(one for one in sections if one.blocks),
         closing=_closing(identity, about),
     )
@@ -172,14 +189,6 @@ def _summary(
 ) -> Section:
     status, revolutions = summary["status"], summary["revolutions"]
     planned = about["planned_revolutions"]
-    blocks: list[Block] = []
-    if simulated:
-        blocks.append(Text(f"{simulated} simulated: these are not measurements.", strong=True))
-    if status != "complete":
-        sentence = LEADS.get(status, f"The status of the test is {status}.")
-        blocks.append(
-            Text(f"{sentence} {_capital(sentence_of(summary['reason']))}".strip(), strong=True)
-        )
     lines = [
         ("Title", about["title"]),
         ("Specimen", about["specimen"]),
@@ -198,7 +207,25 @@ def _summary(
     ]
     optional = ("Notes", "Bushing")
     shown = tuple((a, b or UNKNOWN) for a, b in lines if b or a not in optional)
-    return Section("Summary", (*blocks, Table("", shown)))
+    return Section("Summary", (Table("", shown),))
+
+
+def _warnings(summary: dict[str, Any], simulated: str) -> list[str]:
+    """Return what must not be overlooked."""
+    found = [f"{simulated} simulated: these are not measurements."] if simulated else []
+    status = summary["status"]
+    if status != "complete":
+        sentence = LEADS.get(status, f"The status of the test is {status}.")
+        found.append(f"{sentence} {_capital(sentence_of(summary['reason']))}".strip())
+    return found
+
+
+def _moment(text: str) -> float:
+    """Return an ISO 8601 time as seconds since 1970, 0 where there is none."""
+    try:
+        return datetime.fromisoformat(text).timestamp()
+    except ValueError:
+        return 0.0
 
 
 def _data_lines(
@@ -275,6 +302,13 @@ def _capital(text: str) -> str:
     return text if name else capitalised(text)
 
 
+def _checksums(reader: TestReader) -> str:
+    if not reader.plan.checksums:
+        return "none, the file is of an older version"
+    damage = list(found_damage(reader, NEWEST_BYTES))
+    return "DAMAGED: " + " ".join(damage) if damage else "rows, cycles and settings as written"
+
+
 def _file_section(identity: FileIdentity, summary: dict[str, Any], reader: TestReader) -> Section:
     versions = reader.configuration().get("versions", {})
     form = "compressed, as after the test" if reader.compressed else "in place, as during the test"
@@ -289,6 +323,7 @@ def _file_section(identity: FileIdentity, summary: dict[str, Any], reader: TestR
         ("Test", str(reader.metadata()["identifier"])),
         ("Schema, form", f"{summary['schema']}, {form}"),
         ("Chain of the log", log),
+        ("Checksums", _checksums(reader)),
     )
     found = tuple((str(name), str(value)) for name, value in versions.items())
     tables = (Table("", rows), Table("Versions that wrote the file", found))

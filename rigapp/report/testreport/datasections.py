@@ -11,9 +11,8 @@ from rigapp.presentation.numbers import grouped
 from rigapp.presentation.times import duration
 from rigapp.report.page.manuscript import Block, Section, Table, Text
 from rigapp.report.testreport import plots
-from rigapp.report.testreport.facts import ENDS, ChannelFacts, Gap, Peak, Rows
+from rigapp.report.testreport.facts import ENDS, ChannelFacts, Peak, Rows, Stated
 from rigapp.report.testreport.model_facts import Agreement, Burst, CyclePicture, LastDepth
-from rigapp.report.testreport.uncertainty import Stated
 from rigapp.report.testreport.wording import (
     FLAGS,
     UNKNOWN,
@@ -30,6 +29,7 @@ from rigapp.schema.channels import LOAD_CELL, Kind
 from rigapp.schema.details import sentence_of
 from rigapp.schema.messages import Event
 from rigapp.storage import Trip
+from rigapp.texts import capitalised
 from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty
 
 PANELS = 4
@@ -55,7 +55,6 @@ STATISTICS = {"max": "maximum", "min": "minimum", "rms": "RMS"}
 def extremes(
     rows: Rows | None,
     agreement: Agreement | None,
-    vector: bool,
     uncertainty: ForceUncertainty | None = None,
     stated: Stated = MappingProxyType({}),
 ) -> list[Section]:
@@ -92,15 +91,15 @@ def extremes(
     forces = [one for one in sampled if one.channel.instrument == LOAD_CELL]
     if forces:
         name = "Forces against revolution"
-        blocks.append(plots.trends(forces, agreement, rows.gaps, name, vector, uncertainty))
+        blocks.append(plots.trends(forces, agreement, rows.gaps, name, uncertainty))
     free = [one for one in rows.channels if not one.channel.instrument]
     others = [*(one for one in sampled if one not in (*forces, *free)), *speed]
     if others:
         name = "Displacement and speed against revolution"
-        blocks.append(plots.trends(others, None, rows.gaps, name, vector, stated=stated))
+        blocks.append(plots.trends(others, None, rows.gaps, name, stated=stated))
     for some in batched(free):
         name = f"{', '.join(one.name for one in some)} against revolution"
-        blocks.append(plots.trends(some, None, rows.gaps, name, vector, stated=stated))
+        blocks.append(plots.trends(some, None, rows.gaps, name, stated=stated))
     return [Section("Extremes and RMS of every channel", tuple(blocks))]
 
 
@@ -143,7 +142,7 @@ def _extremes_row(channel: ChannelFacts, noted: dict[str, str]) -> tuple[str, ..
 
 
 def agreement(
-    found: Agreement | None, rows: Rows | None, vector: bool, events: Sequence[Event] = ()
+    found: Agreement | None, rows: Rows | None, events: Sequence[Event] = ()
 ) -> list[Section]:
     """Return how well the model agrees with the measurement."""
     title = "Agreement with the model"
@@ -175,9 +174,11 @@ def agreement(
         + (f" The model: {found.joint}." if found.joint else "")
     )
     blocks: list[Block] = [lead, residuals]
+    if found.deviation:
+        blocks.insert(1, Text(f"{found.deviation} (the last revolution).", strong=True))
     if found.pairs:
         blocks.append(pairs)
-    blocks.append(plots.residual_trend(found, rows.gaps, vector))
+    blocks.append(plots.residual_trend(found, rows.gaps))
     told = [one for one in events if one.kind == "twin"]
     if told:
         table = tuple(
@@ -202,29 +203,36 @@ def _statistic(name: str) -> str:
     return f"{STATISTICS[statistic]} of {plots.SHORT[channel]}"
 
 
+def trip(found: Trip | None, reason: str) -> list[Section]:
+    """Return what tripped, and the time around it; nothing of a test that did not trip."""
+    if found is None or found.cycle is None:
+        return []
+    text = capitalised(reason)
+    took = plots.rest_s(found, found.cycle)
+    if took > 0.0:
+        text += f" The crank turned for {took:.2f} s more, by the device's clock."
+    return [Section("Trip", (Text(text, strong=True), plots.trip(found, found.cycle)))]
+
+
 def cycles(
     pictures: Sequence[CyclePicture],
     refused: int,
-    vector: bool,
     uncertainty: ForceUncertainty | None = None,
     bursts: Sequence[Burst] = (),
     unfinished: Sequence[int] = (),
-    trip: Trip | None = None,
 ) -> Section:
-    """Return the pictures of the trip and of the first, middle and last saved cycle.
+    """Return the pictures of the first, middle and last saved cycle.
 
     Below them stands what triggers kept.
     """
     blocks: list[Block] = []
-    if trip is not None and trip.cycle is not None:
-        blocks.append(plots.trip(trip, trip.cycle, vector))
     if refused:
         text = f"{counted(refused, 'whole cycle')} had no room in the file and could not be kept."
         blocks.append(Text(text, strong=True))
     if pictures:
-        blocks.append(plots.cycles(pictures, vector, uncertainty))
+        blocks.append(plots.cycles(pictures, uncertainty))
         free = batched(pictures[0].free)
-        blocks += [plots.free_cycles(pictures, some, vector) for some in free]
+        blocks += [plots.free_cycles(pictures, some) for some in free]
     else:
         blocks.append(Text("No whole cycle is saved."))
     blocks += _bursts(bursts)
@@ -254,9 +262,7 @@ def _bursts(bursts: Sequence[Burst]) -> list[Block]:
     return blocks
 
 
-def wear(
-    found: Agreement | None, gaps: Sequence[Gap], vector: bool, worn: Worn | None = None
-) -> Section:
+def wear(found: Agreement | None, worn: Worn | None = None) -> Section:
     """Return the wear depth, measured and predicted, and its rate; what is not known says so."""
     known = found.wear if found is not None else {}
     table = Table(
@@ -273,13 +279,10 @@ def wear(
             Text(
                 "The rate is that of a straight line through the last half. The uncertainty of the"
                 " measured depth (k = 2) holds noise, the wear before the reference and the change"
-                " of the elastic approach, not the probes' calibration."
+                " of the elastic approach, not the probes' calibration. Figure 1 shows the depth."
             )
         )
-    picture = plots.wear_trend(found, gaps, vector) if found is not None else None
-    if picture is not None:
-        blocks.append(picture)
-    blocks += profile_blocks(worn, vector)
+    blocks += profile_blocks(worn)
     return Section("Wear", tuple(blocks))
 
 

@@ -5,25 +5,28 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.schema.rownumbers import RowNumbers
+
 Floats = NDArray[np.float64]
 
 BUCKETS = 900
 """More than a printed line of a page can show."""
 
 
-def envelope(x: NDArray[np.generic], y: NDArray[np.generic]) -> tuple[Floats, Floats]:
+def envelope(x: NDArray[np.generic] | RowNumbers, y: NDArray[np.generic]) -> tuple[Floats, Floats]:
     """Return the points of a polyline through y (n,) over the ascending x (n,).
 
     A long series is cut into BUCKETS parts, each drawn as a stroke from its smallest to its
     largest value; NaN is left out unless a whole part is NaN.
     """
     n = min(len(x), len(y))
-    xs, ys = np.asarray(x[:n], np.float64), np.asarray(y[:n], np.float64)
+    ys = np.asarray(y[:n], np.float64)
     if n <= 2 * BUCKETS:
-        return xs, ys
+        return np.asarray(x[:n], np.float64), ys
     starts = np.linspace(0, n, BUCKETS, endpoint=False).astype(np.intp)
     low, high = np.fmin.reduceat(ys, starts), np.fmax.reduceat(ys, starts)
-    middle = 0.5 * (xs[starts] + xs[np.append(starts[1:], n) - 1])
+    ends = np.append(starts[1:], n) - 1
+    middle = 0.5 * (np.asarray(x[starts], np.float64) + np.asarray(x[ends], np.float64))
     points = np.empty((BUCKETS, 2))
     points[:, 0], points[:, 1] = low, high
     points[1::2] = points[1::2, ::-1]

@@ -6,7 +6,8 @@ needs no more than a few hundred megabytes.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -14,9 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.report.testreport.envelope import Floats, envelope
-from rigapp.schema.channels import Channel, Kind
+from rigapp.schema.channels import BASE, PROBES, Channel, Kind
 from rigapp.schema.messages import NOT_STEADY, Flag
-from rigapp.storage import TestReader, largest_force
+from rigapp.schema.rownumbers import RowNumbers
+from rigapp.storage import TestReader, largest_force, row_numbers
 
 Line = tuple[Floats, Floats]
 
@@ -111,6 +113,16 @@ class Rows:
     gaps: tuple[Gap, ...]
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Judged:
+    """The numbers and the quality flags of the rows; first, last: good rows at each end."""
+
+    number: RowNumbers
+    quality: NDArray[np.int32]
+    first: NDArray[np.intp]
+    last: NDArray[np.intp]
+
+
 class _Table:
     """Read columns of the rows that were safe when the report was begun."""
 
@@ -123,6 +135,11 @@ class _Table:
         """Return the safe rows of a column."""
         return self._reader.column(name, 0, self.rows)
 
+    def ends(self, name: str) -> tuple[float, float]:
+        """Return the first and the last value of a column."""
+        first, last = (self._reader.column(name, at, at + 1)[0] for at in (0, self.rows - 1))
+        return float(first), float(last)
+
     def __contains__(self, name: str) -> bool:
         return name in self.units
 
@@ -132,33 +149,35 @@ def rows_of(reader: TestReader) -> Rows | None:
     table = _Table(reader)
     if table.rows == 0:
         return None
-    number = table.column("revolution").astype(np.int64)
-    quality = table.column("quality").astype(np.int64)
-    lost = table.column("lost_samples")
-    host, time = table.column("host_time"), table.column("time")
+    number = row_numbers(reader, "revolutions")
+    quality = table.column("quality").astype(np.int32, copy=False)
+    good = np.flatnonzero(quality == 0)
+    ends = good[:ENDS].copy(), good[-ENDS:].copy()
+    judged, all_good = _Judged(number, quality, *ends), int(good.size)
+    del good
+    host_span, test_s = table.ends("host_time"), table.ends("time")[1]
     known = int(sum(Flag))
     channels = tuple(
-        _channel(table, one, number, quality)
+        _channel(table, one, judged)
         for one in reader.plan.table.channels
         if all(name in table for name in _columns(one))
     )
     channels = tuple(_with_trip(one, reader) if one.name == SIZE else one for one in channels)
-    speed = table.column("speed")
     return Rows(
         revolutions=table.rows,
-        good=int(np.count_nonzero(quality == 0)),
+        good=all_good,
         first=int(number[0]),
         last=int(number[-1]),
         flags={flag: int(np.count_nonzero(quality & flag)) for flag in Flag if flag},
         unknown_flags=int(np.count_nonzero(quality & ~known)),
-        lost_samples=int(lost.sum()),
+        lost_samples=int(table.column("lost_samples").sum()),
         samples_each=float(np.median(table.column("samples"))),
-        mean_speed=mean(speed),
-        test_s=float(time[-1]),
-        host_span=(float(host[0]), float(host[-1])),
+        mean_speed=mean(table.column("speed")),
+        test_s=test_s,
+        host_span=host_span,
         channels=channels,
-        speed=_channel(table, SPEED, number, quality) if "speed_max" in table else None,
-        gaps=_gaps(number, quality, lost, host, speed),
+        speed=_channel(table, SPEED, judged) if "speed_max" in table else None,
+        gaps=_gaps(table, judged),
     )
 
 
@@ -173,10 +192,36 @@ def _with_trip(force: ChannelFacts, reader: TestReader) -> ChannelFacts:
     return replace(force, largest=peak)
 
 
-def mean(values: NDArray[Any]) -> float:
-    """Return the mean of the finite values, NaN without any."""
-    finite = values[np.isfinite(values)]
-    return float(finite.mean()) if finite.size else float("nan")
+PART = 1 << 18
+"""Values that are looked at together: what is made of a long column on the way stays small."""
+
+
+def parts_of(values: NDArray[Any]) -> Iterator[tuple[int, NDArray[Any]]]:
+    """Yield a long column part by part (views), with the place of each part's first value."""
+    for first in range(0, len(values), PART):
+        yield first, values[first : first + PART]
+
+
+def mean(values: NDArray[Any], power: int = 1) -> float:
+    """Return the mean of the finite values to a power, NaN without any."""
+    count, total = 0, 0.0
+    for _, part in parts_of(values):
+        finite = part[np.isfinite(part)]
+        count, total = count + finite.size, total + float((finite**power).sum())
+    return total / count if count else float("nan")
+
+
+def furthest(values: NDArray[Any], of: Callable[[NDArray[Any]], NDArray[Any]]) -> int | None:
+    """Return the place of the finite value of which a function is largest; None without any."""
+    found, most = None, -math.inf
+    for first, part in parts_of(values):
+        finite = np.isfinite(part)
+        if finite.any():
+            sizes = np.where(finite, of(part), -np.inf)
+            place = int(np.argmax(sizes))
+            if found is None or sizes[place] > most:
+                found, most = first + place, float(sizes[place])
+    return found
 
 
 def span_of(reader: TestReader, name: str) -> tuple[float, float, str] | None:
@@ -187,7 +232,8 @@ def span_of(reader: TestReader, name: str) -> tuple[float, float, str] | None:
     if name in reader.column_units():
         values, unit = reader.column(name), reader.column_units()[name]
     elif name in reader.column_units("prediction"):
-        values, unit = reader.predictions()[name], reader.column_units("prediction")[name]
+        values = reader.column(name, stream="prediction")
+        unit = reader.column_units("prediction")[name]
     else:
         return None
     finite = values[np.isfinite(values)]
@@ -206,71 +252,98 @@ def _columns(channel: Channel) -> tuple[str, ...]:
     return f"{channel.name}_max", f"{channel.name}_min", f"{channel.name}_rms"
 
 
-def _channel(
-    table: _Table, channel: Channel, number: NDArray[np.int64], quality: NDArray[np.int64]
-) -> ChannelFacts:
-    slow = channel.kind is Kind.SLOW
+def _channel(table: _Table, channel: Channel, rows: _Judged) -> ChannelFacts:
+    slow, oldest = channel.kind is Kind.SLOW, np.nan
     if slow:
-        largest, age = (table.column(name) for name in _columns(channel))
-        smallest = typical = largest
-        oldest, overall = age[np.isfinite(age)].max(initial=0.0), mean(largest)
-        lines = {"value": envelope(number, largest)}
+        value, age = _columns(channel)
+        ages = table.column(age)
+        oldest = float(ages[np.isfinite(ages)].max(initial=0.0))
+        largest = smallest = typical = table.column(value)
+        overall, lines = mean(typical), {"value": envelope(rows.number, typical)}
+        start, end = (mean(typical[one]) for one in (rows.first, rows.last))
     else:
-        largest, smallest, typical = (table.column(name) for name in _columns(channel))
-        oldest, overall = np.nan, np.sqrt(mean(np.square(typical)))
-        named = zip(("max", "min", "rms"), (largest, smallest, typical), strict=True)
-        lines = {name: envelope(number, values) for name, values in named}
-    good = np.flatnonzero(quality == 0)
+        names = _columns(channel)
+        typical = table.column(names[2])
+        overall, line = math.sqrt(mean(typical, 2)), envelope(rows.number, typical)
+        start, end = (mean(typical[one]) for one in (rows.first, rows.last))
+        del typical
+        largest, smallest = (table.column(name) for name in names[:2])
+        lines = {
+            "max": envelope(rows.number, largest),
+            "min": envelope(rows.number, smallest),
+            "rms": line,
+        }
     return ChannelFacts(
         channel=channel,
-        largest=_peak(largest, number, quality, 1.0),
-        smallest=_peak(smallest, number, quality, -1.0),
+        largest=_peak(largest, rows, 1.0),
+        smallest=_peak(smallest, rows, -1.0),
         overall=float(overall),
-        start=mean(typical[good[:ENDS]]),
-        end=mean(typical[good[-ENDS:]]),
-        steady=_steady_range(largest, smallest, quality),
+        start=start,
+        end=end,
+        steady=_steady_range(largest, smallest, rows.quality),
         lines=lines,
-        age_s=float(oldest),
+        age_s=oldest,
     )
 
 
 def _steady_range(
-    largest: NDArray[Any], smallest: NDArray[Any], quality: NDArray[np.int64]
+    largest: NDArray[Any], smallest: NDArray[Any], quality: NDArray[np.int32]
 ) -> tuple[float, float] | None:
-    steady = (quality & NOT_STEADY == 0) & np.isfinite(largest) & np.isfinite(smallest)
-    if not steady.any():
-        return None
-    return float(smallest[steady].min()), float(largest[steady].max())
+    low, high = np.inf, -np.inf
+    for first, part in parts_of(quality):
+        most, least = (one[first : first + len(part)] for one in (largest, smallest))
+        steady = (part & int(NOT_STEADY) == 0) & np.isfinite(most) & np.isfinite(least)
+        low = float(np.min(least, where=steady, initial=low))
+        high = float(np.max(most, where=steady, initial=high))
+    return (low, high) if math.isfinite(low) else None
 
 
-def _peak(
-    values: NDArray[Any], number: NDArray[np.int64], quality: NDArray[np.int64], sign: float
-) -> Peak:
-    if not np.isfinite(values).any():
+def _peak(values: NDArray[Any], rows: _Judged, sign: float) -> Peak:
+    place = furthest(values, lambda part: sign * part)
+    if place is None:
         return Peak(float("nan"), 0, 0)
-    place = int(np.argmax(np.where(np.isfinite(values), sign * values, -np.inf)))
-    return Peak(float(values[place]), int(number[place]), int(quality[place]))
+    return Peak(float(values[place]), int(rows.number[place]), int(rows.quality[place]))
 
 
-def _gaps(
-    number: NDArray[np.int64],
-    quality: NDArray[np.int64],
-    lost: NDArray[Any],
-    host: NDArray[Any],
-    speed: NDArray[Any],
-) -> tuple[Gap, ...]:
-    steps = np.diff(number, prepend=number[0] - 1)
-    places = np.flatnonzero((quality & int(Flag.GAP_BEFORE) != 0) | (steps != 1))
+def _gaps(table: _Table, rows: _Judged) -> tuple[Gap, ...]:
+    number = rows.number
+    flagged = np.flatnonzero(rows.quality & int(Flag.GAP_BEFORE) != 0)
+    places = np.union1d(flagged, number.breaks[1:])
+    if not places.size:
+        return ()
+    before = np.maximum(places - 1, 0)
+    lost, speed = (table.column(name)[places] for name in ("lost_samples", "speed"))
+    host = table.column("host_time")
+    waited = host[places] - host[before]
     found = []
-    for place in places.tolist():
-        turn = 60.0 / abs(speed[place]) if speed[place] else 0.0
-        seconds = float(host[place] - host[place - 1] - turn) if place else float("nan")
+    for at, place in enumerate(places.tolist()):
+        turn = 60.0 / abs(speed[at]) if speed[at] else 0.0
+        seconds = float(waited[at] - turn) if place else float("nan")
+        step = int(number[place] - number[place - 1]) if place else 1
         found.append(
             Gap(
                 int(number[place]),
-                max(0, int(steps[place]) - 1),
-                int(lost[place]),
+                max(0, step - 1),
+                int(lost[at]),
                 max(0.0, seconds) if np.isfinite(seconds) else float("nan"),
             )
         )
     return tuple(found)
+
+
+Stated = Mapping[str, float]
+"""Channel -> expanded uncertainty of one of its values, in its unit; without those not stated."""
+
+
+def stated_uncertainties(calibration: Mapping[str, Any]) -> Stated:
+    """Return what a file states of the channels beside the forces."""
+    probes = calibration.get("probes")
+    both = probes.get("uncertainty_um") if isinstance(probes, Mapping) else None
+    found: dict[str, Any] = dict(
+        zip(BASE.names_of(PROBES), () if both is None else both, strict=False)
+    )
+    for name, section in calibration.items():
+        if name.startswith("channel_") and isinstance(section, Mapping):
+            found[name.removeprefix("channel_")] = section.get("uncertainty")
+    known = {name: one for name, one in found.items() if isinstance(one, int | float)}
+    return {name: float(one) for name, one in known.items() if math.isfinite(one)}

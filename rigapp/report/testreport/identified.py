@@ -18,7 +18,14 @@ from numpy.typing import NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.columns import identified_columns
 from rigapp.schema.messages import last_set_speed
-from rigapp.storage import TestReader, believed_until, open_test
+from rigapp.storage import (
+    StoredColumns,
+    TestReader,
+    believed_until,
+    open_test,
+    rows_up_to,
+)
+from rigapp.texts import say
 from rigapp.twin.identifying import LEAST_REFERENCE
 from rigapp.twin.kept import NO_BIN, kept_of, life_of
 from rigapp_model.identification import (
@@ -47,6 +54,10 @@ BAND_POINTS = 60
 """Revolutions at which a band is told: it is a smooth curve."""
 STATED = tuple(one.name for one in identified_columns())
 """The columns of the course."""
+
+
+RECENT = 1 << 16
+"""Revolutions among which the last one at the set speed is looked for: no ramp is so long."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -102,10 +113,9 @@ def identified_test(path: Path, after: int | None = None) -> IdentifiedTest:
 def identified(reader: TestReader, path: Path, after: int | None = None) -> IdentifiedTest:
     """Return what is known of the wear of an open test."""
     about = reader.metadata()
-    end = (
-        None if after is None else int(np.searchsorted(reader.column("revolution"), after, "right"))
-    )
-    speed, quality = (reader.column(one, stop=end) for one in ("speed", "quality"))
+    end = reader.committed() if after is None else rows_up_to(reader, after)
+    recent = max(0, end - RECENT)
+    speed, quality = (reader.column(one, recent, end) for one in ("speed", "quality"))
     plain: dict[str, Any] = {
         "path": path,
         "title": str(about["title"]),
@@ -120,7 +130,7 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
         after = until if after is None else min(after, until)
     try:
         if until == 0:
-            raise CannotBeTold("its measured wear depth is not to be trusted; see the alarms")
+            raise CannotBeTold(say("its measured wear depth is not to be trusted; see the alarms"))
         kept, before = kept_of(reader)
         record = kept.sought.record
         moments = _moments(reader, kept.bins.closed, after, before)
@@ -146,6 +156,8 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
     if early and early[-1] < len(moments) - 1:
         bands = [*_early(known_at, early[-1], life, planned), *bands]
     said = sentence(known, departure)
+    if len(bands) > 1:
+        said += beyond_band(bands[0], kept.bins.closed[: len(moments)], before)
     if until is not None:
         said += f" After revolution {until} the measured wear depth is not to be trusted."
     if before:
@@ -178,7 +190,7 @@ def _moments(
 
     Raises CannotBeTold where there is none.
     """
-    table = reader.predictions()
+    table = StoredColumns(reader, "prediction")
     read = np.isfinite(table["measured_wear_depth"])
     revolutions = table["revolution"][read].astype(np.float64) + before
     doubt = np.minimum.accumulate(0.5e-3 * table["measured_wear_depth_uncertainty"][read])
@@ -194,7 +206,8 @@ def _moments(
 
 def _last(reader: TestReader, after: int | None) -> float:
     """Return the last revolution that counts."""
-    last = float(reader.predictions()["revolution"][-1])
+    rows = reader.committed("prediction")
+    last = float(reader.column("revolution", rows - 1, rows, "prediction")[0])
     return last if after is None else min(last, float(after))
 
 
@@ -211,7 +224,7 @@ def _left(known: Identification, life: DepthLife, depth: float, last: float) -> 
 
 def _course(reader: TestReader, after: int | None) -> dict[str, Array]:
     """Return the columns of the rows that state something new."""
-    table = reader.predictions()
+    table = StoredColumns(reader, "prediction")
     stated = np.isfinite(table["wear_coefficient"])
     if after is not None:
         stated &= table["revolution"] <= after
@@ -236,6 +249,31 @@ def _band(known: Identification, life: DepthLife, planned: int) -> ForecastBand:
     now = int(known.revolution)
     revolutions = np.unique(np.linspace(now, max(planned, now + 1), BAND_POINTS).astype(int))
     return ForecastBand(now, predictive_band(known, life, revolutions.astype(float)))
+
+
+def beyond_band(early: ForecastBand, bins: Sequence[Bin], before: int = 0) -> str:
+    """Say that the depth measured last lies outside of what was predicted early; else nothing.
+
+    before: revolutions that the bushing had made when the test began, which bands and bins count.
+    """
+    if len(bins) < 2 or bins[-1].revolution <= early.after:
+        return ""
+    last, start = bins[-1], bins[-2].revolution
+    part = (last.progress - last.first) / max(last.last - last.first, 1e-300)
+    middle = start + part * (last.revolution - start)
+    band = early.band
+    low, median, high = (
+        1e6 * float(np.interp(middle, band.revolution, one))
+        for one in (band.low, band.median, band.high)
+    )
+    depth = 1e6 * last.depth
+    if not (depth < low or depth > high):
+        return ""
+    return (
+        f" {depth:.1f} um are measured at revolution {middle - before:.0f}; after revolution"
+        f" {early.after - before} {median:.1f} um were predicted there, {low:.1f} to {high:.1f} um"
+        " with 95 %. The joint wears otherwise than the model and its first readings let expect."
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -263,7 +301,7 @@ def identified_tests(
         tests.append(identified_test(path, after))
         same = next((one for one in tests[:-1] if one.identifier == tests[-1].identifier), None)
         if same is not None:
-            raise UnusableInput(f"{path}: that is the test of {same.path} again; give it once.")
+            raise UnusableInput("{}: that is the test of {} again; give it once.", path, same.path)
         if progress is not None:
             progress(float(len(tests)), float(len(paths)))
     counted: list[IdentifiedTest] = []

@@ -12,9 +12,12 @@ from numpy.typing import NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
 from rigapp.report.testreport.envelope import Floats, envelope
-from rigapp.report.testreport.facts import Line, Peak, mean
+from rigapp.report.testreport.facts import Line, Peak, furthest, mean, parts_of
 from rigapp.schema.channels import Channel
-from rigapp.storage import Columns, TestReader
+from rigapp.schema.deviations import deviation_columns, deviation_sentence
+from rigapp.schema.rownumbers import RowNumbers
+from rigapp.storage import Columns, StoredColumns, TestReader, blocks, row_numbers
+from rigapp.texts import capitalised
 from rigapp_model.errors import ModelError
 from rigapp_model.wear.techniques import technique_of
 
@@ -53,7 +56,7 @@ class LastDepth:
     """The last wear depth that is known (mm), and its revolution.
 
     rate: mm a revolution over the last half of the revolutions with a depth. uncertainty: expanded
-    (k = 2), mm, NaN where the file has none.
+    (k = 2), mm, NaN where the file has none. doubt: the same against revolution.
     """
 
     depth: float
@@ -61,13 +64,15 @@ class LastDepth:
     rate: float
     line: Line
     uncertainty: float = float("nan")
+    doubt: Line | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Agreement:
     """What the prediction says. compared: revolutions that were compared.
 
-    joint: what its joint technique assumes, empty when the file does not tell.
+    joint: what its joint technique assumes, empty when the file does not tell. deviation: what
+    explained at the end that the rig differs by more than tolerances allow, empty where it did not.
     """
 
     compared: int
@@ -76,6 +81,7 @@ class Agreement:
     lines: Mapping[str, Line]
     wear: Mapping[str, LastDepth | None]
     joint: str = ""
+    deviation: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -135,17 +141,17 @@ def bursts_of(reader: TestReader) -> tuple[Burst, ...]:
 
 def agreement_of(reader: TestReader) -> Agreement | None:
     """Return what the prediction says of the test; None when nothing is predicted."""
-    table = reader.predictions()
-    number = table["revolution"].astype(np.int64)
-    if number.size == 0:
+    table = StoredColumns(reader, "prediction")
+    number = row_numbers(reader, "prediction")
+    if not len(number):
         return None
     units = reader.column_units("prediction")
     return Agreement(
-        compared=int(number.size),
+        compared=len(number),
         residuals=tuple(
             _residual(name, units[name], number, table[name]) for name in RESIDUALS if name in table
         ),
-        pairs=_pairs(reader, number, table),
+        pairs=_pairs(reader, number),
         lines={name: envelope(number, table[name]) for name in COMPARED if name in table},
         wear={
             name: _wear(number, table[name], table.get(f"{name}_uncertainty"))
@@ -154,7 +160,16 @@ def agreement_of(reader: TestReader) -> Agreement | None:
             for name in WEAR
         },
         joint=_assumption(reader),
+        deviation=_deviation(table),
     )
+
+
+def _deviation(table: StoredColumns) -> str:
+    """Return what the last prediction says that explains a difference; empty where nothing."""
+    names = [one.name for one in deviation_columns()]
+    if not all(name in table for name in names):
+        return ""
+    return capitalised(deviation_sentence(*(float(table[name][-1]) for name in names)))
 
 
 def _assumption(reader: TestReader) -> str:
@@ -166,49 +181,71 @@ def _assumption(reader: TestReader) -> str:
         return ""
 
 
-def _residual(name: str, unit: str, number: NDArray[np.int64], values: NDArray[Any]) -> Residual:
-    finite = np.flatnonzero(np.isfinite(values))
+def _residual(name: str, unit: str, number: RowNumbers, values: NDArray[Any]) -> Residual:
     worst, last = Peak(float("nan"), 0, 0), float("nan")
-    if finite.size:
-        place = finite[int(np.argmax(np.abs(values[finite])))]
+    place = furthest(values, np.abs)
+    if place is not None:
         worst = Peak(float(values[place]), int(number[place]), 0)
-        last = float(values[finite[-1]])
+        last = float(values[np.flatnonzero(np.isfinite(values))[-1]])
     return Residual(name, unit, mean(values), worst, last, envelope(number, values))
 
 
-def _pairs(reader: TestReader, number: NDArray[np.int64], table: Columns) -> tuple[Pair, ...]:
-    measured_number = reader.column("revolution").astype(np.int64)
-    if measured_number.size == 0:
+def _pairs(reader: TestReader, number: RowNumbers) -> tuple[Pair, ...]:
+    measured_number = row_numbers(reader, "revolutions")
+    known, predicted = reader.column_units(), reader.column_units("prediction")
+    names = [name for name in COMPARED if name in known and name in predicted]
+    if not names or not len(measured_number):
         return ()
-    known = reader.column_units()
-    places = np.minimum(np.searchsorted(measured_number, number), measured_number.size - 1)
-    common = measured_number[places] == number
+    sums = {name: np.zeros(3) for name in names}
+    for first, block in blocks(reader, names, "prediction"):
+        mine = number[first : first + len(block[names[0]])]
+        start = measured_number.searchsorted(mine[0])
+        stop = measured_number.searchsorted(mine[-1], "right")
+        there = measured_number[start:stop]
+        _, at_mine, at_there = np.intersect1d(mine, there, True, True)
+        for name in names:
+            measured = reader.column(name, start, stop)[at_there].astype(np.float64)
+            model = block[name][at_mine].astype(np.float64)
+            both = np.isfinite(measured) & np.isfinite(model)
+            sums[name] += (both.sum(), measured[both].sum(), model[both].sum())
     found = []
-    for name in COMPARED:
-        if name not in table or name not in known:
-            continue
-        measured = reader.column(name, 0, measured_number.size)[places]
-        both = common & np.isfinite(measured) & np.isfinite(table[name])
-        found.append(Pair(name, mean(measured[both]), mean(table[name][both])))
+    for name, (count, measured_sum, model_sum) in sums.items():
+        unknown = float("nan")
+        means = (measured_sum / count, model_sum / count) if count else (unknown, unknown)
+        found.append(Pair(name, *map(float, means)))
     return tuple(found)
 
 
-def _wear(
-    number: NDArray[np.int64], depth: NDArray[Any], doubt: NDArray[Any] | None
-) -> LastDepth | None:
-    finite = np.flatnonzero(np.isfinite(depth))
-    if finite.size == 0:
+def _wear(number: RowNumbers, depth: NDArray[Any], doubt: NDArray[Any] | None) -> LastDepth | None:
+    known = np.isfinite(depth)
+    count = int(np.count_nonzero(known))
+    if not count:
         return None
-    late = finite[finite.size // 2 :]
-    rate = float("nan")
-    if late.size >= 2 and number[late[-1]] > number[late[0]]:
-        x = (number[late] - number[late[0]]).astype(np.float64)
-        x -= x.mean()
-        rate = float(x @ (depth[late] - depth[late].mean()) / (x @ x))
-    last = finite[-1]
-    line = envelope(number[finite], depth[finite])
+    finite = np.flatnonzero(known)
+    late, last = finite[count // 2 :], int(finite[-1])
     uncertainty = float("nan") if doubt is None else float(doubt[last])
-    return LastDepth(float(depth[last]), int(number[last]), rate, line, uncertainty)
+    whole = count == len(depth)
+    line = envelope(number, depth) if whole else envelope(number[finite], depth[finite])
+    band = None
+    if doubt is not None:
+        band = envelope(number, doubt) if whole else envelope(number[finite], doubt[finite])
+    del finite, known
+    value = float(depth[last])
+    return LastDepth(value, int(number[last]), _rate(number, depth, late), line, uncertainty, band)
+
+
+def _rate(number: RowNumbers, depth: NDArray[Any], late: NDArray[np.intp]) -> float:
+    """Return the slope of a straight line through the depths of some rows, mm a revolution."""
+    if late.size < 2 or number[int(late[-1])] <= number[int(late[0])]:
+        return float("nan")
+    begin, count = float(number[int(late[0])]), float(late.size)
+    sums = np.zeros(4)
+    level = float(depth[late[0]])
+    for _, rows in parts_of(late):
+        x, y = number[rows] - begin, depth[rows] - level
+        sums += (x.sum(), y.sum(), x @ x, x @ y)
+    x_sum, y_sum, square, product = sums.tolist()
+    return (product - x_sum * y_sum / count) / (square - x_sum**2 / count)
 
 
 def cycles_of(reader: TestReader) -> tuple[CyclePicture, ...]:

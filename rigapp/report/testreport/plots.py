@@ -2,45 +2,54 @@
 
 from __future__ import annotations
 
-import io
+import math
 import textwrap
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from rigapp.presentation.numbers import grouped
+from rigapp.report.page.figures import (
+    AXIS_IN,
+    FIRST,
+    INK,
+    MODEL,
+    MODEL_LINE,
+    MUTED,
+    OTHER,
+    SECOND,
+    TITLE_IN,
+    canvas_of,
+    name_curves,
+    revolution_axis,
+    saved,
+)
 from rigapp.report.page.manuscript import Figure
 from rigapp.report.testreport.envelope import envelope
-from rigapp.report.testreport.facts import ChannelFacts, Gap
+from rigapp.report.testreport.facts import ChannelFacts, Gap, Stated
 from rigapp.report.testreport.model_facts import Agreement, CyclePicture
-from rigapp.report.testreport.uncertainty import Stated
 from rigapp.report.testreport.wording import number, quantity, symbol, title_of
 from rigapp.schema.channels import Channel
 from rigapp.storage import StoredCycle, Trip
+from rigapp.texts import capitalised
 from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty
 
-WIDTH_IN = 7.2
-DPI = 200  # of a printed page at arm's length
-TITLE_IN, AXIS_IN = 0.25, 0.4
-PANEL_IN, BETWEEN_IN = 1.1, 0.3
+PANEL_IN, BETWEEN_IN = 0.88, 0.3
 COLOURS = {
-    "force": "#000000",
-    "force_1": "#0072B2",
-    "force_2": "#009E73",
-    "probe_1": "#0072B2",
-    "probe_2": "#009E73",
-    "max": "#0072B2",
-    "rms": "#000000",
-    "min": "#009E73",
-    "value": "#0072B2",
+    "force": INK,
+    "force_1": FIRST,
+    "force_2": SECOND,
+    "probe_1": FIRST,
+    "probe_2": SECOND,
+    "max": FIRST,
+    "rms": INK,
+    "min": SECOND,
+    "value": FIRST,
 }
-MODEL = "#D55E00"
-DRIVEN = "#CC79A7"
+DRIVEN = OTHER
 GAP = "#E69F00"
-MODEL_LINE: Mapping[str, Any] = {"color": MODEL, "ls": (0, (4, 2)), "lw": 1.1}
 DEPTHS: Mapping[str, tuple[Mapping[str, Any], str, str]] = {
     "measured_wear_depth": ({"color": COLOURS["force"]}, "measured", "measured"),
     "wear_depth": (MODEL_LINE, "model", "predicted"),
@@ -71,44 +80,6 @@ RESIDUAL_OF = {
     "force_1": "residual_1_rms",
     "force_2": "residual_2_rms",
 }
-STYLE: dict[Any, Any] = {
-    "font.family": "DejaVu Sans",
-    "font.size": 8.0,
-    "axes.titlesize": 8.5,
-    "axes.labelsize": 8.0,
-    "axes.linewidth": 0.6,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.grid": True,
-    "grid.color": "#DDDDDD",
-    "grid.linewidth": 0.5,
-    "lines.linewidth": 1.1,
-    "legend.fontsize": 7.5,
-    "legend.frameon": False,
-    "xtick.labelsize": 7.5,
-    "ytick.labelsize": 7.5,
-    "svg.hashsalt": "rigapp",
-    "path.simplify": True,
-}
-
-
-@contextmanager
-def canvas_of(height_in: float) -> Iterator[Any]:
-    """Yield a matplotlib figure in the report's style; its margins are the same in all."""
-    import matplotlib
-    from matplotlib.figure import Figure as Canvas
-
-    with matplotlib.rc_context():
-        matplotlib.rcdefaults()
-        matplotlib.rcParams.update(STYLE)
-        canvas = Canvas(figsize=(WIDTH_IN, height_in))
-        canvas.subplots_adjust(
-            left=0.105,
-            right=0.84,
-            top=1.0 - TITLE_IN / height_in,
-            bottom=AXIS_IN / height_in,
-        )
-        yield canvas
 
 
 def _height(panels: int) -> float:
@@ -119,26 +90,6 @@ def _panels(canvas: Any, number: int) -> Sequence[Any]:
     """Return panels below each other over one axis, with room for a title each."""
     space = {"hspace": BETWEEN_IN / PANEL_IN}
     return tuple(canvas.subplots(number, 1, sharex=True, squeeze=False, gridspec_kw=space)[:, 0])
-
-
-def saved(canvas: Any, title: str, words: str, caption: str, vector: bool) -> Figure:
-    """Return a drawn canvas as a figure of a document: SVG when vector, else PNG."""
-    stream = io.BytesIO()
-    if vector:
-        canvas.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
-        return Figure(title, stream.getvalue(), words, "image/svg+xml", caption)
-    canvas.savefig(stream, format="png", dpi=DPI, metadata={"Software": None})
-    return Figure(title, stream.getvalue(), words, "image/png", caption)
-
-
-def revolution_axis(axes: Any) -> None:
-    """Let an axis count revolutions, from edge to edge."""
-    from matplotlib.ticker import FuncFormatter, MaxNLocator
-
-    axes.xaxis.set_major_locator(MaxNLocator(nbins=8, integer=True))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: grouped(round(x))))
-    axes.set_xlabel("revolution")
-    axes.margins(x=0.01)
 
 
 def _draw(axes: Any, line: tuple[Any, Any], **style: Any) -> None:
@@ -158,7 +109,6 @@ def trends(
     agreement: Agreement | None,
     gaps: Sequence[Gap],
     title: str,
-    vector: bool,
     uncertainty: ForceUncertainty | None = None,
     stated: Stated = MappingProxyType({}),
 ) -> Figure:
@@ -202,7 +152,7 @@ def trends(
             axes.set_title(title_of(channel.channel), loc="left")
             short = SHORT.get(channel.name, "")
             axes.set_ylabel(f"{short} ({symbol(channel.unit)})".lstrip())
-            axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+            name_curves(axes)
         revolution_axis(panels[-1])
         words = f"{title}: " + " ".join(
             f"{title_of(one.channel)} between {number(one.smallest.value, one.unit)} and "
@@ -220,7 +170,7 @@ def trends(
             caption += f" {STATED_WORDS}"
         if zoomed:
             caption += " Revolutions in which the speed changed may lie outside the scale."
-        return saved(canvas, title, words, caption, vector)
+        return saved(canvas, title, words, caption)
 
 
 def _band(axes: Any, x: Any, values: Any, doubt: Any, colour: str, alpha: float = 0.2) -> None:
@@ -241,7 +191,7 @@ def _leave_out_unsteady(axes: Any, channel: ChannelFacts) -> bool:
     return channel.smallest.value < low or channel.largest.value > high
 
 
-def residual_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> Figure:
+def residual_trend(agreement: Agreement, gaps: Sequence[Gap]) -> Figure:
     """Draw the agreement with the model against revolution."""
     found = {one.name: one for one in agreement.residuals}
     with canvas_of(_height(2)) as canvas:
@@ -254,7 +204,7 @@ def residual_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> F
         upper.set_ylim(bottom=0.0)
         upper.set_ylabel("residual RMS (N)")
         upper.set_title("measured minus model, RMS over a revolution", loc="left")
-        upper.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        name_curves(upper)
         if "phase_shift" in found:
             _draw(lower, found["phase_shift"].line, color=COLOURS["force"])
         lower.axhline(0.0, color="#777777", lw=0.6)
@@ -266,62 +216,116 @@ def residual_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> F
             f"{quantity(one.last, one.unit, 2)}."
             for name, one in found.items()
         )
-        return saved(canvas, "Agreement with the model", words, "", vector)
+        return saved(canvas, "Agreement with the model", words, "")
 
 
-def wear_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> Figure | None:
+def wear_trend(agreement: Agreement, gaps: Sequence[Gap]) -> Figure | None:
     """Draw wear depth against revolution; None when none is known."""
     known = [(agreement.wear[name], *how) for name, how in DEPTHS.items()]
     if all(found is None for found, *_ in known):
         return None
-    with canvas_of(2.6) as canvas:
+    with canvas_of(2.1) as canvas:
         axes = canvas.subplots()
         _mark_gaps(axes, gaps)
         words = []
         for found, style, label, said in known:
             if found is not None:
                 x, y = found.line
+                if found.doubt is not None:
+                    half = np.interp(x, *found.doubt)
+                    axes.fill_between(
+                        x,
+                        1e3 * (y - half),
+                        1e3 * (y + half),
+                        color=style["color"],
+                        alpha=0.15,
+                        lw=0,
+                    )
                 _draw(axes, (x, 1e3 * y), **style, label=label)
                 words.append(f"{said} {quantity(1e3 * found.depth, 'um')} at the end")
         axes.set_ylabel("wear depth (µm)")
-        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        name_curves(axes)
         revolution_axis(axes)
         caption = "From the probes (solid), by the model (dashed), by the model from the measured"
-        caption += " forces (dash-dotted); what is unknown is not drawn."
+        caption += " forces (dash-dotted); shaded: the expanded uncertainty of the measured depth."
         told = f"Wear depth against revolution: {'; '.join(words)}."
-        return saved(canvas, "Wear depth", told, caption, vector)
+        return saved(canvas, "Wear depth", told, caption)
 
 
-def trip(found: Trip, cycle: StoredCycle, vector: bool) -> Figure:
-    """Draw |F| of the revolution in which a test tripped over that of the one before."""
-    force, angle = cycle.columns["force"], cycle.columns["angle"]
+SPEED_OVER_DEG = 5.0
+"""The speed of a crank is read over so much of its turn, 50 counts of the encoder."""
+
+
+def trip(found: Trip, cycle: StoredCycle) -> Figure:
+    """Draw force, pin and speed against time, from the revolution before a trip to the standstill.
+
+    Time 0 is where the force was read that tripped, or the end of the revolution's record.
+    """
     told = f"revolution {grouped(found.revolution)}"
     if found.peak is not None:
         told += f", up to {found.peak.sign}{quantity(found.peak.value_N, 'N')}"
         told += f" at {found.peak.angle_deg:.0f}°"
-    with canvas_of(2.6) as canvas:
-        axes = canvas.subplots()
-        if found.before is not None:
-            before = found.before.columns
-            label = f"revolution\n{grouped(found.before.revolution)}"
-            axes.plot(before["angle"], before["force"], color="#999999", lw=0.9, label=label)
-            told += f"; grey: revolution {grouped(found.before.revolution)}, before it"
-        label = f"revolution\n{grouped(found.revolution)}"
-        axes.plot(angle, force, color=COLOURS["force"], label=label)
-        if found.peak is not None:
-            axes.plot(found.peak.angle_deg, found.peak.value_N, "o", color=MODEL, ms=4.0)
-        axes.set_xlim(0.0, 360.0)
-        axes.set_ylim(bottom=0.0)
-        axes.set_xlabel("crank angle (°)")
-        axes.set_ylabel("|F| (N)")
-        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    if found.before is not None:
+        told += f"; grey: revolution {grouped(found.before.revolution)}, before it"
+    earlier = [found.before] if found.before is not None else []
+    shown = [*earlier, cycle, *found.after]
+    zero = tripped_at(found, cycle)
+    probes = all("probe_1" in one.columns for one in shown)
+    rows: dict[str, tuple[str, ...]] = {"|F| (N)": ("force",), "speed (rpm)": ("speed",)}
+    if probes:
+        rows["pin (µm)"] = ("probe_1", "probe_2")
+    with canvas_of(_height(len(rows))) as canvas:
+        panels = _panels(canvas, len(rows))
+        for axes, (title, names) in zip(panels, rows.items(), strict=True):
+            for one in shown:
+                at = one.columns["time"] - zero
+                for name in names:
+                    values = _speed_rpm(one) if name == "speed" else one.columns[name]
+                    colour = MUTED if one is found.before else COLOURS.get(name, INK)
+                    label = SHORT[name] if one is shown[-1] else None
+                    axes.plot(*envelope(at, values), color=colour, label=label)
+            axes.set_ylabel(title)
+            axes.axvline(0.0, color=MODEL, lw=0.8, ls=":")
+            name_curves(axes)
+        if math.isfinite(found.trigger_N):
+            panels[0].plot(0.0, found.trigger_N, "o", color=MODEL, ms=4.0)
+        panels[-1].set_xlabel("time from the trip (s)")
         title = "The revolution in which the test tripped"
-        return saved(canvas, title, f"Joint force of {told}.", "", vector)
+        return saved(canvas, title, f"Joint force of {told}.", f"{capitalised(told)}.")
 
 
-def cycles(
-    pictures: Sequence[CyclePicture], vector: bool, uncertainty: ForceUncertainty | None = None
-) -> Figure:
+def tripped_at(found: Trip, cycle: StoredCycle) -> float:
+    """Return the device's time at which a test tripped, s: at the force that was too large."""
+    force, time = cycle.columns["force"], cycle.columns["time"]
+    # What is beyond the measuring range is stored as its end.
+    trigger = min(found.trigger_N, float(np.nanmax(force)))
+    with np.errstate(invalid="ignore"):
+        over = np.flatnonzero(force >= trigger - TRIGGER_N)
+    return float(time[over[0] if over.size else -1])
+
+
+TRIGGER_N = 0.2
+"""A force is judged as it is read, and stored in steps of the amplifier, some 0.1 N away."""
+
+
+def _speed_rpm(cycle: StoredCycle) -> Any:
+    """Return the speed of the crank (n,) by the time that a part of a turn takes."""
+    angle, time = cycle.columns["angle"].astype(np.float64), cycle.columns["time"]
+    places = np.searchsorted(np.maximum.accumulate(angle), angle - SPEED_OVER_DEG)
+    took = time - time[places]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.where(took > 0.0, (angle - angle[places]) / took / 6.0, np.nan)
+
+
+def rest_s(found: Trip, cycle: StoredCycle) -> float:
+    """Return the time from a trip to the last movement of the crank that is recorded, s."""
+    last = (found.after or (cycle,))[-1]
+    moved = np.flatnonzero(np.diff(last.columns["angle"]) != 0.0)
+    end = last.columns["time"][int(moved[-1]) + 1 if moved.size else 0]
+    return max(0.0, float(end) - tripped_at(found, cycle))
+
+
+def cycles(pictures: Sequence[CyclePicture], uncertainty: ForceUncertainty | None = None) -> Figure:
     """Draw whole cycles side by side: forces with the model, residual, displacement."""
 
     def force_panel(axes: Any, picture: CyclePicture) -> None:
@@ -335,18 +339,16 @@ def cycles(
         rows.append(("measured −\nmodel (N)", residual_panel))
     if any("probe_1" in one.columns for one in pictures):
         rows.append(("pin, less its\nmean (µm)", _probe_panel))
-    heights = [2.4 if draw is force_panel else 1.5 for _, draw in rows]
+    heights = [1.9 if draw is force_panel else 1.1 for _, draw in rows]
     caption = _cycle_caption(pictures)
     if uncertainty is not None:
         caption += f" {BAND_WORDS}"
     which = {1: "the only one", 2: "first and last", 3: "first, middle and last"}
     title = f"Whole cycles, {which[len(pictures)]}"
-    return _cycle_grid(pictures, rows, heights, title, _cycle_words(pictures), caption, vector)
+    return _cycle_grid(pictures, rows, heights, title, _cycle_words(pictures), caption)
 
 
-def free_cycles(
-    pictures: Sequence[CyclePicture], channels: Sequence[Channel], vector: bool
-) -> Figure:
+def free_cycles(pictures: Sequence[CyclePicture], channels: Sequence[Channel]) -> Figure:
     """Draw whole cycles of free channels side by side, one line of panels a channel."""
 
     def panel(name: str) -> Callable[[Any, CyclePicture], None]:
@@ -367,7 +369,7 @@ def free_cycles(
         for picture in pictures
         for one in channels
     )
-    return _cycle_grid(pictures, rows, [1.5] * len(rows), title, words, "", vector)
+    return _cycle_grid(pictures, rows, [1.5] * len(rows), title, words, "")
 
 
 def _cycle_grid(
@@ -377,7 +379,6 @@ def _cycle_grid(
     title: str,
     words: str,
     caption: str,
-    vector: bool,
 ) -> Figure:
     """Draw a column of panels a cycle; rows: label and what draws it. heights: of these, inches."""
     with canvas_of(0.55 + sum(heights)) as canvas:
@@ -389,14 +390,14 @@ def _cycle_grid(
             for axes, picture in zip(line, pictures, strict=True):
                 draw(axes, picture)
             line[0].set_ylabel(label)
-            line[-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+            name_curves(line[-1])
         for axes, picture in zip(grid[0], pictures, strict=True):
             axes.set_title(f"revolution {grouped(picture.revolution)}")
         for axes in grid[-1]:
             axes.set_xlabel("crank angle (°)")
             axes.set_xticks(range(0, 360, 90))
             axes.set_xlim(0, 360)
-        return saved(canvas, title, words, caption, vector)
+        return saved(canvas, title, words, caption)
 
 
 def _cycle_words(pictures: Sequence[CyclePicture]) -> str:
@@ -425,7 +426,7 @@ def _cycle_caption(pictures: Sequence[CyclePicture]) -> str:
     without = [str(one.revolution) for one in pictures if not one.model]
     if without:
         others.append(f"no prediction is saved for revolution {', '.join(without)}")
-    return f"{text} {'; '.join(others).capitalize()}." if others else text
+    return f"{text} {capitalised('; '.join(others))}." if others else text
 
 
 def _curve(axes: Any, picture: CyclePicture, values: Any, **style: Any) -> None:

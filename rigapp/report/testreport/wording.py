@@ -127,13 +127,18 @@ def settings(values: Mapping[str, Any], prefix: str = "") -> list[tuple[str, str
             rows += settings(value, f"{prefix}{key.replace('_', ' ')}, ")
             continue
         name, unit = name_and_unit(key)
-        shown = f"{_setting(value)} {symbol(unit)}".rstrip()
+        text = _setting(value)
+        shown = text if text == UNKNOWN else f"{text} {symbol(unit)}".rstrip()
         rows.append((f"{prefix}{name.replace('_', ' ')}", shown or "none"))
     return rows
 
 
 def _setting(value: Any) -> str:
+    if isinstance(value, float) and math.isnan(value):
+        return UNKNOWN
     if isinstance(value, list):
+        if value and all(isinstance(one, float) and math.isnan(one) for one in value):
+            return UNKNOWN
         if any(isinstance(one, list) for one in value):
             return "[" + "; ".join(", ".join(map(_setting, row)) for row in value) + "]"
         return "[" + ", ".join(map(_setting, value)) + "]"

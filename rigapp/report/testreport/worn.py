@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.presentation.numbers import grouped
+from rigapp.report.page.figures import MODEL_LINE, canvas_of, saved
 from rigapp.report.page.manuscript import Block, Figure, Table, Text
 from rigapp.report.testreport import plots
 from rigapp.report.testreport.wording import UNKNOWN, number
@@ -121,7 +122,7 @@ def _stages(revolutions: NDArray[Any], measured: NDArray[Any]) -> tuple[tuple[in
     return tuple((int(revolutions[i]), np.asarray(measured[i], dtype=np.float64)) for i in places)
 
 
-def profile_blocks(found: Worn | None, vector: bool) -> list[Block]:
+def profile_blocks(found: Worn | None) -> list[Block]:
     """Return the table, the words and the picture of the worn profile."""
     if found is None:
         return [Text("No worn profile is recorded in the file.")]
@@ -130,7 +131,7 @@ def profile_blocks(found: Worn | None, vector: bool) -> list[Block]:
     )  # fmt: skip
     rows = tuple((words, *_cells(found, name)) for name, words in CURVES.items())
     title = f"Worn profile after revolution {grouped(found.revolution)}"
-    return [Table(title, rows, header), Text(_sentence(found)), picture(found, vector)]
+    return [Table(title, rows, header), Text(_sentence(found)), picture(found)]
 
 
 def _cells(found: Worn, name: str) -> tuple[str, ...]:
@@ -166,9 +167,9 @@ def _sentence(found: Worn) -> str:
     return text
 
 
-def picture(found: Worn, vector: bool) -> Figure:
+def picture(found: Worn) -> Figure:
     """Draw the worn profile, measured with its uncertainty and by the model."""
-    with plots.canvas_of(3.0) as canvas:
+    with canvas_of(3.0) as canvas:
         axes = canvas.subplots()
         shades = np.linspace(0.78, 0.5, max(len(found.stages), 1))
         for shade, (revolution, depth) in zip(shades, found.stages, strict=False):
@@ -180,7 +181,7 @@ def picture(found: Worn, vector: bool) -> Figure:
             color=plots.COLOURS["force"], alpha=0.15, lw=0,
         )  # fmt: skip
         axes.plot(found.angle, measured, color=plots.COLOURS["force"], label="measured")
-        axes.plot(found.angle, 1e3 * found.curves["predicted"], **plots.MODEL_LINE, label="model")
+        axes.plot(found.angle, 1e3 * found.curves["predicted"], **MODEL_LINE, label="model")
         axes.plot(
             found.angle, 1e3 * found.curves["driven"], color=plots.DRIVEN, ls="-.", lw=1.1,
             label="model by\nmeasured\nforces",
@@ -201,7 +202,7 @@ def picture(found: Worn, vector: bool) -> Figure:
             " model from the measured forces (dash-dotted); grey: measured earlier, after the"
             " revolution named."
         )
-        return plots.saved(canvas, "Worn profile of the bushing", words, caption, vector)
+        return saved(canvas, "Worn profile of the bushing", words, caption)
 
 
 def _depth(extent: Extent) -> str:

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Protocol
 
+from rigapp.texts import SentenceError
+
 Bytes = bytes | bytearray | memoryview
 
 BINARY: int = getattr(os, "O_BINARY", 0)
@@ -69,3 +71,11 @@ class FileSystem(Protocol):
 
     def is_taken(self, path: Path, named: str) -> bool:
         """Tell of a file that this process holds whether another one is writing it all the same."""
+
+
+class StorageFailed(SentenceError):
+    """Say in one sentence which file can no longer be written, and why; the test must end."""
+
+
+class NoRoom(StorageFailed):
+    """Say in one sentence which part of the file is full."""

@@ -6,10 +6,10 @@ import os
 import threading
 from pathlib import Path
 
-from rigapp.storage.filesystem.calls import Bytes
-from rigapp.storage.filesystem.errors import StorageFailed
+from rigapp.storage.filesystem.calls import Bytes, StorageFailed
 from rigapp.storage.filesystem.rescue import copy_ranges
 from rigapp.storage.filesystem.system import FILES
+from rigapp.texts import say
 
 PAGE = 1 << 16
 """Writing is noted in such steps while the file is being copied."""
@@ -42,7 +42,7 @@ class Disk:
                 while done < size:
                     done += FILES.write_at(self.fd, memoryview(data)[done:], offset + done)
             except OSError as error:
-                raise self._failed("writing", error) from error
+                raise self._failed(say("writing"), error) from error
             if self._touched is not None:
                 self._touched.update(range(offset // PAGE, (offset + size) // PAGE + 1))
             self.bytes_written += size
@@ -107,11 +107,13 @@ class Disk:
         """Close the file; writing to it afterwards raises StorageFailed."""
         FILES.release(self.fd)
         os.close(self.fd)
-        self._failure = self._failure or f"{self.path}: the file is closed"
+        self._failure = self._failure or say("{}: the file is closed", self.path)
 
     def _failed(self, doing: str, error: OSError) -> StorageFailed:
-        self._failure = (
-            f"{self.path}: {doing} failed ({error.strerror}); what was committed before is safe, "
-            "check the disk before resuming"
+        self._failure = say(
+            "{}: {} failed ({}); what was committed before is safe, check the disk before resuming",
+            self.path,
+            doing,
+            error.strerror,
         )
         return StorageFailed(self._failure)

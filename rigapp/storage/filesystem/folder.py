@@ -10,21 +10,27 @@ from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
 from rigapp.process.leftovers import left_behind, remove_left_behind
+from rigapp.texts import say, sentence_of_error
 
 SPACE_MARGIN = 32 << 20
 """Bytes that stay free beside a file: for the log, the report and what else writes to the disk."""
 MEGABYTE = 1e6
 
 
-def refuse_little_space(folder: Path, path: Path, needed: int, who: str = "the test") -> None:
+def refuse_little_space(folder: Path, path: Path, needed: int, who: str = say("the test")) -> None:
     """Refuse when the folder's disk has not ``needed`` bytes and a margin free: UnusableInput."""
     free = shutil.disk_usage(folder).free
     missing = needed + SPACE_MARGIN - free
     if missing > 0:
         raise UnusableInput(
-            f"{path}: {who} needs {(needed + SPACE_MARGIN) / MEGABYTE:.0f} MB, {folder} has "
-            f"{free / MEGABYTE:.0f} MB free; {missing / MEGABYTE:.1f} MB are missing, "
-            "free them or keep fewer whole cycles"
+            "{}: {} needs {:.0f} MB, {} has {:.0f} MB free; {:.1f} MB are missing, free"
+            " them or keep fewer whole cycles",
+            path,
+            who,
+            (needed + SPACE_MARGIN) / MEGABYTE,
+            folder,
+            free / MEGABYTE,
+            missing / MEGABYTE,
         )
 
 
@@ -44,7 +50,7 @@ def move_into_place(hidden: Path, path: Path) -> None:
         raise
     except OSError:
         if os.path.lexists(path):
-            raise FileExistsError(errno.EEXIST, "file exists", str(path)) from None
+            raise FileExistsError(errno.EEXIST, say("file exists"), str(path)) from None
         os.rename(hidden, path)
     else:
         hidden.unlink()
@@ -63,6 +69,6 @@ def remove_stale(folder: Path) -> None:
 
 def short_reason(error: Exception) -> str:
     """Return the operating system's words out of HDF5's long message, or its first line."""
-    text = str(error)
+    text = sentence_of_error(error)
     _, found, rest = text.partition("error message = '")
     return rest.partition("'")[0] if found else text.partition("\n")[0]

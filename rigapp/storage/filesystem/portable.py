@@ -15,6 +15,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from rigapp.storage.filesystem.calls import BINARY, Bytes
+from rigapp.texts import say
 
 _NAMED = re.compile(r"process (\d+) on (.+)")
 _CLOCK_S = 2.0  # so coarse are times of files on some file systems
@@ -35,13 +36,15 @@ class PortableFiles:
             return os.write(fd, data)
 
     def read_at(self, fd: int, length: int, offset: int) -> bytes:
-        """Go there and read; no other thread moves the place meanwhile."""
+        """Go there, read and go back, as HDF5 relies on it; no other thread moves it meanwhile."""
         parts = []
         with self._placing:
+            before = os.lseek(fd, 0, os.SEEK_CUR)
             os.lseek(fd, offset, os.SEEK_SET)
             while length > 0 and (part := os.read(fd, length)):
                 parts.append(part)
                 length -= len(part)
+            os.lseek(fd, before, os.SEEK_SET)
         return b"".join(parts)
 
     def sync(self, fd: int) -> None:
@@ -71,7 +74,7 @@ class PortableFiles:
 
     def link(self, fd: int, path: Path) -> None:
         """Refuse: an open file is not known by a name."""
-        raise OSError(errno.ENOTSUP, "an open file can get no second name here", str(path))
+        raise OSError(errno.ENOTSUP, say("an open file can get no second name here"), str(path))
 
     def protect(self, fd: int) -> None:
         """Leave it as it is."""
@@ -79,7 +82,7 @@ class PortableFiles:
     def settle(self, fd: int, hidden: Path, path: Path) -> None:
         """Close it for the moment, since some systems move no open file."""
         if os.path.lexists(path):
-            raise FileExistsError(errno.EEXIST, "file exists", str(path))
+            raise FileExistsError(errno.EEXIST, say("file exists"), str(path))
         _close_for_now(fd)
         os.rename(hidden, path)
         again = os.open(path, os.O_RDWR | BINARY)

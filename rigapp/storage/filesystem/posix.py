@@ -3,23 +3,49 @@
 Two locks are held by a writer. A byte-range lock of the open file description, far beyond the data,
 marks the writer as alive and keeps a second one out. A shared ``flock`` makes HDF5 refuse to open
 the file for writing (it asks for an exclusive one), while readers (shared) pass. The kernel drops
-both when the writer dies.
+both when the writer dies. Where the file system has no locks, or somebody who may only read the
+file holds one on it, the process that the file names tells instead, as in ``portable``.
 """
 
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import errno
 import fcntl
 import os
 import struct
 import sys
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
+from typing import Any
 
 from rigapp.storage.filesystem.calls import Bytes
 from rigapp.storage.filesystem.folder import move_into_place
-from rigapp.storage.filesystem.holes import punch_hole
+from rigapp.storage.filesystem.portable import PortableFiles
+
+KEEP_SIZE = 1
+PUNCH_HOLE = 2
+"""Flags of Linux's fallocate(2)."""
+
+
+def punch_hole(fd: int, offset: int, length: int) -> bool:
+    """Let a range of an open file read as zeros and take no space; False where nothing was done."""
+    call = _fallocate()
+    return call is not None and call(fd, KEEP_SIZE | PUNCH_HOLE, offset, length) == 0
+
+
+@cache
+def _fallocate() -> Any:
+    if sys.platform != "linux":
+        return None
+    library = ctypes.CDLL(None)
+    call = getattr(library, "fallocate64", None) or getattr(library, "fallocate", None)
+    if call is not None:
+        call.argtypes = (ctypes.c_int, ctypes.c_int, ctypes.c_int64, ctypes.c_int64)
+    return call
+
 
 assert sys.platform != "win32"
 
@@ -27,12 +53,16 @@ LOCK_OFFSET = 1 << 62  # beyond any data
 BLOCK = 512  # bytes of the unit in which a file's space is told
 _FLOCK = "hhqqi0q"
 _OFD = sys.platform == "linux" and hasattr(fcntl, "F_OFD_SETLK")
-_NO_LOCKS = (errno.ENOLCK, errno.EOPNOTSUPP, errno.EINVAL)
+_ENOTSUPP = 524  # Linux's own, which NFS and FUSE let through
+_NO_LOCKS = (errno.ENOLCK, errno.EOPNOTSUPP, errno.EINVAL, errno.ENOSYS, _ENOTSUPP)
 _NO_ROOM_CALL = (errno.EOPNOTSUPP, errno.ENOSYS, errno.EINVAL)
 
 
 class PosixFiles:
     """See ``FileSystem``."""
+
+    def __init__(self) -> None:
+        self._by_name = PortableFiles()
 
     def write_at(self, fd: int, data: Bytes, offset: int) -> int:
         """Write without moving the file's place."""
@@ -123,46 +153,67 @@ class PosixFiles:
             os.close(fd)
 
     def hold(self, fd: int) -> bool:
-        """Take both locks."""
+        """Take both locks; by the name in the file where there can be none."""
         try:
             if _OFD:
                 fcntl.fcntl(fd, fcntl.F_OFD_SETLK, _record(fcntl.F_WRLCK))
             else:
                 fcntl.lockf(fd, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, LOCK_OFFSET)
         except OSError as error:
-            if error.errno in (errno.EAGAIN, errno.EACCES):
+            blocked = error.errno in (errno.EAGAIN, errno.EACCES)
+            if blocked and _lock_of(fd) == fcntl.F_WRLCK:
                 return False
-            if error.errno not in _NO_LOCKS:
+            if not blocked and error.errno not in _NO_LOCKS:
                 raise
+            if not self._by_name.hold(fd):
+                return False
         with contextlib.suppress(OSError):
             fcntl.flock(fd, fcntl.LOCK_SH | fcntl.LOCK_NB)
         return True
 
     def release(self, fd: int) -> None:
         """Leave it to the kernel, which drops the locks when the file is closed."""
+        self._by_name.release(fd)
 
     def is_held(self, path: Path, named: str) -> bool:
-        """Ask the kernel for the first lock; the name is not needed."""
+        """Ask the kernel for the first lock; where it cannot tell, look for the named process."""
         fd = os.open(path, os.O_RDONLY)
         try:
-            if _OFD:
-                answer = fcntl.fcntl(fd, fcntl.F_OFD_GETLK, _record(fcntl.F_WRLCK))
-                return bool(struct.unpack(_FLOCK, answer)[0] != fcntl.F_UNLCK)
-            try:
-                fcntl.lockf(fd, fcntl.LOCK_SH | fcntl.LOCK_NB, 1, LOCK_OFFSET)
-            except OSError as error:
-                return error.errno in (errno.EAGAIN, errno.EACCES)
-            return False
-        except OSError as error:
-            if error.errno in _NO_LOCKS:
-                return False
-            raise
+            kind = _lock_of(fd)
         finally:
             os.close(fd)
+        if kind in (fcntl.F_WRLCK, fcntl.F_UNLCK):
+            return kind == fcntl.F_WRLCK
+        return self._by_name.is_held(path, named)
 
     def is_taken(self, path: Path, named: str) -> bool:
-        """Trust the locks."""
-        return False
+        """Trust the locks where there are any."""
+        fd = os.open(path, os.O_RDONLY)
+        try:
+            kind = _lock_of(fd)
+        finally:
+            os.close(fd)
+        known = kind in (fcntl.F_WRLCK, fcntl.F_UNLCK)
+        return not known and self._by_name.is_taken(path, named)
+
+
+def _lock_of(fd: int) -> int | None:
+    """Return the kind of another one's lock on an open file, None where there are no locks."""
+    try:
+        if _OFD:
+            answer = fcntl.fcntl(fd, fcntl.F_OFD_GETLK, _record(fcntl.F_WRLCK))
+            return int(struct.unpack(_FLOCK, answer)[0])
+        try:
+            fcntl.lockf(fd, fcntl.LOCK_SH | fcntl.LOCK_NB, 1, LOCK_OFFSET)
+        except OSError as error:
+            if error.errno in (errno.EAGAIN, errno.EACCES):
+                return fcntl.F_WRLCK
+            raise
+        return fcntl.F_UNLCK
+    except OSError as error:
+        if error.errno in _NO_LOCKS:
+            return None
+        raise
 
 
 def _record(kind: int) -> bytes:

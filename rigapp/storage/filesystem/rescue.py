@@ -15,6 +15,7 @@ from itertools import count
 from pathlib import Path
 
 from rigapp.storage.filesystem.system import FILES
+from rigapp.texts import say
 
 PIECE = 1 << 22  # a copy gives way to the test every 4 MB, some 20 ms of a disk
 
@@ -33,12 +34,12 @@ class Fate:
     def sentence(self, path: Path) -> str:
         """Return what happened in words."""
         if self.named:
-            where = f" to {self.where}" if self.where else ""
-            words = f"{path} was moved{where} while the test writes it"
-            return f"{words}, and another file has its name" if self.replaced else words
+            where = say(" to {}", self.where) if self.where else ""
+            words = say("{} was moved{} while the test writes it", path, where)
+            return say("{}, and another file has its name", words) if self.replaced else words
         if self.replaced:
-            return f"{path} was replaced by another file while the test writes it"
-        return f"{path} was deleted while the test writes it"
+            return say("{} was replaced by another file while the test writes it", path)
+        return say("{} was deleted while the test writes it", path)
 
 
 def fate_of(fd: int, path: Path) -> Fate | None:

@@ -1,15 +1,14 @@
-"""Logs of files from before events had key, level and data: read from their sentences, once.
-
-The sentences of that form are "TITLE: WHAT. CAUSE" for alarms and "limit NAME changed" for limits;
-they never change any more.
-"""
+"""Read texts of a file, and logs of older versions."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
 
+import h5py
 import msgspec
+import numpy as np
 
 from rigapp.schema.alarms import KINDS, Kind
 from rigapp.schema.criteria import CRITERIA
@@ -23,6 +22,7 @@ from rigapp.schema.loglines import (
     What,
 )
 from rigapp.schema.messages import Ends, Event, Severity
+from rigapp.schema.wire import tree_of
 
 NOT_RECORDED = "The log does not tell."
 
@@ -88,9 +88,7 @@ def _alarm(event: Event, known: dict[str, tuple[str, Severity, AlarmChange]]) ->
     else:
         return event
     known[title] = key, severity, change
-    return msgspec.structs.replace(
-        event, key=key, level=severity.value, data=msgspec.to_builtins(change)
-    )
+    return msgspec.structs.replace(event, key=key, level=severity.value, data=tree_of(change))
 
 
 def _kind(title: str, cause: str, first_out: bool) -> tuple[str, Severity, Kind]:
@@ -114,7 +112,7 @@ def _limit(event: Event) -> Event:
     match, after = _LIMIT.match(event.text), _number(event.after)
     if match is None or after is None:
         return event
-    data = msgspec.to_builtins(LimitChange(_number(event.before), after))
+    data = tree_of(LimitChange(_number(event.before), after))
     return msgspec.structs.replace(event, key=match[1], data=data)
 
 
@@ -122,7 +120,7 @@ def _rest(event: Event) -> Event:
     signals = [_number(part) for part in event.after.split(",")]
     if len(signals) != 2 or signals[0] is None or signals[1] is None:
         return event
-    data = msgspec.to_builtins(RestSignals(signals[0], signals[1]))
+    data = tree_of(RestSignals(signals[0], signals[1]))
     return msgspec.structs.replace(event, data=data)
 
 
@@ -131,3 +129,39 @@ def _number(text: str | None) -> float | None:
         return float(text) if text else None
     except ValueError:
         return None
+
+
+LOG = "/entry/events"
+
+
+def texts_of(file: h5py.File) -> Iterator[tuple[str, str]]:
+    """Yield each text that is not empty with its path: of a dataset, or of an attribute.
+
+    An attribute's path is that of its owner, ``@`` and its name. A text that stands several times
+    in one dataset comes once. The log is left out: its lines are events.
+    """
+    found: list[h5py.HLObject] = [file]
+    file.visititems(lambda _, one: found.append(one))
+    for one in found:
+        path = str(one.name)
+        if path.startswith(f"{LOG}/"):
+            continue
+        if isinstance(one, h5py.Dataset) and h5py.check_string_dtype(one.dtype) is not None:
+            yield from ((path, text) for text in _texts(one[()]))
+        for name, value in one.attrs.items():
+            yield from ((f"{path}@{name}", text) for text in _texts(value))
+
+
+def _texts(value: Any) -> Iterator[str]:
+    """Yield the different texts of a value, nothing of one that is none."""
+    for one in dict.fromkeys(np.asarray(value).ravel().tolist()) if _is_text(value) else ():
+        text = one.decode(errors="replace") if isinstance(one, bytes) else str(one)
+        if text:
+            yield text
+
+
+def _is_text(value: Any) -> bool:
+    array = np.asarray(value)
+    if array.dtype.kind != "O":
+        return array.dtype.kind in "SU"
+    return all(isinstance(one, str | bytes) for one in array.ravel().tolist())

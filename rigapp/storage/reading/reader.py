@@ -5,8 +5,9 @@ from __future__ import annotations
 import contextlib
 import math
 import os
+import re
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -21,9 +22,9 @@ from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.schema.columns import PROFILE_ANGLES_DEG
 from rigapp.schema.messages import Event
 from rigapp.storage.filesystem.system import FILES
-from rigapp.storage.reading.oldlog import translated
+from rigapp.storage.reading.oldlog import texts_of, translated
 from rigapp.storage.reading.resample import Method, resample_channels
-from rigapp.storage.reading.texts import texts_of
+from rigapp.storage.structure.digest import SEAL, settings_digest
 from rigapp.storage.structure.events import events_of, first_broken_link
 from rigapp.storage.structure.hdf import is_bare, open_for_reading, telling_damage
 from rigapp.storage.structure.layout import (
@@ -32,6 +33,7 @@ from rigapp.storage.structure.layout import (
     CHECKPOINT_SLOTS,
     COMPRESSED,
     CONFIGURATION,
+    CONFIGURATION_DIGEST,
     END_TIME,
     FORM_ATTRIBUTE,
     PLAN,
@@ -39,11 +41,13 @@ from rigapp.storage.structure.layout import (
     SCHEMA_ATTRIBUTE,
     START_TIME,
     STATE,
+    STATE_FIELDS,
     FileColumn,
     FilePlan,
     FileStream,
     streams_of,
 )
+from rigapp.texts import joined, say, sentence_of_error
 
 Columns = dict[str, NDArray[Any]]
 
@@ -104,9 +108,17 @@ class TestReader:
     def __init__(self, path: Path, file: h5py.File) -> None:
         self.path = path
         self._file = file
-        with telling_damage(path, "its plan"):
+        self._known: dict[str, int] = {}
+        with telling_damage(path, say("its plan")):
             self.plan = msgspec.json.decode(self._text(PLAN), type=FilePlan)
             self._streams = streams_of(self.plan)
+        strange = next(filter(None, map(strange_name, _names(self._streams))), "")
+        if strange:
+            raise UnusableInput(
+                "{}: {}; rigapp writes no such file: do not use it, and ask who sent it",
+                path,
+                strange,
+            )
 
     def close(self) -> None:
         """Close the file."""
@@ -135,9 +147,20 @@ class TestReader:
             return self.first_free_sample(self.committed("cycles"))
         if stream == "checkpoints":
             return CHECKPOINT_SLOTS
+        if stream == "waiting":
+            return 0
         if stream == "unfinished_samples":
             return self.first_free_sample(self.committed("unfinished"), found.group)
-        return int(self._read(found.path(found.counter)))
+        if stream in self._known:
+            return self._known[stream]
+        rows = int(self._read(found.path(found.counter)))
+        with telling_damage(self.path, found.path(found.counter)):
+            if rows < 0:
+                raise ValueError(say("rows {} to {} are wanted and there are fewer", 0, rows))
+        with contextlib.suppress(UnusableInput):  # that word may be what is damaged
+            if self.stored_status() != "running":  # no more come
+                self._known[stream] = rows
+        return rows
 
     def stored_status(self) -> str:
         """Return the word in the file: running, complete, stopped or fault."""
@@ -165,9 +188,9 @@ class TestReader:
         if not rows:
             return None, None
         first, last = (int(self.column("revolution", row, row + 1)[0]) for row in (0, rows - 1))
-        with telling_damage(self.path, "the number of its safe revolutions"):
+        with telling_damage(self.path, say("the number of its safe revolutions")):
             if last - first < rows - 1:
-                raise ValueError(f"{rows} revolutions cannot end at number {last}")
+                raise ValueError(say("{} revolutions cannot end at number {}", rows, last))
         return first, last
 
     def state(self, name: str) -> int:
@@ -198,7 +221,7 @@ class TestReader:
             "ended": END_TIME,
         }
         found: dict[str, Any] = {
-            name: self._text(path) if path in self._file else "" for name, path in names.items()
+            name: self._text(path) if self._holds(path) else "" for name, path in names.items()
         }
         found["simulated"] = bool(self._read("/entry/simulated"))
         found["planned_revolutions"] = self.state("planned_revolutions")
@@ -216,8 +239,11 @@ class TestReader:
         found, known = self._streams[stream], self.column_units(stream)
         if name not in known:
             raise UnusableInput(
-                f"{self.path}: there is no column {name!r} in {found.group}; "
-                f"there are {', '.join(known)}"
+                "{}: there is no column {} in {}; there are {}",
+                self.path,
+                repr(name),
+                found.group,
+                joined(", ", known),
             )
         end = self.committed(stream) if stop is None else min(stop, self.committed(stream))
         return self._rows(found.path(name), first, end)
@@ -246,14 +272,18 @@ class TestReader:
         """Return the number of samples in the first ``cycles`` saved cycles."""
         if cycles == 0:
             return 0
-        return sum(int(self._read(f"{group}/{one}", cycles - 1)) for one in ("first", "count"))
+        return sum(
+            int(self._rows(f"{group}/{one}", cycles - 1, cycles)[0]) for one in ("first", "count")
+        )
 
     def cycle(self, index: int) -> StoredCycle:
         """Return the saved cycle ``index``, negative from the end; raises IndexError."""
         number = self.committed("cycles")
         place = index + number if index < 0 else index
         if not 0 <= place < number:
-            raise IndexError(f"{self.path}: there is no saved cycle {index}, there are {number}")
+            raise IndexError(
+                say("{}: there is no saved cycle {}, there are {}", self.path, index, number)
+            )
         return next(self._ragged("cycles", place, place + 1))
 
     def cycles(self) -> Iterator[StoredCycle]:
@@ -302,7 +332,7 @@ class TestReader:
             return None
         row = int(places[-1])
         curves = {
-            name: np.asarray(self._read(f"/entry/prediction/curve_{name}", row))
+            name: self._rows(f"/entry/prediction/curve_{name}", row, row + 1)[0]
             for name in self.plan.predicted_curves
         }
         return {"angle": self.angles(), **curves}
@@ -329,7 +359,7 @@ class TestReader:
         if "checkpoints" not in self._streams:
             return b""
         revolutions = self.committed()
-        last = int(self.column("revolution")[revolutions - 1]) if revolutions else 0
+        last = self._first_and_last(revolutions)[1] or 0
         slots = self._table("checkpoints", 0)
         best, found = -1, b""
         for slot in range(CHECKPOINT_SLOTS):
@@ -357,11 +387,11 @@ class TestReader:
     def last_digest(self) -> bytes:
         """Return the digest of the log's last row, empty when there is none."""
         number = self.committed("events")
-        return bytes(self._read("/entry/events/digest", number - 1)) if number else b""
+        return bytes(self._rows("/entry/events/digest", number - 1, number)[0]) if number else b""
 
     def texts(self) -> Iterator[tuple[str, str]]:
         """Yield every text of the file with its path, the lines of the log left out."""
-        with telling_damage(self.path, "its texts"):
+        with telling_damage(self.path, say("its texts")):
             yield from texts_of(self._file)
 
     def configuration(self) -> dict[str, Any]:
@@ -413,6 +443,67 @@ class TestReader:
             found |= {one.name: one.attributes for one in self.variables(stream)}
         return found
 
+    def fields(self, stream: str) -> tuple[FileColumn, ...]:
+        """Return the columns of a stream, without its checksum."""
+        return self._streams[stream].fields
+
+    def has_checksum(self, stream: str) -> bool:
+        """Tell whether each row of a stream has a checksum; files of before have none."""
+        return self._streams[stream].checksum is not None
+
+    def raw_rows(
+        self, stream: str, first: int, stop: int
+    ) -> tuple[list[NDArray[Any]], NDArray[Any]]:
+        """Return rows of a stream as they are stored, committed or not: columns, and checksums."""
+        found = self._streams[stream]
+        columns = [self._rows(found.path(one.name), first, stop) for one in found.fields]
+        if found.checksum is None:
+            return columns, np.empty(0, np.uint32)
+        return columns, self._rows(found.path(found.checksum.name), first, stop)
+
+    def row_bytes(self, stream: str) -> int:
+        """Return the bytes of a row, of a cycle with the samples that it has as a rule."""
+        found = self._streams[stream]
+        if stream in ("cycles", "unfinished"):
+            return (
+                found.row_bytes + self.plan.samples_per_cycle * self._streams["samples"].row_bytes
+            )
+        return found.row_bytes
+
+    def declared(self, stream: str) -> int:
+        """Return the rows that a stream can have in this file."""
+        found = self._streams[stream]
+        with telling_damage(self.path, found.group):
+            first = found.fields[0]
+            dataset = self._file[found.path(first.name)]
+            return len(dataset) if self.compressed else _room_of(dataset) // first.row_bytes
+
+    def stored_rows(self, path: str, first: int, stop: int) -> NDArray[Any]:
+        """Return rows of a dataset as they are stored, committed or not."""
+        return self._rows(path, first, stop)
+
+    def settings_confirmed(self) -> bool:
+        """Tell whether all that was fixed before the first row is as it was then."""
+        return self.settings_digest() == self._state_text(CONFIGURATION_DIGEST)
+
+    def settings_digest(self) -> str:
+        """Return the digest, in hexadecimal, of all that is fixed before the first row."""
+        with telling_damage(self.path, CONFIGURATION):
+            return settings_digest(self._file, self.plan).decode()
+
+    def ending(self) -> list[str]:
+        """Return the texts of how the test began, went and ended, as they are stored."""
+        return [
+            *(self._text(f"{STATE}/{name}") for name in STATE_FIELDS),
+            self._text(START_TIME),
+            self._text(END_TIME),
+        ]
+
+    def seal_text(self) -> str:
+        """Return the seal in the file, empty where it has none."""
+        path = f"{SEAL}/seal"
+        return self._text(path) if self._holds(path) else ""
+
     def has(self, stream: str) -> bool:
         """Tell whether the file keeps a stream; those of before keep fewer."""
         return stream in self._streams
@@ -436,17 +527,29 @@ class TestReader:
         if FILES.is_held(self.path, self.writer()):
             return "running", ""
         whole = self.has_all_revolutions()
-        safe = f"all {revolutions} revolutions are" if whole else f"{revolutions} revolutions are"
-        following = "ends the test with them" if whole else "goes on after them"
+        safe = (
+            say("all {} revolutions are", revolutions)
+            if whole
+            else say("{} revolutions are", revolutions)
+        )
+        following = say("ends the test with them") if whole else say("goes on after them")
         return (
             "interrupted",
-            "the program that wrote the file ended without closing the test (killed, crashed or "
-            f"power lost); {safe} safe, resume {following}",
+            say(
+                "the program that wrote the file ended without closing the test (killed,"
+                " crashed or power lost); {} safe, resume {}",
+                safe,
+                following,
+            ),
         )
 
     def writer(self) -> str:
         """Return the process that writes or wrote the file, ``process N on HOST`` while it does."""
         return self._state_text("writer")
+
+    def _holds(self, path: str) -> bool:
+        with telling_damage(self.path, path):
+            return path in self._file
 
     def _state_text(self, name: str) -> str:
         return self._text(f"{STATE}/{name}")
@@ -457,21 +560,45 @@ class TestReader:
             return value.decode() if isinstance(value, bytes) else str(value)
 
     def _rows(self, path: str, first: int, end: int) -> NDArray[Any]:
-        """Return rows ``first`` .. ``end`` of a dataset, which has them all."""
-        rows = np.asarray(self._read(path, slice(first, end)))
+        """Return rows ``first`` .. ``end`` of a dataset, which has them all.
+
+        Those beyond the length that it shows to others are read at their place in the file: they
+        are not committed, or were after this file was opened.
+        """
         with telling_damage(self.path, path):
+            dataset = self._file[path]
+            if end > len(dataset) and dataset.chunks is None:
+                return self._placed_rows(dataset, first, end)
+            rows = np.asarray(dataset[first:end])
             if len(rows) != max(0, end - first):
-                raise ValueError(f"rows {first} to {end} are wanted and there are {len(rows)}")
+                raise ValueError(
+                    say("rows {} to {} are wanted and there are {}", first, end, len(rows))
+                )
         return rows
 
-    def _read(self, path: str, rows: Any = ()) -> Any:
-        """Return a dataset or some of its rows; raise UnusableInput where the file is damaged."""
+    def _placed_rows(self, dataset: h5py.Dataset, first: int, end: int) -> NDArray[Any]:
+        shape, dtype = (max(0, end - first), *dataset.shape[1:]), np.dtype(dataset.dtype.str)
+        row_bytes = dtype.itemsize * math.prod(shape[1:])
+        offset = dataset.id.get_offset()
+        if offset is None or end * row_bytes > _room_of(dataset):
+            raise ValueError(say("rows {} to {} are wanted and there are fewer", first, end))
+        handle = self._file.id.get_vfd_handle()
+        data = FILES.read_at(handle, shape[0] * row_bytes, offset + first * row_bytes)
+        return np.frombuffer(data, dtype).reshape(shape)
+
+    def _read(self, path: str) -> Any:
+        """Return a dataset; raise UnusableInput where the file is damaged."""
         with telling_damage(self.path, path):
-            return self._file[path][rows]
+            return self._file[path][()]
 
     def _below(self, group: str) -> dict[str, Any]:
         with telling_damage(self.path, group):
             return _tree(self._file[group])
+
+
+def _room_of(dataset: h5py.Dataset) -> int:
+    """Return the bytes that a dataset has in the file, whatever the length that it shows."""
+    return int(dataset.id.get_storage_size())
 
 
 _OF_HDF5 = ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "DIMENSION_LABELS")
@@ -508,17 +635,36 @@ def _tree(group: h5py.Group) -> dict[str, Any]:
     return found
 
 
+COLUMN_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,99}")
+"""Columns head tables, and channels name files: what else they hold would act there."""
+LONGEST_UNIT = 40
+
+
+def strange_name(column: FileColumn) -> str:
+    """Return why a column cannot be one that this program wrote, or nothing."""
+    if not COLUMN_NAME.fullmatch(column.name):
+        return say("{} is no name of a column", repr(column.name[:80]))
+    if len(column.unit) > LONGEST_UNIT or not column.unit.isprintable() or '"' in column.unit:
+        return say("{} is no unit of a column", repr(column.unit[:80]))
+    return ""
+
+
+def _names(streams: Mapping[str, FileStream]) -> Iterator[FileColumn]:
+    for stream in streams.values():
+        yield from stream.fields
+
+
 def _opened(path: Path) -> h5py.File:
     if path.is_dir():
-        raise UnusableInput(f"{path}: this is a folder, not a test file")
+        raise UnusableInput("{}: this is a folder, not a test file", path)
     try:
         if path.stat().st_size == 0:
-            raise UnusableInput(f"{path}: the file is empty; a copy of the test must be restored")
+            raise UnusableInput("{}: the file is empty; a copy of the test must be restored", path)
         file = open_for_reading(path)
     except FileNotFoundError as error:
-        raise UnusableInput(f"{path}: there is no such file") from error
+        raise UnusableInput("{}: there is no such file", path) from error
     except OSError as error:
-        raise UnusableInput(_refusal(path, str(error))) from error
+        raise UnusableInput(_refusal(path, sentence_of_error(error))) from error
     with contextlib.ExitStack() as undo:
         undo.callback(file.close)
         _refuse_foreign(path, file)
@@ -528,12 +674,12 @@ def _opened(path: Path) -> h5py.File:
 
 def _refusal(path: Path, message: str) -> str:
     if "truncated" in message:
-        return f"{path}: the file is cut short, perhaps an unfinished copy; copy it again"
+        return say("{}: the file is cut short, perhaps an unfinished copy; copy it again", path)
     if "signature not found" in message:
-        return f"{path}: this is not an HDF5 file; give a file that rigapp run wrote"
+        return say("{}: this is not an HDF5 file; give a file that rigapp run wrote", path)
     if "ermission" in message:
-        return f"{path}: the file may not be read; ask its owner for permission"
-    return f"{path}: the file cannot be opened as HDF5 ‹{message}›"
+        return say("{}: the file may not be read; ask its owner for permission", path)
+    return say("{}: the file cannot be opened as HDF5 ‹{}›", path, message)
 
 
 def _refuse_foreign(path: Path, file: h5py.File) -> None:
@@ -542,10 +688,12 @@ def _refuse_foreign(path: Path, file: h5py.File) -> None:
         schema = None if schema is None else int(schema)
     if schema is None:
         raise UnusableInput(
-            f"{path}: this HDF5 file is not a test; give a file that rigapp run wrote"
+            "{}: this HDF5 file is not a test; give a file that rigapp run wrote", path
         )
     if schema > SCHEMA:
         raise UnusableInput(
-            f"{path}: the file has schema {schema} and this version reads up to {SCHEMA}; "
-            "install a newer rigapp"
+            "{}: the file has schema {} and this version reads up to {}; install a newer rigapp",
+            path,
+            schema,
+            SCHEMA,
         )

@@ -25,6 +25,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rigapp.schema.channels import LOAD_CELL, ChannelTable
+from rigapp.texts import say
 
 Array = NDArray[np.float64]
 Method = Literal["linear", "band-limited"]
@@ -41,7 +42,7 @@ OVERSAMPLED = 4  # the kinks of the lines between samples fold back 16 times wea
 def grid_deg(points: int) -> Array:
     """Return the crank angles 0 .. 360 (without) of a grid; raise ValueError for fewer than 2."""
     if points < 2:
-        raise ValueError(f"a grid needs 2 points at least, not {points}")
+        raise ValueError(say("a grid needs 2 points at least, not {}", points))
     return np.asarray(np.arange(points) * (360.0 / points), np.float64)
 
 
@@ -60,7 +61,7 @@ def on_grid(
     elif method == "band-limited":
         out = _band_limited(angle, rows, points)
     else:
-        raise ValueError(f"method {method!r} is not linear or band-limited")
+        raise ValueError(say("method {} is not linear or band-limited", repr(method)))
     return out.reshape((*np.shape(values)[:-1], points))
 
 
@@ -81,7 +82,7 @@ def _in_order(angle_deg: ArrayLike, values: ArrayLike) -> tuple[Array, Array]:
     rows = np.asarray(values, np.float64).reshape(-1, turned.size)
     angle, place, number = np.unique(turned, return_inverse=True, return_counts=True)
     if angle.size < 2:
-        raise ValueError("a cycle needs samples at two angles at least")
+        raise ValueError(say("a cycle needs samples at two angles at least"))
     if angle.size == turned.size:
         return angle, rows[:, np.argsort(turned)]
     sums = np.array([np.bincount(place, weights=row, minlength=angle.size) for row in rows])
@@ -110,8 +111,12 @@ def _band_limited(angle: Array, rows: Array, points: int) -> Array:
     begins, lengths = _gaps(angle)
     if begins.size:
         raise ValueError(
-            f"no samples for {lengths[0]:.1f} deg from {begins[0]:.1f} deg on; "
-            "a band-limited curve cannot be made of it"
+            say(
+                "no samples for {:.1f} deg from {:.1f} deg on; a band-limited curve cannot"
+                " be made of it",
+                lengths[0],
+                begins[0],
+            )
         )
     fine = points * math.ceil(OVERSAMPLED * max(1.0, angle.size / points))
     spectrum = np.fft.rfft(_linear(angle, rows, grid_deg(fine)), axis=1)

@@ -9,17 +9,20 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.schema.alarms import kind_of
+from rigapp.schema.alarms import UNBELIEVED, kind_of
 from rigapp.schema.loglines import alarm_change, severity_of
 from rigapp.schema.messages import Event, FinishReason, Flag, Severity
+from rigapp.storage.reading.blocks import blocks, rows_up_to
 from rigapp.storage.reading.reader import StoredCycle, TestReader
 
 OVERLOAD, BEYOND_RANGE, NO_FORCE = "overload", "overload:beyond_range", "saturated"
 RESUMED = "resumed"
+DEPTH = "measured_wear_depth"
 SWUNG_DEG = 1.0
 """A crank that is this far back swings: an edge of the encoder that dithers moves it less."""
 
@@ -50,13 +53,16 @@ class Trip:
 
     cycle: what the file has of it, until the crank swung back. before: the last whole cycle saved
     before it, of the revolution just before in nearly every file. peak: its largest force. None
-    where the file has none.
+    where the file has none. after: what the file has of the crank's way to its standstill.
+    trigger_N: the force that was read as too large, NaN where something else tripped.
     """
 
     revolution: int
     cycle: StoredCycle | None
     before: StoredCycle | None
     peak: LargestForce | None
+    after: tuple[StoredCycle, ...] = ()
+    trigger_N: float = math.nan
 
 
 def largest_force(test: TestReader) -> LargestForce | None:
@@ -94,8 +100,11 @@ def trip_of(test: TestReader) -> Trip | None:
     if summary["status"] != "stopped" or not code or code in ends:
         return None
     first_out = _first_out(test.events())
-    number = (summary["last_revolution"] or 0) + 1
+    number, trigger = (summary["last_revolution"] or 0) + 1, math.nan
     if first_out is not None:
+        change = alarm_change(first_out)
+        if first_out.key.partition(":")[0] == OVERLOAD and change is not None:
+            trigger = change.value or math.nan
         kind = kind_of(first_out.key)
         judged_whole = kind is None or kind.whole_revolution
         number = first_out.revolution + (not judged_whole)
@@ -104,12 +113,16 @@ def trip_of(test: TestReader) -> Trip | None:
     places = np.flatnonzero(saved == number)
     before = np.flatnonzero(saved < number)
     cycle = test.cycle(int(places[-1])) if places.size else parts[-1] if parts else None
+    after = [test.cycle(int(place)) for place in np.flatnonzero(saved > number)]
+    after += [one for one in test.unfinished() if one.revolution > number]
     peaks = (one for one in reversed(_peaks(test)) if one.revolution == number)
     return Trip(
         number,
         _forwards(cycle) if cycle is not None else None,
         test.cycle(int(before[-1])) if before.size else None,
         max(peaks, key=_value, default=None),
+        tuple(one for one in map(_forwards, after) if one is not None),
+        trigger,
     )
 
 
@@ -172,15 +185,26 @@ class _ForceLog:
 
 
 def _of_rows(test: TestReader, log: _ForceLog) -> Iterator[LargestForce]:
-    force, quality = test.column("force_max"), test.column("quality").astype(np.int64)
-    number = test.column("revolution").astype(np.int64)
-    force = np.where(log.known(number, quality), force, np.nan)
-    places = {int(place) for one in log.overloads for place in np.flatnonzero(number == one)}
-    if np.isfinite(force).any():
-        places.add(int(np.nanargmax(force)))
-    for place in sorted(places):
-        angle = float(test.column("force_angle_of_max", place, place + 1)[0])
-        yield LargestForce(float(force[place]), int(number[place]), angle)
+    names = ("revolution", "quality", "force_max", "force_angle_of_max")
+    found: list[LargestForce] = []
+    most: LargestForce | None = None
+    overloads = np.array(list(log.overloads), np.int64)
+    for _, block in blocks(test, names):
+        number = block["revolution"].astype(np.int64)
+        known = log.known(number, block["quality"].astype(np.int64))
+        force = np.where(known, block["force_max"], np.nan)
+
+        def at(place: int, force: Any = force, block: Any = block) -> LargestForce:
+            angle = float(block["force_angle_of_max"][place])
+            return LargestForce(float(force[place]), int(block["revolution"][place]), angle)
+
+        found += map(at, np.flatnonzero(np.isin(number, overloads)).tolist())
+        if np.isfinite(force).any():
+            here = at(int(np.nanargmax(force)))
+            most = here if most is None or here.value_N > most.value_N else most
+    if most is not None and most.revolution not in {one.revolution for one in found}:
+        found.append(most)
+    yield from sorted(found, key=lambda one: one.revolution)
 
 
 def _of_part(part: StoredCycle) -> LargestForce:
@@ -188,3 +212,35 @@ def _of_part(part: StoredCycle) -> LargestForce:
     place = int(np.nanargmax(force))
     angle = float(part.columns["angle"][place])
     return LargestForce(float(force[place]), part.revolution, angle, whole=False)
+
+
+def believed_until(reader: TestReader) -> int | None:
+    """Return the last revolution whose measured wear depth is believed, None where all are.
+
+    The alarm comes some revolutions later: the twin lags. What lies nearer to the depth of the
+    alarm than to the last believed one is not believed.
+    """
+    for event in reader.events():
+        change = alarm_change(event)
+        if change is None or change.what != "raised" or event.key not in UNBELIEVED:
+            continue
+        return _last_believed(reader, event.revolution, change.value)
+    return None
+
+
+def _last_believed(reader: TestReader, revolution: int, value_um: float | None) -> int:
+    """Return the last revolution up to one whose depth is nearer to the last than to a value."""
+    if value_um is None:
+        return 0
+    last: float | None = None
+    rows, names = rows_up_to(reader, revolution, "prediction"), ("revolution", DEPTH)
+    for _, block in blocks(reader, names, "prediction", stop=rows, backwards=True):
+        depth = 1e3 * block[DEPTH]
+        known = np.flatnonzero(np.isfinite(depth))
+        if not known.size:
+            continue
+        last = float(depth[known[-1]]) if last is None else last
+        near = np.abs(depth[known] - value_um) <= np.abs(depth[known] - last)
+        if near.any():
+            return int(block["revolution"][known[near][-1]])
+    return 0

@@ -2,25 +2,32 @@
 
 from __future__ import annotations
 
+import os
+import re
 import time
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import h5py
-import msgspec
 import numpy as np
 
+from rigapp.schema.channels import ChannelTable
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES
-from rigapp.storage.structure.conventions import conventions, detectors
+from rigapp.schema.messages import Flag
+from rigapp.schema.wire import json_bytes
+from rigapp.storage.structure.digest import settings_digest
 from rigapp.storage.structure.hdf import NOT_A_VARIABLE
 from rigapp.storage.structure.layout import (
     CALIBRATION,
     CHECKPOINT_BYTES,
     CONFIGURATION,
+    CONFIGURATION_DIGEST,
+    DETECTORS,
     END_TIME,
     ENTRY,
     FILE_NAME_ATTRIBUTE,
+    FORCE_UNCERTAINTY,
     FORM_ATTRIBUTE,
     IN_PLACE,
     PLAN,
@@ -37,6 +44,73 @@ from rigapp.storage.structure.layout import (
     streams_of,
 )
 from rigapp.storage.structure.metadata import TestMetadata, iso_time, name_and_unit, versions
+
+UTC = {
+    "units": "seconds since 1970-01-01 00:00:00",
+    "standard_name": "time",
+    "calendar": "standard",
+}
+"""CF: UTC seconds; other programs make dates of it."""
+
+_UTC_COLUMNS = frozenset({("revolutions", "host_time"), ("events", "time")})
+
+_MEASURED = frozenset({"revolutions", "samples", "unfinished_samples"})
+"""Streams whose columns come from a detector."""
+
+_OF_ENCODER = ("angle", "raw_count", "speed", "speed_max", "speed_min", "speed_rms")
+
+_FORCE = re.compile(r"force(?P<component>_[12])?(_(?P<statistic>max|min|mean|rms))?")
+
+
+def detectors(table: ChannelTable) -> dict[str, str]:
+    """Return column -> the detector that it comes from: an instrument, or a free channel's own."""
+    found = dict.fromkeys(_OF_ENCODER, "encoder")
+    for one in table.channels:
+        names = (one.name, f"raw_{one.name}", *(column.name for column in one.columns))
+        found |= dict.fromkeys(names, one.instrument or one.name)
+    return found
+
+
+def conventions(
+    stream: FileStream, field: FileColumn, sources: Mapping[str, str], uncertain: bool = False
+) -> dict[str, Any]:
+    """Return further attributes of a column.
+
+    sources: ``detectors`` of the file. uncertain: it states the uncertainty of its forces.
+    """
+    found: dict[str, Any] = {}
+    if (stream.name, field.name) in _UTC_COLUMNS:
+        found |= UTC
+    if field.name == "quality":
+        found |= _flags(field.dtype)
+    source = sources.get(field.name)
+    if source and stream.name in _MEASURED:
+        found["detector"] = f"{DETECTORS}/{source}"
+    if uncertain and stream.name in _MEASURED:
+        found |= _uncertainty(field.name)
+    return found
+
+
+def _uncertainty(name: str) -> dict[str, str]:
+    """Return where the uncertainty of a measured force stands, and of what it is."""
+    match = _FORCE.fullmatch(name)
+    if match is None:
+        return {}
+    mean = match["statistic"] in ("mean", "rms")
+    what = "one component" if match["component"] else "|F|"
+    return {
+        "uncertainty": FORCE_UNCERTAINTY,
+        "uncertainty_of": f"{'a mean of n samples' if mean else 'one sample'} of {what}",
+        "uncertainty_samples": "samples" if mean else "1",
+    }
+
+
+def _flags(dtype: str) -> dict[str, Any]:
+    return {
+        "flag_masks": np.array([flag.value for flag in Flag], dtype),
+        "flag_meanings": " ".join(str(flag.name).lower() for flag in Flag),
+    }
+
 
 PAGE = 4096  # the disk's and the memory's page: no two datasets share one
 METADATA_BLOCK = 1 << 18  # most of the structure lies together, at the head of the file
@@ -60,14 +134,7 @@ def build_file(path: Path, plan: FilePlan, metadata: TestMetadata, name: str) ->
     name: what the file is called when it is done.
     """
     streams = streams_of(plan)
-    with h5py.File(
-        path,
-        "x",
-        libver="earliest",
-        alignment_threshold=PAGE,
-        alignment_interval=PAGE,
-        meta_block_size=METADATA_BLOCK,
-    ) as file:
+    with _new_file(path) as file:
         _build_root(file, metadata, name)
         _build_state(file, plan, metadata)
         sources = detectors(plan.table)
@@ -77,20 +144,57 @@ def build_file(path: Path, plan: FilePlan, metadata: TestMetadata, name: str) ->
         if plan.profiles:
             _build_profile_angle(file)
             _build_checkpoint_bytes(file)
+        if plan.waiting_cycles:
+            _build_waiting_samples(file, streams["waiting"])
         _build_configuration(file, plan, metadata)
         write_tree(_group(file, CALIBRATION, "NXcollection"), metadata.calibration)
         for group, (signal, title, axes) in _SIGNALS.items():
             if group in file:
                 _make_plottable(file[group], signal, title, axes)
+        if plan.checksums:
+            digest = placed_dataset(
+                file[STATE], CONFIGURATION_DIGEST, "S64", (), "", "SHA-256 of all that is fixed"
+            )
+            digest[()] = settings_digest(file, plan)
+        # Only now: a copy that is cut short has settings and structure, and lacks what lies last.
+        for stream in streams.values():
+            for one in stream.stored:
+                file[stream.path(one.name)][0] = np.zeros(one.shape, hdf_type(one.dtype))
+
+
+def _new_file(path: Path) -> h5py.File:
+    """Create an HDF5 file that writes values at once.
+
+    Values that a full disk refuses only when the file is closed let HDF5 crash.
+    """
+    access = h5py.h5p.create(h5py.h5p.FILE_ACCESS)
+    access.set_libver_bounds(h5py.h5f.LIBVER_EARLIEST, h5py.h5f.LIBVER_LATEST)
+    access.set_fclose_degree(h5py.h5f.CLOSE_STRONG)
+    access.set_alignment(PAGE, PAGE)
+    access.set_meta_block_size(METADATA_BLOCK)
+    access.set_sieve_buf_size(0)
+    access.set_file_locking(False, True)  # nobody knows its name yet, and some disks have no locks
+    identifier = h5py.h5f.create(os.fsencode(path), h5py.h5f.ACC_EXCL, fapl=access)
+    return h5py.File(identifier)
 
 
 def placed_dataset(
-    group: h5py.Group, name: str, dtype: str, shape: tuple[int, ...], unit: str, sentence: str
+    group: h5py.Group,
+    name: str,
+    dtype: str,
+    shape: tuple[int, ...],
+    unit: str,
+    sentence: str,
+    *,
+    later: bool = False,
 ) -> h5py.Dataset:
-    """Create a contiguous dataset, its place in the file fixed now, its content not written."""
+    """Create a contiguous dataset, its place in the file fixed now, its content not written.
+
+    later: it gets its place with the first value that is written to it.
+    """
     properties = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
     properties.set_layout(h5py.h5d.CONTIGUOUS)
-    properties.set_alloc_time(h5py.h5d.ALLOC_TIME_EARLY)
+    properties.set_alloc_time(h5py.h5d.ALLOC_TIME_LATE if later else h5py.h5d.ALLOC_TIME_EARLY)
     properties.set_fill_time(h5py.h5d.FILL_TIME_NEVER)
     space = h5py.h5s.create_simple(shape) if shape else h5py.h5s.create(h5py.h5s.SCALAR)
     identifier = h5py.h5d.create(
@@ -115,9 +219,9 @@ def hdf_type(dtype: str) -> np.dtype[Any]:
 def describe(dataset: h5py.Dataset, unit: str, sentence: str) -> None:
     """Give a dataset its unit and its long name."""
     if unit:
-        dataset.attrs["units"] = unit
+        dataset.attrs["units"] = str(unit)
     if sentence:
-        dataset.attrs["long_name"] = sentence
+        dataset.attrs["long_name"] = str(sentence)
 
 
 def write_tree(group: h5py.Group, values: Mapping[str, Any]) -> None:
@@ -136,7 +240,7 @@ def _write_value(group: h5py.Group, key: str, value: Any) -> None:
     if isinstance(value, (list, tuple)):
         array = np.asarray(value)
         value = list(map(str, value)) if array.dtype.kind in "UO" else array
-    dataset = group.create_dataset(key, data=value)
+    dataset = group.create_dataset(key, data=str(value) if isinstance(value, str) else value)
     if h5py.check_string_dtype(dataset.dtype) is None:
         name, unit = name_and_unit(key)
         describe(dataset, unit, name.replace("_", " "))
@@ -225,7 +329,7 @@ def _build_stream(
     else:
         first = None
         scale = bare_dimension(group, stream.dimension, stream.capacity)
-    for one in stream.fields:
+    for one in stream.stored:
         if one is not first:
             _build_field(group, one, stream.capacity).dims[0].attach_scale(scale)
         for name, value in conventions(stream, one, sources, uncertain).items():
@@ -254,7 +358,7 @@ def scale_label(is_variable: bool, name: str, length: int) -> str:
 
 def _build_field(group: h5py.Group, one: FileColumn, rows: int) -> h5py.Dataset:
     shape = (rows, *one.shape)
-    return placed_dataset(group, one.name, one.dtype, shape, one.unit, one.description)
+    return placed_dataset(group, one.name, one.dtype, shape, one.unit, one.description, later=True)
 
 
 def _build_curve_angle(file: h5py.File, plan: FilePlan) -> None:
@@ -282,11 +386,19 @@ def _build_checkpoint_bytes(file: h5py.File) -> None:
     group["checkpoint_state"].dims[1].attach_scale(byte)
 
 
+def _build_waiting_samples(file: h5py.File, stream: FileStream) -> None:
+    group = file[stream.group]
+    sample = bare_dimension(group, "sample", stream.fields[-1].shape[0])
+    for one in stream.fields:
+        if one.shape:
+            group[one.name].dims[1].attach_scale(sample)
+
+
 def _build_configuration(file: h5py.File, plan: FilePlan, metadata: TestMetadata) -> None:
     group = _group(file, CONFIGURATION, "NXcollection")
     group["rig"] = metadata.rig_text
     group["test"] = metadata.test_text
-    file[PLAN] = msgspec.json.encode(plan).decode()
+    file[PLAN] = json_bytes(plan).decode()
     write_tree(_group(group, "parameters", "NXcollection"), metadata.parameters)
     write_tree(_group(group, "versions", "NXcollection"), versions())
 

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.schema.messages import Event
+from rigapp.schema.wire import json_bytes
 from rigapp.storage.structure.layout import FileColumn
 
 CODES = ("kind", "source", "key", "level")
@@ -115,7 +116,7 @@ def columns_of(
 
 
 def _encoded(data: Mapping[str, Any]) -> str:
-    return msgspec.json.encode(data).decode() if data else ""
+    return json_bytes(data).decode() if data else ""
 
 
 def _decoded(text: str) -> dict[str, Any]:

@@ -1,21 +1,54 @@
-"""Open an HDF5 file for reading, whoever else has it open and however; tell what is no data."""
+"""Open an HDF5 file for reading, whoever made it or has it open; tell what is no data.
+
+A file that came by mail may be made to harm: HDF5 reads other files of the computer where a dataset
+or a link says so, and loads a program for a filter that it does not know. Nothing of a file is read
+before ``refuse_traps`` has looked at each object of it.
+"""
 
 from __future__ import annotations
 
 import contextlib
+import stat
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import h5py
+from h5py import h5d, h5g, h5l, h5o, h5z
 
 from rigapp.config.errors import UnusableInput
+from rigapp.texts import say
 
 NOT_A_VARIABLE = "This is a netCDF dimension but not a netCDF variable. "
 """How netCDF marks a dimension without coordinates; its length follows in ten characters."""
 
 
+OWN_FILTERS = frozenset((h5z.FILTER_DEFLATE, h5z.FILTER_SHUFFLE, h5z.FILTER_FLETCHER32))
+"""Filters that this program writes, all of them within HDF5."""
+MOST_OBJECTS = 10_000
+"""Groups and datasets of a file; one of the simulated rig has 366."""
+MOST_SWELLING = 200
+"""Bytes that a byte of the file may become. Tests of the simulated rig become 1, one of 20,000
+revolutions whose rows are all the same 25; the filter itself could make 1,032 of one."""
+SMALL = 1 << 20
+"""Bytes of a dataset that harm nobody, however few of them are stored."""
+
+
 def open_for_reading(path: Path) -> h5py.File:
-    """Open a file for reading; raises OSError.
+    """Open a file for reading that reads nothing but itself; raises OSError, UnusableInput."""
+    if path.exists() and not stat.S_ISREG(path.stat().st_mode):
+        raise UnusableInput("{}: this is no file but a device or a pipe; give a test file", path)
+    file = _opened(path)
+    try:
+        refuse_traps(path, file)
+    except BaseException:
+        file.close()
+        raise
+    return file
+
+
+def _opened(path: Path) -> h5py.File:
+    """Open a file as HDF5; raises OSError.
 
     HDF5's own default of locking is the first choice; the others where the file system has no
     locks, or where this process has the file open already by another choice: all must agree.
@@ -29,6 +62,87 @@ def open_for_reading(path: Path) -> h5py.File:
     return h5py.File(path, "r", locking=True)
 
 
+@dataclass(frozen=True, slots=True)
+class _Link:
+    """Carry the kind of a link and the address that it leads to."""
+
+    kind: int
+    address: int
+
+
+def refuse_traps(path: Path, file: h5py.File) -> None:
+    """Raise UnusableInput where an object of a file leads out of it, or swells when it is read."""
+    with telling_damage(path, say("its tree")):
+        found = _first_trap(file, path.stat().st_size)
+    if found:
+        raise UnusableInput(
+            "{}: {}; rigapp writes no such file: do not use it, and ask who sent it", path, found
+        )
+
+
+def _first_trap(file: h5py.File, size: int) -> str:
+    """Return what is wrong with the first object that is no part of a test, or nothing."""
+    seen = {h5o.get_info(file.id).addr}
+    waiting: list[tuple[bytes, h5g.GroupID]] = [(b"", file.id)]
+    claimed = 0
+    while waiting:
+        above, group = waiting.pop()
+        for name, link in _links(group):
+            path = above + b"/" + name
+            if link.kind != h5l.TYPE_HARD:
+                return say("{} is a link to another place", _shown(path))
+            if link.address in seen:
+                return say("{} is in two places", _shown(path))
+            seen.add(link.address)
+            if len(seen) > MOST_OBJECTS:
+                return say("it has more than {} groups and datasets", MOST_OBJECTS)
+            # What is damaged harms nobody: who asks for it is told so.
+            with contextlib.suppress(OSError, RuntimeError, LookupError, ValueError, TypeError):
+                item = h5o.open(group, name)
+                if isinstance(item, h5g.GroupID):
+                    waiting.append((path, item))
+                elif isinstance(item, h5d.DatasetID):
+                    length = item.get_space().get_simple_extent_npoints()
+                    length *= item.get_type().get_size()
+                    if trap := _trap(item, length):
+                        return say("{} {}", _shown(path), trap)
+                    claimed += length if item.get_storage_size() else 0
+    if claimed > MOST_SWELLING * size + SMALL:
+        return say("its {:.1f} MB would become {:.0f} MB", 1e-6 * size, 1e-6 * claimed)
+    return ""
+
+
+def _links(group: h5g.GroupID) -> list[tuple[bytes, _Link]]:
+    """Return the links of a group with what HDF5 says of each, those before a damaged one."""
+    found: list[tuple[bytes, _Link]] = []
+    with contextlib.suppress(OSError, RuntimeError):
+        group.links.iterate(
+            lambda name, info: found.append((name, _Link(info.type, info.u))), info=True
+        )
+    return found
+
+
+def _shown(path: bytes) -> str:
+    return path.decode(errors="replace")
+
+
+def _trap(dataset: h5d.DatasetID, length: int) -> str:
+    """Return how a dataset would harm who reads its ``length`` bytes, or nothing."""
+    made = dataset.get_create_plist()
+    layout = made.get_layout()
+    if layout == h5d.VIRTUAL:
+        return say("is made of values of other files")
+    if layout == h5d.CHUNKED:
+        filters = {made.get_filter(number)[0] for number in range(made.get_nfilters())}
+        if foreign := sorted(filters - OWN_FILTERS):
+            return say("needs the filter {}", foreign[0])
+    elif made.get_external_count():
+        return say("has its values in another file")
+    if length > SMALL and dataset.get_storage_size() == 0 and not is_bare(h5py.Dataset(dataset)):
+        return say("claims {:.0f} MB and has none", 1e-6 * length)
+    return ""
+
+
 @contextlib.contextmanager
 def telling_damage(path: Path, what: str) -> Iterator[None]:
     """Raise UnusableInput where a block cannot make sense of what it reads in a file.
@@ -39,8 +153,11 @@ def telling_damage(path: Path, what: str) -> Iterator[None]:
         yield
     except (OSError, RuntimeError, LookupError, ValueError, TypeError, MemoryError) as error:
         raise UnusableInput(
-            f"{path}: the file is damaged, {what} cannot be read ‹{error}›; "
-            "take a copy made before, and check the disk"
+            "{}: the file is damaged, {} cannot be read ‹{}›; take a copy made before,"
+            " and check the disk",
+            path,
+            what,
+            error,
         ) from error
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -50,6 +50,9 @@ ROW_MULTIPLE = 512  # rows of 8 bytes fill whole pages
 SPARE_REVOLUTIONS = 1000  # a short test can be extended as well
 SAMPLE_RESERVE = 1.1  # revolutions differ; what is over is given back at the end
 
+CONFIGURATION_DIGEST = "configuration_sha256"
+"""Name in ``/entry/state`` of the digest of what is fixed before the first row."""
+
 STATE_FIELDS: dict[str, tuple[str, str]] = {
     "status": ("S16", "running, complete, stopped or fault"),
     "reason_code": ("S16", "why the test ended, as a code"),
@@ -81,7 +84,11 @@ class FileColumn(Column):
 
 @dataclass(frozen=True, slots=True)
 class FileStream:
-    """Describe datasets that grow together; ``counter`` is empty where another stream counts."""
+    """Describe datasets that grow together; ``counter`` is empty where another stream counts.
+
+    checksum: the CRC-32C of each row, None for what another stream or a digest protects, and in
+    files of before.
+    """
 
     name: str
     group: str
@@ -90,6 +97,12 @@ class FileStream:
     fields: tuple[FileColumn, ...]
     planned: int
     capacity: int
+    checksum: FileColumn | None = None
+
+    @property
+    def stored(self) -> tuple[FileColumn, ...]:
+        """Return all datasets of the stream, its checksum last."""
+        return self.fields if self.checksum is None else (*self.fields, self.checksum)
 
     def path(self, name: str) -> str:
         """Return the path of one of the stream's datasets."""
@@ -98,7 +111,7 @@ class FileStream:
     @property
     def row_bytes(self) -> int:
         """Return the bytes of one row over all fields."""
-        return sum(one.row_bytes for one in self.fields)
+        return sum(one.row_bytes for one in self.stored)
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +124,9 @@ class FilePlan:
     cycle_reason: whether each cycle says why it is kept, and its quality. event_details: whether
     events carry key, level and data. unfinished_samples:
     samples reserved for revolutions cut off by the end of a test; 0 keeps none. profiles: worn
-    profiles kept, and with them the twin's checkpoints; 0 keeps neither.
+    profiles kept, and with them the twin's checkpoints; 0 keeps neither. checksums: whether rows
+    and cycles have a CRC-32C each, and the settings a digest. waiting_cycles: the newest whole
+    cycles that the file holds until it is sure whether they are kept.
     """
 
     revolutions: int
@@ -130,6 +145,8 @@ class FilePlan:
     event_details: bool = False
     unfinished_samples: int = 0
     profiles: int = 0
+    checksums: bool = False
+    waiting_cycles: int = 0
 
     @property
     def table(self) -> ChannelTable:
@@ -234,7 +251,39 @@ def streams_of(plan: FilePlan) -> dict[str, FileStream]:
         found = (*found, *_unfinished_streams(plan))
     if plan.profiles:
         found = (*found, *_worn_streams(plan))
+    if plan.waiting_cycles:
+        found = (*found, _waiting_stream(plan))
+    if plan.checksums:
+        found = tuple(replace(one, checksum=CHECKSUMS.get(one.name)) for one in found)
+        # A copy that is cut short loses what lies last: many samples and curves, before any row.
+        found = tuple(
+            sorted(found, key=lambda one: _LAST.index(one.name) if one.name in _LAST else -1)
+        )
     return {stream.name: stream for stream in found}
+
+
+_LAST = ("curves", "waiting", "unfinished_samples", "samples")
+"""Streams that lie at the end of a file, the longest last."""
+
+
+AHEAD = {"revolutions": 4096, "prediction": 4096, "curves": 16, "profiles": 16}
+"""Stream -> rows by which the length that other programs see runs ahead; of others it does not."""
+
+
+def _checksum(name: str, of: str) -> FileColumn:
+    return FileColumn(name, "<u4", "1", f"CRC-32C of {of}, see file-format.md")
+
+
+CHECKSUMS = {
+    "revolutions": _checksum("checksum", "the row"),
+    "prediction": _checksum("checksum", "the row"),
+    "cycles": _checksum("checksum", "the cycle and its row"),
+    "waiting": _checksum("checksum", "the cycle and its row"),
+    "unfinished": _checksum("checksum", "the revolution and its row"),
+    "curves": _checksum("curve_checksum", "the curves"),
+    "profiles": _checksum("profile_checksum", "the profile"),
+}
+"""Stream -> its column of checksums. The log has its digests, checkpoints have their own CRC."""
 
 
 def _unfinished_streams(plan: FilePlan) -> tuple[FileStream, FileStream]:
@@ -249,6 +298,20 @@ def _unfinished_streams(plan: FilePlan) -> tuple[FileStream, FileStream]:
             samples, _rounded(UNFINISHED_ROWS * samples),
         ),
     )  # fmt: skip
+
+
+WAITING = "/entry/waiting"
+WAITING_FIELDS = (INDEX_FIELDS[0], INDEX_FIELDS[2], QUALITY_FIELD, WHY_FIELD)
+
+
+def _waiting_stream(plan: FilePlan) -> FileStream:
+    samples = math.ceil(plan.samples_per_cycle * SAMPLE_RESERVE)
+    fields = (
+        *WAITING_FIELDS,
+        *(replace(one, shape=(samples,)) for one in _fields(plan.cycle_columns)),
+    )
+    slots = plan.waiting_cycles
+    return FileStream("waiting", WAITING, "slot", "", fields, slots, slots)
 
 
 CHECKPOINT_SLOTS = 2
@@ -319,7 +382,7 @@ def planned_rows(plan: FilePlan, revolutions: int) -> dict[str, int]:
     return {
         name: min(stream.capacity, math.ceil(stream.planned * share))
         for name, stream in streams.items()
-        if name not in ("events", "unfinished", "unfinished_samples", "checkpoints")
+        if name not in ("events", "unfinished", "unfinished_samples", "checkpoints", "waiting")
     }
 
 

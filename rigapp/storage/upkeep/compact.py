@@ -9,15 +9,14 @@ from __future__ import annotations
 
 import contextlib
 import os
-import subprocess
 import sys
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
-from rigapp.process.children import start_module
+from rigapp.process.children import Child
 from rigapp.process.priority import give_way
-from rigapp.storage.filesystem.calls import BINARY
-from rigapp.storage.filesystem.errors import StorageFailed
+from rigapp.schema.wire import json_bytes
+from rigapp.storage.filesystem.calls import BINARY, StorageFailed
 from rigapp.storage.filesystem.folder import (
     hidden_name,
     refuse_little_space,
@@ -26,17 +25,21 @@ from rigapp.storage.filesystem.folder import (
 )
 from rigapp.storage.filesystem.system import FILES
 from rigapp.storage.reading.reader import TestReader, open_test
+from rigapp.storage.reading.seal import Seal, beside, make_seal, write_beside
+from rigapp.storage.reading.verify import found_damage
+from rigapp.storage.structure.digest import SEAL
 from rigapp.storage.structure.layout import streams_of
-from rigapp.storage.upkeep.duplicate import first_difference, write_duplicate
+from rigapp.storage.upkeep.duplicate import first_difference, open_copy, write_duplicate
 from rigapp.storage.upkeep.resume import let_go, open_exclusively
+from rigapp.texts import say
 
 
 def compact_test(path: str | os.PathLike[str]) -> bool:
     """Replace an ended test's file by its verified compressed form; False when it already is.
 
     Raises UnusableInput when the test has not ended, another process has the file, or the disk has
-    no room for the copy; StorageFailed when the copy does not read back the same. The original
-    stays then.
+    no room for the copy; StorageFailed when a checksum finds damage, or the copy does not read
+    back the same. The original stays then.
     """
     target = Path(path).absolute()
     with open_test(target) as reader:
@@ -50,17 +53,65 @@ def compact_test(path: str | os.PathLike[str]) -> bool:
             _refuse_unended(reader)
             if reader.compressed:
                 return False
-            copy = _verified_copy(reader)
+            copy, seal = _verified_copy(reader)
         undo.callback(lambda: copy.unlink(missing_ok=True))
         copy.chmod(0o444)
         FILES.exchange(fd, copy, target)
+        with contextlib.suppress(OSError):  # it is in the file as well
+            write_beside(target, seal)
         FILES.sync_folder(target.parent)
     return True
 
 
-def compact_in_background(path: str | os.PathLike[str]) -> subprocess.Popen[bytes]:
-    """Start ``compact_test`` in a process of its own, at the lowest priority; return it."""
-    return start_module("rigapp.storage", os.fspath(path))
+def seal_test(path: str | os.PathLike[str]) -> bool:
+    """Write the seal of a stopped test beside its file; False where the test goes on.
+
+    The file is not locked meanwhile: the test can be resumed at once. Raises UnusableInput for a
+    test that has not ended, OSError.
+    """
+    target = Path(path).absolute()
+    with open_test(target) as reader:
+        _refuse_unended(reader)
+        seal = make_seal(reader)
+    if not _ended(target):
+        return False
+    write_beside(target, seal)
+    if not _ended(target):  # resumed just now: its seal is of the past
+        beside(target).unlink(missing_ok=True)
+        return False
+    return True
+
+
+def _ended(path: Path) -> bool:
+    with open_test(path) as reader:
+        return reader.stored_status() != "running"
+
+
+def trimmed_copy(path: str | os.PathLike[str], to: Path) -> None:
+    """Write the trimmed, compressed form of a test that is not being written to a new file.
+
+    Raises UnusableInput where the test runs or its file is damaged.
+    """
+    with open_test(Path(path)) as reader:
+        if reader.summary()["status"] == "running":
+            raise UnusableInput("{}: the test is running; wait for its end", reader.path)
+        if damage := next(found_damage(reader), ""):
+            raise UnusableInput(
+                "{}: the file is damaged ‹{}›; salvage what is sound: rigapp salvage FILE --to"
+                " NEW.h5",
+                reader.path,
+                damage,
+            )
+        write_duplicate(reader.path, to, sizes_of(reader))
+
+
+def settle_in_background(path: str | os.PathLike[str]) -> Child:
+    """Start what an ended test still needs in a process of its own, at the lowest priority.
+
+    A complete test is compressed and sealed. One that was stopped is sealed as it stands: it can
+    be resumed.
+    """
+    return Child("rigapp.storage", os.fspath(path))
 
 
 def sizes_of(reader: TestReader) -> dict[str, int]:
@@ -68,7 +119,7 @@ def sizes_of(reader: TestReader) -> dict[str, int]:
     sizes: dict[str, int] = {}
     for name, stream in streams_of(reader.plan).items():
         rows = reader.committed(name)
-        sizes.update({stream.path(one.name): rows for one in stream.fields})
+        sizes.update({stream.path(one.name): rows for one in stream.stored})
         sizes[stream.path(stream.dimension)] = rows
     return sizes
 
@@ -77,20 +128,28 @@ def _refuse_unended(reader: TestReader) -> None:
     status = reader.summary()["status"]
     if status in ("running", "interrupted"):
         raise UnusableInput(
-            f"{reader.path}: the test is {status}; only a test that has ended is compressed"
+            "{}: the test is {}; only a test that has ended is compressed", reader.path, status
         )
 
 
-def _verified_copy(reader: TestReader) -> Path:
-    """Write the compressed copy under a hidden name; return it when it reads back the same."""
+def _verified_copy(reader: TestReader) -> tuple[Path, Seal]:
+    """Write the compressed, sealed copy under a hidden name; return it where it reads back same."""
     target = reader.path
     hidden = hidden_name(target, "packed")
     sizes = sizes_of(reader)
+    # New checksums of the copy would hide a damage for good.
+    if damage := next(found_damage(reader), ""):
+        raise StorageFailed(
+            "{}: the file is damaged and stays as it is ‹{}›; salvage what is sound:"
+            " rigapp salvage FILE --to NEW.h5",
+            target,
+            damage,
+        )
     needed = sum(
         reader.committed(name) * stream.row_bytes
         for name, stream in streams_of(reader.plan).items()
     )
-    refuse_little_space(target.parent, target, needed, "the compressed copy")
+    refuse_little_space(target.parent, target, needed, say("the compressed copy"))
     remove_stale(target.parent)
     with contextlib.ExitStack() as undo:
         undo.callback(lambda: hidden.unlink(missing_ok=True))
@@ -99,17 +158,39 @@ def _verified_copy(reader: TestReader) -> Path:
             _sync_file(hidden)
         except (OSError, RuntimeError) as error:
             raise StorageFailed(
-                f"{target}: the compressed copy could not be written ({short_reason(error)}); "
-                "the original is untouched, free some space"
+                "{}: the compressed copy could not be written ({}); the original is"
+                " untouched, free some space",
+                target,
+                short_reason(error),
             ) from error
         difference = first_difference(target, hidden, sizes)
         if difference:
             raise StorageFailed(
-                f"{target}: the compressed copy differs at {difference} and was thrown away; "
-                "the original is untouched, check the disk"
+                "{}: the compressed copy differs at {} and was thrown away; the"
+                " original is untouched, check the disk",
+                target,
+                difference,
             )
+        seal = make_seal(reader)
+        try:
+            _put_seal(hidden, seal)
+            _sync_file(hidden)
+        except (OSError, RuntimeError) as error:
+            raise StorageFailed(
+                "{}: the seal could not be written ({}); the original is untouched, free some"
+                " space",
+                target,
+                short_reason(error),
+            ) from error
         undo.pop_all()
-    return hidden
+    return hidden, seal
+
+
+def _put_seal(copy: Path, seal: Seal) -> None:
+    with open_copy(copy) as file:
+        group = file.create_group(SEAL)
+        group.attrs["NX_class"] = "NXcollection"
+        group["seal"] = json_bytes(seal).decode()
 
 
 def _sync_file(path: Path) -> None:
@@ -121,10 +202,13 @@ def _sync_file(path: Path) -> None:
 
 
 def main() -> int:
-    """Compress the file named on the command line; exit status 0 done, 2 refused, 1 failed."""
+    """Settle the file named on the command line; exit status 0 done, 2 refused, 1 failed."""
     give_way(19)
+    path = sys.argv[1]
     try:
-        compact_test(sys.argv[1])
+        with open_test(path) as reader:
+            complete = reader.stored_status() == "complete"
+        (compact_test if complete else seal_test)(path)
     except UnusableInput as error:
         print(error, file=sys.stderr)
         return 2

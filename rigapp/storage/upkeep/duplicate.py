@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -10,24 +10,37 @@ import h5py
 import numpy as np
 
 from rigapp.storage.structure.build import scale_label
+from rigapp.storage.structure.digest import SCALE_ATTRIBUTES
 from rigapp.storage.structure.hdf import is_bare, open_for_reading
 from rigapp.storage.structure.layout import COMPRESSED, FILE_NAME_ATTRIBUTE, FORM_ATTRIBUTE
 
 CHUNK_BYTES = 1 << 18  # compresses well, and one cycle does not open many of them
 PIECE_BYTES = 1 << 24  # memory that a copy takes, whatever the file
-_SCALE_ATTRIBUTES = frozenset(
-    ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "DIMENSION_LABELS")
-)
 
 
-def write_duplicate(source: Path, target: Path, sizes: Mapping[str, int]) -> None:
-    """Copy everything of ``source`` to a new file; datasets in ``sizes`` keep so many rows.
+Ranges = Sequence[tuple[int, int]]
+"""First and stop of each range of rows that is kept, in order."""
 
-    The copy says of itself that it is called as ``source`` is: it shall take its place.
+_DAMAGE = (OSError, RuntimeError, LookupError, ValueError, TypeError)
+"""What HDF5 and NumPy raise for what they cannot make sense of."""
+
+
+def write_duplicate(
+    source: Path,
+    target: Path,
+    sizes: Mapping[str, int | Ranges],
+    lost: Callable[[str], object] | None = None,
+) -> None:
+    """Copy everything of ``source`` to a new file; datasets in ``sizes`` keep these rows.
+
+    sizes: how many of the first rows, or ranges. lost: called with the path of what cannot be read
+    and is left out; None raises. The copy says of itself that it is called as ``source`` is: it
+    shall take its place.
     """
     with (
         open_for_reading(source) as old,
-        h5py.File(target, "x", libver="earliest") as new,
+        # From this format on HDF5 gives its own structure checksums (HDF5 1.10 and later read it).
+        h5py.File(target, "x", libver=("v110", "v110"), locking=False) as new,
     ):
         _copy_attributes(old, new)
         new.attrs[FORM_ATTRIBUTE] = COMPRESSED
@@ -35,15 +48,25 @@ def write_duplicate(source: Path, target: Path, sizes: Mapping[str, int]) -> Non
         for path, item in _items(old):
             if isinstance(item, h5py.Group):
                 _copy_attributes(item, new.require_group(path))
-            else:
-                _copy_dataset(item, new, path, sizes.get(path))
+                continue
+            try:
+                _copy_dataset(item, new, path, _ranges(sizes.get(path)))
+            except _DAMAGE:
+                if lost is None:
+                    raise
+                lost(path)
         for path, item in _items(old):
-            if isinstance(item, h5py.Dataset) and item.is_scale:
+            if isinstance(item, h5py.Dataset) and item.is_scale and path in new:
                 name = scale_label(not is_bare(item), path.rpartition("/")[2], len(new[path]))
                 new[path].make_scale(name)
         for path, item in _items(old):
-            if isinstance(item, h5py.Dataset) and not item.is_scale:
+            if isinstance(item, h5py.Dataset) and not item.is_scale and path in new:
                 _attach_scales(item, new, path)
+
+
+def open_copy(copy: Path) -> h5py.File:
+    """Open a copy of our own, which has no name yet, to complete it."""
+    return h5py.File(copy, "r+", libver=("v110", "v110"), locking=False)
 
 
 def first_difference(source: Path, copy: Path, sizes: Mapping[str, int]) -> str:
@@ -72,20 +95,29 @@ def _items(file: h5py.File) -> Iterator[tuple[str, Any]]:
 
 def _copy_attributes(old: Any, new: Any) -> None:
     for name, value in old.attrs.items():
-        if name not in _SCALE_ATTRIBUTES:
+        if name not in SCALE_ATTRIBUTES:
             new.attrs[name] = value
 
 
-def _copy_dataset(old: h5py.Dataset, file: h5py.File, path: str, rows: int | None) -> None:
+def _ranges(kept: int | Ranges | None) -> Ranges | None:
+    return [(0, kept)] if isinstance(kept, int) else kept
+
+
+def _copy_dataset(old: h5py.Dataset, file: h5py.File, path: str, kept: Ranges | None) -> None:
+    rows = None if kept is None else sum(stop - first for first, stop in kept)
     if is_bare(old):
         new = file.create_dataset(path, (len(old) if rows is None else rows,), old.dtype)
-    elif rows is None:
+    elif kept is None or rows is None:
         new = file.create_dataset(path, data=old[()], dtype=old.dtype)
     else:
         shape = (rows, *old.shape[1:])
         new = file.create_dataset(path, shape, old.dtype, **_compression(old, rows))
-        for part in _pieces(old, rows):
-            new[part] = old[part]
+        place = 0
+        for first, stop in kept:
+            for part in _pieces(old, first, stop):
+                length = part.stop - part.start
+                new[place : place + length] = old[part]
+                place += length
     _copy_attributes(old, new)
 
 
@@ -103,22 +135,23 @@ def _compression(dataset: h5py.Dataset, rows: int) -> dict[str, Any]:
     }
 
 
-def _pieces(dataset: h5py.Dataset, rows: int) -> Iterator[slice]:
+def _pieces(dataset: h5py.Dataset, first: int, stop: int) -> Iterator[slice]:
     row_bytes = max(1, dataset.nbytes // max(1, len(dataset)))
     step = max(1, PIECE_BYTES // CHUNK_BYTES * (CHUNK_BYTES // row_bytes))
-    for first in range(0, rows, step):
-        yield slice(first, min(rows, first + step))
+    for start in range(first, stop, step):
+        yield slice(start, min(stop, start + step))
 
 
 def _attach_scales(old: h5py.Dataset, file: h5py.File, path: str) -> None:
     for position, dimension in enumerate(old.dims):
         for scale in dimension.values():
-            file[path].dims[position].attach_scale(file[scale.name])
+            if scale.name in file:
+                file[path].dims[position].attach_scale(file[scale.name])
 
 
 def _differing_attribute(old: Any, new: Any) -> str:
     for name, value in old.attrs.items():
-        if name in (*_SCALE_ATTRIBUTES, FILE_NAME_ATTRIBUTE):
+        if name in (*SCALE_ATTRIBUTES, FILE_NAME_ATTRIBUTE):
             continue
         if name not in new.attrs or not np.array_equal(new.attrs[name], value):
             return str(name)
@@ -139,5 +172,5 @@ def _same(old: h5py.Dataset, new: h5py.Dataset, rows: int | None) -> bool:
         return True
     return all(
         np.asarray(old[part]).tobytes() == np.asarray(new[part]).tobytes()
-        for part in _pieces(old, rows)
+        for part in _pieces(old, 0, rows)
     )

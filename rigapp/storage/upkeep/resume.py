@@ -18,13 +18,18 @@ from rigapp.storage.filesystem.calls import BINARY
 from rigapp.storage.filesystem.disk import Disk
 from rigapp.storage.filesystem.folder import hidden_name, refuse_little_space, remove_stale
 from rigapp.storage.filesystem.system import FILES
+from rigapp.storage.reading.blocks import rows_up_to
 from rigapp.storage.reading.reader import TestReader, open_test
+from rigapp.storage.reading.seal import beside
+from rigapp.storage.reading.verify import NEWEST_BYTES, found_damage
 from rigapp.storage.structure.events import seed_of
 from rigapp.storage.structure.hdf import telling_damage
 from rigapp.storage.structure.layout import FilePlan, planned_rows
+from rigapp.storage.upkeep.waiting import left_cycles
 from rigapp.storage.writing.create import Places, fitted_streams, places_of, reserve_stream
-from rigapp.storage.writing.scalars import Counts
+from rigapp.storage.writing.streams import Counts
 from rigapp.storage.writing.writer import TestWriter
+from rigapp.texts import say
 
 
 def reopen_test(path: str | os.PathLike[str]) -> TestWriter:
@@ -39,6 +44,8 @@ def reopen_test(path: str | os.PathLike[str]) -> TestWriter:
         _refuse_finished(reader)
     writer, last = _writer_at_end(target, _reserve)
     _log_resumption(writer, last)
+    with contextlib.suppress(OSError):  # of the end that is none any more
+        beside(target).unlink(missing_ok=True)
     return writer
 
 
@@ -54,9 +61,31 @@ def finish_whole_test(path: str | os.PathLike[str]) -> int:
             return 0
     writer, last = _writer_at_end(target, _as_planned)
     with writer:
-        text = f"all {last} revolutions were in the file; it was ended after an interruption"
+        text = say("all {} revolutions were in the file; it was ended after an interruption", last)
         writer.append_event(Event(time.time(), last, "resumed", "storage", text))
-        writer.finish("complete", "complete", f"The test is complete: {text}.")
+        writer.finish("complete", "complete", say("The test is complete: {}.", text))
+        return writer.revolutions
+
+
+def close_test(path: str | os.PathLike[str]) -> int:
+    """End an interrupted test without its rig; return its revolutions, 0 where it has ended.
+
+    It is complete where it has all revolutions, else stopped. Raises UnusableInput as
+    ``reopen_test``.
+    """
+    target = Path(path).absolute()
+    with open_test(target) as reader:
+        if reader.stored_status() != "running":
+            return 0
+        whole = reader.has_all_revolutions()
+    writer, last = _writer_at_end(target, _as_planned)
+    with writer:
+        text = say("the file was closed after an interruption; the last revolution is {}", last)
+        writer.append_event(Event(time.time(), last, "resumed", "storage", text))
+        if whole:
+            writer.finish("complete", "complete", say("The test is complete: {}.", text))
+        else:
+            writer.finish("stopped", "operator", text)
         return writer.revolutions
 
 
@@ -71,27 +100,40 @@ def _writer_at_end(
             if FILES.is_taken(path, reader.writer()):
                 raise _written_elsewhere(path)
             _refuse_finished(reader)
+            places = _sound_places(path, reader.plan)
+            damage = list(found_damage(reader, NEWEST_BYTES))
+            if damage:
+                raise UnusableInput(
+                    "{}: the file is damaged ‹{}›; salvage what is sound with rigapp salvage FILE"
+                    " --to NEW.h5, and begin a new test",
+                    path,
+                    damage[0],
+                )
             counts, digest, last = _counts(reader)
             plan = reader.plan
-        places = _sound_places(path, plan)
+            interrupted = reader.stored_status() == "running"
+            left = left_cycles(reader, counts.cycles, last) if interrupted else []
         disk = Disk(fd, path)
         reserved = reserve(disk, plan, places, counts.planned_revolutions)
         writer = TestWriter(disk, places, plan, counts, reserved, digest)
+        writer.forget_stale()
+        for one in left:
+            writer.append_cycle(one.revolution, one.columns, one.why, one.quality)
         undo.pop_all()
     return writer, last
 
 
 def _sound_places(path: Path, plan: FilePlan) -> Places:
     """Return where the datasets lie; raise UnusableInput where writing would harm another one."""
-    with telling_damage(path, "its structure"):
+    with telling_damage(path, say("its structure")):
         places, end = places_of(path), 0
         fitted_streams(plan, places)
         for name, (offset, size) in sorted(places.items(), key=lambda one: one[1]):
             if offset < end:
-                raise ValueError(f"{name} lies over another dataset")
+                raise ValueError(say("{} lies over another dataset", name))
             end = offset + size
         if end > path.stat().st_size:
-            raise ValueError("a dataset lies beyond its end")
+            raise ValueError(say("a dataset lies beyond its end"))
     return places
 
 
@@ -128,7 +170,10 @@ def let_go(fd: int) -> None:
 
 def _written_elsewhere(path: Path) -> UnusableInput:
     return UnusableInput(
-        f"{path}: another process is writing this test; stop it there before going on with it here"
+        say(
+            "{}: another process is writing this test; stop it there before going on with it here",
+            path,
+        )
     )
 
 
@@ -136,13 +181,15 @@ def _refuse_finished(reader: TestReader) -> None:
     status = reader.stored_status()
     if status == "complete":
         raise UnusableInput(
-            f"{reader.path}: the test is complete with {reader.committed()} revolutions; "
-            "begin a new test"
+            "{}: the test is complete with {} revolutions; begin a new test",
+            reader.path,
+            reader.committed(),
         )
     if reader.compressed:
         raise UnusableInput(
-            f"{reader.path}: the test was ended ({reader.summary()['reason']}) and its file "
-            "compressed; begin a new test"
+            "{}: the test was ended ({}) and its file compressed; begin a new test",
+            reader.path,
+            reader.summary()["reason"],
         )
 
 
@@ -166,28 +213,32 @@ def _open_for_writing(path: Path) -> int:
         return fd
     except OSError as error:
         raise UnusableInput(
-            f"{path}: the file cannot be opened for writing ({error.strerror}); "
-            "resume as the user who began the test, on a disk that can be written"
+            "{}: the file cannot be opened for writing ({}); resume as the user who"
+            " began the test, on a disk that can be written",
+            path,
+            error.strerror,
         ) from error
 
 
 def _refuse_replaced(path: Path, fd: int) -> None:
     mine, there = os.fstat(fd), path.stat()
     if (mine.st_ino, mine.st_dev) != (there.st_ino, there.st_dev):
-        raise UnusableInput(f"{path}: the file was replaced while it was opened; try again")
+        raise UnusableInput("{}: the file was replaced while it was opened; try again", path)
 
 
 def _counts(reader: TestReader) -> tuple[Counts, bytes, int]:
     """Return the committed counts, the last digest of the log and the last revolution."""
     revolutions = reader.committed()
-    last = int(reader.column("revolution")[-1]) if revolutions else reader.plan.first_revolution - 1
+    last = reader.plan.first_revolution - 1
+    if revolutions:
+        last = int(reader.column("revolution", revolutions - 1)[0])
     cycles = _rows_up_to(reader.cycle_revolutions(), last)
     counts = Counts(
         revolutions=revolutions,
         cycles=cycles,
         samples=reader.first_free_sample(cycles),
         **_unfinished(reader),
-        prediction=_rows_up_to(reader.predictions()["revolution"], last),
+        prediction=rows_up_to(reader, last, "prediction"),
         curves=_rows_up_to(reader.curve_revolutions(), last),
         profiles=_rows_up_to(reader.profiles()["revolution"], last),
         events=reader.committed("events"),
@@ -225,7 +276,9 @@ def _reserve(disk: Disk, plan: FilePlan, places: Places, revolutions: int) -> di
         wanted[name] = max(wanted[name], rows)
     length = sum(wanted[name] * stream.row_bytes for name, stream in streams.items())
     have = FILES.taken_bytes(disk.fd)
-    refuse_little_space(disk.path.parent, disk.path, max(0, length - have), "the rest of the test")
+    refuse_little_space(
+        disk.path.parent, disk.path, max(0, length - have), say("the rest of the test")
+    )
     try:
         for name, stream in streams.items():
             reserve_stream(disk, stream, places, 0, wanted[name])
@@ -233,15 +286,18 @@ def _reserve(disk: Disk, plan: FilePlan, places: Places, revolutions: int) -> di
         if error.errno not in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
             raise
         raise UnusableInput(
-            f"{disk.path}: the disk refused to reserve the room for the rest of the test "
-            f"({error.strerror}); free {max(0, length - have) / 1e6:.0f} MB"
+            "{}: the disk refused to reserve the room for the rest of the test ({});"
+            " free {:.0f} MB",
+            disk.path,
+            error.strerror,
+            max(0, length - have) / 1000000.0,
         ) from error
     return wanted
 
 
 def _log_resumption(writer: TestWriter, last: int) -> None:
     gap = writer.revolutions > 0
-    text = f"the test was resumed after revolution {last}"
+    text = say("the test was resumed after revolution {}", last)
     kind, level = ("gap", "warning") if gap else ("resumed", "information")
     event = Event(time.time(), last, kind, "storage", text, level=level)
     try:

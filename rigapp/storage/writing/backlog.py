@@ -40,21 +40,22 @@ class Backlog:
         """Place writes as the policy asks; called by each append. Raises StorageFailed."""
         if self.bytes <= SOFT_LIMIT:
             return
-        while (share > 0 or self.bytes > HARD_LIMIT) and self._place_one():
+        while (share > 0 or self.bytes > HARD_LIMIT) and self._place_one(
+            wait=self.bytes > HARD_LIMIT
+        ):
             share -= 1
 
     def drain(self) -> None:
         """Return when everything put before the call is in the file. Raises StorageFailed."""
         for _ in range(len(self._writes)):
-            write = self._pop()
-            if write is None:
+            if not self._place_one(wait=True):
                 break
-            self._disk.write(*write)
         with self._placing:
             self._disk.refuse_broken()
 
-    def _place_one(self) -> bool:
-        if not self._placing.acquire(blocking=self.bytes > HARD_LIMIT):
+    def _place_one(self, wait: bool) -> bool:
+        """Place the oldest write; one at a time, since a later one may lie over it."""
+        if not self._placing.acquire(blocking=wait):
             return False
         try:
             write = self._pop()

@@ -9,15 +9,15 @@ import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import BinaryIO
 
 import h5py
 import numpy as np
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.names import name_refusal
-from rigapp.storage.filesystem.calls import BINARY
+from rigapp.storage.filesystem.calls import BINARY, StorageFailed
 from rigapp.storage.filesystem.disk import Disk
-from rigapp.storage.filesystem.errors import StorageFailed
 from rigapp.storage.filesystem.folder import (
     MEGABYTE,
     hidden_name,
@@ -36,6 +36,7 @@ from rigapp.storage.structure.layout import (
     streams_of,
 )
 from rigapp.storage.structure.metadata import TestMetadata
+from rigapp.texts import sentence_of_error
 
 Places = dict[str, tuple[int, int]]
 """Path of a dataset -> offset and length in bytes."""
@@ -48,25 +49,32 @@ def refuse_bad_target(path: Path, plan: FilePlan) -> None:
     folder = path.parent
     wrong = name_refusal(path)
     if wrong:
-        raise UnusableInput(f"{folder}: {wrong}")
+        raise UnusableInput("{}: {}", folder, wrong)
     if os.path.lexists(path):
         raise UnusableInput(
-            f"{path}: the file exists and is not overwritten; give another name, "
-            "or use resume to go on with it"
+            "{}: the file exists and is not overwritten; give another name, or use"
+            " resume to go on with it",
+            path,
         )
     if not folder.is_dir():
-        raise UnusableInput(f"{path}: the folder {folder} does not exist; create it first")
+        raise UnusableInput("{}: the folder {} does not exist; create it first", path, folder)
     if not os.access(folder, os.W_OK | os.X_OK):
-        raise UnusableInput(f"{path}: the folder {folder} cannot be written to; choose another one")
+        raise UnusableInput(
+            "{}: the folder {} cannot be written to; choose another one", path, folder
+        )
     streams = streams_of(plan).values()
     refuse_little_space(folder, path, reserved_bytes(streams) + STRUCTURE_BYTES)
     limit = _largest_file()
     length = declared_bytes(streams) + STRUCTURE_BYTES
     if limit is not None and length > limit:
         raise UnusableInput(
-            f"{path}: the test needs a file of {length / MEGABYTE:.0f} MB, but this system allows "
-            f"files of {limit / MEGABYTE:.0f} MB; {(length - limit) / MEGABYTE:.1f} MB are missing,"
-            " keep fewer whole cycles or raise the limit (ulimit -f)"
+            "{}: the test needs a file of {:.0f} MB, but this system allows files of"
+            " {:.0f} MB; {:.1f} MB are missing, keep fewer whole cycles or raise the"
+            " limit (ulimit -f)",
+            path,
+            length / MEGABYTE,
+            limit / MEGABYTE,
+            (length - limit) / MEGABYTE,
         )
 
 
@@ -106,7 +114,7 @@ def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Dis
             FILES.protect(fd)
             os.fsync(fd)
             if not FILES.hold(fd):
-                raise UnusableInput(f"{path}: another process took the new file; try again")
+                raise UnusableInput("{}: another process took the new file; try again", path)
             undo.callback(FILES.release, fd)
             FILES.settle(fd, hidden, path)
             FILES.sync_folder(path.parent)
@@ -130,6 +138,55 @@ def places_of(path: Path) -> Places:
     return places
 
 
+_EXTENT, _CONTINUED = 0x01, 0x10
+"""Messages in the header of an HDF5 object: the length of a dataset; where the header goes on."""
+
+
+def lengths_of(path: Path, streams: Mapping[str, FileStream]) -> dict[str, tuple[int, ...]]:
+    """Return where in the file the lengths of the datasets of each stream of data stand.
+
+    A stream is left out where they are not where the format of HDF5 says: other programs see all
+    its rows then.
+    """
+    found: dict[str, tuple[int, ...]] = {}
+    with open_for_reading(path) as file, path.open("rb") as stream:
+        for name, one in streams.items():
+            names = dict.fromkeys((*(column.name for column in one.stored), one.dimension))
+            offsets = [_length_of(file[one.path(column)], stream) for column in names]
+            if name not in ("waiting", "checkpoints") and all(offsets):
+                found[name] = tuple(offsets)
+    return found
+
+
+def _length_of(dataset: h5py.Dataset, stream: BinaryIO) -> int:
+    """Return where the length of a dataset stands in its file, 0 where it is not found.
+
+    A header of version 1: 16 bytes, then messages; of each kind and size in 2 bytes, 4 more, data.
+    """
+
+    def read(start: int, size: int) -> bytes:
+        stream.seek(start)
+        return stream.read(size)
+
+    def number(data: bytes, place: int, size: int = 8) -> int:
+        return int.from_bytes(data[place : place + size], "little")
+
+    address = h5py.h5o.get_info(dataset.id).addr
+    head = read(address, 16)
+    blocks = [(address + 16, number(head, 8, 4))] if head[:1] == b"\1" else []
+    for start, size in blocks:
+        block, place = read(start, size), 0
+        while place + 16 <= len(block):
+            kind = number(block, place, 2)
+            if kind == _CONTINUED and len(blocks) < number(head, 2, 2):
+                blocks.append((number(block, place + 8), number(block, place + 16)))
+            if kind == _EXTENT:
+                same = block[place + 8] == 1 and number(block, place + 16) == len(dataset)
+                return start + place + 16 if same else 0
+            place += 8 + number(block, place + 2, 2)
+    return 0
+
+
 def fitted_streams(plan: FilePlan, places: Places) -> dict[str, FileStream]:
     """Return the streams of a plan with the sizes that the file really has."""
     found: dict[str, FileStream] = {}
@@ -143,7 +200,7 @@ def fitted_streams(plan: FilePlan, places: Places) -> dict[str, FileStream]:
 
 def reserve_stream(disk: Disk, stream: FileStream, places: Places, first: int, rows: int) -> None:
     """Reserve the disk space of rows ``first`` .. ``rows`` of a stream; raises OSError."""
-    for one in stream.fields:
+    for one in stream.stored:
         offset = places[stream.path(one.name)][0]
         disk.reserve(offset + first * one.row_bytes, (rows - first) * one.row_bytes)
 
@@ -155,10 +212,10 @@ def check_places(disk: Disk, file: Path, streams: Mapping[str, FileStream], plac
     """
     marks: list[tuple[str, int, int, bytes]] = []
     for stream in streams.values():
-        for one in stream.fields:
+        for one in stream.stored:
             path = stream.path(one.name)
             for row in sorted({0, stream.planned - 1}):
-                mark = (b"%08d" % len(marks) * (one.row_bytes // 8 + 1))[: one.row_bytes]
+                mark = ((b"%08d" % len(marks))[::-1] * (one.row_bytes // 8 + 1))[: one.row_bytes]
                 marks.append((path, row, places[path][0] + row * one.row_bytes, mark))
     for _, _, offset, mark in marks:
         disk.write(mark, offset)
@@ -167,8 +224,12 @@ def check_places(disk: Disk, file: Path, streams: Mapping[str, FileStream], plac
             found = np.asarray(opened[path][row])
             if found.tobytes() != mark:
                 raise StorageFailed(
-                    f"{disk.path}: {path} row {row} is not where HDF5 says ({offset}); "
-                    "no test can be stored with this HDF5 library, run rigapp doctor"
+                    "{}: {} row {} is not where HDF5 says ({}); no test can be stored"
+                    " with this HDF5 library, run rigapp doctor",
+                    disk.path,
+                    path,
+                    row,
+                    offset,
                 )
     for _, _, offset, mark in marks:
         disk.write(bytes(len(mark)), offset)
@@ -182,20 +243,25 @@ def _space_errors(path: Path) -> Iterator[None]:
     try:
         yield
     except FileExistsError as error:
-        raise UnusableInput(f"{path}: the file exists and is not overwritten") from error
+        raise UnusableInput("{}: the file exists and is not overwritten", path) from error
     except StorageFailed as error:
-        raise UnusableInput(str(error)) from error
+        raise UnusableInput(sentence_of_error(error)) from error
     except RuntimeError as error:
         raise UnusableInput(
-            f"{path}: HDF5 could not write the file ({short_reason(error)}); "
-            "free some space or choose another folder"
+            "{}: HDF5 could not write the file ({}); free some space or choose another folder",
+            path,
+            short_reason(error),
         ) from error
     except OSError as error:
         if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
             raise UnusableInput(
-                f"{path}: the disk refused to reserve the room for the test ({error.strerror}); "
-                "free some space or keep fewer whole cycles"
+                "{}: the disk refused to reserve the room for the test ({}); free some"
+                " space or keep fewer whole cycles",
+                path,
+                error.strerror,
             ) from error
         raise UnusableInput(
-            f"{path}: the file cannot be created ({error.strerror or error}); choose another folder"
+            "{}: the file cannot be created ({}); choose another folder",
+            path,
+            error.strerror or error,
         ) from error

@@ -10,15 +10,15 @@ from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.messages import LookedAfter
-from rigapp.storage.filesystem.calls import BINARY
+from rigapp.storage.filesystem.calls import BINARY, StorageFailed
 from rigapp.storage.filesystem.disk import Disk
-from rigapp.storage.filesystem.errors import StorageFailed
 from rigapp.storage.filesystem.folder import (
     hidden_name,
     refuse_little_space,
 )
 from rigapp.storage.filesystem.rescue import Fate, copy_content, fate_of, places_for
 from rigapp.storage.filesystem.system import FILES
+from rigapp.texts import joined, say, sentence_of_error
 
 
 class Keeper:
@@ -47,14 +47,15 @@ class Keeper:
         disk = self._disk
         if os.fstat(disk.fd).st_size < self._length:
             raise StorageFailed(
-                f"{disk.path}: another program has cut the file short while the test writes it; "
-                "keep a copy of what is left of it, and see what rigapp info says of it"
+                "{}: another program has cut the file short while the test writes it;"
+                " keep a copy of what is left of it, and see what rigapp info says of it",
+                disk.path,
             )
         fate = fate_of(disk.fd, disk.path)
         if fate is None:
             return None
         what = fate.sentence(disk.path)
-        notice(f"{what}; everything in it is being saved.")
+        notice(say("{}; everything in it is being saved.", what))
         return self._bring_back(fate, what)
 
     def _bring_back(self, fate: Fate, what: str) -> LookedAfter:
@@ -63,13 +64,15 @@ class Keeper:
             try:
                 linked = self._save_as(target, fate.named)
             except UnusableInput as error:
-                reasons.append(str(error))
+                reasons.append(sentence_of_error(error))
             except OSError as error:
-                reasons.append(f"{target}: {error.strerror or error}")
+                reasons.append(say("{}: {}", target, error.strerror or error))
             else:
-                how = "is its name now" if linked else "has all of it and is written on"
-                return LookedAfter(f"{what}; {target} {how}.", saved=True)
-        return LookedAfter(f"{what}, and it could not be saved: {'; '.join(reasons)}", saved=False)
+                how = say("is its name now") if linked else say("has all of it and is written on")
+                return LookedAfter(say("{}; {} {}.", what, target, how), saved=True)
+        return LookedAfter(
+            say("{}, and it could not be saved: {}", what, joined("; ", reasons)), saved=False
+        )
 
     def _save_as(self, target: Path, named: bool) -> bool:
         """Let the file be called ``target``; True by a link, False by a copy. Raises OSError."""
@@ -94,7 +97,7 @@ class Keeper:
         """Copy the file while it is written, and write to the copy from then on."""
         disk = self._disk
         needed = FILES.taken_bytes(disk.fd)
-        refuse_little_space(target.parent, target, needed, "the file of the running test")
+        refuse_little_space(target.parent, target, needed, say("the file of the running test"))
         hidden = hidden_name(target)
         hidden.unlink(missing_ok=True)
         fd = os.open(hidden, os.O_RDWR | os.O_CREAT | os.O_EXCL | BINARY, 0o600)
@@ -111,7 +114,7 @@ class Keeper:
                 FILES.sync(fd)
                 FILES.protect(fd)
                 if not FILES.hold(fd):
-                    raise UnusableInput(f"{target}: another process took the new file")
+                    raise UnusableInput("{}: another process took the new file", target)
                 FILES.settle(fd, hidden, target)
                 disk.go_on_in(fd)
                 disk.sync()

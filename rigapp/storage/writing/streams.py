@@ -4,30 +4,89 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rigapp.storage.filesystem.disk import Disk
-from rigapp.storage.structure.layout import FileStream
+from rigapp.storage.structure.checksum import row_checksums
+from rigapp.storage.structure.layout import AHEAD, STATE, FileStream
 from rigapp.storage.writing.backlog import Backlog
+from rigapp.storage.writing.create import Places
+from rigapp.texts import say
 
 Float = NDArray[np.float64]
 Offsets = dict[str, int]
+FEWEST_SHOWN = 1
+"""HDF5 takes a dataset that has a place and no length for damaged."""
 GROWTH_ROWS = 4096  # reserved at once, so that asking the disk is rare
 
 
 class Room:
-    """Know how many rows of a stream have reserved disk space, and reserve more while they last."""
+    """Know how many rows of a stream have reserved disk space, and reserve more while they last.
 
-    __slots__ = ("_disk", "_offsets", "_stream", "reserved")
+    It also holds how many rows other programs see. HDF5 has the length of a dataset in its header;
+    it is moved in steps ahead of the rows, so that who reads a running test finds columns of one
+    length, and what is measured is NaN in the rows between.
+    lengths: where it stands in the file, for each dataset, none where others see all. rows: there.
+    """
 
-    def __init__(self, disk: Disk, stream: FileStream, offsets: Offsets, reserved: int) -> None:
+    __slots__ = (
+        "_ahead", "_disk", "_floats", "_lengths", "_offsets", "_reached", "_shown", "_stream",
+        "reserved",
+    )  # fmt: skip
+
+    def __init__(
+        self,
+        disk: Disk,
+        stream: FileStream,
+        offsets: Offsets,
+        reserved: int,
+        lengths: Sequence[int],
+        rows: int,
+    ) -> None:
         self._disk = disk
         self._stream = stream
         self._offsets = offsets
         self.reserved = reserved
+        self._lengths = lengths
+        self._ahead = AHEAD.get(stream.name, 0)
+        self._floats = [one for one in stream.fields if np.dtype(one.dtype).kind == "f"]
+        self._reached = self._shown = -1
+        for data, offset in self.reach(rows):
+            disk.write(data, offset)
+        self.show()
+
+    def reach(self, rows: int) -> list[tuple[memoryview, int]]:
+        """Return what is to be written behind the first ``rows`` rows, before any further one."""
+        most = max(rows, self.reserved)
+        if not self._lengths or min(rows + self._ahead // 2, most) <= self._reached:
+            return []
+        first = max(rows, self._reached)
+        self._reached = max(FEWEST_SHOWN, min(rows + self._ahead, most))
+        count = self._reached - first
+        return [
+            (
+                _bytes_of(np.full((count, *one.shape), np.nan, one.dtype)),
+                self._offsets[one.name] + first * one.row_bytes,
+            )
+            for one in (self._floats if count else ())
+        ]
+
+    def show(self) -> None:
+        """Let other programs see the rows that are reached; raises StorageFailed."""
+        rows = self._reached
+        if rows != self._shown:
+            for offset in self._lengths:
+                self._disk.write(rows.to_bytes(8, "little"), offset)
+            self._shown = rows
+
+    def end(self, rows: int) -> None:
+        """Let other programs see so many rows and no more; raises StorageFailed."""
+        self._reached = max(FEWEST_SHOWN, rows)
+        self.show()
 
     def holds(self, rows: int) -> bool:
         """Tell whether ``rows`` rows fit, reserving more where the file declares them."""
@@ -44,14 +103,14 @@ class Room:
 
     def reserve(self, rows: int) -> None:
         """Reserve the disk space of the first ``rows`` rows; raises OSError."""
-        for one in self._stream.fields:
+        for one in self._stream.stored:
             start = self._offsets[one.name] + self.reserved * one.row_bytes
             self._disk.reserve(start, (rows - self.reserved) * one.row_bytes)
         self.reserved = max(self.reserved, rows)
 
     def give_back(self, rows: int) -> None:
         """Give the disk space after the first ``rows`` rows back."""
-        for one in self._stream.fields:
+        for one in self._stream.stored:
             start = self._offsets[one.name] + rows * one.row_bytes
             self._disk.give_back(start, (self._stream.capacity - rows) * one.row_bytes)
         self.reserved = min(self.reserved, rows)
@@ -76,6 +135,7 @@ class RowBuffer:
         self._backlog = backlog
         self._fields = stream.fields
         self._offsets = [offsets[one.name] for one in stream.fields]
+        self._checksum = None if stream.checksum is None else offsets[stream.checksum.name]
         self._room = room
         self._size = rows
         self._lock = threading.Lock()
@@ -104,6 +164,7 @@ class RowBuffer:
             first, count = self._placed, self.count
             block = self._block[:, first - self._base : self._fill].copy()
             self._placed = count
+            self._backlog.put(self._room.reach(count))
         self._hand_over(first, block)
         return count
 
@@ -121,6 +182,9 @@ class RowBuffer:
             if one.dtype != "<f8":
                 column = column.astype(one.dtype)
             writes.append((_bytes_of(column), offset + first * column.itemsize))
+        if self._checksum is not None:
+            crcs = row_checksums(self._fields, block, block.shape[1])
+            writes.append((_bytes_of(crcs), self._checksum + first * crcs.itemsize))
         self._backlog.put(writes)
 
 
@@ -131,7 +195,7 @@ class RecordPlacer:
         self._backlog = backlog
         self._stream = stream
         self._fields = [
-            (one, np.dtype(one.dtype), one.row_bytes, offsets[one.name]) for one in stream.fields
+            (one, np.dtype(one.dtype), one.row_bytes, offsets[one.name]) for one in stream.stored
         ]
         self._room = room
 
@@ -144,15 +208,26 @@ class RecordPlacer:
 
         An array that has the field's type already is not copied: it must not change afterwards.
         """
-        writes = []
+        writes: list[tuple[memoryview, int]] = []
+        columns: list[NDArray[Any]] = []
+        checksum = self._stream.checksum
         for one, dtype, row_bytes, offset in self._fields:
+            if one is checksum and one.name not in values:
+                crcs = row_checksums(self._stream.fields, columns, rows)
+                values = {**values, one.name: crcs}
             data = np.ascontiguousarray(values[one.name], dtype=dtype)
             if data.nbytes != rows * row_bytes:
                 raise ValueError(
-                    f"{self._stream.path(one.name)}: got {data.shape}, "
-                    f"wanted {(rows, *one.shape)} values"
+                    say(
+                        "{}: got {}, wanted {} values",
+                        self._stream.path(one.name),
+                        data.shape,
+                        (rows, *one.shape),
+                    )
                 )
             writes.append((_bytes_of(data), offset + first * row_bytes))
+            columns.append(data.reshape(rows, *one.shape))
+        writes += self._room.reach(first + rows)
         self._backlog.put(writes)
 
 
@@ -160,3 +235,64 @@ def _bytes_of(array: NDArray[Any]) -> memoryview:
     if array.dtype.kind == "S":
         return memoryview(array.tobytes())
     return array.data.cast("B") if array.size else memoryview(b"")
+
+
+FINAL_STATUSES = ("complete", "stopped", "fault")
+
+
+@dataclass(slots=True)
+class Counts:
+    """Count the rows of each stream, and what was refused."""
+
+    revolutions: int = 0
+    cycles: int = 0
+    samples: int = 0
+    unfinished: int = 0
+    unfinished_samples: int = 0
+    prediction: int = 0
+    curves: int = 0
+    profiles: int = 0
+    events: int = 0
+    gaps: int = 0
+    resumed: int = 0
+    cycles_refused: int = 0
+    events_refused: int = 0
+    planned_revolutions: int = 0
+
+
+COUNTERS = {
+    "cycles": "/entry/cycles/committed",
+    "unfinished": "/entry/unfinished/committed",
+    "curves": "/entry/prediction/committed_curves",
+    "profiles": "/entry/prediction/committed_profiles",
+    "prediction": "/entry/prediction/committed",
+    "events": "/entry/events/committed",
+    "gaps": f"{STATE}/gaps",
+    "resumed": f"{STATE}/resumed",
+    "cycles_refused": f"{STATE}/cycles_refused",
+    "events_refused": f"{STATE}/events_refused",
+    "planned_revolutions": f"{STATE}/planned_revolutions",
+    "revolutions": "/entry/revolutions/committed",
+}
+"""Counters in the order in which a commit writes them; a file need not have all of them."""
+
+
+class Scalars:
+    """Overwrite scalars in place: int64, and texts of fixed length."""
+
+    def __init__(self, disk: Disk, places: Places) -> None:
+        self._disk = disk
+        self._places = places
+
+    def put_state(self, name: str, value: int | str) -> None:
+        """Overwrite one scalar of ``/entry/state``."""
+        self.put(f"{STATE}/{name}", value)
+
+    def put(self, path: str, value: int | str) -> None:
+        """Overwrite one scalar; a text too long for its place is cut between characters."""
+        offset, length = self._places[path]
+        if isinstance(value, int):
+            data = value.to_bytes(8, "little", signed=True)
+        else:
+            data = value.encode()[:length].decode(errors="ignore").encode().ljust(length, b"\0")
+        self._disk.write(data, offset)

@@ -17,16 +17,18 @@ from numpy.typing import ArrayLike, NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.columns import PROFILE_CURVES, prediction_columns, profile_columns
 from rigapp.schema.messages import Event, LookedAfter
+from rigapp.storage.filesystem.calls import NoRoom, StorageFailed
 from rigapp.storage.filesystem.disk import Disk
-from rigapp.storage.filesystem.errors import NoRoom, StorageFailed
 from rigapp.storage.filesystem.folder import refuse_little_space
 from rigapp.storage.filesystem.system import FILES
 from rigapp.storage.structure.build import PAGE
+from rigapp.storage.structure.checksum import cycle_checksum
 from rigapp.storage.structure.events import asked_for, columns_of, rows_of, seed_of
 from rigapp.storage.structure.layout import (
     CHECKPOINT_BYTES,
     END_TIME,
     STATE,
+    WAITING_FIELDS,
     FilePlan,
     FileStream,
     planned_rows,
@@ -34,12 +36,27 @@ from rigapp.storage.structure.layout import (
 )
 from rigapp.storage.structure.metadata import TestMetadata, iso_time
 from rigapp.storage.writing.backlog import Backlog
-from rigapp.storage.writing.create import Places, create_file, fitted_streams, reserve_stream
+from rigapp.storage.writing.create import (
+    Places,
+    create_file,
+    fitted_streams,
+    lengths_of,
+    reserve_stream,
+)
 from rigapp.storage.writing.keeper import Keeper
-from rigapp.storage.writing.scalars import COUNTERS, FINAL_STATUSES, Counts, Scalars
-from rigapp.storage.writing.streams import RecordPlacer, Room, RowBuffer
+from rigapp.storage.writing.streams import (
+    COUNTERS,
+    FINAL_STATUSES,
+    Counts,
+    RecordPlacer,
+    Room,
+    RowBuffer,
+    Scalars,
+)
+from rigapp.texts import joined, say
 
 ROWS_BUFFERED = 256  # 72 kB in one piece; a commit takes what is there before
+STALE_ROWS = 4096  # more than a crash leaves uncounted
 EVENTS_KEPT_BACK = 64  # rows for alarms and the end of the test, whoever filled the log
 
 
@@ -85,8 +102,16 @@ class TestWriter:
         self._digest = digest
         self._counters = [name for name, path in COUNTERS.items() if path in places]
         self._written = dict.fromkeys(self._counters, -1)
+        lengths = lengths_of(disk.path, self._streams)
         self._rooms = {
-            name: Room(disk, stream, self._offsets(stream), reserved[name])
+            name: Room(
+                disk,
+                stream,
+                self._offsets(stream),
+                reserved[name],
+                lengths.get(name, ()),
+                getattr(counts, name, 0),
+            )
             for name, stream in self._streams.items()
         }
         self._rows = self._row_buffer("revolutions", counts.revolutions)
@@ -113,9 +138,12 @@ class TestWriter:
         self._samples_synced = counts.samples
         self._checkpoint: tuple[int, bytes] | None = None
         self._slot: int | None = None
+        self._held = 0
         self._closed = False
         self._finished = False
-        self._scalars.put_state("writer", f"process {os.getpid()} on {socket.gethostname()}")
+        self._scalars.put_state(
+            "writer", say("process {} on {}", os.getpid(), socket.gethostname())
+        )
 
     @property
     def path(self) -> Path:
@@ -150,8 +178,9 @@ class TestWriter:
         self._disk.refuse_broken()
         if not self._rows.append(values):
             raise NoRoom(
-                f"{self.path}: the file has room for {self._rows.count} revolutions and is full; "
-                "begin a new test for more"
+                "{}: the file has room for {} revolutions and is full; begin a new test for more",
+                self.path,
+                self._rows.count,
             )
 
     def append_cycle(
@@ -172,6 +201,56 @@ class TestWriter:
             with self._count_lock:
                 self._counts.cycles_refused += 1
         return kept
+
+    def hold_cycle(
+        self, revolution: int, columns: Mapping[str, ArrayLike], why: str = "", quality: int = 0
+    ) -> None:
+        """Put a whole cycle that may still be kept into the file, over the oldest of its kind.
+
+        It counts only after a crash: see ``rigapp.storage.upkeep.waiting``. One that is longer
+        than its place is left out. why: as it is now, empty while nothing wants it.
+        """
+        stream = self._streams.get("waiting")
+        if stream is None:
+            return
+        values = self._cycle_values(columns)
+        number = len(next(iter(values.values())))
+        row: dict[str, ArrayLike] = {
+            "revolution": [revolution],
+            "count": [number],
+            "quality": [quality],
+            "why": [why],
+        }
+        place = dict(row)
+        stored = []
+        for one in stream.fields:
+            if one.shape:
+                if number > one.shape[0]:
+                    return
+                padded = np.zeros(one.shape, one.dtype)
+                padded[:number] = values[one.name]
+                place[one.name] = padded
+                stored.append(padded[:number])
+        if stream.checksum is not None:
+            place[stream.checksum.name] = [cycle_checksum(stored, WAITING_FIELDS, row)]
+        with self._cycle_lock:
+            self._records["waiting"].place(self._held % stream.capacity, 1, place)
+            self._held += 1
+        self._backlog.assist(2)
+
+    def forget_stale(self) -> None:
+        """Take the checksums of rows after the last ones away, that a crash left uncounted.
+
+        New rows take their places one by one; an old one among them would be confirmed again.
+        """
+        for name in ("revolutions", "cycles"):
+            stream = self._streams[name]
+            rows = self._rows_of(name) or 0
+            if stream.checksum is not None:
+                offset = self._places[stream.path(stream.checksum.name)][0]
+                number = min(STALE_ROWS, stream.capacity - rows)
+                size = stream.checksum.row_bytes
+                self._backlog.put([(memoryview(bytes(number * size)), offset + rows * size)])
 
     def append_unfinished(
         self, revolution: int, columns: Mapping[str, ArrayLike], quality: int
@@ -200,7 +279,11 @@ class TestWriter:
             samples, index = self._records[samples_name], self._records[index_name]
             if not (samples.holds(first + number) and index.holds(row + 1)):
                 return False
-            samples.place(first, number, values)
+            stored = [
+                np.ascontiguousarray(values[one.name], one.dtype)
+                for one in self._streams[samples_name].fields
+            ]
+            samples.place(first, number, dict(zip(values, stored, strict=True)))
             place: dict[str, ArrayLike] = {
                 "revolution": [revolution],
                 "first": [first],
@@ -208,6 +291,9 @@ class TestWriter:
                 "quality": [quality],
                 "why": [why],
             }
+            stream = self._streams[index_name]
+            if stream.checksum is not None:
+                place[stream.checksum.name] = [cycle_checksum(stored, stream.fields, place)]
             index.place(row, 1, place)
             with self._count_lock:
                 setattr(counts, samples_name, first + number)
@@ -313,23 +399,28 @@ class TestWriter:
         capacity = self._streams["revolutions"].capacity
         if revolutions > capacity:
             raise UnusableInput(
-                f"{self.path}: the file has room for {capacity} revolutions, not {revolutions}; "
-                "begin a new test for more"
+                "{}: the file has room for {} revolutions, not {}; begin a new test for more",
+                self.path,
+                capacity,
+                revolutions,
             )
         wanted = planned_rows(self.plan, revolutions)
         needed = sum(
             max(0, rows - self._rooms[name].reserved) * self._streams[name].row_bytes
             for name, rows in wanted.items()
         )
-        refuse_little_space(self.path.parent, self.path, needed, "the extension")
+        refuse_little_space(self.path.parent, self.path, needed, say("the extension"))
         try:
             for name, rows in wanted.items():
                 if rows > self._rooms[name].reserved:
                     self._rooms[name].reserve(rows)
         except OSError as error:
             raise UnusableInput(
-                f"{self.path}: the disk refused the room for {revolutions} revolutions "
-                f"({error.strerror}); free {needed / 1e6:.0f} MB"
+                "{}: the disk refused the room for {} revolutions ({}); free {:.0f} MB",
+                self.path,
+                revolutions,
+                error.strerror,
+                needed / 1000000.0,
             ) from error
         before = self._counts.planned_revolutions
         with self._count_lock:
@@ -337,7 +428,8 @@ class TestWriter:
         self._append_event(
             Event(
                 time.time(), self._rows.count, "extended", "storage",
-                f"the test shall have {revolutions} revolutions", str(before), str(revolutions),
+                say("the test shall have {} revolutions", revolutions),
+                str(before), str(revolutions),
             ),
             0,
         )  # fmt: skip
@@ -385,15 +477,20 @@ class TestWriter:
     def finish(self, status: str, reason_code: str, sentence: str) -> None:
         """Commit, and say how the test ended: status complete, stopped or fault."""
         if status not in FINAL_STATUSES:
-            raise ValueError(f"status {status!r} is not one of {', '.join(FINAL_STATUSES)}")
+            raise ValueError(
+                say("status {} is not one of {}", repr(status), joined(", ", FINAL_STATUSES))
+            )
         with self._commit_lock:
             self._disk.refuse_broken()
+            self.forget_stale()
             self._commit()
+            for name, room in self._rooms.items():
+                room.end(self._rows_of(name) or 0)
             self._scalars.put_state("reason_code", reason_code)
             self._scalars.put_state("reason", sentence)
             self._scalars.put(END_TIME, iso_time(time.time()))
             # The computer's name tells who writes; a file that is given away need not hold it.
-            self._scalars.put_state("writer", f"process {os.getpid()}")
+            self._scalars.put_state("writer", say("process {}", os.getpid()))
             self._disk.sync()
             self._scalars.put_state("status", status)
             self._disk.sync()
@@ -417,6 +514,8 @@ class TestWriter:
             return self._rows.count
         if stream == "prediction":
             return self._predictions.count
+        if stream == "waiting":
+            return 0
         with self._count_lock:
             return getattr(self._counts, stream, None)
 
@@ -465,6 +564,8 @@ class TestWriter:
         if checkpoint is not None:
             self._place_checkpoint(checkpoint)
         self._backlog.drain()
+        for room in self._rooms.values():  # before the counters, which never count beyond
+            room.show()
         changed = [name for name in self._counters if now[name] != self._written[name]]
         if changed or checkpoint is not None:
             self._disk.sync()
@@ -505,13 +606,15 @@ class TestWriter:
         names = [one.name for one in self._streams["samples"].fields]
         if isinstance(columns, Mapping):
             if set(columns) != set(names):
-                odd = ", ".join(sorted(set(columns) ^ set(names)))
-                raise ValueError(f"a cycle needs exactly the columns of the plan; check {odd}")
+                odd = joined(", ", sorted(set(columns) ^ set(names)))
+                raise ValueError(
+                    say("a cycle needs exactly the columns of the plan; check {}", odd)
+                )
             values = {name: np.asarray(columns[name]) for name in names}
         else:
             values = dict(zip(names, columns, strict=True))
         if len({one.shape for one in values.values()}) != 1:
-            raise ValueError("the columns of a cycle differ in length")
+            raise ValueError(say("the columns of a cycle differ in length"))
         return values
 
     def _row_buffer(self, name: str, count: int) -> RowBuffer:
@@ -521,4 +624,4 @@ class TestWriter:
         )
 
     def _offsets(self, stream: FileStream) -> dict[str, int]:
-        return {one.name: self._places[stream.path(one.name)][0] for one in stream.fields}
+        return {one.name: self._places[stream.path(one.name)][0] for one in stream.stored}

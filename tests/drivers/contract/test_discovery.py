@@ -16,7 +16,7 @@ from patience import PATIENCE_S
 from rigapp.testing.bench import Port
 from rigapp.testing.contracts import read_contracts
 from rigapp_drivers.api import DriverInfo, DriverKind, Probe
-from rigapp_drivers.cia402.probe import listen, node_words
+from rigapp_drivers.cia402.probe import ABILITIES, listen, node_words
 from rigapp_drivers.discovery import ask, drivers_of_usb_id, has_speed, may_be_asked
 from rigapp_drivers.registry import load_driver
 
@@ -66,8 +66,22 @@ def test_roboclaw_and_can_are_only_read(bench: Make) -> None:
     assert inquiry.answer is not None
     assert inquiry.answer.identity.details["nodes"] == "node 1 (pre-operational)"
     assert inquiry.answer.identity.details["bit_rate"] == "500000"
+    details = inquiry.answer.identity.details
+    assert "reaction to its silence ‹6007›, unit of speeds ‹60A9›" in details["node_1_has"]
     lines = bytes(adapter.port.received).split(b"\r")
-    assert lines == [b"", b"V", b"C", b"S6", b"L", b"C", b""], "no frame, listen-only"
+    assert lines[:5] == [b"", b"V", b"C", b"S6", b"L"], "no frame before a node is heard"
+    asked = [line for line in lines if line.startswith(b"t")]
+    assert len(asked) == len(ABILITIES)
+    assert all(line.startswith(b"t601840") for line in asked), "values are read, none is set"
+    foreign = dataclasses.replace(
+        contracts["cia402"], simulator={"vendor": 1, "lacking": (0x6007, 0x6079)}
+    )
+    adapter = bench(foreign)
+    adapter.simulator.node.objects.set(0x1017, 50)
+    inquiry = ask(adapter.port.url, [contracts["cia402"].info], PATIENCE_S)
+    assert inquiry.answer is not None
+    lacking = "reaction to its silence ‹6007›, supply voltage ‹6079›"
+    assert inquiry.answer.identity.details["node_1_lacks"] == lacking
 
 
 def test_a_drive_at_another_address_is_found(bench: Make, tmp_path: Path) -> None:

@@ -60,6 +60,7 @@ def test_it_is_listed_beside_the_shipped_drivers(installed: Mapping[str, str]) -
     assert "'block_s': 0.1" in done.stdout
 
 
+@pytest.mark.long
 def test_it_keeps_the_contract_of_data_sources(installed: Mapping[str, str]) -> None:
     suite = ["--pyargs", "rigapp.testing", "--rigapp-contract", str(EXAMPLE / "contract.toml")]
     options = ["-q", "-p", "no:cacheprovider", "-p", "rigapp.testing.plugin", "-k", "simple_adc"]

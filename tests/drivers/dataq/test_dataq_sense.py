@@ -9,8 +9,8 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from rigapp_drivers.dataq.sense import Sense
 from rigapp_drivers.dataq.simulator.terminals import Terminals, rising_edges
+from rigapp_drivers.dataq.stream import Sense
 from rigapp_drivers.simulator_api import RigSignals
 
 LINES = 12

@@ -81,7 +81,7 @@ def test_echoes_of_other_firmware() -> None:
     simulator = DataqSimulator(start_echo=True, echo_nuls=2)
     assert _ask(simulator, b"dec 1\r", b"start 2\r", b"dec 1\r", b"stop\r") == [
         b"dec 1\r\0\0",
-        b"start 2\r",
+        b"start 2\r\0\0",
         b"",
         b"stop\r\0\0",
     ]

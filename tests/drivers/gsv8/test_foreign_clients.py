@@ -150,6 +150,7 @@ def test_vendors_client_reads_the_counter_that_our_driver_set_up(bench: Any) -> 
     assert all(values[0] == pytest.approx(0.5, abs=1e-5) for values in result)
 
 
+@pytest.mark.long
 @needs_other
 def test_independent_client_configures_and_streams(bench: Any) -> None:
     b = bench()

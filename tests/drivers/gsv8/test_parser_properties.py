@@ -11,7 +11,6 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rigapp_drivers.api import Quality
-from rigapp_drivers.gsv8.checksums import crc16
 from rigapp_drivers.gsv8.frames import (
     FrameLayout,
     Parsed,
@@ -21,6 +20,7 @@ from rigapp_drivers.gsv8.frames import (
     encode_response,
 )
 from rigapp_drivers.gsv8.numbers import DataType
+from rigapp_drivers.gsv8.protocol import crc16
 
 LAYOUTS = [
     FrameLayout(objects=5),

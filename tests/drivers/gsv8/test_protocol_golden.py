@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from rigapp_drivers.gsv8 import protocol
-from rigapp_drivers.gsv8.checksums import crc8, crc16, crc16_of_rows
 from rigapp_drivers.gsv8.frames import (
     FrameLayout,
     Response,
@@ -15,7 +14,17 @@ from rigapp_drivers.gsv8.frames import (
     encode_response,
 )
 from rigapp_drivers.gsv8.numbers import DataType, decode, encode, scale_of_code
-from rigapp_drivers.gsv8.protocol import Command, CounterMode, f32, u8, u16, u32
+from rigapp_drivers.gsv8.protocol import (
+    Command,
+    CounterMode,
+    crc8,
+    crc16,
+    crc16_of_rows,
+    f32,
+    u8,
+    u16,
+    u32,
+)
 from rigapp_drivers.gsv8.words import decode_value_fault, encode_value_fault, status_words
 
 SENT_BY_THE_VENDORS_CLIENT = [

@@ -22,7 +22,7 @@ from rigapp_drivers.gsv8.protocol import (
     u32,
 )
 from rigapp_drivers.gsv8.simulator import Gsv8Simulator
-from rigapp_drivers.gsv8.simulator.counter import HIGHEST_COUNT, LOWEST_COUNT, QuadratureInput
+from rigapp_drivers.gsv8.simulator.state import HIGHEST_COUNT, LOWEST_COUNT, QuadratureInput
 from rigapp_drivers.simulator_api import RigSignals, SimulatedDataSource
 
 GOLDEN_DIALOGUE = [

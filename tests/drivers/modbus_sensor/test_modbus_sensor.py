@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from rigapp_drivers.api import ReplyTimeout, SettingRefused, SlowRequest, WrongDevice
 from rigapp_drivers.modbus_sensor.driver import DRIVER, ModbusSensor
-from rigapp_drivers.modbus_sensor.protocol import decode_reply, encode_request
+from rigapp_drivers.modbus_sensor.link import decode_reply, encode_request
 from rigapp_drivers.modbus_sensor.registers import OWN, PRESETS, Register, questions, registers_of
 from rigapp_drivers.modbus_sensor.simulator import ModbusSensorSimulator, crc16
 

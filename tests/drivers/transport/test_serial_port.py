@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import select
 import socket
+import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -128,6 +130,8 @@ def test_second_opening_is_refused_with_a_reason(wire: Any) -> None:
         SerialPort("other", device.port, 115200).open()
     assert caught.value.device == "other"
     assert device.port in str(caught.value)
+    if sys.platform == "linux":
+        assert f"‹process {os.getpid()}›; close it" in str(caught.value)
     first.close()
     again = SerialPort("other", device.port, 115200)
     again.open()

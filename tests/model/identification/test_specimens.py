@@ -53,7 +53,7 @@ def test_one_specimen_scatters_as_usual_and_many_alike_hardly() -> None:
 
 def test_what_was_known_before_the_test_is_not_counted_as_its_result() -> None:
     life = a_life()
-    bins = gathered(readings(life, 3, 3000))
+    bins = gathered(readings(life, 3, 20000))
     wide = estimate_of(identify(bins, life, ERRORS, PRIOR), "probes")
     prior = Prior(1.3 * NOMINAL, 0.08, "another test")
     told = estimate_of(identify(bins, life, ERRORS, prior), "probes")

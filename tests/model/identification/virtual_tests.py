@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -15,6 +15,8 @@ Array = NDArray[np.float64]
 
 NOMINAL = 5e-13
 ERRORS = ProbeErrors(0.01, 1e-6, 0.3e-6, 0.4e-6)
+STEADY = replace(ERRORS, swing=0.0)
+"""Of a room whose temperature is known not to swing."""
 PRIOR = Prior(NOMINAL)
 LN_4 = float(np.log(4.0))
 
@@ -38,16 +40,23 @@ def readings(
     """
     number = np.arange(1.0, last + 1.0)
     q = coefficient / NOMINAL * number if scaled is None else scaled[:last]
-    return measured(np.random.default_rng(seed), life.stretches[0].at(q)[0])[1]
+    return measured(np.random.default_rng(seed), life.course.at(q)[0])[1]
 
 
-def measured(random: np.random.Generator, depth: Array) -> tuple[Array, Array]:
-    """Return what probes read of a depth (n,), m, without and with their scatter."""
+def measured(
+    random: np.random.Generator, depth: Array, life: DepthLife | None = None
+) -> tuple[Array, Array]:
+    """Return what probes read of a depth (n,), m, without and with their scatter.
+
+    life: its doubt by the bushing's modulus is drawn too.
+    """
     number = np.arange(1.0, depth.size + 1.0)
     e, b = random.normal(0.0, ERRORS.sensitivity), random.normal(0.0, ERRORS.reference)
     walked = np.diff(np.log(number), prepend=0.0)
     drift = np.cumsum(random.normal(size=depth.size) * ERRORS.drift * np.sqrt(walked))
     clean = (1.0 + e) * depth + b + drift
+    if life is not None and life.elastic is not None:
+        clean = clean + random.normal() * life.elastic_doubt(depth)
     return clean, clean + random.normal(0.0, ERRORS.scatter, depth.size)
 
 
@@ -80,6 +89,9 @@ def gathered_at_once(depth: Array, per_decade: float = 12.0) -> list[Bin]:
         square = float(size @ along**2)
         left = float(size @ across**2) - float(size @ (along * across)) ** 2 / max(square, 1e-9)
         freedom = max(mean.size - 2, 0)
+        steps = GROUP * (
+            float((np.diff(mean) ** 2).sum()) - (mean[-1] - mean[0]) ** 2 / max(mean.size - 1, 1)
+        )
         found.append(
             Bin(
                 after - 1.0,
@@ -90,6 +102,7 @@ def gathered_at_once(depth: Array, per_decade: float = 12.0) -> list[Bin]:
                 int(size.sum()),
                 max(left, 0.0) if freedom else 0.0,
                 freedom,
+                max(float(steps), 0.0) if freedom else 0.0,
             )
         )
     return found
@@ -124,7 +137,7 @@ def drawn(random: np.random.Generator, life: DepthLife, last: int, kind: str = "
         )
         place = np.exp(place)
         scaled = ratio * (number + (first - 1.0) * place * -np.expm1(-number / place))
-    return Drawn(ratio * NOMINAL, scaled, *measured(random, life.stretches[0].at(scaled)[0]))
+    return Drawn(ratio * NOMINAL, scaled, *measured(random, life.course.at(scaled)[0], life))
 
 
 def moved(life: DepthLife, scaled: Array) -> float:
@@ -135,8 +148,8 @@ def moved(life: DepthLife, scaled: Array) -> float:
     """
     last = scaled.size
     number = np.unique(np.geomspace(1, last, 80).astype(np.int64))
-    true = life.stretches[0].at(scaled[number - 1])[0]
+    true = life.course.at(scaled[number - 1])[0]
     noise = np.hypot(ERRORS.scatter, ERRORS.drift * np.sqrt(np.log(number)))
     ratios = scaled[-1] / last * np.geomspace(0.2, 5.0, 200)
-    other = life.stretches[0].at(ratios[:, None] * number)[0]
+    other = life.course.at(ratios[:, None] * number)[0]
     return float((np.abs(other - true) / noise).max(axis=1).min())

@@ -115,3 +115,18 @@ def test_noise_alone_is_hardly_ever_taken_for_motion() -> None:
     noise = np.random.default_rng(7).normal(0.0, COUNT, (200, len(angle)))
     told = [examined(angle + one, 960.0, acceleration)[0].unfollowed > 0.0 for one in noise]
     assert sum(told) <= 1
+
+
+@pytest.mark.parametrize(("begin", "end"), [(0.4, 0.7), (0.02, 0.5), (0.5, 0.9), (0.0, 0.15)])
+def test_the_angle_is_covered_at_the_seam_of_a_run_up(begin: float, end: float) -> None:
+    """A ramp that begins or ends within the turn bends the angle as no parabola does."""
+    at = phase(60.0, 960.0)
+    ratio = 0.4 + 0.6 * np.clip((at - begin) / (end - begin), 0.0, 1.0)
+    angle, _, _ = turn(ratio, 60.0, 960.0)
+    counts = np.floor(angle / COUNT) * COUNT
+    time = np.arange(len(counts)) / 960.0
+    history = smooth_history(time, counts)
+    found = motion_uncertainty(time, counts, history)
+    off = np.abs(history.angle + 0.5 * COUNT - angle)  # whole counts are half a one behind
+    assert np.mean(off <= 2.0 * found.angle) > 0.95
+    assert (off / (2.0 * found.angle)).max() < 1.5

@@ -8,17 +8,17 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from rigapp_model import impact_laws as laws
-from rigapp_model.contact_law import ContactModel, WornSurface, foundation_modulus, hertz_stiffness
-from rigapp_model.dynamics import inverse_dynamics
-from rigapp_model.errors import ModelError
-from rigapp_model.impact import ContactCycle, contact_cycle, integrate_contact
-from rigapp_model.impact_system import (
+from rigapp_model.contact import impact_laws as laws
+from rigapp_model.contact.impact import ContactCycle, contact_cycle, integrate_contact
+from rigapp_model.contact.impact_system import (
     ClearanceSystem,
     ContactState,
     clearance_system,
     settled_state,
 )
+from rigapp_model.contact_law import ContactModel, WornSurface, foundation_modulus, hertz_stiffness
+from rigapp_model.dynamics import inverse_dynamics
+from rigapp_model.errors import ModelError
 from rigapp_model.parameters import Joint, Material, Mechanism, Spring
 
 CASE_A = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871)
@@ -50,7 +50,7 @@ def test_case_b_stays_in_contact_and_agrees_with_technique_2() -> None:
     assert cycle.contact_is_continuous
     assert len(cycle.impacts) == 0
     assert cycle.touching.all()
-    depth = (cycle.motion.force_magnitude / system.contact_stiffness) ** (2.0 / 3.0)
+    depth = [system.penetration_under(size) for size in cycle.motion.force_magnitude]
     np.testing.assert_allclose(cycle.penetration, depth, rtol=1e-2)
     other = inverse_dynamics(CASE_B, cycle.motion.angle, np.pi, clearance=JOINT.clearance)
     difference = cycle.motion.force_magnitude - other.force_magnitude
@@ -63,7 +63,7 @@ def test_case_b_stays_in_contact_and_agrees_with_technique_2() -> None:
 def test_case_a_loses_contact() -> None:
     system = clearance_system(CASE_A, JOINT, POLYMER, STEEL, np.pi)
     cycle = contact_cycle(system, revolutions=10)
-    assert 0.65 < cycle.contact_fraction < 0.85
+    assert 0.5 < cycle.contact_fraction < 0.65
     assert not cycle.contact_is_continuous
     assert len(cycle.impacts) > 50
     assert (cycle.impacts.speed > 0.0).all()
@@ -78,7 +78,8 @@ def test_the_published_benchmark_at_5000_rpm() -> None:
     ideal = inverse_dynamics(FAST, np.deg2rad(np.arange(360.0)), RPM_5000).slider_acceleration
     assert ideal.min() == pytest.approx(-19419.0, abs=1.0)
     assert ideal.max() == pytest.approx(9696.0, abs=1.0)
-    smooth = clearance_system(FAST, BEARING, HARD, HARD, RPM_5000, location="wrist")
+    published = ContactModel("lankarani-nikravesh")
+    smooth = clearance_system(FAST, BEARING, HARD, HARD, RPM_5000, published, location="wrist")
     start = centred_state(smooth)
     cycle = contact_cycle(smooth, revolutions=200, settling_revolutions=10, start=start)
     # Samples of 200 revolutions scatter by 0.016 and 0.7 (standard deviation), and another
@@ -91,6 +92,7 @@ def test_the_published_benchmark_at_5000_rpm() -> None:
         HARD,
         HARD,
         RPM_5000,
+        published,
         location="wrist",
     )
     start = centred_state(rough)
@@ -106,8 +108,8 @@ def test_the_published_benchmark_at_5000_rpm() -> None:
         (JOINT, POLYMER, False, 1000),
         (ROUGH, POLYMER, False, 3000),
         (JOINT, POLYMER, True, 1600),
-        (JOINT, STEEL, False, 2600),
-        (ROUGH, STEEL, False, 5400),
+        (JOINT, STEEL, False, 3900),
+        (ROUGH, STEEL, False, 10000),
     ],
 )
 def test_the_default_tolerance_gives_every_point_in_few_steps(
@@ -130,7 +132,7 @@ def test_looking_up_between_steps_changes_nothing(monkeypatch: pytest.MonkeyPatc
     parts: list[float] = []
     whole = contact_cycle(system, settling_revolutions=0, progress=parts.append)
     assert parts == [1.0]
-    monkeypatch.setattr("rigapp_model.impact.STEPS_AT_ONCE", 50)
+    monkeypatch.setattr("rigapp_model.contact.impact.STEPS_AT_ONCE", 50)
     looked = contact_cycle(system, settling_revolutions=0, progress=parts.append)
     assert len(parts) > 20
     np.testing.assert_array_equal(looked.motion.force, whole.motion.force)
@@ -139,8 +141,8 @@ def test_looking_up_between_steps_changes_nothing(monkeypatch: pytest.MonkeyPatc
 
 
 def test_steps_without_end_are_refused_with_advice(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rigapp_model.impact.MOST_STEPS", 40)
-    monkeypatch.setattr("rigapp_model.impact.STEPS_AT_ONCE", 20)
+    monkeypatch.setattr("rigapp_model.contact.impact.MOST_STEPS", 40)
+    monkeypatch.setattr("rigapp_model.contact.impact.STEPS_AT_ONCE", 20)
     system = clearance_system(CASE_A, JOINT, POLYMER, STEEL, np.pi)
     with pytest.raises(ModelError, match=r"steps is 40: too many by .* s; raise the tolerance"):
         contact_cycle(system)
@@ -177,7 +179,7 @@ def absolute_coordinates(system, time: float, y: np.ndarray, impact_speed: float
         relative = pin_surface_v - follower_v
         rate, slip = relative @ out, relative @ along
         damping = max(0.0, 1.0 + settings.hysteresis * rate / impact_speed)
-        normal = system.contact_stiffness * depth**1.5 * damping
+        normal = system.elastic * depth**1.5 * damping
         low, high = settings.friction_ramp
         ramp = np.sign(slip) * np.clip((abs(slip) - low) / (high - low), 0.0, 1.0)
         force = normal * out + joint.friction_coefficient * ramp * normal * along
@@ -280,7 +282,7 @@ def test_newtons_laws_hold_at_every_sample() -> None:
 
 
 def test_a_perfectly_elastic_joint_keeps_its_energy() -> None:
-    settings = ContactModel(restitution=1.0, tolerance=1e-6)
+    settings = ContactModel(law="flores", restitution=1.0, tolerance=1e-6)
     system = clearance_system(CASE_B, JOINT, POLYMER, STEEL, 0.0, settings, start_angle=1.0)
     start = replace(centred_state(system), follower_speed=0.5)
     cycle = integrate_contact(system, start, np.linspace(0.0, 1.0, 501))
@@ -288,7 +290,7 @@ def test_a_perfectly_elastic_joint_keeps_its_energy() -> None:
     assert 0.05 < cycle.contact_fraction < 0.95
     m = cycle.motion
     spring = 0.5 * 525.0 * (m.slider_position - CASE_B.spring.free_position) ** 2
-    contact = 0.4 * system.contact_stiffness * np.maximum(cycle.penetration, 0.0) ** 2.5
+    contact = 0.4 * system.elastic * np.maximum(cycle.penetration, 0.0) ** 2.5
     kinetic = 0.5 * (
         CASE_B.moving_mass * m.slider_velocity**2
         + CASE_B.follower_mass * np.sum(m.follower_velocity**2, axis=0)
@@ -298,7 +300,16 @@ def test_a_perfectly_elastic_joint_keeps_its_energy() -> None:
     assert np.ptp(energy - energy[0]) < 1e-3 * np.ptp(kinetic)
 
 
-@pytest.mark.parametrize(("law", "error"), [("lankarani-nikravesh", 0.05), ("flores", 0.015)])
+@pytest.mark.parametrize(
+    ("law", "error"),
+    [
+        ("elements", 0.002),
+        ("liu", 0.002),
+        ("pereira", 0.05),
+        ("lankarani-nikravesh", 0.05),
+        ("flores", 0.015),
+    ],
+)
 def test_an_impact_gives_the_restitution_back(law: str, error: float) -> None:
     for restitution in (0.8, 0.9, 0.95):
         settings = ContactModel(law=law, restitution=restitution, tolerance=1e-6)
@@ -453,7 +464,8 @@ def test_the_foundation_bears_the_integral_of_its_pressure() -> None:
         (lambda: ContactModel(friction_ramp=(1e-3, 1e-3)), "end must exceed"),
         (lambda: ContactModel(impact_speed_floor=0.0), "impact speed floor"),
         (lambda: ContactModel(tolerance=1.0), "tolerance"),
-        (lambda: ContactModel(law="hertz"), "lankarani"),
+        (lambda: ContactModel(law="hertz"), "choose elements, pereira, liu, lankarani"),
+        (lambda: ContactModel(restitution=0.005), "give 0.01 or more"),
         (lambda: WornSurface(np.arange(8.0), np.arange(8.0)), "within one turn"),
         (lambda: clearance_system(
             CASE_B, JOINT, STEEL, STEEL, 1.0, ContactModel(foundation=False),

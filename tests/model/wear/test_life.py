@@ -11,7 +11,7 @@ import pytest
 from rigapp_model.bushing.contact import ContactError
 from rigapp_model.errors import ModelError, OutOfTime
 from rigapp_model.joints import continuous_contact
-from rigapp_model.parameters import Bushing, Joint, Material, Parameters, Spring
+from rigapp_model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
 from rigapp_model.wear.front import WornThrough
 from rigapp_model.wear.life import Life, below_archard, life, row_cycles
 from rigapp_model.wear.state import unworn_state
@@ -92,6 +92,7 @@ def test_error_reported_is_not_below_the_true_one(parameters, case: str) -> None
         assert found.tolerance_met
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("case", ["constant", "continuous", "thin", "close", "friction"])
 def test_explicit_steps_agree_with_implicit_ones_within_their_errors(parameters, case: str) -> None:
     change, cycles, technique, force, _ = CASES[case]
@@ -193,6 +194,7 @@ def test_separate_bodies_agree_where_contact_holds(parameters) -> None:
     assert apart.notes == ()
 
 
+@pytest.mark.long
 def test_losing_contact_is_said(parameters, monkeypatch) -> None:
     monkeypatch.setattr("rigapp_model.wear.impact_forces.MOST_REVOLUTIONS", 32)
     loose = replace(parameters, mechanism=replace(parameters.mechanism, spring=None))
@@ -225,6 +227,7 @@ def unsprung_lives(
     ]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("number", "cycles"), [(2, 300), pytest.param(10, 300, marks=pytest.mark.soak)]
 )
@@ -243,7 +246,8 @@ def test_chaotic_lives_agree_within_their_stated_errors(
         assert np.all(np.abs(np.array(values) - mean) <= errors)
         assert np.max(errors) < 0.45 * mean
     # Sorted by direction, twice and four times as many positions give the same depth.
-    assert found[0].max_depth[-1] == pytest.approx(4.0e-7, rel=0.15)
+    # Counted by the relative rotation alone it would be less: the pin slides further as it travels.
+    assert found[0].max_depth[-1] == pytest.approx(4.15e-7, rel=0.15)
 
 
 def test_wear_follows_the_force_to_the_other_wall(parameters) -> None:
@@ -390,3 +394,63 @@ def test_a_follower_in_compression_wears_the_other_wall_and_its_clearance_grows(
     np.testing.assert_allclose(grown[1:], found.max_depth[1:], rtol=0.02)
     assert found.mean_force[-1] < found.mean_force[0]
     assert "compression at all crank angles" in found.notes[0]
+
+
+@pytest.mark.parametrize("mass", [1e-300, 1e-30, 1e-9])
+def test_a_mechanism_of_next_to_no_mass_is_refused_in_words(parameters, mass: float) -> None:
+    weightless = Mechanism(0.0762, mass, mass, 0.2032, mass, mass, mass)
+    for technique in ("perfect", "continuous"):
+        with pytest.raises(ModelError, match="too small for a contact that elements can see"):
+            life(replace(parameters, mechanism=weightless), RPM30, 100, technique, 1e-1)
+    sprung = replace(weightless, spring=parameters.mechanism.spring)
+    with pytest.raises(ModelError, match="use the technique continuous"):
+        life(replace(parameters, mechanism=sprung), RPM30, 100, "contact", 1e-1)
+
+
+@pytest.mark.parametrize("contact", ["finite-element", "winkler"])
+@pytest.mark.parametrize("step", [None, 10.0])
+def test_nothing_wears_without_a_wear_coefficient(
+    parameters, step: float | None, contact: str
+) -> None:
+    unworn = replace(parameters, bushing=replace(parameters.bushing, wear_coefficient=0.0))
+    found = life(
+        unworn, RPM30, 100, "continuous", 1e-2, method="explicit", step=step, contact=contact
+    )
+    assert found.max_depth[-1] == found.worn_area[-1] == found.estimated_error[-1] == 0.0
+    assert found.tolerance_met
+
+
+@pytest.mark.long
+def test_the_stated_error_bounds_every_row_of_a_stiff_wide_bushing(parameters) -> None:
+    """Its early rows had been stated 1.3 times too well: few positions, narrow contact."""
+    stiff = replace(
+        parameters,
+        mechanism=replace(parameters.mechanism, slider_mass=1.0165),
+        joint=replace(parameters.joint, bushing_radius=9.92163e-3, bushing_width=26.25e-3),
+        bushing=Bushing(Material(913.4e6, 0.38), 2200.0, 3.782e-13),
+    )
+    fine, coarse = (life(stiff, 9.2416, 19942.0, tolerance=one) for one in (2e-4, 1e-3))
+    rows = row_cycles(19942.0)
+    at, same = (np.searchsorted(one.cycles, rows) for one in (coarse, fine))
+    off = np.abs(coarse.max_depth[at] - fine.max_depth[same])
+    assert np.all(off <= coarse.estimated_error[at])
+    assert off[0] > 0.5 * coarse.estimated_error[at[0]], "the row that was stated too well"
+
+
+def test_rows_are_those_that_were_asked_for(parameters) -> None:
+    asked = [250.0, 500.0, 750.0]
+    found = life(parameters, RPM30, 1000.0, tolerance=1e-2, force=110.0, rows=asked)
+    assert set(asked) <= set(found.cycles.tolist())
+    assert found.cycles[-1] == 1000.0
+    with pytest.raises(ModelError, match="increasing"):
+        life(parameters, RPM30, 1000.0, tolerance=1e-2, force=110.0, rows=[500.0, 250.0])
+
+
+@pytest.mark.parametrize("method", ["implicit", "explicit"])
+@pytest.mark.parametrize("coefficient", [1e-300, 1e-30, 1e-22])
+def test_a_coefficient_lost_in_rounding_is_refused_in_words(
+    parameters, coefficient: float, method: str
+) -> None:
+    faint = replace(parameters, bushing=replace(parameters.bushing, wear_coefficient=coefficient))
+    with pytest.raises(ModelError, match="less than numbers resolve"):
+        life(faint, RPM30, 1000.0, tolerance=1e-2, method=method)

@@ -47,6 +47,7 @@ def columns(folder: Path, name: str) -> dict[str, np.ndarray]:
     return dict(zip(header, np.loadtxt(path, delimiter=",", skiprows=1).T, strict=True))
 
 
+@pytest.mark.long
 def test_every_comparison_has_table_and_picture(folder: Path) -> None:
     files = {path.name for path in folder.iterdir()}
     assert files == {f"{n}{end}" for n in NAMES for end in (".csv", ".png")} | {
@@ -114,6 +115,17 @@ def test_what_wear_does_is_told_apart_from_what_clearance_does(
     assert page.count("which is no effect of wear") == 2
 
 
+def test_lines_between_the_cycles_of_fig_15_are_nearer_than_its_effect(folder: Path) -> None:
+    table = columns(folder, "fig15_soft")
+    cycles, depth = table["cycles"], table["depth_evolving_mm"]
+    assert len(cycles) >= 40
+    inner = slice(1, -1, 2)
+    between = np.interp(cycles[inner], cycles[::2], depth[::2])
+    # With every other cycle left out a straight line is four times as far off.
+    off = 0.25 * np.abs(between - depth[inner])[cycles[inner] > 100.0].max()
+    assert off < 0.5 * np.abs(table["evolving_less_constant_mm"][-1])
+
+
 def test_three_techniques_stand_side_by_side(folder: Path) -> None:
     table = columns(folder, "techniques_force")
     two, three = table["f_continuous_spring_N"], table["f_contact_spring_N"]
@@ -136,9 +148,14 @@ def test_profile_of_the_simulations(folder: Path) -> None:
     table = columns(folder, "fig21_profile")
     assert table["depth_simulation_mm"].max() == pytest.approx(0.4524, rel=1e-3)
     assert table["depth_experiment_mm"].max() == pytest.approx(0.4850, rel=1e-3)
+    for one in ("simulation", "experiment"):
+        flat, upright = table[f"depth_{one}_mm"], table[f"depth_{one}_vertical_mm"]
+        turned = table["angle_deg"][np.argmax(upright)] - table["angle_deg"][np.argmax(flat)]
+        assert 1.0 < abs(turned) < 10.0, "gravity turns the contact"
     assert table["angle_deg"][np.argmax(table["depth_simulation_mm"])] == pytest.approx(0.0, abs=1)
 
 
+@pytest.mark.long
 def test_time_that_runs_out_leaves_pages_of_what_was_made(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -93,6 +93,7 @@ def test_a_pressure_exponent_wears_as_many_small_explicit_steps_say(
     assert found.max_depth[-1] == pytest.approx(expected, rel=5e-3)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("law", EXAMPLES.values(), ids=EXAMPLES)
 def test_the_bound_of_the_error_holds_for_each_law(parameters: Parameters, law: WearLaw) -> None:
     worn = by(parameters, law)

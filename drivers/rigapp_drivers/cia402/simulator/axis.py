@@ -206,9 +206,8 @@ class Axis402:
 
     @property
     def _unit(self) -> float:
-        unit = velocity_unit_rev_per_s(self._objects.number(0x60A9))
-        assert unit is not None
-        return unit
+        """Return rev/s per step; with a unit of its maker's, which 60A9 cannot say, whole rpm."""
+        return velocity_unit_rev_per_s(self._objects.number(0x60A9)) or 1.0 / 60.0
 
     def observe(self, state: MotorState) -> None:
         """Take the plant's state."""

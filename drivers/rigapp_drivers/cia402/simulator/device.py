@@ -6,6 +6,7 @@ the time of the plant (``elapsed_s``).
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Final
 
 from rigapp_drivers.cia402.protocol import RPM, VENDOR_MAXON
@@ -24,7 +25,8 @@ class Cia402Simulator:
     counts_per_revolution: of the motor's encoder after quadrature, a multiple of 4 (object 3010
     holds a quarter of it). velocity_unit: object 60A9 at power-on. tpdo1_period_s: send TPDO1 so
     often besides on every change; None is the EPOS4's own behaviour. vendor: a value other than
-    maxon's makes a drive with the objects of CiA 301 and CiA 402 only. faults: ``Fault`` records or
+    maxon's makes a drive with the objects of CiA 301 and CiA 402 only. lacking: objects that it has
+    not, though others have. faults: ``Fault`` records or
     tables of their fields.
     """
 
@@ -40,6 +42,7 @@ class Cia402Simulator:
         vendor: int = VENDOR_MAXON,
         device_name: str = "Simulated CiA 402 drive",
         tpdo1_period_s: float | None = None,
+        lacking: Collection[int] = (),
         faults: Faults = (),
     ) -> None:
         if counts_per_revolution < 4 or counts_per_revolution % 4:
@@ -58,6 +61,7 @@ class Cia402Simulator:
                 name=device_name,
                 velocity_unit=velocity_unit,
                 tpdo1_period_s=tpdo1_period_s,
+                lacking=lacking,
             ),
             self._plan,
         )

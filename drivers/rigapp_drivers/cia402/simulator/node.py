@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import enum
 import struct
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -33,10 +34,87 @@ from rigapp_drivers.cia402.simulator.objects import (
     add_profile,
 )
 from rigapp_drivers.cia402.simulator.pdo import Pdos
-from rigapp_drivers.cia402.simulator.sdo import DOWNLOAD, SdoServer
 from rigapp_drivers.cia402.slcan import Frame
 from rigapp_drivers.simulated import FaultPlan
 from rigapp_drivers.simulator_api import DriveCommand, MotorState
+
+DOWNLOAD, _UPLOAD, _UPLOAD_SEGMENT, _ABORT = 1, 2, 3, 4
+
+
+class SdoServer:
+    """Answer the requests of one client, 8 bytes each."""
+
+    def __init__(self, objects: Dictionary) -> None:
+        self._objects = objects
+        self._rest = b""
+        self._toggle = 0
+        self._place = (0, 0)
+
+    def answer(
+        self, request: bytes, forced_abort: int | None = None, *, obey: bool = True
+    ) -> bytes | None:
+        """Return the reply, None where the protocol has none.
+
+        forced_abort: a fault to show. obey: whether a download that is confirmed is carried out.
+        """
+        if len(request) != 8:
+            return None
+        command = request[0] >> 5
+        if command == _ABORT:
+            self._rest = b""
+            return None
+        if command != _UPLOAD_SEGMENT:
+            index, subindex = struct.unpack_from("<HB", request, 1)
+            self._place = (index, subindex)
+        try:
+            if forced_abort is not None:
+                raise AbortTransfer(forced_abort)
+            return self._obey(command, request) if obey else self._confirmed()
+        except AbortTransfer as abort:
+            self._rest = b""
+            return struct.pack("<BHBI", 0x80, *self._place, abort.code)
+
+    def _confirmed(self) -> bytes:
+        return struct.pack("<BHBI", 0x60, *self._place, 0)
+
+    def _obey(self, command: int, request: bytes) -> bytes:
+        if command == DOWNLOAD:
+            return self._download(request)
+        if command == _UPLOAD:
+            return self._upload()
+        if command == _UPLOAD_SEGMENT:
+            return self._upload_segment(request[0] >> 4 & 1)
+        raise AbortTransfer(Abort.COMMAND)
+
+    def _download(self, request: bytes) -> bytes:
+        expedited, sized = request[0] & 2, request[0] & 1
+        if not expedited:
+            raise AbortTransfer(Abort.COMMAND)
+        index, subindex = self._place
+        entry = self._objects.find(index, subindex)
+        length = 4 - (request[0] >> 2 & 3) if sized else entry.length
+        self._objects.write(index, subindex, request[4 : 4 + length])
+        return self._confirmed()
+
+    def _upload(self) -> bytes:
+        index, subindex = self._place
+        data = self._objects.read(index, subindex)
+        if len(data) <= 4:
+            head = 0x43 | (4 - len(data)) << 2
+            return struct.pack("<BHB", head, index, subindex) + data.ljust(4, b"\0")
+        self._rest, self._toggle = data, 0
+        return struct.pack("<BHBI", 0x41, index, subindex, len(data))
+
+    def _upload_segment(self, toggle: int) -> bytes:
+        if not self._rest:
+            raise AbortTransfer(Abort.COMMAND)
+        if toggle != self._toggle:
+            raise AbortTransfer(Abort.TOGGLE)
+        part, self._rest = self._rest[:7], self._rest[7:]
+        self._toggle ^= 1
+        head = toggle << 4 | (7 - len(part)) << 1 | (0 if self._rest else 1)
+        return bytes((head,)) + part.ljust(7, b"\0")
+
 
 BOOT_S: Final = 0.1
 _SLOW_COMMAND_S: Final = 2.0  # longer than any driver's time-outs for one transfer
@@ -75,7 +153,8 @@ class NodeOptions:
     """Describe the simulated drive.
 
     velocity_unit: 60A9 at power-on. tpdo1_period_s: send TPDO1 so often besides on change.
-    vendor: other than maxon's, the node has no objects 2xxx and 3xxx.
+    vendor: other than maxon's, the node has no objects 2xxx and 3xxx. lacking: more that it
+    has not.
     """
 
     node_id: int
@@ -84,6 +163,7 @@ class NodeOptions:
     name: str
     velocity_unit: int
     tpdo1_period_s: float | None
+    lacking: Collection[int]
 
 
 class Cia402Node:
@@ -103,7 +183,7 @@ class Cia402Node:
 
     def _build(self) -> None:
         options = self._options
-        objects = Dictionary()
+        objects = Dictionary(options.lacking)
         add_communication(objects, options.name)
         add_identity(objects, (options.vendor, 0x6550_0000, 0x0170_0000, 0x1234_5678))
         add_profile(objects)
@@ -129,6 +209,10 @@ class Cia402Node:
             no_power=self._plan.on(Cia402Fault.FALSE_READBACK)
         )
         entries[0x1016, 1].written = entries[0x1016, 2].written = self._consumer_written
+        entries[0x6077, 0].read = entries[0x6078, 0].read = lambda: round(
+            1e6 * self._motor.current_A / self.objects.number(0x6075)
+        )
+        entries[0x6079, 0].read = lambda: round(self._motor.supply_V * 1e3)
         if (0x2200, 1) in entries:
             entries[0x2200, 1].read = lambda: round(self._motor.supply_V * 10)
             entries[0x30D1, 1].read = entries[0x30D1, 2].read = lambda: round(

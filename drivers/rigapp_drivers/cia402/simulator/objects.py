@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from typing import Final
 
@@ -59,10 +59,11 @@ class Entry:
 
 
 class Dictionary:
-    """Read and write objects as bytes."""
+    """Read and write objects as bytes; from outside, those that are lacking do not exist."""
 
-    def __init__(self) -> None:
+    def __init__(self, lacking: Collection[int] = ()) -> None:
         self.entries: dict[Key, Entry] = {}
+        self._lacking = lacking
 
     def add(self, index: int, subindex: int, entry: Entry) -> None:
         """Add an object."""
@@ -81,9 +82,9 @@ class Dictionary:
 
     def find(self, index: int, subindex: int) -> Entry:
         """Return an entry; raise AbortTransfer when there is none."""
-        entry = self.entries.get((index, subindex))
+        entry = None if index in self._lacking else self.entries.get((index, subindex))
         if entry is None:
-            known = any(key[0] == index for key in self.entries)
+            known = index not in self._lacking and any(key[0] == index for key in self.entries)
             raise AbortTransfer(Abort.NO_SUBINDEX if known else Abort.NO_OBJECT)
         return entry
 
@@ -150,7 +151,11 @@ def add_profile(objects: Dictionary) -> None:
     objects.add(0x6061, 0, Entry("i8", 1, "ro", mappable=True))
     for index in (0x6064, 0x606B, 0x606C):
         objects.add(index, 0, Entry("i32", 0, "ro", mappable=True))
-    objects.add(0x6077, 0, Entry("i16", 0, "ro", mappable=True))
+    objects.add(0x6075, 0, Entry("u32", 12000, "ro"))
+    objects.add(0x6076, 0, Entry("u32", 600, "ro"))
+    for index in (0x6077, 0x6078):
+        objects.add(index, 0, Entry("i16", 0, "ro", mappable=True))
+    objects.add(0x6079, 0, Entry("u32", 48000, "ro", mappable=True))
     objects.add(0x607A, 0, Entry("i32", 0, mappable=True))
     objects.add(0x607F, 0, Entry("u32", 50000, mappable=True))
     objects.add(0x6080, 0, Entry("u32", 50000, mappable=True))

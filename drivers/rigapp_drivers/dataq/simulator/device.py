@@ -259,7 +259,7 @@ class DataqSimulator:
             return before
         if strike(DataqFault.WRONG_ECHO, target) is not None:
             reply = b"?" + reply
-        reply = before + reply + bytes(0 if words[0] == "start" else self._echo_nuls)
+        reply = before + reply + bytes(self._echo_nuls)
         return self._plan.in_time(reply, DataqFault.SLOW_REPLY, target, 0.3)
 
     def _obey(self, command: str, fields: list[str]) -> str | None:

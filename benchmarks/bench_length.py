@@ -1,0 +1,198 @@
+"""What a long test costs afterwards: each verb on files of growing length, time and peak memory.
+
+Run with ``python benchmarks/bench_length.py [--rows 1e5 1e7] [--folder DIR] [--only VERB]``. The
+files have every column, of the prediction too (``longtest.py``); 10^7 rows take 6 GB of disk, the
+CSV of their package 6 GB more. Each verb is a process of its own: its whole time, imports
+included, and its largest resident memory.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+from budgets import BUDGETS, measured, size
+
+RESUME = """
+import sys, time
+from pathlib import Path
+from types import SimpleNamespace
+from rigapp.engine.recording import store
+from rigapp.schema.channels import BASE
+from rigapp.service.resumption import read_past
+path = Path(sys.argv[1])
+begin = time.perf_counter()
+read_past(path)
+opened = store._resume(SimpleNamespace(path=path, calibration=SimpleNamespace(table=BASE)))
+assert opened.depths(opened.rows - 1000).shape == (2, 1000)
+assert sum(piece.shape[1] for piece in opened.history()) == opened.rows
+opened.store.close()
+print("resume", time.perf_counter() - begin)
+"""
+REPLAY = """
+import os, sys, time
+os.environ["QT_QPA_PLATFORM"] = "offscreen"
+from pathlib import Path
+from PySide6.QtWidgets import QApplication
+from rigapp.gui.look.dress import apply_theme
+from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.tokens import LIGHT
+from rigapp.replay.client import ReplayClient
+from rigapp.viewer.connection import EngineConnection
+from rigapp.viewer.showntest import ShownTest
+application = QApplication([])
+apply_theme(application, LIGHT)
+begin = time.perf_counter()
+client = ReplayClient(Path(sys.argv[1]))
+window = MainWindow(EngineConnection(lambda: client), ShownTest(), LIGHT)
+window.resize(1440, 900)
+window.show()
+
+def reach(rows):
+    seen = False
+    while not (seen and window.settled):
+        seen = window.settled and len(window._test.data.rows) >= rows
+        if seen:
+            window.draw_now()  # what is looked at for the first time is read then
+        window.tick()
+        application.processEvents()
+        time.sleep(0.002)
+    window.draw_now()
+    application.processEvents()
+
+reach(1)
+last = client.last_recorded
+worst = 0.0
+client.request("pause")
+for at, place in enumerate((last, last // 3, last // 2, last - 5, last // 7, last - 1)):
+    if at:
+        begin = time.perf_counter()
+    client.request("seek", {"revolution": place})
+    while len(window._test.data.rows) != place:
+        window.tick()
+        time.sleep(0.002)
+    reach(place)
+    if at == 0:
+        print("open", time.perf_counter() - begin)  # all that is seen of beginning and end
+    else:
+        worst = max(worst, time.perf_counter() - begin)
+print("seek", worst)
+window.close()
+"""
+COMMAND = "import sys; from rigapp.__main__ import main; sys.exit(main())"
+
+
+TOLD = ("resume", "open", "seek")
+"""What the programs measure themselves, without their imports: the rig has made those before."""
+
+
+@dataclass(frozen=True, slots=True)
+class Verb:
+    """One verb: its program, its arguments behind the file, what it makes."""
+
+    program: str
+    arguments: tuple[str, ...] = ()
+    ended: bool = True
+
+
+VERBS = {
+    "resume": Verb(RESUME, ended=False),
+    "replay": Verb(REPLAY),
+    "picture": Verb(COMMAND, ("picture", "FILE", "--to", "out.png")),
+    "report": Verb(COMMAND, ("report", "FILE", "--to", "out.html")),
+    "export": Verb(COMMAND, ("export", "FILE", "--to", "out.csv")),
+    "parquet": Verb(COMMAND, ("export", "FILE", "--to", "out.parquet")),
+    "package": Verb(COMMAND, ("package", "FILE", "--to", "out.zip", "--allow-private")),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Cost:
+    """What a verb cost: wall-clock and processor seconds, peak memory in MB, what it printed."""
+
+    seconds: float
+    processor_s: float
+    memory_MB: float
+    told: dict[str, float]
+    status: int
+
+
+def cost_of(verb: Verb, path: Path, folder: Path) -> Cost:
+    """Run a verb on a file in a process of its own, in a folder that is emptied afterwards."""
+    arguments = [str(path) if one == "FILE" else one for one in verb.arguments or ("FILE",)]
+    command = [sys.executable, "-c", verb.program, *arguments]
+    log = folder / "told.txt"
+    begin = time.perf_counter()
+    with log.open("w+", encoding="utf-8") as stream:
+        child = subprocess.Popen(command, cwd=folder, stdout=stream, stderr=stream)
+        _, status, used = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        took = time.perf_counter() - begin
+        stream.seek(0)
+        lines = stream.read().splitlines()
+    for one in folder.iterdir():
+        one.unlink()
+    if child.returncode:
+        print("\n".join(lines[-5:]))
+    words = [line.split() for line in lines]
+    told = {one[0]: float(one[1]) for one in words if len(one) == 2 and one[0] in TOLD}
+    return Cost(took, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024, told, child.returncode)
+
+
+def main() -> None:
+    """Print the table and the figures of the longest file."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    lengths, usual = size([1e6, 1e7], [2e3]), ["resume", "replay", "picture", "report"]
+    parser.add_argument("--rows", type=float, nargs="+", default=lengths)
+    parser.add_argument("--folder", type=Path, default=None, help="with room for the files")
+    parser.add_argument("--only", nargs="+", choices=list(VERBS), default=usual)
+    options = parser.parse_args()
+    print(f"{'verb':<10}{'rows':>12}{'s':>9}{'processor s':>13}{'MB':>8}")
+    for rows in map(int, options.rows):
+        with tempfile.TemporaryDirectory(dir=options.folder) as name:
+            folder = Path(name) / "made"
+            folder.mkdir()
+            path = Path(name) / "long.h5"
+            for ended in (False, True):
+                verbs = [one for one in options.only if VERBS[one].ended == ended]
+                if not verbs:
+                    continue
+                path.unlink(missing_ok=True)
+                # Its memory would count as that of the verbs: they start as copies of this process.
+                maker = [sys.executable, str(Path(__file__).with_name("longtest.py")), str(path)]
+                subprocess.run([*maker, f"{rows}", "ended" if ended else ""], check=True)
+                for verb in verbs:
+                    cost = cost_of(VERBS[verb], path, folder)
+                    show(verb, rows, cost)
+                    if rows == int(options.rows[-1]) and not cost.status:
+                        compare(verb, cost)
+
+
+def show(verb: str, rows: int, cost: Cost) -> None:
+    """Print a line of the table."""
+    said = "".join(f"  {name} {value:.2f} s" for name, value in cost.told.items())
+    failed = f"  FAILED with {cost.status}" if cost.status else ""
+    print(
+        f"{verb:<10}{rows:>12,}{cost.seconds:>9.1f}{cost.processor_s:>13.1f}{cost.memory_MB:>8.0f}"
+        f"{said}{failed}",
+        flush=True,
+    )
+
+
+def compare(verb: str, cost: Cost) -> None:
+    """Print the figures of the longest file beside their budgets, which are for 10^7 rows."""
+    for name, value in {verb: cost.seconds, **cost.told}.items():
+        if f"length_{name}" in BUDGETS:
+            measured(f"length_{name}", value)
+    if f"length_{verb}_memory" in BUDGETS:
+        measured(f"length_{verb}_memory", cost.memory_MB)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,171 @@
+"""As found against as left: what a new calibration finds of the record that was in use until then.
+
+The former record is applied to what the new one says the signals of known forces (or positions)
+are. What it tells too much is compared with U of the difference of both: the root of the sum of the
+squares of their own. Records of one item, oldest first, are its trend.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from rigapp.texts import joined, say
+from rigapp_calibration.arrays import Array
+from rigapp_calibration.load_cell.daily import ZERO_SHARE
+from rigapp_calibration.load_cell.two_axis import forces
+from rigapp_calibration.records import Record
+
+DIRECTIONS = 16
+Result = Mapping[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """What a former record tells too much of one quantity, and what is allowed: U, or a limit."""
+
+    what: str
+    unit: str
+    value: float
+    allowed: float
+
+    @property
+    def beyond(self) -> bool:
+        """Tell whether it is more than is allowed."""
+        return abs(self.value) > self.allowed
+
+    @property
+    def words(self) -> str:
+        """Return it in words."""
+        more = say(", MORE than allowed") if self.beyond else ""
+        return say(
+            "{} {:+.2g} {} ({:.2g} {} allowed{})",
+            self.what,
+            self.value,
+            self.unit,
+            self.allowed,
+            self.unit,
+            more,
+        )
+
+    @property
+    def tree(self) -> dict[str, Any]:
+        """Return it as plain values."""
+        return {
+            "what": self.what,
+            "unit": self.unit,
+            "value": self.value,
+            "allowed": self.allowed,
+            "beyond": self.beyond,
+        }
+
+
+def changes(kind: str, former: Result, new: Result) -> tuple[Change, ...]:
+    """Return what the former of two results of a kind tells too much; () of what has no rule.
+
+    Results of another full scale are of another cell, and are not compared.
+    """
+    if kind == "load cell":
+        return tuple(_of_cell(former, new))
+    probes = (former.get("probes", [former]), new.get("probes", [new]))
+    return tuple(
+        one
+        for number, (before, now) in enumerate(zip(*probes, strict=False), 1)
+        for one in _of_probe(before, now, number if len(probes[1]) > 1 else 0)
+    )
+
+
+def as_found(kind: str, former: Record, new: Result) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """Return what a new record keeps of the one before, and the same in sentences; empty of none.
+
+    Raises KeyError, TypeError or ValueError for a former record that lacks numbers.
+    """
+    found = changes(kind, former.content["result"], new)
+    if not found:
+        return {}, ()
+    tree = {
+        "record": former.number,
+        "calibrated_at": former.content["calibrated_at"],
+        "changes": [one.tree for one in found],
+    }
+    listed = joined("; ", (one.words for one in found))
+    day = str(former.content["calibrated_at"])[:10]
+    lines: list[str] = [
+        say("As found, the record {} of {} told too much: {}.", former.number, day, listed)
+    ]
+    if any(one.beyond for one in found):
+        lines.append(
+            say(
+                "That is more than both records allow: find out what changed since {} before the"
+                " new record is used. What was measured meanwhile may be wrong by as much.",
+                day,
+            )
+        )
+    return tree, tuple(lines)
+
+
+def _of_cell(former: Result, new: Result) -> Iterator[Change]:
+    full = float(new["full_scale_N"])
+    if abs(float(former["full_scale_N"]) / full - 1.0) > 1e-6:
+        return
+    one, other = (np.array(result["matrix_N_per_unit"], np.float64) for result in (former, new))
+    ways = np.arange(DIRECTIONS) * (2.0 * math.pi / DIRECTIONS)
+    unit = np.column_stack((np.cos(ways), np.sin(ways)))
+    force = full * unit
+    signal = force @ np.linalg.inv(other).T + _bent(new, force)
+    off = forces(signal, one, np.zeros(2), _quadratic(former)) - force
+    along = np.sum(off * unit, axis=1)
+    across = off[:, 1] * unit[:, 0] - off[:, 0] * unit[:, 1]
+    for name, values, keys in (
+        (say("force at full scale"), along, "magnitude"),
+        (say("force across it"), across, "across"),
+    ):
+        allowed = math.hypot(*(_expanded(result, keys) for result in (former, new)))
+        yield Change(name, "N", float(values[np.abs(values).argmax()]), allowed)
+    shift = other @ (np.array(new["zero"]) - np.array(former["zero"]))
+    yield Change(say("zero"), "N", float(shift[np.abs(shift).argmax()]), ZERO_SHARE * full)
+
+
+def _quadratic(result: Result) -> Array | None:
+    terms = result.get("quadratic_unit_per_N2")
+    return None if terms is None else np.array(terms, np.float64)
+
+
+def _bent(result: Result, force: Array) -> Array:
+    terms = _quadratic(result)
+    if terms is None:
+        return np.zeros_like(force)
+    x, y = force.T
+    return np.asarray(np.column_stack((x * x, x * y, y * y)) @ terms.T, np.float64)
+
+
+def _expanded(result: Result, part: str) -> float:
+    """Return U at full scale along or across the force; of records of before that of a reading."""
+    by_load: Sequence[Result] = result.get("uncertainty_by_load") or ()
+    stated = by_load[-1].get(f"{part}_mean_of_many_N") if by_load else None
+    return float(result["expanded_uncertainty_N"] if stated is None else stated)
+
+
+def _of_probe(former: Result, new: Result, number: int) -> Iterator[Change]:
+    before, now = (float(one["sensitivity_um_per_V"]) for one in (former, new))
+    key = "sensitivity_relative_standard_uncertainty"
+    if former.get(key) is None or new.get(key) is None:
+        return
+    doubt = math.hypot(float(former[key]), float(new[key]))
+    name = say("sensitivity of probe {}", number) if number else say("sensitivity")
+    yield Change(name, "%", 100.0 * (before / now - 1.0), 200.0 * doubt)
+
+
+def trend(records: Sequence[Record]) -> list[tuple[Record, tuple[Change, ...]]]:
+    """Return records of one kind by the time of calibration, each with what the one before told."""
+    ordered = sorted(records, key=lambda one: str(one.content["calibrated_at"]))
+    found: list[tuple[Record, tuple[Change, ...]]] = []
+    for place, one in enumerate(ordered):
+        before = ordered[place - 1].content["result"] if place else None
+        told = () if before is None else changes(one.kind, before, one.content["result"])
+        found.append((one, told))
+    return found

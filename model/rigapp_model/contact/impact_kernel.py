@@ -1,0 +1,396 @@
+"""Time integration of the slider-crank with a clearance joint, compiled, with impacts resolved.
+
+Dormand and Prince's pair of order 8 with errors of orders 5 and 3 (Hairer, Norsett and Wanner,
+*Solving ordinary differential equations I*, section II.10; the coefficients are scipy's) adapts the
+step. A step that ends a flight or a contact is taken again, to the very moment, found on the
+interpolant of order 7; that interpolant gives the samples too.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import boolean, float64, int64, void
+from scipy.integrate import DOP853
+
+from rigapp_model.compiled import njit
+from rigapp_model.contact.impact_laws import TABLE, VECTOR
+from rigapp_model.contact.impact_motion import (
+    COORDINATES,
+    DERIVATIVE,
+    FORCE,
+    ROW,
+    SLID,
+    STATE,
+    THETA,
+    THETA_RATE,
+    X_RATE,
+    X,
+    depth_and_rate,
+    derivative,
+    joint_contact,
+    reference,
+)
+
+DONE, UNFINISHED, STEP_TOO_SMALL = range(3)
+
+FORCE_X, FORCE_Y, MOMENT, DEPTH, RATE, NORMAL_X, NORMAL_Y, NORMAL, SLIDING = range(8, 17)
+X_GROWTH, THETA_GROWTH, TOUCHING = range(17, 20)
+SAMPLE = 20
+"""Columns of a sample: the state, the contact, the accelerations, whether in contact."""
+
+IMPACT_TIME, IMPACT_SPEED, IMPACT_PEAK = range(3)
+IMPACT = 3
+"""Columns of an impact: when, at what normal speed, and the greatest force of its contact."""
+
+TIME, NEXT_STEP, IN_TOUCH, BEGAN_AT, NEXT_SAMPLE, PRESENT = range(6)
+COURSE = 6
+"""Places in the course: time, next step, whether in contact, its impact speed, next sample, and the
+row of the present contact among the impacts, -1 where it has none."""
+
+TOUCH_TIME, STEPS, REJECTED, IMPACTS, GREATEST = range(5)
+TALLY = 5
+
+SHORTEST, LONGEST_FLIGHT, LONGEST_CONTACT, FIRST_CONTACT, FLOOR, TALLY_FROM = range(4, 10)
+CONTROL = 10
+"""Places in the control: tolerances of the states, then steps, impact speed, begin of tally."""
+
+STAGES, ALL_STAGES = 12, 16
+SAFETY, SHRINK, GROW, ORDER = 0.9, 0.2, 6.0, 0.125
+"""Of the next step: Hairer, Norsett, Wanner (1993), II.4, for a method of order 8."""
+HOPELESS, HOPELESS_SHRINK = 1e30, 0.1
+"""An error that is no number any more says nothing of the step that would do."""
+FLAWLESS = 1e-12
+"""Of the tolerance: an error of 0 does not make an endless step."""
+PEAK_ROUNDS, PEAK_PARTS = 3, 8
+"""A greatest force is sought so often on so many parts: to 1/256 of a step, 1e-5 of a maximum."""
+SAME_TIME = 1e-13
+"""Of the step: a crossing is not known better."""
+ROWS = float64[:, ::1]
+A = np.zeros((ALL_STAGES, ALL_STAGES))
+A[:STAGES, :STAGES] = DOP853.A
+A[STAGES, :STAGES] = DOP853.B
+A[STAGES + 1 :] = DOP853.A_EXTRA
+C = np.concatenate([DOP853.C, [1.0], DOP853.C_EXTRA])
+E3, E5, D = DOP853.E3.copy(), DOP853.E5.copy(), DOP853.D.copy()
+
+BEGIN, END, STAGE = range(3)
+"""Rows of a step's states: where it begins, where it ends, and a stage between."""
+
+
+@njit(
+    void(VECTOR, TABLE, int64[::1], float64, float64, ROWS, ROWS, float64, boolean, int64, int64),
+    cache=True,
+)
+def evaluate(p, table, options, time, h, k, states, impact_speed, touching, first, last):  # type: ignore[no-untyped-def]
+    """Fill the stages k[first] .. k[last - 1] of a step from the ones before."""
+    begin, stage = states[BEGIN], states[STAGE]
+    for i in range(first, last):
+        s0 = s1 = s2 = s3 = 0.0
+        for j in range(i):
+            a = A[i, j]
+            s0 += a * k[j, 0]
+            s1 += a * k[j, 1]
+            s2 += a * k[j, 2]
+            s3 += a * k[j, 3]
+        stage[0] = begin[0] + h * s0
+        stage[1] = begin[1] + h * s1
+        stage[2] = begin[2] + h * s2
+        stage[3] = begin[3] + h * s3
+        derivative(p, table, options, time + C[i] * h, stage, impact_speed, touching, k[i])
+
+
+@njit(
+    float64(VECTOR, TABLE, int64[::1], float64, float64, ROWS, ROWS, VECTOR, float64, boolean),
+    cache=True,
+)
+def try_step(p, table, options, time, h, k, states, scale, impact_speed, touching):  # type: ignore[no-untyped-def]
+    """Take one step from states[BEGIN] to states[END]; return its error over the tolerance.
+
+    The integrals over the contact come along by the same quadrature, and steer no step.
+    """
+    evaluate(p, table, options, time, h, k, states, impact_speed, touching, 1, STAGES + 1)
+    for n in range(SLID, STATE):
+        total = 0.0
+        if touching:
+            for i in range(STAGES):
+                total += A[STAGES, i] * k[i, n]
+        states[END, n] = states[BEGIN, n] + h * total
+    fifth = third = 0.0
+    for n in range(COORDINATES):
+        states[END, n] = states[STAGE, n]
+        e5 = e3 = 0.0
+        for i in range(STAGES + 1):
+            e5 += E5[i] * k[i, n]
+            e3 += E3[i] * k[i, n]
+        fifth += (e5 / scale[n]) ** 2
+        third += (e3 / scale[n]) ** 2
+    together = fifth + 0.01 * third
+    if together == 0.0:
+        return 0.0
+    return abs(h) * fifth / math.sqrt(4.0 * together)
+
+
+@njit(
+    void(VECTOR, TABLE, int64[::1], float64, float64, ROWS, ROWS, float64, boolean, ROWS),
+    cache=True,
+)
+def prepare_dense(p, table, options, time, h, k, states, impact_speed, touching, dense):  # type: ignore[no-untyped-def]
+    """Write the coefficients of the step's interpolant into ``dense``, (7, 8)."""
+    evaluate(p, table, options, time, h, k, states, impact_speed, touching, STAGES + 1, ALL_STAGES)
+    for n in range(STATE):
+        jump = states[END, n] - states[BEGIN, n]
+        dense[0, n] = jump
+        dense[1, n] = h * k[0, n] - jump
+        dense[2, n] = 2.0 * jump - h * (k[STAGES, n] + k[0, n])
+        for row in range(4):
+            total = 0.0
+            for i in range(ALL_STAGES):
+                total += D[row, i] * k[i, n]
+            dense[3 + row, n] = h * total
+
+
+@njit(void(ROWS, ROWS, float64, ROW), cache=True)
+def interpolate(states, dense, part, out):  # type: ignore[no-untyped-def]
+    """Write the state at ``part`` (0 .. 1) of a step into ``out``."""
+    for n in range(STATE):
+        value = 0.0
+        for row in range(6, -1, -1):
+            value = (value + dense[row, n]) * (part if row % 2 == 0 else 1.0 - part)
+        out[n] = states[BEGIN, n] + value
+
+
+@njit(boolean(float64, float64, float64, float64, float64), cache=True)
+def may_cross(d0, r0, d1, r1, h):  # type: ignore[no-untyped-def]
+    """Return whether a curve below 0 at its begin rises above 0 in a step: at its end or between.
+
+    d0, r0 and d1, r1: values and rates at both ends; between them the cubic through these.
+    """
+    if d1 > 0.0:
+        return True
+    if r0 <= 0.0 or r1 >= 0.0:
+        return False
+    for quarter in range(1, 4):
+        t = 0.25 * quarter
+        rest = 1.0 - t
+        value = (
+            (1.0 + 2.0 * t) * rest * rest * d0
+            + t * rest * rest * h * r0
+            + t * t * (3.0 - 2.0 * t) * d1
+            - t * t * rest * h * r1
+        )
+        if value > 0.0:
+            return True
+    return False
+
+
+@njit(
+    float64(VECTOR, TABLE, int64[::1], float64, float64, ROWS, ROWS, ROW, float64),
+    cache=True,
+)
+def first_crossing(p, table, options, time, h, states, dense, point, sign):  # type: ignore[no-untyped-def]
+    """Return the part of a step at which sign * penetration first rises above 0, else 2."""
+    low = 0.0
+    for eighth in range(1, 9):
+        high = 0.125 * eighth
+        interpolate(states, dense, high, point)
+        if sign * depth_and_rate(p, table, options, time + high * h, point)[0] > 0.0:
+            for _ in range(60):
+                middle = 0.5 * (low + high)
+                interpolate(states, dense, middle, point)
+                deep = depth_and_rate(p, table, options, time + middle * h, point)[0]
+                if sign * deep > 0.0:
+                    high = middle
+                else:
+                    low = middle
+                if high - low < SAME_TIME:
+                    break
+            return high
+        low = high
+    return 2.0
+
+
+@njit(
+    float64(
+        VECTOR, TABLE, int64[::1], float64, float64, ROWS, ROWS, ROWS, ROW, ROW, float64, boolean
+    ),
+    cache=True,
+)
+def greatest_force(  # type: ignore[no-untyped-def]
+    p, table, options, time, h, k, states, dense, point, slope, impact_speed, ready
+):
+    """Return the greatest size of the joint's force within a step in contact, N.
+
+    The stages of the step tell whether it lies between the ends; then it is sought on the
+    interpolant, which ``ready`` says to be in ``dense`` already. slope: room for a derivative.
+    """
+    most = max(k[0, FORCE], k[STAGES, FORCE])
+    between = 0.0
+    for i in range(1, STAGES):
+        between = max(between, k[i, FORCE])
+    if between <= most:
+        return most
+    if not ready:
+        prepare_dense(p, table, options, time, h, k, states, impact_speed, True, dense)
+    middle, width = 0.5, 0.5
+    for _ in range(PEAK_ROUNDS):
+        begin = max(0.0, middle - width)
+        spacing = (min(1.0, middle + width) - begin) / PEAK_PARTS
+        for i in range(PEAK_PARTS + 1):
+            part = begin + i * spacing
+            interpolate(states, dense, part, point)
+            derivative(p, table, options, time + part * h, point, impact_speed, True, slope)
+            if slope[FORCE] > most:
+                most, middle = slope[FORCE], part
+        width = spacing
+    return most
+
+
+@njit(
+    void(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean, ROW),
+    cache=True,
+)
+def write_sample(p, table, options, time, y, impact_speed, touching, out):  # type: ignore[no-untyped-def]
+    """Write one sample of the whole state, its contact and its accelerations."""
+    hold = joint_contact(p, table, options, time, y, impact_speed, touching)
+    moving = np.empty(DERIVATIVE)
+    derivative(p, table, options, time, y, impact_speed, touching, moving)
+    _, _, c, s, rate, growth, position, velocity, acceleration = reference(p, time)
+    out[X], out[THETA] = position + y[X], math.atan2(s, c) + y[THETA]
+    out[X_RATE], out[THETA_RATE] = velocity + y[X_RATE], rate + y[THETA_RATE]
+    for n in range(SLID, STATE):
+        out[n] = y[n]
+    for n in range(9):
+        out[FORCE_X + n] = hold[n]
+    out[X_GROWTH], out[THETA_GROWTH] = acceleration + moving[X_RATE], growth + moving[THETA_RATE]
+    out[TOUCHING] = 1.0 if touching else 0.0
+
+
+@njit(void(VECTOR, float64, float64, ROW), cache=True)
+def refer(p, time, sign, y):  # type: ignore[no-untyped-def]
+    """Add the reference motion to a state, times a sign."""
+    _, _, c, s, rate, _, position, velocity, _ = reference(p, time)
+    y[X] += sign * position
+    y[THETA] += sign * math.atan2(s, c)
+    y[X_RATE] += sign * velocity
+    y[THETA_RATE] += sign * rate
+
+
+@njit(
+    int64(VECTOR, TABLE, int64[::1], ROW, ROW, VECTOR, VECTOR, int64, ROWS, ROWS, ROW),
+    cache=True,
+)
+def integrate(p, table, options, y, course, control, times, most_steps, samples, impacts, tally):  # type: ignore[no-untyped-def]
+    """Go on towards the last of ``times``, write samples, impacts and tallies; return a status.
+
+    options: location, shape. y (off the reference, see ``refer``), course and tally are changed:
+    when ``most_steps`` did not suffice the status is UNFINISHED, and a call with the same goes on.
+    """
+    scale, floor, tally_from = control[:4], control[FLOOR], control[TALLY_FROM]
+    time, h = course[TIME], course[NEXT_STEP]
+    touching, impact_speed = course[IN_TOUCH] > 0.5, max(course[BEGAN_AT], floor)
+    next_sample = int(course[NEXT_SAMPLE])
+    end = times[-1]
+    k, states = np.empty((ALL_STAGES, DERIVATIVE)), np.empty((3, STATE))
+    dense, point, slope = np.empty((7, STATE)), np.empty(STATE), np.empty(DERIVATIVE)
+    present = int(course[PRESENT])
+    states[BEGIN, :] = y
+    derivative(p, table, options, time, y, impact_speed, touching, k[0])
+    deep, rate = depth_and_rate(p, table, options, time, y)
+    while next_sample < times.size and times[next_sample] <= time:
+        write_sample(p, table, options, time, y, impact_speed, touching, samples[next_sample])
+        next_sample += 1
+    status = UNFINISHED
+    for _ in range(most_steps):
+        if time >= end:
+            status = DONE
+            break
+        h = min(h, control[LONGEST_CONTACT] if touching else control[LONGEST_FLIGHT], end - time)
+        error = try_step(p, table, options, time, h, k, states, scale, impact_speed, touching)
+        if not error <= 1.0:
+            tally[REJECTED] += 1
+            h *= max(SHRINK, SAFETY * error**-ORDER) if error < HOPELESS else HOPELESS_SHRINK
+            if h < control[SHORTEST]:
+                status = STEP_TOO_SMALL
+                break
+            continue
+        arrival = end if h >= end - time else time + h
+        sign = -1.0 if touching else 1.0
+        deep_then, rate_then = depth_and_rate(p, table, options, arrival, states[END])
+        crossed = False
+        ready = False
+        if may_cross(sign * deep, sign * rate, sign * deep_then, sign * rate_then, h):
+            prepare_dense(p, table, options, time, h, k, states, impact_speed, touching, dense)
+            part = first_crossing(p, table, options, time, h, states, dense, point, sign)
+            crossed = part <= 1.0
+            ready = not crossed or part == 1.0
+            if not ready:
+                h *= part
+                arrival = time + h
+                try_step(p, table, options, time, h, k, states, scale, impact_speed, touching)
+                deep_then, rate_then = depth_and_rate(p, table, options, arrival, states[END])
+        while next_sample < times.size and times[next_sample] <= arrival:
+            if not ready:
+                prepare_dense(p, table, options, time, h, k, states, impact_speed, touching, dense)
+                ready = True
+            share = (times[next_sample] - time) / h
+            interpolate(states, dense, share, point)
+            write_sample(
+                p,
+                table,
+                options,
+                times[next_sample],
+                point,
+                impact_speed,
+                touching,
+                samples[next_sample],
+            )
+            next_sample += 1
+        tally[STEPS] += 1
+        if touching:
+            tally[TOUCH_TIME] += max(0.0, arrival - max(time, tally_from))
+            if time >= tally_from:
+                most = greatest_force(
+                    p,
+                    table,
+                    options,
+                    time,
+                    h,
+                    k,
+                    states,
+                    dense,
+                    point,
+                    slope,
+                    impact_speed,
+                    ready,
+                )
+                tally[GREATEST] = max(tally[GREATEST], most)
+                if present >= 0:
+                    impacts[present, IMPACT_PEAK] = max(impacts[present, IMPACT_PEAK], most)
+        time = arrival
+        states[BEGIN, :] = states[END]
+        deep, rate = deep_then, rate_then
+        h *= min(GROW, SAFETY * max(error, FLAWLESS) ** -ORDER)
+        if crossed:
+            touching = not touching
+            present = -1
+            if touching:
+                h = min(h, control[FIRST_CONTACT])
+                impact_speed = max(rate, floor)
+                if time >= tally_from:
+                    stored = int(tally[IMPACTS])
+                    if stored < impacts.shape[0]:
+                        impacts[stored, IMPACT_TIME] = time
+                        impacts[stored, IMPACT_SPEED] = rate
+                        impacts[stored, IMPACT_PEAK] = 0.0
+                        present = stored
+                    tally[IMPACTS] += 1
+            derivative(p, table, options, time, states[BEGIN], impact_speed, touching, k[0])
+        else:
+            k[0, :] = k[STAGES]
+    y[:] = states[BEGIN]
+    course[TIME], course[NEXT_STEP], course[NEXT_SAMPLE] = time, h, next_sample
+    course[IN_TOUCH], course[BEGAN_AT] = 1.0 if touching else 0.0, impact_speed
+    course[PRESENT] = present
+    return status

@@ -1,0 +1,171 @@
+"""Equations of motion of the slider-crank with a clearance joint, compiled.
+
+Two coordinates, slider position and follower angle, each as what it is off a reference: the motion
+of a follower that always touches the bushing on its axis (technique 2). So the large motion of the
+mechanism costs no accuracy and no steps, and a penetration of a millionth of the mechanism's size
+keeps its digits. The crank turns at a prescribed speed.
+"""
+
+from __future__ import annotations
+
+import math
+
+from numba import boolean, float64, int64, types, void
+
+from rigapp_model.compiled import njit
+from rigapp_model.contact.impact_laws import (
+    FREE_POSITION,
+    GRAVITY_X,
+    GRAVITY_Y,
+    HOLD,
+    INERTIA,
+    LENGTH,
+    MASS,
+    PAIR,
+    PIN_RADIUS,
+    RADIUS,
+    REFERENCE_LENGTH,
+    SLIDER_MASS,
+    SPEED,
+    START_ANGLE,
+    STATIC_MOMENT,
+    STIFFNESS,
+    TABLE,
+    VECTOR,
+    contact_force,
+    penetration,
+)
+
+AT_CRANK, AT_WRIST = range(2)
+X, THETA, X_RATE, THETA_RATE, SLID, WORK, WORK_X, WORK_Y = range(8)
+"""Places in the state: motion, then integrals over the contact so far.
+
+Those are the sliding distance (m), normal force times sliding distance (J), and the same times the
+direction in which the pin presses, in the wear frame of ``rigapp_model.wear.loads``.
+"""
+COORDINATES, STATE = 4, 8
+FORCE, DERIVATIVE = 8, 9
+"""Behind the rates of the state: the size of the joint's force, N."""
+
+ROW = float64[::1]
+REFERENCE = types.UniTuple(float64, 9)
+PLACED = types.UniTuple(float64, 7)
+
+
+@njit(REFERENCE(VECTOR, float64), cache=True)
+def reference(p, time):  # type: ignore[no-untyped-def]
+    """Return the reference motion at a time.
+
+    Place of the crank pin (x, y); cosine and sine of the follower's angle, its speed and growth;
+    slider position, velocity, acceleration.
+    """
+    angle = p[START_ANGLE] + p[SPEED] * time
+    px, py = p[RADIUS] * math.cos(angle), p[RADIUS] * math.sin(angle)
+    w, length = p[SPEED], p[REFERENCE_LENGTH]
+    s = -py / length
+    c = math.sqrt(1.0 - s * s)
+    rate = -px * w / (length * c)
+    growth = (s * rate * rate + py * w * w / length) / c
+    rise = length * c
+    fall = length * s
+    velocity = -py * w - fall * rate
+    acceleration = -px * w * w - rise * rate * rate - fall * growth
+    return px, py, c, s, rate, growth, px + rise, velocity, acceleration
+
+
+@njit(PLACED(VECTOR, int64, REFERENCE, ROW), cache=True)
+def placed_joint(p, location, ref, y):  # type: ignore[no-untyped-def]
+    """Return where the pin is in its bushing for a state off the reference.
+
+    Pin centre from bushing centre (x, y), its velocity, |pin centre|^2 - clearance^2, and cosine
+    and sine of the follower's angle.
+    """
+    _, _, c0, s0, rate0, _, _, _, _ = ref
+    half = math.sin(0.5 * y[THETA])
+    bend, turn = -2.0 * half * half, 2.0 * half * math.cos(0.5 * y[THETA])
+    dc, ds = c0 * bend - s0 * turn, s0 * bend + c0 * turn
+    c, s = c0 + dc, s0 + ds
+    length, rate = p[LENGTH], y[THETA_RATE]
+    offset = p[REFERENCE_LENGTH] - length
+    ox, oy = offset * c0, offset * s0
+    wx, wy = length * dc - y[X], length * ds
+    dx, dy = wx - ox, wy - oy
+    excess = wx * (wx - 2.0 * ox) + wy * (wy - 2.0 * oy)
+    ux = -y[X_RATE] - length * (rate * s + rate0 * ds) + rate0 * oy
+    uy = length * (rate * c + rate0 * dc) - rate0 * ox
+    if location == AT_WRIST:
+        return -dx, -dy, -ux, -uy, excess, c, s
+    return dx, dy, ux, uy, excess, c, s
+
+
+@njit(HOLD(VECTOR, TABLE, int64[::1], PLACED, float64, float64, boolean), cache=True)
+def contact_there(p, table, options, placed, follower_rate, impact_speed, touching):  # type: ignore[no-untyped-def]
+    """Return what ``contact_force`` returns at a placed joint; without force in flight."""
+    location, shape = options[0], options[1]
+    dx, dy, ux, uy, excess, c, s = placed
+    if not touching:
+        deep, nx, ny = penetration(p, table, shape, dx, dy, excess, (c, s))
+        cx, cy = dx + p[PIN_RADIUS] * nx, dy + p[PIN_RADIUS] * ny
+        rate = (ux + follower_rate * cy) * nx + (uy - follower_rate * cx) * ny
+        return 0.0, 0.0, 0.0, deep, rate, nx, ny, 0.0, 0.0
+    pin_rate = p[SPEED] if location == AT_CRANK else 0.0
+    return contact_force(
+        p, table, shape, (dx, dy, ux, uy), excess, (c, s), (pin_rate, follower_rate), impact_speed
+    )
+
+
+@njit(HOLD(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean), cache=True)
+def joint_contact(p, table, options, time, y, impact_speed, touching):  # type: ignore[no-untyped-def]
+    """Return what ``contact_force`` returns for a state; without force in flight."""
+    ref = reference(p, time)
+    placed = placed_joint(p, options[0], ref, y)
+    rate = ref[4] + y[THETA_RATE]
+    return contact_there(p, table, options, placed, rate, impact_speed, touching)
+
+
+@njit(PAIR(VECTOR, TABLE, int64[::1], float64, ROW), cache=True)
+def depth_and_rate(p, table, options, time, y):  # type: ignore[no-untyped-def]
+    """Return the penetration of a state, negative for a gap, and its rate of change."""
+    hold = joint_contact(p, table, options, time, y, 1.0, False)
+    return hold[3], hold[4]
+
+
+@njit(void(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean, ROW), cache=True)
+def derivative(p, table, options, time, y, impact_speed, touching, out):  # type: ignore[no-untyped-def]
+    """Write the state's rate of change into ``out``, and behind it the joint's force.
+
+    The accelerations are those of slider and follower, less those of the reference.
+    """
+    ref = reference(p, time)
+    px, py, _, _, rate0, growth0, position0, _, acceleration0 = ref
+    placed = placed_joint(p, options[0], ref, y)
+    c, s = placed[5], placed[6]
+    rate = rate0 + y[THETA_RATE]
+    out[X], out[THETA] = y[X_RATE], y[THETA_RATE]
+    fx = fy = moment = 0.0
+    out[SLID] = out[WORK] = out[WORK_X] = out[WORK_Y] = out[FORCE] = 0.0
+    if touching:
+        hold = contact_there(p, table, options, placed, rate, impact_speed, True)
+        fx, fy, moment = hold[0], hold[1], hold[2]
+        out[FORCE] = math.sqrt(fx * fx + fy * fy)
+        nx, ny, normal, sliding = hold[5], hold[6], hold[7], abs(hold[8])
+        # A contact that damping has emptied does not slide.
+        if normal > 0.0:
+            out[SLID], out[WORK] = sliding, normal * sliding
+            out[WORK_X] = -normal * sliding * (nx * c + ny * s)
+            out[WORK_Y] = -normal * sliding * (ny * c - nx * s)
+    gx, gy = p[GRAVITY_X], p[GRAVITY_Y]
+    spring = -p[STIFFNESS] * (position0 + y[X] - p[FREE_POSITION])
+    b, length = p[STATIC_MOMENT], p[LENGTH]
+    if options[0] == AT_CRANK:
+        along = fx + spring + (p[MASS] + p[SLIDER_MASS]) * gx - b * c * rate * rate
+        about = moment - length * (c * fy - s * fx) - b * (c * gy - s * gx)
+        m11, m12, m22 = p[MASS] + p[SLIDER_MASS], b * s, p[INERTIA]
+        det = m11 * m22 - m12 * m12
+        out[X_RATE] = (along * m22 - about * m12) / det - acceleration0
+        out[THETA_RATE] = (about * m11 - along * m12) / det - growth0
+        return
+    ax, ay = -px * p[SPEED] * p[SPEED], -py * p[SPEED] * p[SPEED]
+    about = moment + length * (c * fy - s * fx) + b * (c * (gy - ay) - s * (gx - ax))
+    out[X_RATE] = (spring - fx) / p[SLIDER_MASS] + gx - acceleration0
+    out[THETA_RATE] = about / p[INERTIA] - growth0

@@ -1,0 +1,94 @@
+"""What disturbs the probes of a test, as the bins tell it: creep, a slow swing, steps, colour."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp_model.identification.posterior import Nodes
+from rigapp_model.identification.shapes import COLUMNS, CREEP, STEP, SWING
+
+Array = NDArray[np.float64]
+
+CREEP_NAME, SWING_NAME, STEP_NAME, COLOUR_NAME = "creep", "swing", "step", "correlated noise"
+TOLD = 0.95
+"""Probability from which a disturbance is one that was found."""
+SIGMAS = 2.0
+"""Creep and a step that are further from 0 than so many standard uncertainties are found."""
+
+
+@dataclass(frozen=True, slots=True)
+class Disturbance:
+    """Hold what disturbs the probes.
+
+    name: one of those above; size: m a decade of creep, amplitude of a swing, m of a step with its
+    sign, standard deviation of correlated noise; doubt: standard uncertainty of it, m; place: the
+    swing's period, the revolution of the step, the length of the correlation, revolutions, 0 of
+    creep; probability: that it is there.
+    """
+
+    name: str
+    size: float
+    doubt: float
+    place: float
+    probability: float
+
+
+def disturbances(weights: Sequence[float], nodes: Sequence[Nodes]) -> tuple[Disturbance, ...]:
+    """Return what is found by all statements, each with its weight and its nodes."""
+    weight = np.concatenate([w * one.weight for w, one in zip(weights, nodes, strict=True)])
+    weight = weight / weight.sum()
+    states = np.concatenate([one.left for one in nodes])
+    spare = np.concatenate(
+        [one.spare + one.pulled @ one.covariance @ one.pulled.swapaxes(1, 2) for one in nodes]
+    )
+    period, size, length = (
+        np.concatenate([getattr(one.kinds, name) for one in nodes])
+        for name in ("period", "size", "length")
+    )
+    jump = np.concatenate([one.kinds.jump for one in nodes])
+    steps = nodes[0].steps
+    found = []
+    mean, doubt = _moments(weight, states[:, 2], spare[:, 2, 2])
+    if abs(mean) > SIGMAS * doubt:
+        decade = CREEP * float(np.log(10.0))
+        found.append(Disturbance(CREEP_NAME, decade * mean, decade * doubt, 0.0, 1.0))
+    swings = period > 0.0
+    if weight[swings].sum() > TOLD:
+        share = weight * swings / weight[swings].sum()
+        by = SWING * np.hypot(states[:, 3], states[:, 4])
+        mean, doubt = _moments(share, by, SWING**2 * 0.5 * (spare[:, 3, 3] + spare[:, 4, 4]))
+        if mean > SIGMAS * doubt:
+            middle = float(np.exp(share @ np.log(np.where(swings, period, 1.0))))
+            found.append(Disturbance(SWING_NAME, mean, doubt, middle, float(weight @ swings)))
+    for place, (first, last) in enumerate(steps):
+        state = COLUMNS + 2 + 2 * place
+        mean, doubt = _moments(weight, states[:, state], spare[:, state, state])
+        found.append(
+            Disturbance(STEP_NAME, STEP * mean, STEP * doubt, 0.5 * float(first + last), 1.0)
+        )
+    stepped = jump[:, 1] > 0.0
+    if weight[stepped].sum() > TOLD:
+        share = weight * stepped / weight[stepped].sum()
+        mean, doubt = _moments(share, states[:, 3], spare[:, 3, 3])
+        at = float(share @ jump.mean(axis=1))
+        found.append(
+            Disturbance(STEP_NAME, STEP * mean, STEP * doubt, at, float(weight[stepped].sum()))
+        )
+    coloured = size > 0.0
+    if weight[coloured].sum() > TOLD:
+        share = weight * coloured / weight[coloured].sum()
+        middle = float(np.exp(share @ np.log(np.maximum(length, 1.0))))
+        mean, doubt = _moments(share, size, np.zeros(size.size))
+        found.append(Disturbance(COLOUR_NAME, mean, doubt, middle, float(weight[coloured].sum())))
+    return tuple(found)
+
+
+def _moments(weight: Array, mean: Array, variance: Array) -> tuple[float, float]:
+    """Return mean and standard deviation of a mixture."""
+    centre = float(weight @ mean)
+    spread = float(weight @ (np.maximum(variance, 0.0) + (mean - centre) ** 2))
+    return centre, float(np.sqrt(spread))

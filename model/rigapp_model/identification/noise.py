@@ -1,0 +1,237 @@
+"""What disturbs the bins of depth: scatter, correlated noise, and a slow drift.
+
+Noise of bin i = w_i + c_i + r_i: w is a random walk in the logarithm of revolutions; c an
+autoregressive process (G. E. Uhlenbeck, L. S. Ornstein, Phys. Rev. 36 (1930) 823-841) of some size,
+whose correlation falls by e in some number of revolutions; r is white. None of their strengths is
+taken for known: a table of them is compared by the marginal likelihood of bins and of the spread
+of readings within bins.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.texts import say
+from rigapp_model.identification.bins import Bin
+from rigapp_model.identification.colour import ScatterWithin, colours_of, covariance, spread_of
+from rigapp_model.identification.errors import CannotBeTold, ProbeErrors
+from rigapp_model.identification.shapes import shapes
+
+Array = NDArray[np.float64]
+
+EXPECTED_FREEDOM = 4.0
+"""The scatter that the record states counts as much as so many groups of readings."""
+LEAST_BINS = 4
+"""Fewer cannot tell the reference, the sensitivity and the coefficient apart from their scatter."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DepthBins:
+    """Hold the bins as arrays (n,): depth (m), progress, half its width, last revolution, noise.
+
+    begin: revolutions before the bin; middle: revolution in the middle of it; walked, alone (n,):
+    mean of ln n over it, and that of the smaller of two ln n; noise: standard uncertainty of each
+    bin's mean by its scatter, m, were it white; scatter: of one reading, m; spread: of groups of
+    readings within the bins.
+    """
+
+    depth: Array
+    progress: Array
+    half: Array
+    revolution: Array
+    begin: Array
+    middle: Array
+    walked: Array
+    alone: Array
+    noise: Array
+    scatter: float
+    spread: ScatterWithin
+
+
+def readings_of(bins: Sequence[Bin], errors: ProbeErrors) -> DepthBins:
+    """Return the bins as arrays; raise CannotBeTold where they are too few."""
+    if len(bins) < LEAST_BINS:
+        raise CannotBeTold(
+            say(
+                "the depth is known in {} bins of revolutions so far, and {} are needed: wait",
+                len(bins),
+                LEAST_BINS,
+            )
+        )
+    rows = np.array(
+        [(b.depth, b.progress, b.first, b.last, b.revolution, b.count, b.squares) for b in bins]
+    )
+    depth, progress, first, last, revolution, count, squares = rows.T
+    freedom = EXPECTED_FREEDOM + sum(b.freedom for b in bins)
+    scatter = float(np.sqrt((EXPECTED_FREEDOM * errors.scatter**2 + squares.sum()) / freedom))
+    # Bins hold progress, which is as even within one as revolutions are.
+    turn = revolution / np.maximum(last, 1e-300)
+    low = np.minimum(np.maximum(first * turn, 1.0), revolution)
+    walked, alone = _mean_logarithms(low, revolution)
+    return DepthBins(
+        depth,
+        progress,
+        0.5 * (last - first),
+        revolution,
+        low - 1.0,
+        progress * turn,
+        walked,
+        alone,
+        scatter / np.sqrt(count),
+        scatter,
+        spread_of(bins, errors),
+    )
+
+
+STRENGTHS = (1.0, 2.5, 6.3)
+"""Strengths of the drift compared, in units of the record's lower bound."""
+STRENGTH_DECAY = 4.0
+"""Each next strength is less probable beforehand by exp of this: the record is believed."""
+LEAST_KIND = 9.0
+"""Kinds less probable than the best by exp of this, by the spread within bins, are left out."""
+LEAST_DRIFT = 1e-9
+"""A record without drift counts as one of so little, m: the table of strengths needs a unit."""
+
+
+def _mean_logarithms(low: Array, high: Array) -> tuple[Array, Array]:
+    """Return the means of ln u and of the smaller of two ln u, u evenly between low and high.
+
+    What a random walk in ln n does to the mean of a bin: its covariance with what comes later, and
+    its variance, which is less than that of any moment in the bin.
+    """
+    wide = np.maximum(high - low, 1e-6 * high)
+    first, last = np.log(low), np.log(low + wide)
+    high = low + wide
+    mean = (high * last - low * first) / wide - 1.0
+    once = high * last - low * first - wide  # of ln u
+    by_u = 0.5 * (high**2 * last - low**2 * first) - 0.25 * (high**2 - low**2)  # of u ln u
+    return mean, 2.0 * (high * once - by_u) / wide**2
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Kinds:
+    """Hold J kinds of noise, (J,) each.
+
+    strength: of the drift, m per root of ln n; scatter, size, length: see ``Colours``; period: of a
+    slow swing, revolutions, 0 for none; jump (J, 2): first and last revolution of the bin in which
+    there is a step instead, 0 for none; log_prior: with what the spread within bins says.
+    """
+
+    strength: Array
+    scatter: Array
+    size: Array
+    length: Array
+    period: Array
+    jump: Array
+    log_prior: Array
+
+    def at(self, index: NDArray[np.int64]) -> Kinds:
+        """Return some kinds only."""
+        return Kinds(*(getattr(self, one.name)[index] for one in fields(self)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Noise:
+    """Hold what J kinds of noise make of n bins.
+
+    steps (s, 2): first and last revolution of bins in which all have a step; root (J, n, n): of the
+    inverse covariance; log_determinant (J,): of the covariance; onward (J, S, n): weights of
+    whitened bins in S states: the drift of the last bin, the correlated noise at its end, and the
+    amplitudes of ``shapes``; spare (J, S, S): their covariance that the bins leave.
+    """
+
+    kinds: Kinds
+    steps: Array
+    root: Array
+    log_determinant: Array
+    onward: Array
+    spare: Array
+
+    def at(self, index: NDArray[np.int64]) -> Noise:
+        """Return some kinds of noise only."""
+        return Noise(
+            self.kinds.at(index),
+            self.steps,
+            self.root[index],
+            self.log_determinant[index],
+            self.onward[index],
+            self.spare[index],
+        )
+
+
+def possible_kinds(readings: DepthBins, drift: float, period: Array) -> tuple[Kinds, Array]:
+    """Return kinds of noise without a swing, and the logarithm of their weight (J, P) beside some.
+
+    drift: lower bound of its strength; period (P,): of swings, revolutions, the first one 0.
+    """
+    colours = colours_of(readings.spread, period)
+    steps = np.arange(len(STRENGTHS))
+    strengths = max(drift, LEAST_DRIFT) * np.array(STRENGTHS)
+    each = np.repeat(np.arange(colours.size.size), steps.size)
+    which = np.tile(steps, colours.size.size)
+    log_weight = colours.log_weight[each] - STRENGTH_DECAY * which[:, None]
+    log_weight -= np.logaddexp.reduce(log_weight[:, 0])
+    counts = (log_weight > log_weight.max(axis=0) - LEAST_KIND).any(axis=1)
+    each, which, log_weight = each[counts], which[counts], log_weight[counts]
+    return Kinds(
+        strengths[which],
+        colours.scatter[each],
+        colours.size[each],
+        colours.length[each],
+        np.zeros(each.size),
+        np.zeros((each.size, 2)),
+        log_weight[:, 0],
+    ), log_weight
+
+
+def covariance_of(readings: DepthBins, kinds: Kinds) -> Array:
+    """Return the covariance (J, n, n) of the bins, m^2, without any shape."""
+    walk = np.minimum(readings.walked[:, None], readings.walked)
+    np.fill_diagonal(walk, readings.alone)
+    whole = covariance(kinds.size, kinds.length, readings.begin, readings.revolution)
+    whole += kinds.strength[:, None, None] ** 2 * walk
+    own = np.arange(walk.shape[0])
+    whole[:, own, own] += kinds.scatter[:, None] ** 2 * (readings.noise / readings.scatter) ** 2
+    return whole
+
+
+def noise_of(readings: DepthBins, kinds: Kinds, steps: Array) -> Noise:
+    """Return what kinds of noise make of the bins, with steps in some of these (s, 2)."""
+    columns = shapes(kinds.period, kinds.jump, steps, readings.begin, readings.revolution)
+    whole = covariance_of(readings, kinds) + columns.swapaxes(1, 2) @ columns
+    lower = np.linalg.cholesky(whole)
+    root = np.linalg.inv(lower).swapaxes(1, 2)
+    strength, size = kinds.strength, kinds.size
+    to_end = _to_end(kinds.length, readings)
+    rows = np.concatenate(
+        [
+            (strength[:, None] ** 2 * readings.walked)[:, None],
+            (size[:, None] ** 2 * to_end)[:, None],
+            columns,
+        ],
+        axis=1,
+    )
+    onward = rows @ root
+    before = np.zeros((strength.size, rows.shape[1], rows.shape[1]))
+    own = np.arange(2, rows.shape[1])
+    before[:, 0, 0], before[:, 1, 1] = strength**2 * readings.walked[-1], size**2
+    before[:, own, own] = 1.0
+    return Noise(
+        kinds,
+        steps,
+        root,
+        2.0 * np.log(np.diagonal(lower, axis1=1, axis2=2)).sum(axis=1),
+        onward,
+        before - onward @ onward.swapaxes(1, 2),
+    )
+
+
+def _to_end(length: Array, readings: DepthBins) -> Array:
+    """Return the correlation (J, n) of bins' means with the noise at the end of the last."""
+    wide = (readings.revolution - readings.begin) / length[:, None]
+    after = (readings.revolution[-1] - readings.revolution) / length[:, None]
+    return np.asarray(np.exp(-after) * -np.expm1(-wide) / wide)

@@ -1,0 +1,235 @@
+"""Which disturbances may count: kinds of noise, periods of a swing, steps, by their evidence.
+
+All of them are compared at once on the bins as they are linearised about the constant coefficient
+that fits best, with and without a change somewhere; what counts is gone through exactly afterwards.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp_model.identification.evidence import swept
+from rigapp_model.identification.noise import (
+    DepthBins,
+    Kinds,
+    Noise,
+    covariance_of,
+    noise_of,
+    possible_kinds,
+)
+from rigapp_model.identification.posterior import IdentificationInputs
+from rigapp_model.identification.shapes import COLUMNS, NO_PERIOD, NO_STEPS, shapes
+from rigapp_model.identification.statements import Hypotheses, Statement
+
+Array = NDArray[np.float64]
+
+SHORTEST, LONGEST, BEYOND, RATIO = 500.0, 5.0, 8.0, 1.3
+"""Periods compared: of so many revolutions at least, so many days at most, none longer than so
+many times the test, each next one longer by a factor."""
+DAILY = 0.75
+"""Share of a day among the slow swings beforehand: rooms have one."""
+STEP_SHARE = 0.1
+"""Probability beforehand of a step somewhere, equal chance in each revolution."""
+STEP_TOLD = float(np.log(100.0))
+"""A step is one that there is where its odds are above this, and else one that may be."""
+MOST_STEPS = 3
+PARTS = 4
+"""Places of a change in each bin."""
+NEVER = 1e12
+"""Precision of ln r where there is no change."""
+MOST_KINDS, COUNTS = 10, 6.0
+"""So many kinds of noise at most are gone through, none less probable than the best by exp of the
+second; beside them the best one of each period with LEAST_SHARE of the weight."""
+LEAST_SHARE = 0.02
+
+
+def periods(last: float, day: float) -> Array:
+    """Return the periods compared after so many revolutions: none (0), a day, and others."""
+    longest = max(min(LONGEST * day, BEYOND * last), SHORTEST)
+    count = int(np.ceil(np.log(longest / SHORTEST) / np.log(RATIO))) + 1
+    return np.concatenate([[NO_PERIOD, day], np.geomspace(SHORTEST, longest, count)])
+
+
+def likely_noise(asked: IdentificationInputs, constant: Statement, change: Statement) -> Noise:
+    """Return the kinds of noise that may count, the most probable first, with steps found."""
+    readings = asked.readings
+    errors = asked.errors
+    swing = periods(float(readings.revolution[-1]), errors.day)
+    base, by_spread = possible_kinds(readings, errors.drift, swing)
+    share = (readings.revolution - readings.begin) / readings.revolution[-1]
+    share[0] = 0.0  # it is where the zero is taken
+    others = np.full(swing.size - 2, (1.0 - DAILY) / (swing.size - 2))
+    swings = errors.swing * np.append(DAILY, others)
+    beforehand = np.concatenate(
+        [(1.0 - STEP_SHARE) * np.append(1.0 - errors.swing, swings), STEP_SHARE * share]
+    )
+    with np.errstate(divide="ignore"):
+        log_weight = np.log(beforehand) + np.concatenate(
+            [by_spread, np.repeat(by_spread[:, :1], share.size, axis=1)], axis=1
+        )
+    period = np.append(swing, np.zeros(share.size))
+    each = np.column_stack([readings.begin, readings.revolution])
+    jump = np.concatenate([np.zeros((swing.size, 2)), each])
+    linear = _linearised(asked, constant, change)
+    steps = NO_STEPS
+    while True:
+        compared = _compared(readings, base, log_weight, swing, linear, steps)
+        found = _step_told(compared, readings) if len(steps) < MOST_STEPS else NO_STEPS
+        if not found.size:
+            kinds = _chosen(compared, base, log_weight, period, jump)
+            return noise_of(readings, kinds, steps)
+        steps = np.concatenate([steps, found])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Linear:
+    """Hold what bins are linearised in.
+
+    columns (4 + PARTS (n - 1), n): of ln K, e, b, a, and of ln r of a change at some places; misfit
+    (n,); precision (2, 6, 6), off (2, 6): of ln K, e, b, a and ln r at two neighbouring places,
+    which together are a change between them, without a change and with one.
+    """
+
+    columns: Array
+    misfit: Array
+    precision: Array
+    off: Array
+
+
+def _linearised(asked: IdentificationInputs, constant: Statement, change: Statement) -> _Linear:
+    """Linearise about the constant coefficient that fits best."""
+    start = asked.best_constant(constant)
+    by, half = asked.readings.progress[1:, None], asked.readings.half[1:, None]
+    place = (by - half + 2.0 * half * np.arange(PARTS) / PARTS).ravel()
+    same = np.full(place.size, start)
+    depth, slopes = asked.depth(Hypotheses(change, same, np.zeros(place.size), place))
+    columns = np.concatenate([slopes[0, :1], asked.linear(depth[:1])[0], slopes[1]])
+    off = np.zeros((2, 6))
+    off[:, 0] = asked.log_median - start
+    precision = np.tile(np.eye(6), (2, 1, 1))
+    precision[0, 0, 0], precision[0, 4, 4] = asked.prior.spread**-2, NEVER
+    precision[0, 5, 5] = NEVER
+    precision[1][np.ix_([0, 4], [0, 4])] = change.precision(asked.prior)
+    precision[1, 5, 5] = change.spread**-2
+    return _Linear(columns, asked.readings.depth - depth[0], precision, off)
+
+
+def _compared(
+    readings: DepthBins, base: Kinds, log_weight: Array, swing: Array, linear: _Linear, found: Array
+) -> Array:
+    """Compare kinds of noise with a swing or a step, beside steps that are found.
+
+    Returns the logarithm of their evidence with their weight beforehand (2, J, T + n): without a
+    change and with the most probable one, J kinds of noise, T periods, a step in one of n bins.
+    Each swing and step is two columns beside the others: what they gain is in closed form.
+    """
+    begin, end = readings.begin, readings.revolution
+    always = shapes(np.zeros(1), np.zeros((1, 2)), found, begin, end)[0]
+    lower = np.linalg.cholesky(covariance_of(readings, base) + always.T @ always)
+    log_determinant = 2.0 * np.log(np.diagonal(lower, axis1=1, axis2=2)).sum(axis=1)
+    nowhere = np.zeros((swing.size - 1, 2))
+    sines = shapes(swing[1:], nowhere, NO_STEPS, begin, end)[:, 1:COLUMNS].reshape(-1, end.size)
+    jumps = shapes(np.zeros(1), np.zeros((1, 2)), np.column_stack([begin, end]), begin, end)[
+        0, COLUMNS:
+    ]
+    rows = np.concatenate([linear.columns, linear.misfit[None], sines, jumps])
+    along = np.linalg.inv(lower) @ rows.T
+    k = len(linear.columns)
+    gram = along[:, :, : k + 1].swapaxes(1, 2) @ along
+    known, cross = gram[:, :, : k + 1], gram[:, :, k + 1 :]
+    first, second = along[:, :, k + 1 :: 2], along[:, :, k + 2 :: 2]
+    weight = log_weight[:, :1] - 0.5 * log_determinant[:, None]
+    likely = min(_likely_change(linear, known, weight), k - 2)
+    own = np.tile([0, 1, 2, 3, likely, likely + 1], (2, 1))
+    pull = (linear.precision @ linear.off[..., None])[..., 0]
+    matrix = known[:, own[:, :, None], own[:, None]] + linear.precision
+    right = known[:, own, k] + pull
+    inverse, step, determinant = swept(matrix, right)
+    plain = -0.5 * (
+        known[:, k, k][:, None]
+        + (linear.off * pull).sum(axis=1)
+        - (right * step).sum(axis=2)
+        + determinant
+        - np.linalg.slogdet(linear.precision)[1]
+        + log_determinant[:, None]
+    )
+    over = cross[:, own]
+    by = inverse @ over
+    toward = cross[:, None, k] - (step[:, :, None] @ over)[:, :, 0]
+    u, v = toward[:, :, 0::2], toward[:, :, 1::2]
+    one, two = over[:, :, :, 0::2], over[:, :, :, 1::2]
+
+    def product(a: Array, b: Array) -> Array:
+        return np.asarray(np.einsum("jnt,jnt->jt", a, b)[:, None])
+
+    def explained(a: Array, b: Array) -> Array:
+        return np.asarray(np.einsum("jpkt,jpkt->jpt", a, b))
+
+    aa = 1.0 + product(first, first) - explained(one, by[:, :, :, 0::2])
+    ab = product(first, second) - explained(one, by[:, :, :, 1::2])
+    bb = 1.0 + product(second, second) - explained(two, by[:, :, :, 1::2])
+    area = aa * bb - ab**2
+    gain = 0.5 * ((bb * u**2 - 2.0 * ab * u * v + aa * v**2) / area - np.log(area))
+    whole = plain.T[:, :, None] + log_weight
+    whole[:, :, 1:] += gain.swapaxes(0, 1)
+    return np.asarray(whole)
+
+
+def _likely_change(linear: _Linear, known: Array, weight: Array) -> int:
+    """Return the place among the columns of the most probable change without swing and step.
+
+    known (J, M + 1, M + 1): products of columns and misfit; weight (J, 1): its logarithm.
+    """
+    pull = linear.precision[0, :4, :4] @ linear.off[0, :4]
+    inverse, step, determinant = swept(
+        known[:, None, :4, :4] + linear.precision[0, :4, :4], known[:, None, :4, -1] + pull
+    )
+    right, over = known[:, :4, -1] + pull, known[:, :4, 4:-1]
+    plain = 0.5 * ((right * step[:, 0]).sum(axis=1) - known[:, -1, -1] - determinant[:, 0])
+    toward = known[:, 4:-1, -1] - (step @ over)[:, 0]
+    size = 1.0 + np.einsum("jhh->jh", known[:, 4:-1, 4:-1])
+    size -= np.einsum("jkh,jkl,jlh->jh", over, inverse[:, 0], over)
+    gain = 0.5 * (toward**2 / size - np.log(size))
+    return 4 + int(np.argmax((plain[:, None] + weight + gain).max(axis=0)))
+
+
+def _step_told(compared: Array, readings: DepthBins) -> Array:
+    """Return the bin (1, 2) in which a step is told, or none (0, 2)."""
+    n = readings.revolution.size
+    without = np.logaddexp.reduce(compared[:, :, :-n], axis=(1, 2)).max()
+    each = np.logaddexp.reduce(compared[:, :, -n:], axis=1)
+    if np.logaddexp.reduce(each, axis=1).max() - without < STEP_TOLD:
+        return NO_STEPS
+    at = int(np.argmax(each.max(axis=0)))
+    return np.array([[readings.begin[at], readings.revolution[at]]])
+
+
+def _chosen(compared: Array, base: Kinds, log_weight: Array, period: Array, jump: Array) -> Kinds:
+    """Return the kinds that count, the most probable first; each swing and step keeps its weight.
+
+    period (T + n,), jump (T + n, 2): of what is compared.
+    """
+    total = np.logaddexp.reduce(compared, axis=(1, 2))
+    relative = compared - total[:, None, None]
+    score = relative.max(axis=0)
+    order = np.argsort(-score, axis=None)[:MOST_KINDS]
+    kept = {(int(j), int(t)) for j, t in zip(*np.unravel_index(order, score.shape), strict=True)}
+    kept = {one for one in kept if score[one] > score.max() - COUNTS}
+    of_shape = np.logaddexp.reduce(relative, axis=1)
+    for t in np.flatnonzero((of_shape > np.log(LEAST_SHARE)).any(axis=0)):
+        kept.add((int(np.argmax(score[:, t])), int(t)))
+    kind, shape = np.array(sorted(kept, key=lambda one: -score[one])).T
+    best = relative[int(np.argmax(total))]
+    left_out = [
+        np.logaddexp.reduce(best[:, t]) - np.logaddexp.reduce(best[kind[shape == t], t])
+        for t in shape
+    ]
+    return replace(
+        base.at(kind),
+        period=period[shape],
+        jump=jump[shape],
+        log_prior=log_weight[kind, shape] + left_out,
+    )

@@ -1,0 +1,162 @@
+"""What of the crank's motion comes again in each revolution, from many that are alike.
+
+One revolution's angle is counted, and motion of many orders may hide in the counts. A mechanism
+repeats: the mean over like revolutions shows what the fit to a single one misses, and their scatter
+shows how much motion there is that does not repeat.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+ComplexArray = NDArray[np.complex128]
+
+HIGHEST_ORDER = 40
+"""Orders of the turn up to which motion is looked for, and may hide in the counts."""
+REMEMBERED = 100.0
+"""Revolutions over which the mean is taken: the drive's controller warms up over more."""
+SAME_SPEED = 0.01
+"""Relative change of the mean speed up to which revolutions are like each other."""
+LEAST_SEEN = 3
+"""Revolutions from which their scatter says something."""
+JERK = 8.0
+"""Ratio of scatters from which a revolution counts as so many times the usual one only."""
+MOST_SAMPLES = 2048
+FITTED = 12
+"""Orders that are fitted together with the steady turn; over one turn, more of them are nearly a
+line themselves."""
+SIGNIFICANT = 6.0
+"""Harmonics of the mean with less than so many times their variance are noise (5 % odds)."""
+_ORDERS = np.arange(1, HIGHEST_ORDER + 1)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class KnownMotion:
+    """Say what many revolutions know of one: angle (n,), rad, speed, rad/s, acceleration, rad/s^2.
+
+    again: the part of the counts that comes again at the same angles, and tells nothing new.
+    hidden_speed, hidden_acceleration: standard deviations of what comes again and is not seen,
+    and of what does not come again. scatter: usual variance of a harmonic (HIGHEST_ORDER,), rad^2.
+    """
+
+    angle: Array
+    speed: Array
+    acceleration: Array
+    again: float
+    hidden_speed: float
+    hidden_acceleration: float
+    scatter: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RecurrentMotion:
+    """Hold mean and scatter (variance) of the angle's harmonics (HIGHEST_ORDER,), rad, rad^2.
+
+    chance: mean variance of one harmonic by the counts or the noise of the angle, rad^2.
+    """
+
+    speed: float = np.nan
+    seen: int = 0
+    mean: ComplexArray = field(default_factory=lambda: np.zeros(HIGHEST_ORDER, np.complex128))
+    scatter: Array = field(default_factory=lambda: np.zeros(HIGHEST_ORDER))
+    chance: float = 0.0
+
+    def after(
+        self, time: Array, angle: Array, smooth: Array, chance: float
+    ) -> tuple[RecurrentMotion, KnownMotion | None]:
+        """Take a revolution and say what is known of it; None where too few were alike.
+
+        time (n,), s; angle (n,): as measured, unwrapped; smooth (n,): as fitted, rad. chance:
+        variance of one harmonic by counts or noise, rad^2.
+        """
+        step = -(-len(angle) // MOST_SAMPLES)
+        waves = _waves(smooth[::step])
+        moments, some = time[::step] - time.mean(), angle[::step]
+        speed = float((smooth[-1] - smooth[0]) / (time[-1] - time[0]))
+        alike = abs(speed - self.speed) <= SAME_SPEED * abs(speed)
+        before = self if alike else RecurrentMotion()
+        new = before._with(_harmonics(moments, some, waves), speed, chance)
+        if new.seen < LEAST_SEEN:
+            return new, None
+        return new, new._known(time, angle, _waves(smooth) if step > 1 else waves)
+
+    def _with(self, whole: ComplexArray, speed: float, chance: float) -> RecurrentMotion:
+        seen = self.seen + 1
+        share = max(1.0 / seen, 1.0 / REMEMBERED)
+        step = whole - self.mean
+        squared = (1.0 - share) * np.abs(step) ** 2
+        if self.seen >= LEAST_SEEN:
+            weights = _ORDERS**4.0
+            most = JERK * float(weights @ self.scatter)
+            ratio = max(float(weights @ squared) / max(most, 1e-300), 1.0)
+            squared, step = squared / ratio, step / np.sqrt(ratio)
+        return RecurrentMotion(
+            speed,
+            seen,
+            self.mean + share * step,
+            self.scatter + share * (squared - self.scatter),
+            self.chance + share * (chance - self.chance),
+        )
+
+    def _known(self, time: Array, angle: Array, waves: ComplexArray) -> KnownMotion:
+        number = min(float(self.seen), REMEMBERED)
+        scatter = self.scatter * number / (number - 1.0)
+        power = np.maximum(np.abs(self.mean) ** 2, 1e-300)
+        mean = self.mean * np.maximum(0.0, 1.0 - SIGNIFICANT * scatter / number / power)
+        periodic, faster, pushed = (
+            2.0 * np.real((mean * (1j * self.speed * _ORDERS) ** times) @ waves)
+            for times in range(3)
+        )
+        line = np.polynomial.Polynomial.fit(time, angle - periodic, 1)
+        # Counts that come again at the same angles scatter too little, and are in the mean instead.
+        usual = max(self.chance, 1e-300)
+        too_little = 1.0 - float(scatter[FITTED:].mean()) / usual
+        repeated = float(np.mean((np.abs(self.mean) ** 2 - scatter / number)[FITTED:])) / usual
+        again = max(0.0, min(too_little, repeated))
+        sure = np.abs(mean) > 0.0
+        hidden = []
+        for times in (1, 2):
+            weights = 2.0 * (self.speed * _ORDERS) ** (2.0 * times)
+            each = weights * scatter / number
+            weak = _at_most(weights * np.abs(self.mean) ** 2 - each, each, ~sure)
+            chance = weights * self.chance
+            free = _at_most(weights * scatter - chance, chance / np.sqrt(number - 1.0))
+            hidden.append(float(np.sqrt(each[sure].sum() + weak + free)))
+        return KnownMotion(
+            line(time) + periodic,
+            line.deriv()(time) + faster,
+            pushed,
+            again,
+            hidden[0],
+            hidden[1],
+            scatter,
+        )
+
+
+def _at_most(variances: Array, doubts: Array, which: NDArray[np.bool_] | None = None) -> float:
+    """Return what a sum of estimated variances may be, from their standard deviations."""
+    if which is not None:
+        variances, doubts = variances[which], doubts[which]
+    return max(float(variances.sum()), 0.0) + float(np.sqrt(doubts @ doubts))
+
+
+def _harmonics(time: Array, angle: Array, waves: ComplexArray) -> ComplexArray:
+    """Return the amplitudes of the turn's orders (HIGHEST_ORDER,), rad, beside a steady turn."""
+    low = waves[:FITTED]
+    design = np.concatenate([[np.ones(len(time)), time / np.ptp(time)], low.real, low.imag])
+    values = np.linalg.solve(design @ design.T, design @ angle)
+    left = angle - values @ design
+    cosines, sines = values[2 : 2 + FITTED], values[2 + FITTED :]
+    return np.concatenate(
+        [0.5 * (cosines - 1j * sines), np.conj(waves[FITTED:]) @ left / len(left)]
+    )
+
+
+def _waves(angle: Array) -> ComplexArray:
+    """Return exp(i k angle), (HIGHEST_ORDER, n)."""
+    first = np.exp(1j * angle)
+    return np.cumprod(np.broadcast_to(first, (HIGHEST_ORDER, len(angle))), axis=0)

@@ -1,0 +1,82 @@
+"""`rigapp engine`: host an engine until a viewer or a signal shuts it down."""
+
+from __future__ import annotations
+
+import os
+import time
+from pathlib import Path
+
+from rigapp.config.loading import read_rig
+from rigapp.process.ending import Background, asked_to_end, finish_in_time
+from rigapp.schema.details import indented
+from rigapp.schema.messages import RunState
+from rigapp.schema.notices import Finished
+from rigapp.schema.states import ACTIVE
+from rigapp.service.host import EngineHost
+from rigapp.service.recorded import settle
+from rigapp.service.registry import withdraw
+from rigapp.service.requests import EXPECTED
+from rigapp.service.security import parse_bind
+from rigapp.service.simulated import parse_speed
+from rigapp.texts import sentence_of_error
+
+DEVICES_COME_S, DEVICES_PAUSE_S = 300.0, 15.0
+"""After the computer's start devices may be ready later; they are asked so long, so often."""
+LONELY_S = 60.0  # a window may be closed and opened again meanwhile
+CLOSE_S = 120.0
+"""Stopping a test under way may take 60 s of it, and a courier 30 s to hear of it."""
+
+
+def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: bool = False) -> int:
+    """Host an engine for windows until one of them, or a signal, shuts it down.
+
+    bind: as ``security.parse_bind`` takes it. stay: also while nobody looks on, as it started with
+    the computer: it tells of a test that was cut off, and asks for its devices for a while, which
+    may come up later.
+
+    Without it, without a test and without a viewer for ``LONELY_S``, it ends by itself.
+    """
+    rig = read_rig(rig_path)
+    host = EngineHost(rig, parse_speed(speed, rig), parse_bind(bind) if bind else None)
+    with asked_to_end() as asked:
+        Background(lambda: _connect_quietly(host, DEVICES_COME_S if stay else 0.0), "connect")
+        if stay:
+            host.tell_of_cut_off_test()
+        lonely_since = time.monotonic()
+        while not host.ended.is_set() and not asked:
+            notice = host.notices.get(0.2)
+            if isinstance(notice, Finished):
+                settle(notice)
+            if stay or host.watched or host.occupied:
+                lonely_since = time.monotonic()
+            elif time.monotonic() - lonely_since > LONELY_S:
+                break
+        close_host(host, asked)
+    return 0
+
+
+def close_host(host: EngineHost, asked: list[str]) -> None:
+    """Close a host at the end of its process, which ends whatever hangs; see ``asked_to_end``."""
+    finish_in_time(
+        host.close,
+        asked,
+        turning=lambda: host.engine.state in ACTIVE,
+        give_up=lambda: withdraw(os.getpid()),
+        limit_s=CLOSE_S,
+    )
+
+
+def _connect_quietly(host: EngineHost, patience_s: float = 0.0) -> None:
+    """Connect at once, so that the window shows live values; a failure shows in the state.
+
+    patience_s: for so long it is tried again, as long as nobody else has done anything.
+    """
+    until = time.monotonic() + patience_s
+    while True:
+        try:
+            host.connect()
+        except EXPECTED as error:
+            print(f"rigapp engine: {indented(sentence_of_error(error))}", flush=True)
+        untouched = host.engine.state in (RunState.IDLE, RunState.FAULT) and not host.watched
+        if not untouched or time.monotonic() > until or host.ended.wait(DEVICES_PAUSE_S):
+            return

@@ -1,0 +1,38 @@
+"""`rigapp schema`: what a rig or test file may hold, for the editor in which it is written."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.meanings import KINDS, json_schema, schema_of_setting
+from rigapp_drivers.registry import DriverNotFound, available_drivers, load_driver
+
+
+def print_schema(kind: str) -> int:
+    """Print the JSON Schema of a kind of file; raise UnusableInput for another word."""
+    print(schema_text(kind), end="")
+    return 0
+
+
+def schema_text(kind: str) -> str:
+    """Return the JSON Schema of "rig" or "test"; raise UnusableInput for another word."""
+    if kind not in KINDS:
+        raise UnusableInput(f"{kind}: has no schema; say {' or '.join(KINDS)}.")
+    settings = _settings() if kind == "rig" else {}
+    tree = {"title": f"rigapp {kind} file", **json_schema(KINDS[kind], settings)}
+    return json.dumps(tree, indent=2, ensure_ascii=False) + "\n"
+
+
+def _settings() -> Mapping[str, Mapping[str, Any]]:
+    """Return the settings of each driver that can be loaded; doctor tells of the others."""
+    found = {}
+    for name in available_drivers():
+        try:
+            keys = load_driver(name).settings
+        except DriverNotFound:
+            continue
+        found[name] = {key: schema_of_setting(spec) for key, spec in keys.items()}
+    return found

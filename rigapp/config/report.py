@@ -1,0 +1,53 @@
+"""``report.toml``: who made a report and for whom, the laboratory's own words and logo."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+
+FIELDS: Final = ("file", "title", "specimen", "date")
+"""What a report number may be made of, each in braces."""
+
+
+class LaboratorySection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[laboratory]: what stands at the head of a report. logo: a PNG or JPEG beside this file."""
+
+    name: str = ""
+    address: str = ""
+    logo: str = ""
+
+
+class ReportSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[report]: number, customer, the statement at the foot and who signs.
+
+    number: a pattern with {file}, {title}, {specimen} and {date} of the test's begin.
+    """
+
+    number: str = ""
+    customer: str = ""
+    statement: str = ""
+    signatures: tuple[str, ...] = ("Operator, date", "Reviewer, date")
+
+
+class ReportFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """The settings of reports: of a laboratory, or of one customer's tests."""
+
+    schema: int
+    laboratory: LaboratorySection = LaboratorySection()
+    report: ReportSection = ReportSection()
+
+
+def report_number(pattern: str, values: Mapping[str, str]) -> str:
+    """Return a report's number; raise UnusableInput for a pattern with another name in braces."""
+    try:
+        return pattern.format_map({name: values[name] for name in FIELDS})
+    except (KeyError, IndexError, ValueError, AttributeError) as error:
+        raise UnusableInput(
+            "report.number = {} names something else than {}; correct the pattern.",
+            repr(pattern),
+            ", ".join(f"{{{name}}}" for name in FIELDS),
+        ) from error

@@ -1,0 +1,76 @@
+"""Which devices are there: what each says of itself, and who answers in the place of another."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from typing import Final
+
+from rigapp.texts import joined, say
+from rigapp_drivers.api import DeviceError, DriverInfo, Identity, WrongDevice
+from rigapp_drivers.discovery import ask
+from rigapp_drivers.edge import Guarded
+from rigapp_drivers.registry import DriverNotFound, available_drivers, load_driver
+
+IDENTITY: Final = ("maker", "model", "firmware", "serial_number")
+"""What a device says of itself; in a file ``device_model`` and so on beside its settings."""
+
+
+def told_by(identity: Identity) -> dict[str, str]:
+    """Return what a device said of itself as it is kept beside its settings."""
+    found = {f"device_{name}": getattr(identity, name) for name in IDENTITY}
+    return {name: value for name, value in found.items() if value}
+
+
+def stranger(device: Guarded, driver: str) -> WrongDevice | None:
+    """Return the error that another device answers on a port, None where none is known there.
+
+    The port is asked on behalf of the other drivers; nothing moves, nothing is set.
+    """
+    answer = ask(device.port, _others(driver)).answer
+    if answer is None:
+        return None
+    identity = answer.identity
+    number = identity.serial_number
+    who = " ".join(part for part in (identity.maker, identity.model) if part) or answer.title
+    return WrongDevice.at(
+        device,
+        "a {} answers here{}; check whether ports are exchanged, and name this one for it"
+        ' (driver = "{}").',
+        who,
+        say(" (serial number {})", number) if number else "",
+        answer.driver,
+    )
+
+
+def together(errors: Sequence[DeviceError]) -> DeviceError:
+    """Return one error for several devices, whose ``each`` has them all; errors: at least one."""
+    first = errors[0]
+    if len(errors) == 1:
+        return first
+    words = joined(" ", (error.sentence for error in errors))
+    devices = joined(", ", dict.fromkeys(error.device for error in errors))
+    ports = joined(", ", dict.fromkeys(error.port for error in errors))
+    error = type(first)(devices, ports, words)
+    error.each = tuple(errors)
+    return error
+
+
+def _others(driver: str) -> list[DriverInfo]:
+    found = []
+    for name in available_drivers():
+        if name != driver:
+            with suppress(DriverNotFound):
+                found.append(load_driver(name))
+    return found
+
+
+def identity_words(readback: Mapping[str, object]) -> str:
+    """Return in words what a device has said of itself, from what is kept of it."""
+    words = [str(readback.get(f"device_{name}", "")) for name in IDENTITY[:2]]
+    who = " ".join(word for word in words if word)
+    firmware, number = (readback.get(f"device_{name}", "") for name in IDENTITY[2:])
+    parts = [who]
+    parts += [say("firmware {}", firmware)] if firmware else []
+    parts += [say("serial number {}", number)] if number else []
+    return joined(", ", [part for part in parts if part])

@@ -1,4 +1,0 @@
-"""What the window knows: the engine's snapshots, a test's file, who is in command. No Qt here.
-
-Everything slow is done on a worker's thread and handed over when the screen asks for it.
-"""

@@ -1,0 +1,156 @@
+"""What leaves a plot: its picture, copied or saved, and the data of its curves."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+from PySide6.QtCore import QMarginsF, QPoint, QRectF, Qt
+from PySide6.QtGui import QGuiApplication, QImage, QPageSize, QPaintDevice, QPainter, QPdfWriter
+from PySide6.QtSvg import QSvgGenerator
+from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.writing import harmless, whole_file
+from rigapp.gui.plots.curves import Dots, Trace
+from rigapp.gui.plots.plotting import QuietPlot
+from rigapp.presentation.translation import Text, tr
+from rigapp.schema.details import error_text
+
+PICTURES: Final = (".png", ".svg", ".pdf")
+PIXELS_EACH: Final = 3
+"""Of a PNG for each of the screen: 300 a printed inch."""
+COPY: Final[Text] = "Copy picture"
+SAVE_PICTURE: Final[Text] = "Save picture…"
+SAVE_DATA: Final[Text] = "Save data…"
+MM_PER_INCH: Final = 25.4
+
+Write = Callable[[QuietPlot, Path], None]
+
+
+def offer_menus(page: QWidget, say: Callable[[str, bool], None]) -> None:
+    """Give every plot on a page its menu, by mouse and by the key of menus.
+
+    say: tells what came of it, and whether that is good.
+    """
+    for plot in page.findChildren(QuietPlot):
+        plot.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        plot.customContextMenuRequested.connect(partial(open_menu, plot))
+        plot.said.connect(say)
+
+
+def open_menu(plot: QuietPlot, at: QPoint) -> None:
+    """Offer what can be done with a plot, at a place of it."""
+    menu = QMenu(plot)
+    menu.setObjectName("plot_menu")
+    for text, call in (
+        (COPY, partial(copy_picture, plot)),
+        (SAVE_PICTURE, partial(_choose, plot, SAVE_PICTURE, save_picture, PICTURES)),
+        (SAVE_DATA, partial(_choose, plot, SAVE_DATA, save_data, (".csv",))),
+    ):
+        menu.addAction(tr(text)).triggered.connect(lambda _=False, call=call: call())
+    back = menu.addAction(tr("Show all again"))
+    back.setEnabled(plot.zoomed)
+    back.triggered.connect(lambda _=False: plot.zoom_back())
+    menu.aboutToHide.connect(menu.deleteLater)
+    menu.popup(plot.mapToGlobal(at))
+
+
+def copy_picture(plot: QuietPlot) -> None:
+    """Put the picture of a plot on the clipboard."""
+    QGuiApplication.clipboard().setPixmap(plot.grab())
+
+
+def save_picture(plot: QuietPlot, path: Path) -> None:
+    """Write the picture of a plot as its ending says; raise UnusableInput where that fails."""
+    with whole_file(path) as part:
+        ending = path.suffix.lower()
+        if ending == ".png":
+            _painted(plot, part)
+        elif ending == ".pdf":
+            writer = QPdfWriter(str(part))
+            millimetres = QRectF(plot.rect()).size() * (MM_PER_INCH / plot.logicalDpiX())
+            writer.setPageSize(QPageSize(millimetres, QPageSize.Unit.Millimeter))
+            writer.setPageMargins(QMarginsF())
+            _render(plot, writer, QRectF(0, 0, writer.width(), writer.height()))
+        else:
+            generator = QSvgGenerator()
+            generator.setFileName(str(part))
+            generator.setSize(plot.size())
+            generator.setViewBox(plot.rect())
+            generator.setTitle(plot.accessibleName())
+            _render(plot, generator, QRectF(plot.rect()))
+
+
+def _painted(plot: QuietPlot, path: Path) -> None:
+    image = QImage(plot.size() * PIXELS_EACH, QImage.Format.Format_RGB32)
+    image.setDevicePixelRatio(PIXELS_EACH)
+    image.fill(plot.theme.base)
+    _render(plot, image, QRectF(plot.rect()))
+    if not image.save(str(path), "PNG"):  # type: ignore[call-overload]
+        raise OSError(f"{path}: the picture cannot be written; check folder and space.")
+
+
+def _render(plot: QuietPlot, device: QPaintDevice, target: QRectF) -> None:
+    painter = QPainter(device)
+    try:
+        plot.render(painter, target, plot.viewport().rect())
+    finally:
+        painter.end()
+
+
+def save_data(plot: QuietPlot, path: Path) -> None:
+    """Write the curves of a plot as CSV, a row a point: curve, place across, value."""
+    with whole_file(path) as part, part.open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows(data_rows(plot))
+
+
+def data_rows(plot: QuietPlot) -> Iterator[tuple[str, ...]]:
+    """Yield a table of the curves that are drawn, with all their points; its names first."""
+    yield tr("Curve"), *plot.captions()
+    for name, trace in named_traces(plot):
+        for x, y in zip(trace.x.tolist(), trace.y.tolist(), strict=True):
+            yield harmless(name), f"{x:.9g}", "" if math.isnan(y) else f"{y:.9g}"
+
+
+def named_traces(plot: QuietPlot) -> Iterator[tuple[str, Trace | Dots]]:
+    """Yield the curves that are drawn, each with its name, or the number that it has.
+
+    A name belongs to the curve of its pen that ends nearest to it.
+    """
+    names = list(plot.marks.names)
+    for number, (trace, pen) in enumerate(plot.drawn(), 1):
+        if not len(trace.x):
+            continue
+        known = trace.y[np.isfinite(trace.y)]
+        end = float(known[-1]) if len(known) else math.nan
+        own = [one for one in names if one.pen == pen]
+        nearest = min(own, key=lambda one: abs(one.at - end), default=None)
+        yield nearest.text if nearest is not None else tr("curve {}", number), trace
+
+
+def _choose(plot: QuietPlot, title: Text, write: Write, endings: tuple[str, ...]) -> None:
+    """Let somebody name a file, beside the window, so that Stop can be pressed."""
+    kinds = ";;".join(f"{one[1:].upper()} (*{one})" for one in endings)
+    dialog = QFileDialog(plot.window(), tr(title), f"{plot.objectName()}{endings[0]}", kinds)
+    dialog.setObjectName("plot_file")
+    dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+    dialog.setDefaultSuffix(endings[0][1:])
+    dialog.fileSelected.connect(partial(_write, plot, write))
+    dialog.finished.connect(dialog.deleteLater)
+    dialog.setModal(False)
+    dialog.show()
+
+
+def _write(plot: QuietPlot, write: Write, path: str) -> None:
+    try:
+        write(plot, Path(path))
+    except (UnusableInput, OSError) as error:
+        plot.said.emit(error_text(error, "The file cannot be written."), False)
+    else:
+        plot.said.emit(tr("Saved: {}", path), True)

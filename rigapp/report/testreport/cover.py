@@ -1,0 +1,250 @@
+"""The first page of a report: what was tested, for whom, what came out, and how it is made."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+import platformdirs
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import parse_parameters, read_report_settings
+from rigapp.config.reading import read_bytes
+from rigapp.config.report import ReportFile, report_number
+from rigapp.presentation.numbers import UNKNOWN as NOTHING
+from rigapp.presentation.numbers import grouped
+from rigapp.presentation.results import key_numbers, outcome_text
+from rigapp.report.page.figures import INK, MODEL, MUTED, canvas_of, saved
+from rigapp.report.page.manuscript import JPEG, PNG, Cover, Figure, Row
+from rigapp.report.testreport.facts import Rows
+from rigapp.report.testreport.model_facts import Agreement
+from rigapp.report.testreport.plots import wear_trend
+from rigapp.report.testreport.wording import UNKNOWN, counted, number, stamp
+from rigapp.schema.results import TestResult
+from rigapp.storage import TestReader
+from rigapp.texts import capitalised
+from rigapp_calibration.records import RecordError, unseal
+from rigapp_model.parameters import Parameters
+
+SETTINGS: Final = "report.toml"
+LARGEST_LOGO_BYTES: Final = 1 << 20
+ALARMS_NAMED: Final = 2
+"""In the line of a result; the log of the report has all of them."""
+
+NOTE: Final = (
+    "± is an expanded uncertainty with k = 2, about 95 %, as stated by the records in the file for"
+    " the point of use. A value without ± has no such record."
+)
+FIGURES_WIDTH_IN: Final = 86.0 / 25.4
+
+
+def report_settings(test: Path, given: Path | None = None) -> tuple[ReportFile, bytes]:
+    """Return the settings of reports and the logo; without a file, plain ones.
+
+    Looked for beside the test file, then among the user's own settings. Raises UnusableInput for
+    settings or a logo that cannot be read.
+    """
+    own = platformdirs.user_config_path("rigapp") / SETTINGS
+    path = given or next((one for one in (test.parent / SETTINGS, own) if one.is_file()), None)
+    if path is None:
+        return ReportFile(schema=1), b""
+    settings = read_report_settings(path).record
+    report_number(settings.report.number, dict.fromkeys(("file", "title", "specimen", "date"), ""))
+    return settings, _logo(path, settings.laboratory.logo)
+
+
+def _logo(settings: Path, name: str) -> bytes:
+    if not name:
+        return b""
+    if Path(name).name != name:
+        raise UnusableInput(
+            "{}: laboratory.logo = {} is no file beside it; name one there.", settings, repr(name)
+        )
+    try:
+        data = read_bytes(settings.parent / name, LARGEST_LOGO_BYTES)
+    except OSError as error:
+        raise UnusableInput(
+            "{}: laboratory.logo = {} cannot be read ‹{}›.", settings, repr(name), error.strerror
+        ) from error
+    if not data.startswith((PNG, JPEG)):
+        raise UnusableInput("{}: this is neither PNG nor JPEG.", settings.parent / name)
+    return data
+
+
+def cover_of(
+    reader: TestReader,
+    about: Mapping[str, Any],
+    result: TestResult,
+    rows: Rows | None,
+    agreement: Agreement | None,
+    settings: tuple[ReportFile, bytes],
+    warnings: Sequence[str],
+) -> Cover:
+    """Return the first page. warnings: what must not be overlooked."""
+    file, logo = settings
+    parameters = parameters_of(reader)
+    wear = wear_trend(agreement, rows.gaps if rows is not None else ()) if agreement else None
+    figures = [one for one in (wear, scheme(parameters)) if one is not None]
+    letterhead = (file.laboratory.name, *file.laboratory.address.splitlines())
+    return Cover(
+        subtitle=_subtitle(about, rows),
+        facts=tuple(_facts(reader, about, file, result)),
+        results=tuple(_results(result)),
+        letterhead=tuple(line for line in letterhead if line.strip()),
+        logo=logo,
+        warnings=tuple(warnings),
+        note=NOTE,
+        figures=tuple(figures),
+        texts=tuple(_texts(reader, result, rows)),
+    )
+
+
+def numbered(pattern: str, reader: TestReader, about: Mapping[str, Any]) -> str:
+    """Return the number of a report by the pattern of its settings; empty without one."""
+    values = {
+        "file": reader.path.stem,
+        "title": about["title"],
+        "specimen": about["specimen"],
+        "date": about["started"][:10],
+    }
+    return report_number(pattern, values)
+
+
+def _subtitle(about: Mapping[str, Any], rows: Rows | None) -> str:
+    speed = f"{number(rows.mean_speed, 'rpm', 0)} rpm" if rows is not None else ""
+    return ", ".join(one for one in (about["specimen"], about["bushing"], speed) if one)
+
+
+def _facts(
+    reader: TestReader, about: Mapping[str, Any], file: ReportFile, result: TestResult
+) -> list[Row]:
+    rig = about["rig"] + (" (simulated)" if result.simulated else "")
+    facts = [
+        ("Customer", file.report.customer),
+        ("Specimen", about["specimen"]),
+        ("Operator", about["operator"]),
+        ("Report", numbered(file.report.number, reader, about)),
+        ("Begun", stamp(about["started"])),
+        ("Ended", stamp(about["ended"])),
+        ("Rig", rig),
+        ("Calibrations valid until", _valid_until(reader.calibration())),
+    ]
+    return [(name, value) for name, value in facts if value and value != UNKNOWN]
+
+
+def _valid_until(calibration: Mapping[str, Any]) -> str:
+    """Return until when the records in a file hold, a day for each."""
+    days = []
+    for label, name in (("record_load_cell", "cell"), ("record_probes", "probes")):
+        values = calibration.get(label)
+        try:
+            text = str(values["record"]) if isinstance(values, Mapping) else ""
+            due = str(unseal(text.encode()).content.get("due_at", "")) if text else ""
+        except (KeyError, RecordError):
+            due = ""
+        if due:
+            days.append(f"{name} {due[:10]}")
+    return ", ".join(days) or "no records in the file"
+
+
+def _results(result: TestResult) -> list[Row]:
+    rows = [
+        (one.caption, UNKNOWN if one.value == NOTHING else one.value, one.line)
+        for one in key_numbers(result)
+    ]
+    ended = f"{outcome_text(result)}, {counted(result.revolutions, 'revolution')}"
+    return [*rows, ("End of the test", ended, _end(result))]
+
+
+def _end(result: TestResult) -> str:
+    names = [capitalised(str(one)) for one in dict.fromkeys(result.alarms)]
+    alarms = counted(len(result.alarms), "alarm") if names else "no alarm"
+    if names:
+        more = ", …" if len(names) > ALARMS_NAMED else ""
+        alarms += f" ({', '.join(names[:ALARMS_NAMED])}{more})"
+    gaps = counted(result.gaps, "gap") if result.gaps else "no gap"
+    return f"{alarms}; {gaps}; {grouped(result.flagged)} revolutions with a quality flag"
+
+
+def _texts(reader: TestReader, result: TestResult, rows: Rows | None) -> list[Row]:
+    done = f"{grouped(result.revolutions)} of {grouped(result.planned)} planned revolutions"
+    if rows is not None:
+        done += f" at {number(rows.mean_speed, 'rpm')} rpm"
+    kept = f"maximum, minimum and RMS of each, {grouped(result.cycles_saved)} whole"
+    return [
+        ("What was done.", f"{done}; recorded: {kept}."),
+        ("Data.", f"{reader.path.name}, test {reader.metadata()['identifier'] or UNKNOWN}."),
+    ]
+
+
+def parameters_of(reader: TestReader) -> Parameters | None:
+    """Return the model's parameters of a file; None where it has none that can be read."""
+    tree = reader.configuration().get("parameters")
+    try:
+        return parse_parameters(tree, "parameters of the file") if tree else None
+    except (UnusableInput, TypeError, ValueError):
+        return None
+
+
+CRANK_AT_DEG: Final = 55.0
+"""Where the crank stands in the drawing."""
+
+
+def scheme(parameters: Parameters | None) -> Figure | None:
+    """Draw the mechanism in proportion with its dimensions; None without parameters."""
+    if parameters is None:
+        return None
+    mechanism, joint = parameters.mechanism, parameters.joint
+    crank, follower = mechanism.crank_radius, mechanism.follower_length
+    angle = math.radians(CRANK_AT_DEG)
+    pin = np.array([crank * math.cos(angle), crank * math.sin(angle)])
+    slider = np.array([pin[0] + math.sqrt(follower**2 - pin[1] ** 2), 0.0])
+    unit = (crank + follower) / 10.0
+    with canvas_of(1.4, FIGURES_WIDTH_IN) as canvas:
+        axes = canvas.add_axes((0.0, 0.0, 1.0, 1.0))
+        axes.set_aspect("equal")
+        axes.axis("off")
+        axes.axhline(0.0, color=MUTED, lw=0.5)
+        for begin, end in ((np.zeros(2), pin), (pin, slider)):
+            axes.plot(*zip(begin, end, strict=True), color=INK, lw=2.2, solid_capstyle="round")
+        half = np.array([0.75, 0.45]) * unit
+        axes.fill(
+            slider[0] + half[0] * np.array([-1, 1, 1, -1]), half[1] * np.array([-1, -1, 1, 1]),
+            facecolor="#eef1f4", edgecolor=INK, lw=1.0, zorder=3,
+        )  # fmt: skip
+        axes.plot(0.0, 0.0, "o", ms=6, mfc="white", mec=INK, zorder=4)
+        axes.plot(*pin, "o", ms=10, mfc="white", mec=MODEL, mew=1.5, zorder=4)
+        axes.plot(*pin, "o", ms=4.5, color=INK, zorder=5)
+        axes.plot(*slider, "o", ms=4, mfc="white", mec=INK, zorder=5)
+        right = slider[0] + half[0]
+        if mechanism.spring is not None and mechanism.spring.stiffness > 0.0:
+            wall = right + 2.2 * unit
+            zig = np.linspace(right, wall, 12)
+            axes.plot(zig, 0.28 * unit * np.array([0, 0, *[1, -1] * 4, 0, 0]), color=INK, lw=1.0)
+            axes.plot([wall, wall], [-0.6 * unit, 0.6 * unit], color=INK, lw=1.5)
+            text = f"{mechanism.spring.stiffness:.4g} N/m"
+            axes.text((right + wall) / 2, 0.65 * unit, text, ha="center", fontsize=7, color=MUTED)
+            right = wall
+        small = {"fontsize": 7, "color": MUTED}
+        left = pin / 2 + np.array([-0.25, 0.1]) * unit
+        axes.text(*left, f"{1e3 * crank:.4g} mm", ha="right", **small)
+        middle = (pin + slider) / 2 + np.array([0.0, 0.35]) * unit
+        axes.text(*middle, f"{1e3 * follower:.4g} mm", ha="left", **small)
+        mass = mechanism.slider_mass + mechanism.added_mass
+        axes.text(slider[0], -1.15 * unit, f"{mass:.4g} kg", ha="center", **small)
+        sizes = f"joint: pin {2e3 * joint.pin_radius:.4g}, bushing {2e3 * joint.bushing_radius:.4g}"
+        sizes += f" × {1e3 * joint.bushing_width:.4g} mm"
+        above = pin + np.array([0.0, 0.7]) * unit
+        axes.text(*above, sizes, ha="left", fontsize=7, color=MODEL)
+        axes.set_xlim(-1.6 * unit, right + 1.2 * unit)
+        axes.set_ylim(-1.6 * unit, pin[1] + 1.5 * unit)
+    plane = "vertical" if any(mechanism.gravity) else "horizontal"
+    caption = (
+        f"Crank {mechanism.crank_mass:.4g} kg, follower {mechanism.follower_mass:.4g} kg;"
+        f" {plane} plane."
+    )
+    words = f"Slider-crank, crank {1e3 * crank:.4g} mm, follower {1e3 * follower:.4g} mm; {sizes}."
+    return saved(canvas, "The mechanism", words, caption)

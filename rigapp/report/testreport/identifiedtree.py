@@ -1,0 +1,228 @@
+"""What was identified of the wear as CSV and JSON.
+
+The keys are a promise to users: docs/model-wear.md lists them.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from rigapp.config.writing import harmless
+from rigapp.report.testreport.identified import ForecastBand, IdentifiedTest, IdentifiedTests
+from rigapp.schema.columns import identified_columns
+from rigapp.texts import say
+from rigapp_model.identification import Credible, Disturbance, Identification, Pairing, Verdict
+from rigapp_model.identification.words import revolution_of
+
+UNIT = "mm^3/(N m)"
+PER_UNIT = 1e9
+"""mm^3/(N m) in 1 m^2/N."""
+UM = 1e6
+LEVEL = 0.95
+"""Probability that the limits hold."""
+
+COLUMNS = {
+    "revolution": "revolution",
+    **{
+        one.name: f"{one.name}_mm3_per_N_m" if one.unit == UNIT else one.name
+        for one in identified_columns()
+    },
+}
+"""Column of the file -> of the CSV: a row for each revolution at which something new was stated."""
+
+
+def as_csv(found: IdentifiedTests) -> bytes:
+    """Return the course of all tests as CSV."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(("file", "specimen", *COLUMNS.values()))
+    for test in found.tests:
+        columns = [test.course[name] for name in COLUMNS] if test.course else []
+        for row in zip(*columns, strict=True):
+            cells = [f"{one:.9g}" if math.isfinite(one) else "" for one in row]
+            writer.writerow((harmless(test.path.name), harmless(test.specimen), *cells))
+    return text.getvalue().encode()
+
+
+def _three(one: Credible) -> tuple[float, float, float]:
+    return one.median, one.low, one.high
+
+
+def as_tree(found: IdentifiedTests) -> dict[str, Any]:
+    """Return all that is known as plain values: what is not known is None."""
+    tests = [tree_of_test(one) for one in found.tests]
+    return {
+        "schema": 1,
+        **promised_of_all(found, tests),
+        "tests": tests,
+        "pairing": None if found.pairing is None else _tree_of_pairing(found.pairing, found),
+        "pairing_refused": found.why_not,
+    }
+
+
+def tree_of_test(test: IdentifiedTest) -> dict[str, Any]:
+    """Return what is known of one test as plain values."""
+    head: dict[str, Any] = {
+        "file": str(test.path),
+        "title": test.title,
+        "specimen": test.specimen,
+        "probe_record": test.record,
+        "planned_revolutions": test.planned,
+        "refused": test.refused,
+        "sentence": test.said,
+    }
+    known = test.known
+    if known is None:
+        return head | promised(test)
+    return head | {
+        "revolution": int(known.revolution),
+        "wear_coefficient": _credible(known.coefficient, PER_UNIT, UNIT),
+        "statements": [_statement(known, one) for one in known.verdicts],
+        "disturbances": [_disturbance(one) for one in known.disturbances],
+        **promised(test),
+        "remaining_s": _finite(test.remaining_s),
+        "prior": _prior(known.prior),
+        "readings": {
+            "revolution": _list(known.readings.revolution, 1.0),
+            "depth_um": _list(known.readings.depth, UM),
+            "noise_um": _list(known.readings.noise, UM),
+        },
+        "course": {name: _list(values, 1.0) for name, values in test.course.items()},
+        "bands": [_band(one) for one in test.bands],
+    }
+
+
+def _statement(known: Identification, one: Verdict) -> dict[str, Any]:
+    return {
+        "name": one.name,
+        "weight": one.weight,
+        "wear_coefficient": _credible(one.coefficient, PER_UNIT, UNIT),
+        "before": None if one.before is None else _credible(one.before, PER_UNIT, UNIT),
+        "revolution": None if one.place is None else revolution_of(known, one.place.median),
+    }
+
+
+def _disturbance(one: Disturbance) -> dict[str, Any]:
+    return {
+        "name": one.name,
+        "size_um": UM * one.size,
+        "standard_uncertainty_um": UM * one.doubt,
+        "revolutions": _finite(one.place),
+        "probability": one.probability,
+    }
+
+
+COEFFICIENT_KEY, REMAINING_KEY = "wear_coefficient_mm3_per_Nm", "remaining_revolutions"
+
+
+def promised(test: IdentifiedTest) -> dict[str, Any]:
+    """Return the keys that every JSON of a test has: values with limits, or None and a reason.
+
+    Each of the two quantities has its own ``..._reason``; ``reason`` holds whatever there is.
+    """
+    known, left = test.known, test.left
+    if known is None:
+        return _promised(None, None, test.said, test.said)
+    coefficient = _estimate(known.coefficient, PER_UNIT)
+    rest: dict[str, Any] | None = None
+    why = ""
+    if left is None:
+        why = say("The test has no stop.wear_depth_um, so nothing says when it ends.")
+    elif left.revolutions is None:
+        why = left.reason
+    else:
+        rest = {
+            "depth_um": UM * left.depth,
+            "reason": left.reason,
+            **_credible(left.revolutions, 1.0, "1"),
+            **_estimate(left.revolutions, 1.0),
+        }
+    odds = known.best.weight / max(1.0 - known.best.weight, 1e-12)
+    return _promised(coefficient, rest, "", why, known.best.name, odds)
+
+
+def promised_of_all(found: IdentifiedTests, tests: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """Return the same keys of a single test, or of the median specimen of several."""
+    if len(tests) == 1:
+        return {key: tests[0][key] for key in PROMISED}
+    each = say("It belongs to one test: see the list of tests.")
+    if found.pairing is None:
+        why = found.why_not or say("Nothing is known of any of the tests.")
+        return _promised(None, None, why, each)
+    return _promised(_estimate(found.pairing.coefficient, PER_UNIT), None, "", each)
+
+
+def _promised(
+    coefficient: Mapping[str, Any] | None,
+    left: Mapping[str, Any] | None,
+    why: str,
+    why_left: str,
+    model: str | None = None,
+    odds: float | None = None,
+) -> dict[str, Any]:
+    return {
+        COEFFICIENT_KEY: coefficient,
+        f"{COEFFICIENT_KEY}_reason": why,
+        REMAINING_KEY: left,
+        f"{REMAINING_KEY}_reason": why_left,
+        "reason": why or why_left,
+        "wear_model": model,
+        "odds": odds,
+    }
+
+
+PROMISED = tuple(_promised(None, None, "", ""))
+
+
+def _estimate(one: Credible, factor: float) -> dict[str, Any]:
+    """Return a quantity as estimate, limits and their level; a limit that is unknown is None."""
+    estimate, low, high = (_finite(factor * value) for value in _three(one))
+    return {"estimate": estimate, "low": low, "high": high, "level": LEVEL}
+
+
+def _band(one: ForecastBand) -> dict[str, Any]:
+    band = one.band
+    return {
+        "after_revolution": one.after,
+        "revolution": _list(band.revolution, 1.0),
+        "median_um": _list(band.median, UM),
+        "low_um": _list(band.low, UM),
+        "high_um": _list(band.high, UM),
+    }
+
+
+def _tree_of_pairing(pairing: Pairing, found: IdentifiedTests) -> dict[str, Any]:
+    return {
+        "files": [str(one.path) for one in found.counted],
+        "wear_coefficient": _credible(pairing.coefficient, PER_UNIT, UNIT),
+        "next_specimen": _credible(pairing.next, PER_UNIT, UNIT),
+        "scatter_factor": _credible(pairing.scatter, 1.0, "1"),
+        "specimens": [_credible(one, PER_UNIT, UNIT) for one in pairing.each],
+        "prior": _prior(pairing.prior),
+    }
+
+
+def _prior(prior: Any) -> Mapping[str, Any]:
+    return {
+        "wear_coefficient": PER_UNIT * prior.coefficient,
+        "unit": UNIT,
+        "spread_ln": prior.spread,
+        "source": prior.source,
+    }
+
+
+def _credible(one: Credible, factor: float, unit: str) -> dict[str, Any]:
+    median, low, high = (_finite(factor * value) for value in _three(one))
+    return {"median": median, "low": low, "high": high, "unit": unit}
+
+
+def _finite(value: float) -> float | None:
+    return float(value) if math.isfinite(value) else None
+
+
+def _list(values: Any, factor: float) -> list[float | None]:
+    return [_finite(factor * float(one)) for one in values]

@@ -1,0 +1,184 @@
+"""Carry out what viewers ask of an engine: each verb in one place."""
+
+from __future__ import annotations
+
+import logging
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_test
+from rigapp.queue.items import removed
+from rigapp.schema.messages import PROTOCOL_VERSION, Reply, Request
+from rigapp.schema.states import ACTIVE, Refused
+from rigapp.schema.verbs import (
+    VERBS,
+    BeginCalibration,
+    CalibrationKey,
+    Hand,
+    Nothing,
+    QueueAdd,
+    QueueRemove,
+    ReleaseCalibration,
+    Resume,
+    Start,
+    Zero,
+)
+from rigapp.schema.wire import tree_of
+from rigapp.service.bounds import asked_of, refusal
+from rigapp.service.queued import add_tests
+from rigapp.service.recorded import end_whole_test, recorded_test, with_revolutions
+from rigapp.simulation.handle import SimulationFailed
+from rigapp.texts import joined, say, sentence_of_error
+from rigapp_drivers.api import DeviceError
+
+log = logging.getLogger(__name__)
+
+EXPECTED = (UnusableInput, Refused, DeviceError, SimulationFailed, TimeoutError)
+"""Errors that are a sentence for whoever asked, not a defect."""
+
+HAND_LOOKS = 3
+"""Looks at both counts before a hand: of three, one is not held up by the computer."""
+
+
+class RequestHandler:
+    """Answer the requests of all viewers of a host."""
+
+    def __init__(self, host: Any) -> None:
+        # An ``EngineHost``, which makes this: named here, the two modules would be a circle.
+        self._host = host
+        self._verbs = self._table()
+
+    def handle(self, request: Request) -> Reply:
+        """Carry out a request; what was refused comes back as one sentence, and is logged."""
+        reply = self._handled(request)
+        if not reply.ok:
+            log.info("%s refused: %s", request.verb, reply.sentence)
+        return reply
+
+    def _handled(self, request: Request) -> Reply:
+        verb = VERBS.get(request.verb)
+        if verb is None:
+            known = joined(", ", sorted(VERBS))
+            return refusal(say("There is no command {}: {}.", repr(request.verb), known))
+        try:
+            self._host.command.judge(request)
+            result = self._verbs[verb.name](asked_of(verb, request.arguments), request)
+        except EXPECTED as error:
+            return refusal(sentence_of_error(error))
+        except (TypeError, ValueError) as error:
+            return refusal(
+                say("The arguments of {} are not usable ‹{}›.", repr(request.verb), error)
+            )
+        return result if isinstance(result, Reply) else Reply(ok=True, result=result)
+
+    def _table(self) -> dict[str, Callable[[Any, Request], Any]]:
+        """Return what each verb does, of the record of its arguments and the request."""
+        engine, command, simulated = self._host.engine, self._host.command, self._host.simulated
+        return {
+            "hello": lambda a, by: {"version": PROTOCOL_VERSION, "pid": os.getpid()},
+            "status": lambda a, by: self._host.with_service(engine.status()).tree(),
+            "present": lambda a, by: command.present(by),
+            "take_command": lambda a, by: command.take(by, a.force),
+            "release_command": lambda a, by: command.release(by),
+            "connect": self._connect_request,
+            "reconnect": self._connect_request,
+            "start": self._start_request,
+            "resume_file": self._resume_request,
+            "queue_start": lambda a, by: tree_of(self._host.queue.start(by.operator)),
+            "queue_stop": lambda a, by: tree_of(self._host.queue.stop()),
+            "queue_add": self._queue_request,
+            "queue_remove": self._unqueue_request,
+            "examine_file": lambda a, by: tree_of(self._host.resumption(Path(a.file))),
+            "pause": lambda a, by: engine.pause(by.operator, a.reason),
+            "resume": self._resume_paused,
+            "stop": lambda a, by: engine.stop(by.operator, a.reason),
+            "drive_off": lambda a, by: engine.drive_off(by.operator, a.reason),
+            "reset": lambda a, by: engine.reset(by.operator),
+            "acknowledge": lambda a, by: engine.acknowledge(a.key, by.operator),
+            "shelve": lambda a, by: engine.shelve(a.key, a.reason, a.minutes, by.operator),
+            "note": lambda a, by: engine.note(a.text, by.operator),
+            "extend": lambda a, by: engine.extend(a.revolutions, by.operator, a.reason),
+            "set_limit": lambda a, by: engine.set_limit(a.name, a.value, by.operator, a.reason),
+            "calibration_begin": self._begin_calibration,
+            "calibration_end": self._end_calibration,
+            "calibration_release": self._release_calibration,
+            "use_records": lambda a, by: self._host.use_records(by.operator),
+            "zero": self._zero_request,
+            "inject_fault": lambda a, by: simulated.process.inject(tree_of(a)),
+            "clear_fault": lambda a, by: simulated.process.clear(a.kind),
+            "signals": lambda a, by: tree_of(engine.hear(a.window_s)),
+            "hand": self._hand_request,
+            "simulation_state": lambda a, by: simulated.process.state(),
+            "shutdown": lambda a, by: self._host.ended.set(),
+        }
+
+    def _hand_request(self, asked: Hand, by: Request) -> dict[str, int]:
+        """Let the simulated hands do something; return the first device sample after it."""
+        simulated, behind = self._host.simulated, self._host.behind
+        process = simulated.process
+        for _ in range(HAND_LOOKS):
+            behind.note(self._host.engine.samples_processed, int(process.state()["samples"]))
+        simulated.hand(asked.what, asked.details)
+        return {"after_sample": behind.processed_at(int(process.state()["samples"]))}
+
+    def _resume_paused(self, asked: Nothing, by: Request) -> None:
+        self._host.calibration.judge_viewer(by.client)
+        self._host.engine.resume(by.operator)
+
+    def _zero_request(self, asked: Zero, by: Request) -> Any:
+        self._host.calibration.judge()  # what hangs on the pin would be in the zero
+        return self._host.engine.zero(asked.what, by.operator, asked.reason)
+
+    def _begin_calibration(self, asked: BeginCalibration, by: Request) -> Any:
+        with self._host.starting:
+            if self._host.engine.state in ACTIVE:
+                raise Refused("a test is under way; stop it first")
+            return self._host.calibration.begin(by, asked.what, asked.fastest_rpm)
+
+    def _end_calibration(self, asked: CalibrationKey, by: Request) -> None:
+        self._host.calibration.end(asked.key, by)
+        self._put_together()
+
+    def _release_calibration(self, asked: ReleaseCalibration, by: Request) -> None:
+        if self._host.engine.state in ACTIVE:
+            raise Refused("the spindle turns for the calibration; stop it first")
+        self._host.calibration.release(asked.since, asked.reason, by)
+        self._put_together()
+
+    def _put_together(self) -> None:
+        """Take the hands of a training off the simulated rig: the crank would stay locked."""
+        try:
+            if self._host.engine.state not in ACTIVE:
+                self._host.simulated.put_together()
+        except (UnusableInput, SimulationFailed) as error:
+            self._host.engine.log(
+                "calibrating", say("the simulated rig is as it was left: {}", error), "engine"
+            )
+
+    def _connect_request(self, asked: Nothing, by: Request) -> None:
+        with self._host.starting:
+            self._host.connect()
+
+    def _start_request(self, asked: Start, by: Request) -> None:
+        test = with_revolutions(read_test(Path(asked.test)), asked.revolutions)
+        out, key = Path(asked.out), asked.calibration
+        self._host.start(test, out, by.operator, resume=False, calibration=key)
+
+    def _queue_request(self, asked: QueueAdd, by: Request) -> None:
+        tests = [Path(one) for one in asked.tests]
+        add_tests(self._host.queue.store, self._host.records.rig.record, tests, Path(asked.folder))
+
+    def _unqueue_request(self, asked: QueueRemove, by: Request) -> None:
+        self._host.queue.store.change(lambda queue: removed(queue, list(asked.numbers)))
+
+    def _resume_request(self, asked: Resume, by: Request) -> Reply | None:
+        self._host.calibration.judge()
+        path = Path(asked.file)
+        ended = end_whole_test(path)
+        if ended is not None:
+            return Reply(ok=True, sentence=ended.sentence)
+        self._host.start(recorded_test(path), path, by.operator, resume=True, reason=asked.reason)
+        return None

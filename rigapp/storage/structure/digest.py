@@ -1,0 +1,80 @@
+"""Compute the digest of all that a test file fixes before its first row.
+
+Covered are the path, type and attributes of every group and dataset, and the values of those that
+no writer changes later: settings, records, versions, axes. Not covered is what the compressed copy
+says otherwise: the file's name and form, and how HDF5 joins dimensions.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from typing import Any
+
+import h5py
+import numpy as np
+
+from rigapp.storage.structure.hdf import is_bare
+from rigapp.storage.structure.layout import (
+    END_TIME,
+    FILE_NAME_ATTRIBUTE,
+    FORM_ATTRIBUTE,
+    STATE,
+    FilePlan,
+    streams_of,
+)
+
+SCALE_ATTRIBUTES = frozenset(
+    ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "DIMENSION_LABELS")
+)
+"""Attributes that make a dataset a dimension, or join it to one."""
+SEAL = "/entry/seal"
+_UNCOVERED = SCALE_ATTRIBUTES | {FILE_NAME_ATTRIBUTE, FORM_ATTRIBUTE}
+
+
+def settings_digest(file: h5py.File, plan: FilePlan) -> bytes:
+    """Return the SHA-256, in hexadecimal, of what is fixed in an open file."""
+    changing = {END_TIME}
+    for stream in streams_of(plan).values():
+        changing.update(stream.path(one.name) for one in stream.stored)
+        if stream.counter:
+            changing.add(stream.path(stream.counter))
+    total = hashlib.sha256()
+    for part in _parts("/", file, values=False):
+        _add(total, part)
+    names: list[str] = []
+    file.visit(names.append)
+    for path in sorted(f"/{name}" for name in names):
+        if path == SEAL or path.startswith((f"{STATE}/", f"{SEAL}/")):
+            continue
+        for part in _parts(path, file[path], path not in changing):
+            _add(total, part)
+    return total.hexdigest().encode()
+
+
+def _add(total: Any, part: bytes) -> None:
+    """Add a part with its length before it, so that no two lists of parts read the same."""
+    total.update(len(part).to_bytes(8, "little") + part)
+
+
+def _parts(path: str, item: Any, values: bool) -> Iterator[bytes]:
+    """Yield what is covered of one object."""
+    yield path.encode()
+    if isinstance(item, h5py.Dataset):
+        yield f"{item.dtype.str} {item.shape[1:]}".encode()
+        if values and not is_bare(item):
+            yield _bytes_of(item[()])
+    for name in sorted(item.attrs):
+        if name not in _UNCOVERED and not name.startswith("_Netcdf4"):
+            yield name.encode()
+            yield _bytes_of(item.attrs[name])
+
+
+def _bytes_of(value: Any) -> bytes:
+    if isinstance(value, str):
+        return value.encode()
+    array = np.asarray(value)
+    if array.dtype.kind == "O":
+        texts = (one if isinstance(one, bytes) else str(one).encode() for one in array.flat)
+        return b"".join(len(one).to_bytes(8, "little") + one for one in texts)
+    return f"{array.dtype.str} {array.shape}".encode() + array.tobytes()

@@ -1,0 +1,153 @@
+"""Texts that keep their structure: a template with values, from where they arise to the screen.
+
+A ``Sentence`` is its English text, so files, logs and terminals take it as any string. Who shows
+it in another language looks its template up in a catalogue and fills in the values
+(``rigapp.presentation.translation``). Drivers, model and calibration say their errors by it, too:
+this module imports nothing of rigapp. Others enter by this door.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from enum import Enum
+from string import Formatter
+
+Value = str | int | float
+"""What fills a brace: a number, a name that is never translated, or another sentence."""
+
+
+class Sentence(str):
+    """An English text that knows its template and the values in it.
+
+    A template without values is the text as it stands, braces and all.
+    """
+
+    __slots__ = ("template", "values")
+    template: str
+    values: dict[str, Value]
+
+    def __new__(cls, template: str = "", *values: object, **named: object) -> Sentence:
+        """Fill a template: its braces have values in their order, or names."""
+        if isinstance(template, Sentence) and not values:
+            return template
+        return cls.of(template, {**{str(at): one for at, one in enumerate(values)}, **named})
+
+    @classmethod
+    def of(cls, template: str, values: dict[str, object]) -> Sentence:
+        """Fill a template with values by their names; those without one have numbers."""
+        named = {name for _, name, _ in braces(template) if name} if values else set()
+        kept = {name: _kept(value) for name, value in values.items() if name in named}
+        text = filled(template, kept) if values else template
+        sentence = super().__new__(cls, text)
+        sentence.template, sentence.values = template, kept
+        return sentence
+
+    def __reduce__(self) -> tuple[object, ...]:
+        """Return what makes it again, for copies and other processes."""
+        return Sentence.of, (self.template, self.values)
+
+    def __add__(self, other: str, /) -> Sentence:
+        """Return it with another text behind it; each keeps its structure."""
+        return Sentence("{}{}", self, other)
+
+    def lower(self) -> Sentence:
+        """Return it in small letters, its structure kept where its values allow."""
+        return self._ended(self.template.lower(), super().lower())
+
+    def strip(self, chars: str | None = None, /) -> Sentence:
+        """Return it without characters at its ends, its structure kept where its value allows."""
+        return self._ended(self.template.strip(chars), super().strip(chars))
+
+    def rstrip(self, chars: str | None = None, /) -> Sentence:
+        """Return it without characters at its end, its structure kept where its value allows."""
+        return self._ended(self.template.rstrip(chars), super().rstrip(chars))
+
+    def removesuffix(self, suffix: str, /) -> Sentence:
+        """Return it without an ending, its structure kept where its value allows."""
+        return self._ended(self.template.removesuffix(suffix), super().removesuffix(suffix))
+
+    def _ended(self, template: str, text: str) -> Sentence:
+        ended = Sentence.of(template, {**self.values})
+        return ended if ended == text else as_written(text)
+
+
+class SentenceError(Exception):
+    """An error with a sentence: it is raised with a template and the values of it."""
+
+    def __init__(self, template: str = "", *values: object) -> None:
+        super().__init__(Sentence(template, *values))
+
+
+def say(template: str, *values: object, **named: object) -> Sentence:
+    """Return the sentence of a template; the catalogues are gathered from these calls.
+
+    values: numbers, names, sentences, and errors, of which their sentence is taken.
+    """
+    return Sentence(template, *values, **named)
+
+
+def as_written(text: str) -> Sentence:
+    """Return a text as a sentence: one that has no structure is shown as it is, never translated.
+
+    This is for what people and older programs wrote.
+    """
+    return text if isinstance(text, Sentence) else Sentence("{}", text)
+
+
+def sentence_of_error(error: BaseException) -> str:
+    """Return what an error says, with its structure where it has one."""
+    said = error.args[0] if len(error.args) == 1 else None
+    return said if isinstance(said, Sentence) and said == str(error) else str(error)
+
+
+def capitalised(text: str) -> str:
+    """Return a text with a capital first letter, its structure kept."""
+    if not isinstance(text, Sentence):
+        return text[:1].upper() + text[1:]
+    literal, name, _ = next(braces(text.template), ("", "", ""))
+    if literal or not name:
+        return Sentence.of(text.template[:1].upper() + text.template[1:], {**text.values})
+    first = text.values[name]
+    begin = capitalised(first) if isinstance(first, str) else first
+    return Sentence.of(text.template, {**text.values, name: begin})
+
+
+def joined(separator: str, texts: Iterable[str]) -> Sentence:
+    """Return texts behind one another. separator: a sentence where it has words."""
+    parts: list[str] = []
+    for one in texts:
+        parts += [separator, one] if parts else [one]
+    return Sentence("{}" * len(parts), *parts)
+
+
+def _kept(value: object) -> Value:
+    """Return a value as a sentence keeps it."""
+    if isinstance(value, Sentence):
+        return value
+    if isinstance(value, Enum) and not isinstance(value, int):
+        return Sentence(str(value))
+    if isinstance(value, BaseException):
+        return sentence_of_error(value)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        item = getattr(value, "item", None)
+        return _kept(item()) if callable(item) else str(value)  # numbers of numpy have item
+    return float(value) if isinstance(value, float) else int(value)
+
+
+def filled(template: str, values: dict[str, Value]) -> str:
+    """Return a template with its values."""
+    return "".join(
+        literal + (format(values[name], spec) if name else "")
+        for literal, name, spec in braces(template)
+    )
+
+
+def braces(template: str) -> Iterator[tuple[str, str, str]]:
+    """Yield each literal of a template, the name of the value after it, and how that is written.
+
+    Values without a name are numbered. The last literal may have no value after it.
+    """
+    number = 0
+    for literal, name, spec, _ in Formatter().parse(template):
+        yield literal, str(number) if name == "" else name or "", spec or ""
+        number += name == ""

@@ -1,0 +1,277 @@
+"""What explains that a rig differs from its model by more than its tolerances allow? One cause.
+
+The mean of measured minus predicted, both components against the crank angle, has what each
+tolerance changes in it, what the load cell may be off by, and what is left of chance. Under this
+covariance the amplitude of each cause is estimated; one whose amplitude is beyond its limits (for
+so many causes: Baarda's test of outliers) explains the difference. The clearance hardly changes a
+force: it is told by where the pin lies in the new bushing.
+"""
+
+from __future__ import annotations
+
+import logging
+import math
+from dataclasses import dataclass, field
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import cho_factor, cho_solve
+from scipy.stats import norm
+
+from rigapp.schema.deviations import (
+    CLEARANCE_CAUSE,
+    DEVIATIONS,
+    NO_CAUSE,
+    deviation_sentence,
+)
+from rigapp.twin.pinpath import Reference
+from rigapp.twin.predict import GRID
+from rigapp.twin.tolerances import (
+    CELL_TURN,
+    CLEARANCE,
+    GUIDE_N,
+    INDEX,
+    LATENCY_S,
+    SAME_SPEED,
+    TOLERANCES,
+    UNSTATED_CELL,
+    slope,
+)
+from rigapp.twin.uncertainty import COVERAGE_FACTOR
+from rigapp_model.dynamics import MechanismMotion
+from rigapp_model.friction_circle import CellDoubt
+from rigapp_model.parameters import Parameters
+
+Array = NDArray[np.float64]
+
+log = logging.getLogger(__name__)
+
+POINTS = 120
+"""Parts of the revolution whose means are compared; three of ``GRID``."""
+AVERAGED = 20.0
+"""Revolutions over which the difference is averaged."""
+EACH = 10
+"""Revolutions after which a cause is looked for, and then each time."""
+FALSE_ALARM = 0.01
+"""Probability that a healthy rig is said to differ, over all causes."""
+LIMIT = float(norm.isf(0.5 * FALSE_ALARM / (len(DEVIATIONS) - 1)))
+NEARLY = 4.0
+"""Difference of squared scores up to which another cause explains nearly as much: odds of 7."""
+ALIKE_RAD = math.radians(12.0)
+"""How far in crank angle that reaches which neither tolerances nor noise explain."""
+UNMODELLED_N = 0.1
+"""Standard size of that where none is seen, N."""
+HIDDEN_N = 1.5
+"""A motion that leaves this much open, standard, N, explains what a fault of 2 N would show."""
+HANGING_N = 0.2
+"""Standard weight of what hangs on the load cell outboard of its gauges, N: 20 g."""
+UPWARD = np.array([0.0, 1.0])
+"""Away from the weight where the parameter file has no gravity in the plane."""
+LEAN = 0.1
+"""More than this (rad) between the new pin's place and the force: the probes' zero is elsewhere."""
+PLACE_DOUBT = 20e-6
+"""Standard doubt of where a probe's zero was put that was put at the bushing's centre, m."""
+
+
+@dataclass(frozen=True, slots=True)
+class Deviation:
+    """Say what explains a difference: a name of ``DEVIATIONS``, value and U (k = 2) in its unit.
+
+    score: how far that is beyond what tolerances and chance allow, in standard deviations.
+    alternative: another cause that explains it nearly as well.
+    """
+
+    name: str = NO_CAUSE
+    value: float = math.nan
+    uncertainty: float = math.nan
+    score: float = 0.0
+    alternative: str = NO_CAUSE
+
+    @property
+    def columns(self) -> dict[str, float]:
+        """Return the columns of a revolution."""
+        places = {str(name): float(place) for place, name in enumerate(DEVIATIONS)}
+        return {
+            "deviation_cause": places[self.name],
+            "deviation": self.value,
+            "deviation_uncertainty": self.uncertainty,
+            "deviation_alternative": places[self.alternative],
+        }
+
+
+class DeviationRecord(msgspec.Struct, frozen=True):
+    """What is remembered of the difference: (2, POINTS) as bytes, float64, N."""
+
+    speed: float
+    seen: int
+    mean: bytes
+    noise: float
+    told: tuple[str, float, float, float, str]
+
+
+@dataclass(slots=True)
+class DeviationWatch:
+    """Average measured minus predicted force, and say what explains it.
+
+    cell: what is stated of the load cell, None where nothing is.
+    """
+
+    parameters: Parameters
+    joint: str
+    cell: CellDoubt | None = None
+    told: Deviation = field(default_factory=Deviation)
+    _speed: float = math.nan
+    _seen: int = 0
+    _mean: Array = field(default_factory=lambda: np.zeros((2, POINTS)))
+    _noise: float = 0.0
+
+    def packed(self) -> DeviationRecord:
+        """Return what it remembers."""
+        told = self.told
+        mean = self._mean.astype("<f8").tobytes()
+        words = told.name, told.value, told.uncertainty, told.score, told.alternative
+        return DeviationRecord(self._speed, self._seen, mean, self._noise, words)
+
+    def restore(self, record: DeviationRecord) -> None:
+        """Go on from what another one remembered."""
+        self._speed, self._seen, self._noise = record.speed, record.seen, record.noise
+        self._mean = np.frombuffer(record.mean, dtype="<f8").reshape(2, POINTS).copy()
+        self.told = Deviation(*record.told)
+
+    def take(
+        self, force: Array, motion: MechanismMotion, left_open: Array, depth: float,
+        reference: Reference | None,
+    ) -> Deviation:  # fmt: skip
+        """Take a revolution and return what explains the difference so far.
+
+        force (2, GRID): measured, N, crank frame; left_open (GRID,): standard, N, by the measured
+        angle; depth: of the predicted wear, m; reference: of the new bushing, once it is known.
+        """
+        speed = float(np.mean(motion.speed))
+        if not abs(speed - self._speed) <= SAME_SPEED * abs(speed):
+            self._speed, self._seen, self._noise = speed, 0, 0.0
+        off = _means(force - motion.force_crank)
+        self._seen += 1
+        share = max(1.0 / self._seen, 1.0 / AVERAGED)
+        step = off - self._mean if self._seen > 1 else off
+        if self._seen == 1:
+            self._mean = off
+        else:
+            self._noise += share * (float(np.mean(step**2)) * (1.0 - share) - self._noise)
+            self._mean = self._mean + share * step
+        if self._seen % EACH == 0:
+            found = [of_clearance(reference)]
+            if float(np.sqrt(np.mean(left_open**2))) < HIDDEN_N:
+                found.append(self._by_force(motion, left_open, depth))
+            before, self.told = self.told, max(found, key=lambda one: abs(one.score))
+            if self.told.name not in (before.name, NO_CAUSE):
+                sentence = deviation_sentence(*self.told.columns.values())
+                log.warning("Measurement and model differ %s.", sentence)
+        return self.told
+
+    def _by_force(self, motion: MechanismMotion, left_open: Array, depth: float) -> Deviation:
+        cell = self.cell or UNSTATED_CELL
+        names, standards, columns = _causes(
+            self.parameters, self.joint, motion, depth, cell.relative
+        )
+        held = _cell_columns(np.asarray(motion.force_crank), cell)
+        every = np.concatenate([columns, held])
+        wanted = self._mean.ravel()
+        chance = self._noise * max(1.0 / self._seen, 1.0 / AVERAGED)
+        left = wanted - every.T @ np.linalg.lstsq(every.T, wanted, rcond=None)[0]
+        size = max(float(np.mean(left**2)) - chance, UNMODELLED_N**2)
+        spread = np.sqrt(size + _means(left_open[np.newaxis])[0] ** 2)
+        near = _alike(spread)
+        covariance = np.kron(np.eye(2), near) + chance * np.eye(2 * POINTS) + every.T @ every
+        factor = cho_factor(covariance)
+        solved = cho_solve(factor, columns.T)
+        precision = np.sum(columns.T * solved, axis=0)
+        amplitude = (wanted @ solved) / precision
+        score = amplitude * np.sqrt(precision)
+        place = int(np.argmax(np.abs(score)))
+        if abs(score[place]) < LIMIT:
+            return Deviation()
+        second = int(np.argsort(np.abs(score))[-2])
+        near_by = score[place] ** 2 - score[second] ** 2 < NEARLY
+        # Its own tolerance is part of the covariance, and no doubt of what it is in truth.
+        doubt = math.sqrt(max(1.0 / precision[place] - 1.0, 0.0))
+        unit = standards[place]
+        return Deviation(
+            names[place],
+            float(unit * amplitude[place]),
+            COVERAGE_FACTOR * unit * doubt,
+            float(score[place]),
+            names[second] if near_by else NO_CAUSE,
+        )
+
+
+def of_clearance(reference: Reference | None) -> Deviation:
+    """Return what the pin's place in the new bushing tells of the clearance.
+
+    Where the probes' zero is the bushing's centre, the new pin lies the clearance away from it, in
+    the direction of the force; beyond it where the clearance is larger.
+    """
+    if reference is None or not abs(reference.lean) < LEAN:
+        return Deviation()
+    doubt = math.hypot(reference.radial, PLACE_DOUBT)
+    score = reference.beyond / math.hypot(CLEARANCE, doubt)
+    if abs(score) < LIMIT:
+        return Deviation()
+    return Deviation(CLEARANCE_CAUSE, 1e6 * reference.beyond, 1e6 * COVERAGE_FACTOR * doubt, score)
+
+
+def _causes(
+    parameters: Parameters, joint: str, motion: MechanismMotion, depth: float, gain: float
+) -> tuple[list[str], list[float], Array]:
+    """Return names, standard tolerances and what these change, (causes, 2 POINTS), N."""
+    found: list[tuple[str, float, Array]] = []
+    for one in TOLERANCES:
+        change = one.off_by(parameters, joint, motion, depth)
+        if change is not None and one.name != CLEARANCE_CAUSE:
+            found.append((one.name, one.standard, change))
+    force = np.asarray(motion.force_crank)
+    along = np.sign(motion.slider_velocity) * GUIDE_N
+    across = along * np.tan(motion.follower_angle)
+    c, s = np.cos(GRID), np.sin(GRID)
+    guide = np.stack([c * along + s * across, c * across - s * along])
+    found.append(("friction of the slider's guide", GUIDE_N, guide))
+    turn = math.hypot(INDEX, LATENCY_S * float(np.mean(motion.speed)))
+    found.append(("crank angle at the index", math.degrees(turn), turn * slope(force)))
+    found.append(("gain of the load cell", 100.0 * gain, gain * force))
+    down = np.array(parameters.mechanism.gravity)
+    x, y = -down / np.hypot(*down) if down.any() else UPWARD
+    weight = HANGING_N * np.stack([x * c + y * s, y * c - x * s])
+    found.append(("weight of the pin at the load cell", HANGING_N, weight))
+    names, standards, changes = zip(*found, strict=True)
+    return list(names), list(standards), np.stack([_means(one).ravel() for one in changes])
+
+
+def _cell_columns(force: Array, cell: CellDoubt) -> Array:
+    """Return what the cell may be off by, beside its gain, (columns, 2 POINTS), N.
+
+    Its zero, unlike gains, cross-talk, and a turn on the crank.
+    """
+    first, second = force
+    one, none = np.ones(GRID.size), np.zeros(GRID.size)
+    share, zero = cell.relative, cell.constant
+    changes = (
+        (zero * one, none),
+        (none, zero * one),
+        (share * first, -share * second),
+        (share * second, share * first),
+        (CELL_TURN * second, -CELL_TURN * first),
+    )
+    return np.stack([_means(np.stack(one)).ravel() for one in changes])
+
+
+def _means(curves: Array) -> Array:
+    """Return the means (..., POINTS) of curves (..., GRID) over its parts."""
+    return np.asarray(curves.reshape(*curves.shape[:-1], POINTS, -1).mean(axis=-1))
+
+
+def _alike(spread: Array) -> Array:
+    """Return the covariance of what is alike near by, (POINTS, POINTS), of standard sizes."""
+    place = np.arange(POINTS) * (2.0 * math.pi / POINTS)
+    chord = 2.0 * np.sin(0.5 * (place[:, None] - place[None, :]))
+    return np.asarray(np.outer(spread, spread) * np.exp(-0.5 * (chord / ALIKE_RAD) ** 2))

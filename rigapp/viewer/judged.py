@@ -1,0 +1,105 @@
+"""Lines to draw, and the extremes that an axis follows: of revolutions without a flag."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.viewer.pyramid import polyline
+from rigapp.viewer.series import SeriesTable
+
+Floats = NDArray[np.float64]
+View = tuple[float, float]
+"""The first and the last revolution that are seen."""
+
+QUALITY = "quality"
+EVERYTHING: View = (-np.inf, np.inf)
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """The points of a line, (n,) each, and what an axis is to follow of them.
+
+    low, high: NaN where nothing is known. above, under: revolution and value of the largest and
+    the smallest flagged one beyond them, where there is one.
+    """
+
+    x: Floats
+    y: Floats
+    low: float = np.nan
+    high: float = np.nan
+    above: tuple[float, float] | None = None
+    under: tuple[float, float] | None = None
+
+
+class Flagged:
+    """Tell which buckets of a view hold a flagged revolution; computed once for all its lines."""
+
+    def __init__(self, rows: SeriesTable, view: View, buckets: int) -> None:
+        self._starts: Floats = np.empty(0)
+        if QUALITY in rows.names and len(rows):
+            flags = rows.series(QUALITY).envelope(*rows_in_view(rows, view), buckets)
+            self._starts = rows.revolutions[flags.first]
+            # Not known (NaN) is not flagged: files of before have no such column.
+            self._flagged = flags.high > 0.0
+
+    def at(self, revolutions: Floats) -> NDArray[np.bool_]:
+        """Tell of buckets that begin at revolutions, (n,) each."""
+        if not len(self._starts) or not self._flagged.any():
+            return np.zeros(len(revolutions), dtype=bool)
+        if np.array_equal(revolutions, self._starts):
+            return self._flagged
+        place = np.searchsorted(self._starts, revolutions, side="right") - 1
+        return self._flagged[np.maximum(place, 0)]
+
+
+def drawn(
+    table: SeriesTable, column: str, flagged: Flagged, view: View, buckets: int, scale: float = 1.0
+) -> Drawn:
+    """Return ``scale`` times a series in a view, in at most about ``buckets`` buckets.
+
+    A bucket with a flagged revolution does not range the axis, unless every bucket has one.
+    """
+    start, stop = rows_in_view(table, view)
+    envelope = table.series(column).envelope(start, stop, buckets)
+    x, y = polyline(table.revolutions, envelope)
+    y *= scale
+    known = np.isfinite(envelope.low) & np.isfinite(envelope.high)
+    if not known.any():
+        return Drawn(x, y)
+    at = table.revolutions[envelope.first]
+    unflagged = known & ~flagged.at(at)
+    fine = unflagged if unflagged.any() else known
+    low, high = scale * float(envelope.low[fine].min()), scale * float(envelope.high[fine].max())
+    least, most = int(np.nanargmin(envelope.low)), int(np.nanargmax(envelope.high))
+    lowest, highest = scale * float(envelope.low[least]), scale * float(envelope.high[most])
+    return Drawn(
+        x,
+        y,
+        low,
+        high,
+        (float(at[most]), highest) if highest > high else None,
+        (float(at[least]), lowest) if lowest < low else None,
+    )
+
+
+def banded(
+    table: SeriesTable, column: str, doubt: str, view: View, buckets: int, scale: float = 1.0
+) -> tuple[Floats, Floats, Floats]:
+    """Return ``scale`` times a series less and plus its uncertainty: revolutions, low, high."""
+    middle, half = (
+        table.series(name).envelope(*rows_in_view(table, view), buckets) for name in (column, doubt)
+    )
+    if len(middle.first) != len(half.first):  # one of them is still being read
+        return np.empty(0), np.empty(0), np.empty(0)
+    low, high = (scale * one.astype(np.float64) for one in (middle.low, middle.high))
+    doubt_high = scale * half.high.astype(np.float64)
+    return table.revolutions[middle.first], low - doubt_high, high + doubt_high
+
+
+def rows_in_view(table: SeriesTable, view: View) -> tuple[int, int]:
+    """Return the rows between two revolutions, one more at each end."""
+    start = table.revolutions.searchsorted(view[0]) - 1
+    return max(start, 0), table.revolutions.searchsorted(view[1], "right") + 1

@@ -1,0 +1,231 @@
+"""What the window knows of the wear: the tiles from the newest columns, the bands from the file.
+
+Bands and posteriors are computed by ``rigapp identify`` in a process of its own, so that the
+window does not stand still for it and shows the numbers that the command and the report show.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.presentation.numbers import coefficient_text, grouped
+from rigapp.presentation.times import MOMENT, dated, duration
+from rigapp.presentation.translation import tr
+from rigapp.process.children import module_command
+from rigapp.schema.columns import WEAR_MODELS
+from rigapp.schema.messages import RunState, last_set_speed
+from rigapp.viewer.channels import FreeValue
+from rigapp.viewer.judged import QUALITY
+from rigapp.viewer.news import News
+from rigapp.viewer.series import SeriesTable
+
+Floats = NDArray[np.float64]
+
+TOLD = 20.0
+"""Odds from which a statement is made, as in the sentences of ``rigapp_model.identification``."""
+TIMEOUT_S = 120.0
+"""Of one computation: it takes seconds, on a computer that does much else a minute."""
+COEFFICIENT, REMAINING = "wear_coefficient", "remaining_revolutions"
+
+
+@dataclass(frozen=True, slots=True)
+class NewestWear:
+    """Hold the newest statement of the prediction's columns; NaN where nothing is known."""
+
+    revolution: float = math.nan
+    values: Mapping[str, float] = field(default_factory=dict)
+
+    def __getitem__(self, name: str) -> float:
+        return self.values.get(name, math.nan)
+
+    @property
+    def known(self) -> bool:
+        """Tell whether a coefficient is stated."""
+        return math.isfinite(self[COEFFICIENT])
+
+    @property
+    def statement(self) -> str:
+        """Return the most probable statement, in a word, with its probability."""
+        place, share = self["wear_model"], self["wear_model_weight"]
+        if not math.isfinite(place):
+            return ""
+        if place not in range(len(WEAR_MODELS)):  # of a newer version, or of a stranger
+            return tr("the file's wear model {:g} is unknown here", place)
+        word = tr(WEAR_MODELS[int(place)])
+        if share >= TOLD * (1.0 - share):
+            return word
+        return tr("not told, most likely {} ({:.0f} %)", word, 100.0 * share)
+
+
+_NAMES = (
+    *(f"{one}{suffix}" for one in (COEFFICIENT, REMAINING) for suffix in ("", "_low", "_high")),
+    "wear_model",
+    "wear_model_weight",
+)
+
+SEARCHED = 256
+"""Buckets looked through for the newest statement: it is asked for at every look for news."""
+RECENT = 256
+"""Revolutions among which the last one at the set speed is looked for: a ramp has fewer."""
+
+
+def newest_wear(predictions: SeriesTable) -> NewestWear:
+    """Return the newest statement that stands in the columns."""
+    series = predictions.series(COEFFICIENT)
+    buckets = series.envelope(0, len(series), SEARCHED)
+    holding = np.flatnonzero(buckets.high > 0.0)
+    if not holding.size:
+        return NewestWear()
+    start = int(buckets.first[holding[-1]])
+    stop = int(buckets.first[holding[-1] + 1]) if holding[-1] + 1 < len(buckets.first) else None
+    known = np.flatnonzero(series.rows(start, len(series) if stop is None else stop) > 0.0)
+    if not known.size:  # long ago, and held in buckets alone
+        return NewestWear()
+    place = start + int(known[-1])
+    values = {name: predictions.at(name, place) for name in _NAMES}
+    return NewestWear(float(predictions.revolutions[place]), values)
+
+
+def wear_of(news: News, now: float) -> list[FreeValue]:
+    """Return what is known of the wear of the test that is shown; the date while it goes on."""
+    status, rows = news.status, news.data.rows
+    live = status is not None and status.engine.state is RunState.RUNNING and not news.is_replay
+    rpm = _rpm(rows, live) if len(rows) else 0.0
+    if live and status is not None and 0.0 < status.rig.simulated_speed < math.inf:
+        rpm *= status.rig.simulated_speed
+    revolution = rows.revolutions[-1] if len(rows) else math.nan
+    return wear_values(news.data.predictions, rpm, now if live else None, revolution)
+
+
+def _rpm(rows: SeriesTable, live: bool) -> float:
+    """Return the present speed; of a test that does not go on the last one outside of ramps."""
+    if live or QUALITY not in rows.names:
+        return abs(rows.last("speed"))
+    speed, quality = (rows.newest(one, RECENT) for one in ("speed", QUALITY))
+    return last_set_speed(speed, quality)
+
+
+def wear_values(
+    predictions: SeriesTable, rpm: float, now: float | None, revolution: float
+) -> list[FreeValue]:
+    """Return the tiles of the wear coefficient and of the time that remains; none without it.
+
+    rpm: the present speed, by the clock on the wall; now: the host's time, None where the test does
+    not go on; revolution: the present one, from which the remaining ones count down.
+    """
+    found = newest_wear(predictions)
+    if not found.known:
+        return []
+    value, limits = coefficient_text(
+        *(found[f"{COEFFICIENT}{suffix}"] for suffix in ("", "_low", "_high"))
+    )
+    limits = f"{limits}; {found.statement}"
+    tiles = [FreeValue(COEFFICIENT, tr("Wear coefficient"), value, limits)]
+    since = max(revolution - found.revolution, 0.0) if math.isfinite(revolution) else 0.0
+    left, soon, late = (
+        max(found[f"{REMAINING}{suffix}"] - since, 0.0) for suffix in ("", "_low", "_high")
+    )
+    if math.isfinite(left):
+        tiles.append(_remaining(left, soon, late, rpm, now))
+    return tiles
+
+
+def _remaining(left: float, soon: float, late: float, rpm: float, now: float | None) -> FreeValue:
+    """Return the tile of the time that remains, in revolutions while the crank stands."""
+    title = tr("Until the final wear depth")
+    latest = grouped(round(late)) if math.isfinite(late) else tr("beyond the model")
+    turns = tr("{} to {} revolutions (95 %)", grouped(round(soon)), latest)
+    if rpm <= 0.0:
+        return FreeValue(REMAINING, title, tr("{} revolutions", grouped(round(left))), turns)
+    seconds = 60.0 * left / rpm
+    date = ""
+    if now is not None:
+        date = dated(f"{MOMENT}; ", time.localtime(now + seconds))
+    return FreeValue(REMAINING, title, duration(seconds), date + turns)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class WearBand:
+    """Hold the band predicted after a revolution, (n,) each: revolutions and um."""
+
+    after: int
+    revolution: Floats
+    low: Floats
+    median: Floats
+    high: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class KnownWear:
+    """Hold what ``rigapp identify`` says of a test.
+
+    after: the revolution that it was known after, 0 where nothing is; planned: the last one;
+    bands: the early one first, the last one last; readings: revolution and depth (um) of the bins;
+    course: columns over the revolutions after which something was known; depth_um: of the end.
+    """
+
+    sentence: str
+    after: int = 0
+    planned: int = 0
+    bands: tuple[WearBand, ...] = ()
+    readings: tuple[Floats, Floats] = (np.empty(0), np.empty(0))
+    course: Mapping[str, Floats] = field(default_factory=dict)
+    depth_um: float = math.nan
+
+
+Run = Callable[[list[str]], str]
+
+
+def run_identify(arguments: list[str]) -> str:
+    """Return what ``rigapp identify`` prints; raise OSError with its sentence when it fails."""
+    done = subprocess.run(
+        module_command("rigapp", "identify", *arguments),
+        capture_output=True,
+        text=True,
+        timeout=TIMEOUT_S,
+        check=False,
+    )
+    if not done.stdout.strip():
+        raise OSError(done.stderr.strip() or f"rigapp identify ended with {done.returncode}")
+    return done.stdout
+
+
+def known_wear(path: Path, after: int, run: Run = run_identify) -> KnownWear:
+    """Return what is known of the wear of a test after a revolution; runs on a worker thread."""
+    return of_tree(json.loads(run([str(path), "--json", "--after", str(after)]))["tests"][0])
+
+
+def of_tree(tree: Mapping[str, Any]) -> KnownWear:
+    """Return what the JSON of one test says."""
+    if tree["refused"]:
+        return KnownWear(tree["sentence"])
+    left = tree["remaining_revolutions"]
+    return KnownWear(
+        tree["sentence"],
+        tree["revolution"],
+        tree["planned_revolutions"],
+        tuple(
+            WearBand(
+                one["after_revolution"],
+                *(_floats(one[key]) for key in ("revolution", "low_um", "median_um", "high_um")),
+            )
+            for one in tree["bands"]
+        ),
+        (_floats(tree["readings"]["revolution"]), _floats(tree["readings"]["depth_um"])),
+        {name: _floats(values) for name, values in tree["course"].items()},
+        left["depth_um"] if left is not None else math.nan,
+    )
+
+
+def _floats(values: list[float | None]) -> Floats:
+    return np.array([math.nan if one is None else one for one in values], dtype=np.float64)

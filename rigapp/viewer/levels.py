@@ -1,0 +1,277 @@
+"""The limits of a test as sentences: one level of a rule each, and the rules that they make.
+
+A rule of the file has up to four levels on one quantity; who reads it wants to know for each of
+them what happens when what is above how much for how long.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import msgspec
+
+from rigapp.config.recipe import LimitRule, LimitsSection
+from rigapp.config.rules import ALWAYS, BOUNDS, quantities, rule_faults
+from rigapp.presentation.numbers import unit_text
+from rigapp.presentation.translation import Text, speaks_english, tr, translate
+from rigapp.schema.channels import BASE, ChannelTable
+from rigapp.texts import capitalised, sentence_of_error
+from rigapp.viewer.channels import SIZE, title_of, words
+
+DEFAULT_ACTIONS: Final = {"warning": "warn", "critical": "stop"}
+
+ACTIONS: Final[dict[tuple[str, str], Text]] = {
+    ("warning", "warn"): "Warn",
+    ("critical", "pause"): "Pause",
+    ("critical", "stop"): "Stop",
+    ("critical", "drive_off"): "Switch the drive off",
+}
+"""What is offered to happen, with the severity of its alarm."""
+
+OTHER_ACTIONS: Final[dict[tuple[str, str], Text]] = {
+    ("critical", "warn"): "Warn, critical",
+    ("warning", "pause"): "Pause, warning",
+    ("warning", "stop"): "Stop, warning",
+    ("warning", "drive_off"): "Drive off, warning",
+    ("warning", "none"): "Do nothing",
+    ("critical", "none"): "Do nothing, critical",
+}
+"""What a file may say all the same; shown where it does."""
+
+_STATISTICS: Final[dict[str, Text]] = {
+    "angle_of_max": "angle of the maximum of {}",
+    "max": "maximum {}",
+    "min": "minimum {}",
+    "rms": "RMS of {}",
+    "mean": "mean {}",
+}
+
+_OTHERS: Final[dict[str, Text]] = {
+    "speed": "mean speed",
+    "residual_rms": "measured \u2212 model",
+    "residual_1_rms": "measured \u2212 model along crank",
+    "residual_2_rms": "measured \u2212 model across crank",
+    "measured_wear_depth": "wear depth",
+    "measured_wear_depth_uncertainty": "uncertainty of the wear depth",
+    "wear_depth": "wear depth of the model",
+    "driven_wear_depth": "wear depth of the model by the measured force",
+}
+"""What words alone would not tell."""
+
+
+@dataclass(frozen=True, slots=True)
+class LimitLevel:
+    """One level of a rule.
+
+    origin: number of the rule that it belongs to. severity: "warning" or "critical". side: "above"
+    or "below". value: None where none is given yet. hysteresis: how far back it ends. steps: of
+    the test, in which it is judged; all of them without any.
+    """
+
+    origin: int
+    quantity: str = f"{SIZE}_max"
+    severity: str = "warning"
+    side: str = "above"
+    value: Any = None
+    action: str = "warn"
+    revolutions: Any = 1
+    hysteresis: Any = 0.0
+    steps: tuple[int, ...] = ()
+
+    @property
+    def bound(self) -> str:
+        """Return the key of the level."""
+        return f"{self.severity}_{self.side}"
+
+    def condition(self, table: ChannelTable) -> str:
+        """Return what happens when, without the value: Warn when maximum |F| is above."""
+        action = tr(action_text(self.severity, self.action))
+        quantity = quantity_text(self.quantity, table)
+        if self.side == "below":
+            return tr("{} when {} is below", action, quantity)
+        return tr("{} when {} is above", action, quantity)
+
+    def sentence(self, table: ChannelTable) -> str:
+        """Return it as one reads it: Warn when maximum |F| is above 95 N in 3 revolutions."""
+        many = self.revolutions != 1
+        times = tr("{} revolutions", self.revolutions) if many else tr("1 revolution")
+        value = f"{_shown(self.value)} {unit_of_quantity(self.quantity, table)}".rstrip()
+        back = tr(", ends {} inside", _shown(self.hysteresis)) if self.hysteresis else ""
+        within = tr(", in step {}", listed(self.steps)) if self.steps else ""
+        return tr("{} {} in {}", self.condition(table), value, times) + back + within
+
+
+def listed(steps: Sequence[int]) -> str:
+    """Return the numbers of steps as one reads them."""
+    return ", ".join(map(str, steps))
+
+
+def _shown(value: Any) -> str:
+    return f"{value:.10g}" if isinstance(value, int | float) else str(value)
+
+
+def action_text(severity: str, action: str) -> Text:
+    """Return an action in words."""
+    return ACTIONS.get((severity, action)) or OTHER_ACTIONS[severity, action]
+
+
+def quantity_text(column: str, table: ChannelTable = BASE) -> str:
+    """Return what a limit is about, in words."""
+    if column in _OTHERS:
+        return tr(_OTHERS[column])
+    for ending, text in _STATISTICS.items():
+        name = column.removesuffix(f"_{ending}")
+        if name == column:
+            continue
+        channel = next((one for one in table.channels if one.name == name), None)
+        title = title_of(channel) if channel is not None else tr(words(name))
+        if speaks_english() and not title.startswith("|"):
+            title = title[:1].lower() + title[1:]
+        return tr(text, title)
+    return tr(words(column))
+
+
+def margin_words(name: str) -> str:
+    """Return the name of a limit in words: its quantity, how bad passing it is, its side."""
+    quantity, _, rest = name.partition(" ")
+    return " ".join((quantity_text(quantity), *map(tr, rest.split())))
+
+
+def quantity_choices(table: ChannelTable) -> list[tuple[str, str]]:
+    """Return words and column of what a limit can be about, the force first."""
+    known = [*dict.fromkeys((*table.units, *quantities(table)))]
+    offered = [one for one in known if one in quantities(table)]
+    offered.sort(key=lambda one: not one.startswith(f"{SIZE}_m") and one != f"{SIZE}_rms")
+    return [(quantity_text(one, table), one) for one in offered]
+
+
+def unit_of_quantity(column: str, table: ChannelTable) -> str:
+    """Return the unit of a quantity as the window writes it."""
+    return unit_text(quantities(table).get(column, ""))
+
+
+def levels_of(rules: Sequence[Mapping[str, Any]]) -> list[LimitLevel]:
+    """Return the levels of the rules of a file; a rule without one gives one without value."""
+    return [level for origin, rule in enumerate(rules) for level in _of_rule(origin, rule)]
+
+
+def _of_rule(origin: int, rule: Mapping[str, Any]) -> Iterator[LimitLevel]:
+    bounds = [one for one in reversed(BOUNDS) if one in rule] or ["warning_above"]
+    for bound in bounds:
+        severity, _, side = bound.partition("_")
+        action = rule.get(f"action_{severity}", DEFAULT_ACTIONS[severity])
+        yield LimitLevel(
+            origin,
+            str(rule.get("quantity", "")),
+            severity,
+            side,
+            rule.get(bound),
+            str(action) if (severity, action) in {**ACTIONS, **OTHER_ACTIONS} else "warn",
+            rule.get("delay_revolutions", 1),
+            rule.get("hysteresis", 0.0),
+            tuple(rule.get("steps", ())),
+        )
+
+
+def rules_of(
+    levels: Sequence[LimitLevel], given: Sequence[Mapping[str, Any]]
+) -> tuple[list[dict[str, Any]], list[list[int]]]:
+    """Return the rules that levels make, and the places of each one's levels.
+
+    given: the rules of the file, whose keys stay as they are written where they mean the same. A
+    level that no longer fits the rule it came from makes one of its own, at the end.
+    """
+    rules: list[dict[str, Any]] = []
+    places: list[list[int]] = []
+    firsts = {one.origin: at for at, one in reversed(list(enumerate(levels)))}
+    order = sorted(
+        range(len(levels)), key=lambda at: (at not in firsts.values(), levels[at].origin)
+    )
+    for at in order:
+        one = levels[at]
+        fitting = (number for number, mine in enumerate(places) if _fits(levels, mine, one))
+        number = next(fitting, None)
+        if number is None:
+            number = len(rules)
+            own = at == firsts[one.origin] and 0 <= one.origin < len(given)
+            rules.append(_begun(one, given[one.origin] if own else {}))
+            places.append([])
+        places[number].append(at)
+        _write(rules[number], one)
+    return rules, places
+
+
+def _fits(levels: Sequence[LimitLevel], mine: Sequence[int], one: LimitLevel) -> bool:
+    """Tell whether a level can be one of a rule that has some already."""
+    others = [levels[at] for at in mine]
+    first = others[0]
+    same = (first.origin, first.quantity, first.revolutions, first.hysteresis, first.steps)
+    mine_too = (one.origin, one.quantity, one.revolutions, one.hysteresis, one.steps)
+    return same == mine_too and not any(
+        other.bound == one.bound or (other.severity == one.severity and other.action != one.action)
+        for other in others
+    )
+
+
+def _begun(one: LimitLevel, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a rule without levels, the rest of it as the file has it."""
+    gone = {*BOUNDS} | {
+        f"action_{name}" for name in DEFAULT_ACTIONS if any(b.startswith(name) for b in given)
+    }
+    rule = {"quantity": one.quantity, **{k: v for k, v in given.items() if k not in gone}}
+    rule["quantity"] = one.quantity
+    if one.hysteresis != given.get("hysteresis", 0.0):
+        rule["hysteresis"] = one.hysteresis
+    if one.revolutions != given.get("delay_revolutions", 1):
+        rule["delay_revolutions"] = one.revolutions
+    if one.steps != tuple(given.get("steps", ())):
+        rule["steps"] = list(one.steps)
+    for severity, default in DEFAULT_ACTIONS.items():
+        key = f"action_{severity}"
+        if key in gone and given.get(key) == default:
+            rule[key] = default
+    return rule
+
+
+def _write(rule: dict[str, Any], one: LimitLevel) -> None:
+    if one.value is not None:
+        rule[one.bound] = one.value
+    key = f"action_{one.severity}"
+    if one.action != rule.get(key, DEFAULT_ACTIONS[one.severity]):
+        rule[key] = one.action
+
+
+def faults_of(rule: Mapping[str, Any], table: ChannelTable | None) -> list[str]:
+    """Return what is wrong with a rule, as sentences under its limit."""
+    try:
+        record = msgspec.convert(rule, LimitRule)
+    except msgspec.ValidationError as error:
+        return [translate(sentence_of_error(error))]
+    return [_plain(fault) for fault in rule_faults(record, table)]
+
+
+def _plain(fault: str) -> str:
+    """Return a fault of a rule without the keys of the file."""
+    if fault.startswith("no level"):
+        return tr("Type the value of the limit.")
+    text = re.sub(r"\b(critical|warning)_(above|below)( = )?", "", translate(fault)).strip()
+    text = text.replace("delay_revolutions", "revolutions")
+    return f"{capitalised(text)}."
+
+
+def never_comes(level: LimitLevel, limits: LimitsSection | None) -> str:
+    """Return why a level cannot be reached, as the drive goes off before; empty where it can."""
+    if limits is None or level.side == "below" or not isinstance(level.value, int | float):
+        return ""
+    for name, one in ALWAYS.items():
+        most = getattr(limits, name)
+        if level.quantity in one.columns and level.value >= most:
+            return tr(
+                "{value} can never come: the drive goes off at {most}. Type a value below that.",
+                value=f"{level.value:g} {one.unit}",
+                most=f"{most:g} {one.unit}",
+            )
+    return ""

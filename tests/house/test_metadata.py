@@ -1,0 +1,28 @@
+"""What the package says of itself is complete, and the same in every place."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+PROJECT: dict[str, Any] = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+
+
+def test_the_citation_is_that_of_the_package() -> None:
+    yaml = pytest.importorskip("yaml")
+    cited = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
+    assert {"cff-version", "message", "title", "authors"} <= set(cited), "what the format requires"
+    assert cited["version"] == PROJECT["version"]
+    assert cited["license"] == PROJECT["license"]
+    assert [one["name"] for one in cited["authors"]] == [one["name"] for one in PROJECT["authors"]]
+
+
+def test_each_supported_python_is_a_classifier() -> None:
+    low, high = (int(part.rpartition(".")[2]) for part in PROJECT["requires-python"].split(","))
+    named = {one for one in PROJECT["classifiers"] if "Python :: 3." in one}
+    assert named == {f"Programming Language :: Python :: 3.{minor}" for minor in range(low, high)}
+    assert len(PROJECT["classifiers"]) == len(set(PROJECT["classifiers"]))

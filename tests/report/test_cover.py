@@ -1,0 +1,146 @@
+"""The first page of a report, its settings, and its figures as a laboratory passes them on."""
+
+from __future__ import annotations
+
+import io
+import re
+from datetime import datetime
+from pathlib import Path
+
+import pytest
+from pypdf import PdfReader
+from report_samples import eventful
+from reportpage import Page
+
+from rigapp.commands.files import draw_figure, write_report
+from rigapp.config.errors import UnusableInput
+from rigapp.presentation.tokens import LIGHT
+from rigapp.storage import open_test
+
+SETTINGS = """schema = 1
+[laboratory]
+name = "Laboratory of Tribology"
+address = "Street 1\\n12345 Town"
+logo = "logo.png"
+[report]
+number = "W-{date}-{specimen}"
+customer = "Example & Sons"
+statement = "Results relate to the specimen tested."
+signatures = ["Head of laboratory"]
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a folder with a test and the settings of a laboratory beside it."""
+    from matplotlib.image import imsave
+
+    path = tmp_path_factory.mktemp("laboratory")
+    eventful(path / "test.h5")
+    imsave(path / "logo.png", [[0.0, 1.0]], dpi=72)
+    (path / "report.toml").write_text(SETTINGS)
+    return path
+
+
+@pytest.fixture(scope="module")
+def document(folder: Path) -> PdfReader:
+    """Return the report as PDF."""
+    assert write_report(folder / "test.h5", folder / "report.pdf") == 0
+    return PdfReader(folder / "report.pdf")
+
+
+def test_the_first_page_says_who_what_and_what_came_out(document: PdfReader) -> None:
+    text = document.pages[0].extract_text()
+    for words in (
+        "Laboratory of Tribology", "12345 Town", "Example & Sons", "W-2027-01-15-PTFE 1",
+        "Wear depth", "7.50 ± 0.40 µm", "Wear coefficient", "Largest force", "Measured − model",
+        "End of the test", "295 revolutions", "Figure 1. Wear depth.",
+    ):  # fmt: skip
+        assert words in text, words
+    assert "Summary" not in text
+    last = "".join(page.extract_text() for page in document.pages[-2:])
+    assert "Results relate to the specimen tested." in last
+    assert "Head of laboratory" in last
+
+
+def test_figures_are_lines_and_text_with_embedded_fonts(document: PdfReader) -> None:
+    forms, pixels = [], []
+    for page in document.pages:
+        for name, one in (page["/Resources"].get("/XObject") or {}).items():
+            kind = one.get_object()["/Subtype"]
+            (forms if kind == "/Form" else pixels).append((name, one.get_object()))
+    assert len(forms) == 5
+    assert len(pixels) == 1, "the logo"
+    for _, form in forms:
+        for font in form["/Resources"]["/Font"].values():
+            inner = font.get_object()
+            inner = (
+                inner["/DescendantFonts"][0].get_object() if "/DescendantFonts" in inner else inner
+            )
+            assert "/FontFile2" in inner["/FontDescriptor"]
+
+
+def test_the_date_of_the_document_is_that_of_the_test(folder: Path, document: PdfReader) -> None:
+    with open_test(folder / "test.h5") as reader:
+        ended = datetime.fromisoformat(str(reader.metadata()["ended"]))
+    assert document.metadata is not None
+    assert document.metadata.creation_date == ended.replace(microsecond=0)
+    assert document.trailer["/Root"]["/Lang"] == "en"
+
+
+def test_figures_and_tables_are_numbered_without_a_hole(document: PdfReader) -> None:
+    text = "\n".join(page.extract_text() for page in document.pages)
+    for what in ("Figure", "Table"):
+        numbers = [int(one) for one in re.findall(rf"^{what} (\d+)\.", text, re.MULTILINE)]
+        assert sorted(numbers) == list(range(1, len(numbers) + 1))
+        assert len(numbers) > 3
+    assert "nan" not in text.split()
+
+
+def test_html_has_the_same_first_page(folder: Path) -> None:
+    assert write_report(folder / "test.h5", folder / "report.html") == 0
+    page = Page()
+    page.feed((folder / "report.html").read_text())
+    assert "Example & Sons" in page.text
+    assert page.images[0]["src"].startswith("data:image/png;base64,")
+    assert [row[0] for row in page.rows("Result")][:2] == ["Wear depth", "Wear coefficient"]
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (("{specimen}", "{operator}"), "names something else"),
+        (("logo.png", "../secret.png"), "is no file beside it"),
+        (("logo.png", "report.toml"), "neither PNG nor JPEG"),
+        (("logo.png", "missing.png"), "missing.png"),
+        (("customer", "custumer"), "custumer is not a known key"),
+    ],
+)
+def test_settings_that_cannot_be_used_are_refused(
+    folder: Path, change: tuple[str, str], words: str
+) -> None:
+    settings = folder / "other.toml"
+    settings.write_text(SETTINGS.replace(*change))
+    with pytest.raises(UnusableInput, match=words):
+        write_report(folder / "test.h5", folder / "r.pdf", settings=settings)
+
+
+@pytest.mark.parametrize("width_mm", [86.0, 178.0])
+def test_a_figure_is_as_wide_as_a_column(folder: Path, width_mm: float) -> None:
+    target = folder / "figure.pdf"
+    assert draw_figure(folder / "test.h5", target, "forces", width_mm) == 0
+    (page,) = PdfReader(io.BytesIO(target.read_bytes())).pages
+    assert float(page.mediabox.width) == pytest.approx(width_mm / 25.4 * 72.0, abs=0.01)
+    assert "joint force" in page.extract_text()
+    draw_figure(folder / "test.h5", folder / "figure.svg", "", width_mm)
+    assert LIGHT.curves["model"] in (folder / "figure.svg").read_text()
+
+
+def test_a_figure_that_is_not_there_is_named(folder: Path) -> None:
+    with pytest.raises(UnusableInput, match="is none of wear, forces"):
+        draw_figure(folder / "test.h5", folder / "x.svg", "heat", 86.0)
+    with pytest.raises(UnusableInput, match="no data for the figure trip"):
+        draw_figure(folder / "test.h5", folder / "x.svg", "trip", 86.0)
+    with pytest.raises(UnusableInput, match=r"a figure is \.svg, \.pdf or \.png"):
+        draw_figure(folder / "test.h5", folder / "x.gif", "wear", 86.0)
+    assert not (folder / "x.svg").exists()
