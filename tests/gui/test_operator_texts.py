@@ -132,7 +132,8 @@ TAKEN = {
     "drivers/modbus_sensor/driver", "drivers/transport", "drivers/cia402/network",
     "drivers/roboclaw/protocol", "rigapp/storage/filesystem/folder",
     "rigapp/storage/reading/reader", "rigapp/storage/structure/hdf", "rigapp/commands/check",
-    "rigapp/commands/run", "rigapp/twin/worker", "rigapp/service/host", "rigapp/engine/engine",
+    "rigapp/commands/run", "rigapp/commands/engine", "rigapp/twin/worker", "rigapp/service/host",
+    "rigapp/engine/engine",
     "rigapp/storage/writing/create", "rigapp/storage/writing/keeper",
     "rigapp/storage/upkeep/compact",
 }  # fmt: skip

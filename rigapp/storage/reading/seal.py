@@ -183,8 +183,10 @@ def broken_seals(reader: TestReader) -> Iterator[str]:
             seals.append((say("in the file"), read_seal(stored)))
         if has_seal_beside(path):
             seals.append((beside(path).name, read_seal(beside(path).read_bytes())))
-    except (UnusableInput, OSError) as error:
+    except UnusableInput as error:
         yield say("A seal cannot be read: {}", error)
+    except OSError as error:
+        yield say("A seal cannot be read ‹{}›.", error)
     if not seals:
         return
     now = parts_of(reader)
