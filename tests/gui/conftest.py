@@ -240,7 +240,7 @@ class Operator:
         self.sees_state(RunState.READY)
         self.press(Qt.Key.Key_F5)
         self.click(self.window.start_bar.go)
-        self.see(lambda: self.status.test.committed >= 5)
+        self.see(lambda: self.status.test is not None and self.status.test.committed >= 5)
 
 
 @pytest.fixture

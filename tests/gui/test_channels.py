@@ -249,8 +249,13 @@ def test_a_rig_with_free_channels_from_the_start_of_a_test_to_its_replay(
 
     trend = window.tabs.panels["overview_trend"]
     qtbot.waitUntil(lambda: trend.choice.findData("humidity") >= 0, timeout=PATIENCE_MS)
-    assert window.side.live.free["bushing_temperature"].value.whole.endswith(" °C")
-    assert window.side.live.free["humidity"].caption.whole.endswith(" old")
+
+    def shown() -> bool:
+        free = window.side.live.free
+        value = free["bushing_temperature"].value.whole if "bushing_temperature" in free else ""
+        return value.endswith(" °C") and free["humidity"].caption.whole.endswith(" old")
+
+    qtbot.waitUntil(shown, timeout=PATIENCE_MS)
     trend.choice.setCurrentIndex(trend.choice.findData("humidity"))
     window.draw_now()
     assert trend.words.startswith("Now: newest ")

@@ -33,6 +33,16 @@ def host(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[EngineHost
         host.close()
 
 
+def use(rig: Path, record: Path) -> None:
+    """Name a record in the rig file, and say why it may be used: it holds no readings."""
+    name_record(rig, record)
+    text = rig.read_text()
+    if "calibration_override" not in text:
+        rig.write_text(
+            text.replace("[load_cell]", '[load_cell]\ncalibration_override = "trial"', 1)
+        )
+
+
 def ask(host: EngineHost, verb: str, **arguments: Any) -> Reply:
     return host.handle(Request(verb, arguments, "E. Sample"))
 
@@ -58,13 +68,13 @@ def cell(folder: Path, name: str, gain: float, due: str = "2097") -> Path:
 def test_a_record_counts_at_once_and_at_the_next_start(host: EngineHost, tmp_path: Path) -> None:
     rig = tmp_path / "rig.toml"
     assert "in use already" in ask(host, "use_records").sentence
-    name_record(rig, cell(tmp_path, "first.json", 201.0))
+    use(rig, cell(tmp_path, "first.json", 201.0))
     reply = ask(host, "use_records")
     assert reply.ok, reply.sentence
     assert "load_cell: record" in reply.sentence
     assert ask(host, "signals", window_s=1.0).result["matrix"] == [[201.0, 0.0], [0.0, 201.0]]
     # Nobody tells the engine of the next one: it looks when a test starts.
-    name_record(rig, cell(tmp_path, "second.json", 203.0))
+    use(rig, cell(tmp_path, "second.json", 203.0))
     out = tmp_path / "test.h5"
     test = str(EXAMPLES / "quick.toml")
     started = ask(host, "start", test=test, out=str(out), revolutions=500)
@@ -85,7 +95,7 @@ def test_a_record_counts_at_once_and_at_the_next_start(host: EngineHost, tmp_pat
 @pytest.mark.long
 def test_what_else_was_changed_waits_and_is_said(host: EngineHost, tmp_path: Path) -> None:
     rig = tmp_path / "rig.toml"
-    name_record(rig, cell(tmp_path, "first.json", 201.0))
+    use(rig, cell(tmp_path, "first.json", 201.0))
     rig.write_text(rig.read_text().replace("resolution_N = 2.0", "resolution_N = 1.0"))
     refused = ask(host, "use_records")
     assert not refused.ok

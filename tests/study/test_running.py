@@ -29,7 +29,7 @@ cycles = 23000
 "bushing.wear_coefficient_mm3_per_Nm" = { low = 1e-4, high = 1e-3, scale = "log" }
 [design]
 kind = "sobol"
-points = 32
+points = 128
 """
 """Seconds of a core: enough to come between."""
 
@@ -69,14 +69,14 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
         capture_output=True, text=True, timeout=PATIENCE_S, check=False,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
-    assert "32 of 32 points are done, 32 with a result." in done.stdout
+    assert "128 of 128 points are done, 128 with a result." in done.stdout
     return folder / "out"
 
 
 @pytest.mark.long
 def test_the_table_opens_with_names_units_and_what_it_was_made_of(whole: Path) -> None:
     data = table(whole)
-    assert data.sizes["point"] == 32
+    assert data.sizes["point"] == 128
     assert data["max_depth_mm"].attrs["units"] == "mm"
     assert data["joint.bushing_radius_mm"].attrs["units"] == "mm"
     assert data.attrs["study"] == LONG
@@ -87,7 +87,7 @@ def test_the_table_opens_with_names_units_and_what_it_was_made_of(whole: Path) -
     assert {one.name for one in whole.iterdir()} == {
         "rows.jsonl", "study.json", "table.nc", "table.csv", "results.png", "sensitivities.png",
     }  # fmt: skip
-    assert len((whole / "table.csv").read_text().splitlines()) == 33
+    assert len((whole / "table.csv").read_text().splitlines()) == 129
 
 
 @pytest.mark.long
@@ -100,12 +100,12 @@ def test_a_killed_study_goes_on_where_it_was(whole: Path, tmp_path: Path) -> Non
         os.killpg(first.pid, signal.SIGKILL)
         first.communicate()
     safe = rows(out)
-    assert 0 < safe < 32
+    assert 0 < safe < 128
     second = started(study, out, "--workers", "1")
     words, errors = second.communicate(timeout=PATIENCE_S)
     assert second.returncode == 0, errors
-    assert "32 of 32" in words
-    assert rows(out) == 32, "nothing was computed twice"
+    assert "128 of 128" in words
+    assert rows(out) == 128, "nothing was computed twice"
     xarray.testing.assert_identical(table(out), table(whole))
 
 
@@ -121,7 +121,7 @@ def test_workers_that_die_one_after_another_change_nothing(whole: Path, tmp_path
     finally:
         process.kill()
     assert process.returncode == 0, errors
-    assert "32 with a result" in words
+    assert "128 with a result" in words
     xarray.testing.assert_identical(table(out), table(whole))
 
 
