@@ -110,7 +110,10 @@ def _report(error: Exception) -> int:
     if type(error).__name__ == "NoArgsIsHelpError":
         print(wrong_call())
     else:
-        print(f"rigapp: {wrong_call()} See 'rigapp --help'.", file=sys.stderr)
+        said = wrong_call().rstrip()
+        stop = "" if said.endswith((".", "?", "!")) else "."
+        verb = getattr(getattr(error, "ctx", None), "command_path", None) or "rigapp"
+        print(f"rigapp: {said}{stop} See '{verb} --help'.", file=sys.stderr)
     return 2
 
 

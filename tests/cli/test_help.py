@@ -14,7 +14,7 @@ import typer
 from patience import PATIENCE_S
 from typer.testing import CliRunner
 
-from rigapp.cli.program import app
+from rigapp.cli.program import app, main
 
 NARROW = {"COLUMNS": "80", "TERMINAL_WIDTH": "80"}
 
@@ -84,3 +84,24 @@ def test_the_script_for_bash_completes_in_bash() -> None:
         check=False,
     )
     assert (done.stdout.strip(), done.stderr) == ("calibrate", "")
+
+
+@pytest.mark.parametrize(
+    ("typed", "verb"),
+    [
+        ("calibrate load-cell readings.csv", "rigapp calibrate load-cell"),
+        ("run --foo", "rigapp run"),
+        ("runn", "rigapp"),
+    ],
+)
+def test_a_wrong_call_is_a_sentence_and_names_the_help_of_its_verb(
+    typed: str, verb: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys, "argv", ["rigapp", *typed.split()])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 2
+    first, _, rest = capsys.readouterr().err.partition(" See ")
+    assert first.startswith("rigapp: ")
+    assert first[-1] in ".?"
+    assert rest == f"'{verb} --help'.\n"
