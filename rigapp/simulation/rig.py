@@ -3,8 +3,8 @@
 A pass takes what the hosts wrote, answers it, and advances the plant by the chunks that are due;
 between two chunks the hosts are heard again, so that an answer does not wait for the rest of them.
 Within a chunk the drive's command is constant but for its ramp, so a chunk is short: at most 20 ms
-of wall time and 1/20 revolution. Faster than real time a second chunk waits for the host while it
-reads the first, so that a command takes effect within 1/10 revolution of what the host has seen.
+of wall time and 1/10 revolution. Faster than real time a second chunk waits for the host while it
+reads the first, so that a command takes effect within 1/5 revolution of what the host has seen.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ CHUNK_S = 0.02  # a command takes effect as soon as in a real drive's loop
 SLOW_S = 1.0
 """So often do slow devices look at their surroundings, in plant time."""
 LONGEST_CHUNK_S = 0.1  # of plant time, at any speed
-CHUNK_REVOLUTIONS = 1.0 / 20.0  # see above: twice this is how far the host may lag
+CHUNK_REVOLUTIONS = 1.0 / 10.0  # see above: twice this is how far the host may lag
 LONGEST_PASS_CHUNKS = 8  # then other work is due, as the control channel
 IDLE_S = 0.01  # shorter than any time-out on the wire
 HOST_WAIT_S = 0.00015  # as long as a pty takes to hand over
