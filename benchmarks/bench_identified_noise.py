@@ -3,10 +3,11 @@
 Run with ``python benchmarks/bench_identified_noise.py [--tests 200] [--kinds white,step]``. The
 tests are those of ``tests/model/identification/rig_noise.py``, which disturbs the probes as the
 estimator does not suppose; sensitivity, zero and scatter are drawn as they are stated to it. A row
-for each disturbance: how often 95 % limits of the wear coefficient and of what remains hold the
-truth at 10, 30 and 60 % of life, the coefficient's mean error and half width, how many tests of
-21,377 revolutions raise a false alarm, and by how many scatters of a reading the depth grows until
-a doubled coefficient is told (median, and share that is never told).
+for each disturbance, of rigs that measure the temperature (T) and of others: how often 95 % limits
+of the wear coefficient and of what remains hold the truth at 10, 30 and 60 % of life, the
+coefficient's mean error and half width, how many tests of 21,377 revolutions raise a false alarm,
+and by how many scatters of a reading the depth grows until a doubled coefficient is told (median,
+and share that is never told).
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ import os
 import sys
 import time
 from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -27,6 +29,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "model" / "identifi
 import rig_noise as rig
 
 from rigapp_model.identification import (
+    Bin,
     Bins,
     CannotBeTold,
     Consistency,
@@ -39,7 +42,12 @@ from rigapp_model.identification import (
 )
 
 PARTS = (0.1, 0.3, 0.6)
+CHANNEL = " T"
+"""What the name of a kind ends with where the rig measures the temperature."""
+KINDS = (*(one + CHANNEL for one in rig.KINDS), "white", "daily", "hourly")
 ERRORS = ProbeErrors(0.01, 1e-6, 0.3e-6, 0.4e-6)
+STATED = {"clearance": replace(ERRORS, geometry=0.05), "gain": replace(ERRORS, load=0.02)}
+"""What is stated of rows whose joint or load cell is not as the estimator believes."""
 PRIOR = Prior(rig.COEFFICIENT)
 COVERED = (0.93, 0.97)
 MOST_FALSE = 0.01
@@ -55,12 +63,24 @@ def told_life() -> DepthLife:
     return depth_life(rig.COEFFICIENT, progress, depth, elastic=np.abs(moved))
 
 
-def gathered(read: np.ndarray) -> Bins:
-    """Return the bins of readings (n,), m, one a revolution."""
-    bins = Bins()
-    for number, one in enumerate(read, start=1):
-        bins.add(float(number), float(number), float(one))
-    return bins
+def gathered(one: rig.Recorded, kind: str) -> list[list[Bin]]:
+    """Return the bins that are closed at each part of a test, one reading a revolution."""
+    bins, found, room = Bins(), [], warmth(one, kind)
+    for number, (read, warm) in enumerate(zip(one.read, room, strict=True), start=1):
+        bins.add(float(number), float(number), float(read), float(warm))
+        if number in (int(part * rig.LAST) for part in PARTS):
+            found.append(list(bins.closed))
+    return found
+
+
+def stated(kind: str) -> ProbeErrors:
+    """Return the errors that a rig's records state."""
+    return STATED.get(kind.removesuffix(CHANNEL), ERRORS)
+
+
+def warmth(one: rig.Recorded, kind: str) -> np.ndarray:
+    """Return the room's temperature (n,), degC, NaN for a rig that does not measure it."""
+    return 21.0 + one.room if kind.endswith(CHANNEL) else np.full(one.room.size, np.nan)
 
 
 def covered(work: tuple[str, int]) -> list[tuple[float, float, float, float]]:
@@ -69,13 +89,12 @@ def covered(work: tuple[str, int]) -> list[tuple[float, float, float, float]]:
     NaN where nothing is stated.
     """
     kind, seed = work
-    one, life, rows = rig.recorded(kind, seed), told_life(), []
+    one, life, rows = recorded(kind, seed), told_life(), []
     end = float(one.clean[-1])
     reached = int(np.argmax(one.clean >= end)) + 1
-    for part in PARTS:
-        now = int(part * rig.LAST)
+    for bins in gathered(one, kind):
         try:
-            known = identify(gathered(one.read[:now]), life, ERRORS, PRIOR)
+            known = identify(bins, life, stated(kind), PRIOR)
         except CannotBeTold:
             rows.append((np.nan,) * 4)
             continue
@@ -95,16 +114,22 @@ def covered(work: tuple[str, int]) -> list[tuple[float, float, float, float]]:
     return rows
 
 
-def watched(one: rig.Recorded) -> Consistency:
+def recorded(kind: str, seed: int, doubled_at: int | None = None) -> rig.Recorded:
+    """Return a test; the same one for a rig with and without a temperature channel."""
+    return rig.recorded(kind.removesuffix(CHANNEL), seed, doubled_at)
+
+
+def watched(one: rig.Recorded, kind: str) -> Consistency:
     """Judge a test as the twin does, to its first departure."""
     life, found, bins = told_life(), Consistency(), Bins()
-    for number, depth in enumerate(one.read, start=1):
+    rows = zip(one.read.tolist(), warmth(one, kind).tolist(), strict=True)
+    for number, (depth, warm) in enumerate(rows, start=1):
         turn = float(number)
-        if found.add(turn, turn, float(depth), life) is not None:
+        if found.add(turn, turn, depth, life, warm) is not None:
             break
-        if bins.add(turn, turn, float(depth)) is not None and len(bins.closed) > 4:
+        if bins.add(turn, turn, depth, warm) is not None and len(bins.closed) > 4:
             try:
-                found.renew(identify(bins, life, ERRORS, PRIOR))
+                found.renew(identify(bins, life, stated(kind), PRIOR))
             except CannotBeTold:
                 continue
     return found
@@ -112,14 +137,14 @@ def watched(one: rig.Recorded) -> Consistency:
 
 def false_alarm(work: tuple[str, int]) -> float:
     """Return whether a constant joint raised an alarm."""
-    return float(watched(rig.recorded(*work)).departure is not None)
+    return float(watched(recorded(*work), work[0]).departure is not None)
 
 
 def growth(work: tuple[str, int]) -> float:
     """Return by how many scatters the depth grew until a doubled coefficient was told."""
     half = rig.LAST // 2
-    one = rig.recorded(*work, doubled_at=half)
-    departure = watched(one).departure
+    one = recorded(*work, doubled_at=half)
+    departure = watched(one, work[0]).departure
     if departure is None or departure.revolution < half:
         return float("inf")
     return float((one.true[int(departure.revolution) - 1] - one.true[half - 1]) / rig.SCATTER)
@@ -135,7 +160,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--tests", type=int, default=size(200, 2))
     parser.add_argument("--alarms", type=int, default=None, help="tests watched, half as many else")
-    parser.add_argument("--kinds", default=",".join(size(rig.KINDS, ("white", "step"))))
+    parser.add_argument("--kinds", default=",".join(size(KINDS, ("white T", "step T"))))
     parser.add_argument("--seed", type=int, default=0, help="of the first test")
     parser.add_argument("--processes", type=int, default=size(os.cpu_count() or 1, 1))
     given = parser.parse_args()

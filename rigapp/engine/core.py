@@ -339,7 +339,7 @@ class Core:
         if self._on_measured is None or row.measured.revolution.flags & UNTRUE:
             return
         try:
-            self._on_measured(measured_history(row.number, row.measured))
+            self._on_measured(measured_history(row.number, row.measured, row.named))
         except Exception as error:
             self.event("twin", "engine", say("the prediction was not asked ‹{}›", repr(error)))
             self._on_measured = None

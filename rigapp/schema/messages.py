@@ -465,7 +465,10 @@ class Prediction(msgspec.Struct, frozen=True):
 
 
 class RevolutionMeasured(msgspec.Struct, frozen=True):
-    """Ask the twin for a prediction: the measured history of one revolution (float64 as bytes)."""
+    """Ask the twin for a prediction: the measured history of one revolution (float64 as bytes).
+
+    temperature_C: of the room, NaN for a rig that does not measure it.
+    """
 
     revolution: int
     time_s: bytes
@@ -474,6 +477,7 @@ class RevolutionMeasured(msgspec.Struct, frozen=True):
     force_2: bytes
     probe_1: bytes
     probe_2: bytes
+    temperature_C: float = float("nan")
 
 
 class Snapshot(msgspec.Struct, frozen=True):

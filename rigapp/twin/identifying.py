@@ -21,6 +21,7 @@ from rigapp.twin.approach import MeanApproach
 from rigapp.twin.measureddepth import MeasuredDepth
 from rigapp.twin.messages import Sought
 from rigapp.twin.predict import NOTHING
+from rigapp.twin.tolerances import CLEARANCE
 from rigapp_model.errors import ModelError
 from rigapp_model.identification import (
     Bins,
@@ -57,6 +58,11 @@ MODULUS_SHARE = 0.65
 """A modulus that is wrong by a part moves a reading at equal progress by so much of that part of
 the change of the approach: 0.5 to 0.8, less the larger the load, by lives of moduli a fifth apart.
 Most of it is the approach that is taken out wrongly, early on the computed life."""
+CLEARANCE_SHARE = 0.5
+"""A clearance that is larger by a part takes so much of it from the coefficient at equal depth: the
+area that is worn to a depth goes with its inverse root while that is small against it."""
+WIDTH = 1e-4
+"""Standard tolerance of the bushing's width, m: turned polymers are within 0.2 mm."""
 STEP_SHARE, FIRST_CYCLES = 0.05, 2.0
 """The life goes on by so much of its cycles, and by so many at first: halving moves no depth by
 1e-3. One step a revolution, so that none waits for it."""
@@ -190,11 +196,17 @@ class Identifier:
     _closed: list[Any] = field(default_factory=list)
 
     def take(
-        self, revolution: int, loads: CycleLoads, reference: CycleLoads | None, depth: MeasuredDepth
+        self,
+        revolution: int,
+        loads: CycleLoads,
+        reference: CycleLoads | None,
+        depth: MeasuredDepth,
+        warm: float = math.nan,
     ) -> None:
         """Take a revolution: its loads, those that progress is counted in, its measured depth.
 
-        reference: None while there is none; revolutions count as one cycle each until then.
+        reference: None while there is none; revolutions count as one cycle each until then. warm:
+        temperature, degC, NaN where it is not known.
         """
         since, self.revolution = revolution - self.revolution, float(revolution)
         if reference is None:
@@ -212,8 +224,8 @@ class Identifier:
         self.reference = max(min(self.reference, 0.5 * depth.uncertainty), LEAST_REFERENCE)
         life = self.ahead.life()
         if life is not None:
-            self._judge(life, depth.depth)
-        if self.bins.add(self.revolution, self.progress, depth.depth) is not None:
+            self._judge(life, depth.depth, warm)
+        if self.bins.add(self.revolution, self.progress, depth.depth, warm) is not None:
             self._closed = self.bins.numbers()["closed"]
             self._renew(life)
         for name, end in zip(REMAINING, self.ends, strict=True):
@@ -225,10 +237,10 @@ class Identifier:
         far = AHEAD * self.ratio * self.sought.planned
         return ahead.depth[-1] < deep or ahead.progress[-1] < far
 
-    def _judge(self, life: DepthLife, depth: float) -> None:
+    def _judge(self, life: DepthLife, depth: float, warm: float) -> None:
         """Compare a reading with what was expected of it."""
         watch = self.consistency
-        watch.add(self.revolution, self.progress, depth, life)
+        watch.add(self.revolution, self.progress, depth, life, warm)
         if watch.mean is None:
             return
         faster, slower = watch.sums
@@ -272,8 +284,14 @@ class Identifier:
         """Return what the record states of the probes; raise CannotBeTold where none does."""
         drift = self.sought.drift_um
         per_root = None if drift is None else 1e-6 * drift / math.sqrt(math.log(10.0))
+        joint = self.parameters.joint
+        clearance = CLEARANCE_SHARE * CLEARANCE / max(joint.clearance, CLEARANCE)
         return probe_errors(
-            self.sought.sensitivity, self.reference, per_root, load=self.sought.load
+            self.sought.sensitivity,
+            self.reference,
+            per_root,
+            load=self.sought.load,
+            geometry=math.hypot(clearance, WIDTH / max(joint.bushing_width, WIDTH)),
         )
 
     def prior(self) -> Prior:

@@ -50,7 +50,10 @@ class Unpredictable(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class MeasuredRevolution:
-    """One measured revolution in SI: time (s), crank angle (rad), forces (N), probes (m)."""
+    """One measured revolution in SI: time (s), crank angle (rad), forces (N), probes (m).
+
+    temperature: of the room, degC, NaN where it is not known.
+    """
 
     revolution: int
     time: Array
@@ -59,6 +62,7 @@ class MeasuredRevolution:
     force_2: Array
     probe_1: Array
     probe_2: Array
+    temperature: float = math.nan
     on_grid: Callable[[Array], Array] = field(init=False, repr=False)
     """Takes values (n,) at its angles to ``GRID``, by straight lines."""
 
@@ -120,6 +124,7 @@ def unpack(message: RevolutionMeasured) -> MeasuredRevolution:
         force_2=force_2[forward],
         probe_1=um * as_array(message.probe_1, "<f8")[forward],
         probe_2=um * as_array(message.probe_2, "<f8")[forward],
+        temperature=message.temperature_C,
     )
 
 

@@ -203,7 +203,7 @@ class Twin:
         known = NOTHING
         if self.identifier is not None:
             usual = self.ahead.loads if self.ahead is not None else None
-            self.identifier.take(made, loads, usual, self._last)
+            self.identifier.take(made, loads, usual, self._last, measured.temperature)
             counted = {name: self.identifier.known[name] - self.before for name in COUNTED}
             self.changed, known = True, self.identifier.known | counted
         load = joint_load(self.parameters, in_crank, motion, self.cell)

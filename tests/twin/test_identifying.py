@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import logging
+from dataclasses import replace
 from pathlib import Path
 
 import msgspec
@@ -153,3 +154,25 @@ def test_each_of_them_can_end_a_test(stop: StopSection, key: str) -> None:
     assert met
     assert "in 3 revolutions in a row" in met[0].sentence
     assert met[0].planned is (stop.remaining_revolutions is not None)
+
+
+def test_clearance_and_width_are_in_the_budget_of_the_coefficient() -> None:
+    joint = PARAMETERS.joint
+    identifier = Identifier(PARAMETERS, SOUGHT, reference=1e-6)
+    usual = identifier.errors().geometry
+    assert usual == pytest.approx(np.hypot(25e-6 / joint.clearance, 1e-4 / joint.bushing_width))
+    narrow = replace(joint, bushing_width=0.2 * joint.bushing_width)
+    identifier.parameters = replace(PARAMETERS, joint=narrow)
+    assert identifier.errors().geometry > 1.2 * usual
+
+
+def test_the_temperature_of_the_room_goes_into_the_bins() -> None:
+    twin = a_twin()
+    for measured, _ in revolutions(1.1, REVOLUTIONS)[:40]:
+        twin.predict(replace(measured, temperature=20.0 + 0.1 * measured.revolution))
+    assert twin.identifier is not None
+    warm = [one.warm for one in twin.identifier.bins.closed]
+    assert warm
+    assert warm == pytest.approx(
+        [20.0 + 0.1 * b.progress for b in twin.identifier.bins.closed], rel=0.02
+    )

@@ -211,7 +211,7 @@ def _nodes(given: Given, statement: Statement, cells: Cells, whole: float) -> tu
     if statement.falls:
         log_weight, fit = _falling(log_weight, at, fit)
     breadth = np.repeat(size * (points[1] - points[0]), count)
-    return kept(given.noise, at, fit, log_weight, breadth)
+    return kept(given.noise, at, fit, log_weight, breadth, np.repeat(along, count))
 
 
 def _falling(log_weight: Array, at: Hypotheses, fit: Fitted) -> tuple[Array, Fitted]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import astuple, dataclass, field, fields
+from math import isfinite, nan
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,8 @@ from rigapp_model.errors import require_positive
 
 PER_DECADE = 12
 """Bins a decade: in one of them the depth grows by a fifth, its curve by 4e-4 of the depth."""
+LEAST_APART = 1e-9
+"""What a temperature has beside a straight line counts from this share of its squares on."""
 GROUP = 8
 """Readings of a group: two in eight may be wrong without harm; its mean is 0.9 as efficient."""
 
@@ -29,7 +32,9 @@ class Bin:
     revolution: last one in it; first, progress, last: measured progress at its beginning, its mean
     and at its end, nominal cycles; depth: robust mean, m; count: readings; squares: of the groups
     about their straight line, times readings, m^2, with so many degrees of freedom; steps: squares
-    of what neighbouring groups differ by, less their mean, times readings, NaN where not known.
+    of what neighbouring groups differ by, less their mean, times readings, NaN where not known;
+    warm: mean temperature, degC, None where not known: else squares are about what it explains,
+    too.
     """
 
     revolution: float
@@ -41,33 +46,38 @@ class Bin:
     squares: float
     freedom: int
     steps: float = float("nan")
+    warm: float | None = None
 
 
 @dataclass(slots=True)
 class Gathering:
     """Gather readings until the bin is closed, in a fixed number of numbers.
 
-    Sums over groups: n, p, d, p^2, p d, d^2 with progress and depth less those of the first one.
+    Sums over groups: n, p, d, p^2, p d, d^2, T, T^2, p T, d T with progress, depth and temperature
+    less those of the first reading; warmed: whether the temperature of all is known.
     begun, latest: depths of the first and the last group; moved: squares of their steps, m^2.
     """
 
-    origin: tuple[float, float] = (0.0, 0.0)
-    sums: list[float] = field(default_factory=lambda: [0.0] * 6)
+    origin: tuple[float, ...] = (0.0, 0.0, 0.0)
+    sums: list[float] = field(default_factory=lambda: [0.0] * 10)
     groups: int = 0
     first: float = 0.0
     last: float = 0.0
     revolution: float = 0.0
-    waiting: list[tuple[float, float]] = field(default_factory=list)
+    waiting: list[tuple[float, ...]] = field(default_factory=list)
     begun: float = 0.0
     latest: float = 0.0
     moved: float = 0.0
+    warmed: bool = True
 
-    def add(self, revolution: float, progress: float, depth: float) -> None:
+    def add(self, revolution: float, progress: float, depth: float, warm: float) -> None:
         """Take one reading."""
+        if not isfinite(warm):
+            self.warmed, warm = False, 0.0
         if not (self.groups or self.waiting):
-            self.origin, self.first = (progress, depth), progress
+            self.origin, self.first = (progress, depth, warm), progress
         self.revolution, self.last = revolution, progress
-        self.waiting.append((progress, depth))
+        self.waiting.append((progress, depth, warm))
         if len(self.waiting) == GROUP:
             self._group()
 
@@ -76,13 +86,14 @@ class Gathering:
             return
         p = sum(one[0] for one in self.waiting) / len(self.waiting) - self.origin[0]
         d = trimmed([one[1] for one in self.waiting]) - self.origin[1]
+        t = sum(one[2] for one in self.waiting) / len(self.waiting) - self.origin[2]
         n = float(len(self.waiting))
         if self.groups:
             self.moved += GROUP * (d - self.latest) ** 2
         else:
             self.begun = d
         self.latest = d
-        for at, value in enumerate((1.0, p, d, p * p, p * d, d * d)):
+        for at, value in enumerate((1.0, p, d, p * p, p * d, d * d, t, t * t, p * t, d * t)):
             self.sums[at] += n * value
         self.groups += 1
         self.waiting = []
@@ -98,10 +109,16 @@ class Gathering:
             self._group()
         if not self.groups:
             return None
-        n, p, d, pp, pd, dd = self.sums
-        along = pp - p * p / n
-        left = dd - d * d / n - ((pd - p * d / n) ** 2 / along if along > 0.0 else 0.0)
+        n, p, d, pp, pd, dd, t, tt, pt, dt = self.sums
+        along, across = pp - p * p / n, pd - p * d / n
+        left = dd - d * d / n - (across**2 / along if along > 0.0 else 0.0)
         freedom = max(self.groups - 2, 0)
+        if self.warmed and along > 0.0:
+            beside = pt - p * t / n
+            apart = tt - t * t / n - beside**2 / along
+            if freedom > 1 and apart > LEAST_APART * tt:
+                left -= (dt - d * t / n - across * beside / along) ** 2 / apart
+                freedom -= 1
         steps = self.moved - GROUP * (self.latest - self.begun) ** 2 / max(self.groups - 1, 1)
         return Bin(
             self.revolution,
@@ -113,6 +130,7 @@ class Gathering:
             max(left, 0.0) if freedom else 0.0,
             freedom,
             max(steps, 0.0) if freedom else 0.0,
+            self.origin[2] + t / n if self.warmed else None,
         )
 
 
@@ -135,11 +153,13 @@ class Bins:
     def __post_init__(self) -> None:
         require_positive("per_decade", self.per_decade)
 
-    def add(self, revolution: float, progress: float, depth: float) -> Bin | None:
+    def add(
+        self, revolution: float, progress: float, depth: float, warm: float = nan
+    ) -> Bin | None:
         """Take one reading; return the bin that it closed, None when none.
 
-        revolution: its number, rising; progress: by then, nominal cycles; depth: measured, m. One
-        that is not finite is left out.
+        revolution: its number, rising; progress: by then, nominal cycles; depth: measured, m; warm:
+        temperature, degC, NaN where there is none. A depth that is not finite is left out.
         """
         if not np.isfinite(depth):
             return None
@@ -147,7 +167,7 @@ class Bins:
         if revolution > self._ends:
             done = self._close()
             self._ends = self._end_of(revolution)
-        self._open.add(revolution, progress, depth)
+        self._open.add(revolution, progress, depth, warm)
         return done
 
     def _close(self) -> Bin | None:
@@ -179,5 +199,11 @@ def bins_of(numbers: Mapping[str, Any]) -> Bins:
     is_open["origin"] = tuple(is_open["origin"])
     is_open["waiting"] = [tuple(one) for one in is_open["waiting"]]
     is_open["sums"] = list(is_open["sums"])
+    missing = len(Gathering().sums) - len(is_open["sums"])
+    if missing:  # of a version that took no temperature
+        is_open["origin"] = (*is_open["origin"], 0.0)
+        is_open["waiting"] = [(*one, 0.0) for one in is_open["waiting"]]
+        is_open["sums"] += [0.0] * missing
+        is_open["warmed"] = False
     closed = [Bin(*one) for one in numbers["closed"]]
     return Bins(numbers["per_decade"], closed, Gathering(**is_open), numbers["ends"])

@@ -22,7 +22,7 @@ from rigapp_model.identification.excursion import TOLD, Excursion, excursion_of
 from rigapp_model.identification.inference import Identification, Verdict
 from rigapp_model.identification.life import DepthLife
 from rigapp_model.identification.posterior import Nodes
-from rigapp_model.identification.shapes import COLUMNS, CREEP, STEP, SWING
+from rigapp_model.identification.shapes import COLUMNS, CREEP, HEAT, STEP, SWING, WARMTH
 from rigapp_model.identification.statements import CHANGE, STATEMENTS, Hypotheses
 
 Array = NDArray[np.float64]
@@ -49,7 +49,7 @@ STEP_LASTS = 2.0
 """Until so many times the revolution of a step, bins cannot tell it from a change of K."""
 OVERSHOOT = 1.166
 """How far a sum of normal steps passes a threshold (Siegmund), in sigma."""
-STATES, LEVEL, NOISE = 10, 5, 6
+STATES, LEVEL, NOISE = 11, 5, 6
 SWINGS = (8, 9)
 """States of what is expected; the level and the correlated noise among them."""
 WIDEST = 0.2
@@ -88,14 +88,15 @@ class Departure:
 class Consistency:
     """Judge readings one by one against what was predicted of them; a fixed number of numbers.
 
-    mean (10,), covariance (10, 10): of ln K/K0, ln r, e / u_e, b / u_b, the modulus, the level (the
-    drift and steps, m), the correlated noise, m, creep, and a swing's value and what it will be a
-    quarter of its period later, m, as known now; none before ``renew`` was called. scales: u_e,
-    u_b, strength of the drift, scatter, size and length of the correlated noise, and the swing's
-    period; ended: the revolution that they are of, anchor: that the swing is of. sums: for faster
-    and slower wear; since: the revolution at which each was last 0; rising: what came since then,
-    for each; stepped: the revolution of the last step, 0 for none; departure: the first one told,
-    until ``acknowledged``.
+    mean (11,), covariance (11, 11): of ln K/K0, ln r, e / u_e, b / u_b, the modulus, the level (the
+    drift and steps, m), the correlated noise, m, creep, a swing's value and what it will be a
+    quarter of its period later, m, and what a kelvin does, as known now; none before ``renew`` was
+    called. scales: u_e, u_b, strength of the drift, scatter, size and length of the correlated
+    noise, and the swing's period; ended: the revolution that they are of, anchor: that the swing is
+    of; warm_zero: the temperature that others are taken beside, degC, None where it is not known.
+    sums: for faster and slower wear; since: the revolution at which each was last 0; rising: what
+    came since then, for each; stepped: the revolution of the last step, 0 for none; departure: the
+    first one told, until ``acknowledged``.
     """
 
     bins: Bins = field(default_factory=lambda: Bins(FINE))
@@ -107,6 +108,7 @@ class Consistency:
     scales: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0, 0.0, 1.0, np.inf)
     ended: float = 0.0
     anchor: float = 0.0
+    warm_zero: float | None = None
     sums: tuple[float, float] = (0.0, 0.0)
     since: tuple[float, float] = (0.0, 0.0)
     rising: tuple[Excursion, Excursion] = field(default_factory=lambda: (Excursion(), Excursion()))
@@ -159,6 +161,7 @@ class Consistency:
             period,
         )
         self.ended = self.anchor = known.revolution
+        self.warm_zero = known.readings.warm_zero
         if 0.0 < known.revolution - self.stepped < FREE_FOR * self.stepped:
             self.covariance[LEVEL, LEVEL] += STEP**2
 
@@ -172,13 +175,18 @@ class Consistency:
         return known.best
 
     def add(
-        self, revolution: float, progress: float, depth: float, life: DepthLife
+        self,
+        revolution: float,
+        progress: float,
+        depth: float,
+        life: DepthLife,
+        warm: float = float("nan"),
     ) -> Departure | None:
         """Take one reading; return the departure that it told, None when none.
 
-        revolution, progress (nominal cycles), depth (m): as for ``Bins.add``.
+        revolution, progress (nominal cycles), depth (m), warm (degC): as for ``Bins.add``.
         """
-        closed = self.bins.add(revolution, progress, depth)
+        closed = self.bins.add(revolution, progress, depth, warm)
         if closed is None:
             return None
         self.bins.closed.clear()
@@ -226,6 +234,7 @@ class Consistency:
                 CREEP * walked,
                 flat * float(np.cos(2.0 * np.pi * turn)),
                 flat * float(np.sin(2.0 * np.pi * turn)),
+                WARMTH * self._warmer(closed),
             ]
         )
         fresh = size**2 * (2.0 / wide * (1.0 - share) - share**2)
@@ -253,6 +262,12 @@ class Consistency:
         self.covariance = self.covariance - np.outer(ahead, ahead) / variance
         self.ended = closed.revolution
         return self._summed(closed.revolution)
+
+    def _warmer(self, closed: Bin) -> float:
+        """Return by how much a bin was warmer than the first one, K, 0 where that is not known."""
+        if closed.warm is None or self.warm_zero is None:
+            return 0.0
+        return closed.warm - self.warm_zero
 
     def _swing(self) -> float:
         """Return how much of a usual swing there is, by its square: 0 to 1."""
@@ -312,6 +327,7 @@ class Consistency:
             "walked": self.walked,
             "ended": self.ended,
             "anchor": self.anchor,
+            "warm_zero": self.warm_zero,
             "scales": list(self.scales),
             "sums": list(self.sums),
             "since": list(self.since),
@@ -350,7 +366,7 @@ def _period(nodes: Nodes) -> float:
 
 
 def _states(nodes: Nodes, revolution: float, period: float) -> Array:
-    """Return what the states of noise (S) are in level, noise, creep and swing, (H, 5, S).
+    """Return what the states of noise (S) are in level, noise, creep, swing, heat, (H, 6, S).
 
     A swing of another period than the one that is gone on with keeps its value and its rate.
     """
@@ -359,7 +375,8 @@ def _states(nodes: Nodes, revolution: float, period: float) -> Array:
     angle = 2.0 * np.pi * revolution / np.where(swings, own, np.inf)
     faster = period / np.where(swings, own, np.inf) if np.isfinite(period) else np.zeros(own.size)
     found = np.zeros((own.size, STATES - LEVEL, nodes.left.shape[1]))
-    found[:, 0, 0] = found[:, 1, 1] = found[:, 2, 2] = 1.0
+    found[:, 0, 0] = found[:, 1, 1] = found[:, 5, 2 + HEAT] = 1.0
+    found[:, 2, 2] = nodes.kinds.creeps
     found[:, 0, 3] = np.where(swings, -SWING, STEP * (nodes.kinds.jump[:, 1] > 0.0))
     found[:, 0, 2 + COLUMNS :: 2] = STEP
     found[:, 3, 3] = SWING * swings * np.cos(angle)
@@ -372,7 +389,11 @@ def _states(nodes: Nodes, revolution: float, period: float) -> Array:
 def consistency_of(numbers: Mapping[str, Any]) -> Consistency:
     """Return the judge of which ``numbers`` were kept; it goes on as that would have."""
     values = dict(numbers)
-    if "rising" not in values or len(values["scales"]) != len(Consistency().scales):
+    if (
+        "rising" not in values
+        or len(values["scales"]) != len(Consistency().scales)
+        or len(values["mean"] or STATES * [0.0]) != STATES
+    ):
         # Of a version that knew less of noise: what is expected is known with the next bin.
         values |= {"mean": None, "covariance": None, "scales": Consistency().scales}
         values |= {"rising": [one.numbers() for one in Consistency().rising]}

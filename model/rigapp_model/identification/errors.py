@@ -25,7 +25,8 @@ class ProbeErrors:
     sensitivity: relative, common to all readings; reference: of the depth's zero, m; drift: lower
     bound of its strength, m per root of the natural logarithm of revolutions; scatter: of one
     reading as expected before any is there, m; load: relative, of the load by which the wear is
-    divided: the coefficient goes with its inverse, while what remains does not depend on it; swing:
+    divided: the coefficient goes with its inverse, while what remains does not depend on it;
+    geometry: relative, of the coefficient by width and clearance of the specimen, likewise; swing:
     probability that the readings swing slowly, as with the temperature of a room; day: revolutions
     of a day, the most probable period of that.
     """
@@ -35,6 +36,7 @@ class ProbeErrors:
     drift: float
     scatter: float = 0.5e-6
     load: float = 0.0
+    geometry: float = 0.0
     swing: float = 0.6
     day: float = USUAL_DAY
 
@@ -44,8 +46,14 @@ class ProbeErrors:
         require_not_negative("drift", self.drift, "m")
         require_positive("scatter", self.scatter, "m")
         require_not_negative("load", self.load)
+        require_not_negative("geometry", self.geometry)
         require_not_negative("swing", self.swing)
         require_positive("day", self.day)
+
+    @property
+    def scale(self) -> float:
+        """Return the relative uncertainty of what the coefficient is only scaled by."""
+        return float(np.hypot(self.load, self.geometry))
 
 
 def probe_errors(
@@ -54,6 +62,7 @@ def probe_errors(
     drift: float | None,
     scatter: float = 0.5e-6,
     load: float = 0.0,
+    geometry: float = 0.0,
 ) -> ProbeErrors:
     """Return the errors of the probes; raise CannotBeTold for what no record states (None)."""
     missing = [
@@ -73,7 +82,7 @@ def probe_errors(
                 joined(", ", missing),
             )
         )
-    return ProbeErrors(sensitivity, reference, drift, scatter, load)
+    return ProbeErrors(sensitivity, reference, drift, scatter, load, geometry)
 
 
 WIDE = float(np.log(10.0) / 1.959964)

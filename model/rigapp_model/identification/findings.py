@@ -9,25 +9,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp_model.identification.posterior import Nodes
-from rigapp_model.identification.shapes import COLUMNS, CREEP, STEP, SWING
+from rigapp_model.identification.shapes import COLUMNS, CREEP, HEAT, STEP, SWING, WARMTH
 
 Array = NDArray[np.float64]
 
-CREEP_NAME, SWING_NAME, STEP_NAME, COLOUR_NAME = "creep", "swing", "step", "correlated noise"
+CREEP_NAME, SWING_NAME, STEP_NAME = "creep", "swing", "step"
+COLOUR_NAME, HEAT_NAME = "correlated noise", "temperature"
 TOLD = 0.95
 """Probability from which a disturbance is one that was found."""
 SIGMAS = 2.0
-"""Creep and a step that are further from 0 than so many standard uncertainties are found."""
+"""Creep, heat and a step that are further from 0 than so many standard uncertainties are found."""
 
 
 @dataclass(frozen=True, slots=True)
 class Disturbance:
     """Hold what disturbs the probes.
 
-    name: one of those above; size: m a decade of creep, amplitude of a swing, m of a step with its
-    sign, standard deviation of correlated noise; doubt: standard uncertainty of it, m; place: the
-    swing's period, the revolution of the step, the length of the correlation, revolutions, 0 of
-    creep; probability: that it is there.
+    name: one of those above; size: m a decade of creep, m a kelvin, amplitude of a swing, m of a
+    step with its sign, standard deviation of correlated noise; doubt: standard uncertainty of it,
+    m; place: the swing's period, the revolution of the step, the length of the correlation,
+    revolutions, 0 of creep and temperature; probability: that it is there.
     """
 
     name: str
@@ -52,10 +53,17 @@ def disturbances(weights: Sequence[float], nodes: Sequence[Nodes]) -> tuple[Dist
     jump = np.concatenate([one.kinds.jump for one in nodes])
     steps = nodes[0].steps
     found = []
-    mean, doubt = _moments(weight, states[:, 2], spare[:, 2, 2])
-    if abs(mean) > SIGMAS * doubt:
+    creeps = np.concatenate([one.kinds.creeps for one in nodes]) > 0.0
+    if weight[creeps].sum() > TOLD:
+        share = weight * creeps / weight[creeps].sum()
+        mean, doubt = _moments(share, states[:, 2], spare[:, 2, 2])
         decade = CREEP * float(np.log(10.0))
-        found.append(Disturbance(CREEP_NAME, decade * mean, decade * doubt, 0.0, 1.0))
+        if abs(mean) > SIGMAS * doubt:
+            held = float(weight[creeps].sum())
+            found.append(Disturbance(CREEP_NAME, decade * mean, decade * doubt, 0.0, held))
+    mean, doubt = _moments(weight, states[:, 2 + HEAT], spare[:, 2 + HEAT, 2 + HEAT])
+    if abs(mean) > SIGMAS * doubt:
+        found.append(Disturbance(HEAT_NAME, WARMTH * mean, WARMTH * doubt, 0.0, 1.0))
     swings = period > 0.0
     if weight[swings].sum() > TOLD:
         share = weight * swings / weight[swings].sum()

@@ -13,7 +13,7 @@ from rigapp_model.errors import require_positive
 from rigapp_model.identification.inference import Credible, Identification
 from rigapp_model.identification.life import DepthLife
 from rigapp_model.identification.posterior import Nodes
-from rigapp_model.identification.shapes import SWING, shapes
+from rigapp_model.identification.shapes import HEAT, SWING, WARMTH, Moments, shapes
 
 Array = NDArray[np.float64]
 
@@ -148,7 +148,8 @@ def _depths(
     """Return mean and standard deviation of the depth (H, n), m, by each node at revolutions (n,).
 
     What the bins leave of the drift goes on from the last bin as a random walk, and the correlated
-    noise falls from what it was to none.
+    noise falls from what it was to none. The temperature is what it was in the mean, with its
+    spread.
     """
     progress = known.progress + rate * (at - known.revolution)
     found, slopes = life.depth(progress, nodes.hypotheses.scaled(np.zeros(0)))
@@ -166,12 +167,17 @@ def _depths(
         ],
         axis=2,
     )
-    kinds = nodes.kinds
+    kinds, heat = nodes.kinds, 2 + HEAT
+    heat = 2 + HEAT
+    usual, spread = _warmth(known)
+    warm = np.full(at.size, usual)
     falls = np.exp(-np.maximum(at - known.revolution, 0.0) / kinds.length[:, None])
     onward = np.concatenate(
         [
             np.stack([np.ones_like(found), falls * np.ones_like(found)], axis=2),
-            shapes(kinds.period, kinds.jump, nodes.steps, at, at).swapaxes(1, 2),
+            shapes(
+                kinds.period, kinds.jump, kinds.creeps, nodes.steps, Moments(at, at, warm)
+            ).swapaxes(1, 2),
         ],
         axis=2,
     )
@@ -187,8 +193,17 @@ def _depths(
         + ((onward @ nodes.spare) * onward).sum(axis=2)
         + kinds.size[:, None] ** 2 * (1.0 - falls**2)
         + kinds.strength[:, None] ** 2 * np.maximum(walked, 0.0)
+        + (WARMTH * spread) ** 2 * (nodes.left[:, heat] ** 2 + nodes.spare[:, heat, heat])[:, None]
     )
     return mean, np.sqrt(variance)
+
+
+def _warmth(known: Identification) -> tuple[float, float]:
+    """Return mean and standard deviation of the temperature beside the first bin, K."""
+    by = known.readings
+    weight = (by.revolution - by.begin) / (by.revolution - by.begin).sum()
+    mean = float(weight @ by.warm)
+    return mean, float(np.sqrt(weight @ (by.warm - mean) ** 2))
 
 
 def predictive_band(

@@ -41,8 +41,8 @@ class Verdict:
     """Hold what one statement comes to.
 
     weight: its probability among all; log_evidence; coefficient: now, m^2/N; before: the first
-    one, and place: progress at which it changed or within which it ran in, nominal cycles, None
-    for a constant one.
+    one, after: the last one, and place: progress at which it changed or within which it ran in,
+    nominal cycles, None for a constant one.
     """
 
     name: str
@@ -50,6 +50,7 @@ class Verdict:
     log_evidence: float
     coefficient: Credible
     before: Credible | None
+    after: Credible | None
     place: Credible | None
     nodes: Nodes
 
@@ -102,7 +103,8 @@ class Identification:
     def density(self, points: int = 121) -> tuple[Array, Array]:
         """Return coefficients (points,), m^2/N, and the density of ln K there (points,)."""
         at = self.mean + np.linspace(-4.5, 4.5, points) * self.spread
-        edges, reached = distribution(*_with_load(*_coefficients(self.verdicts), self.errors.load))
+        now = _coefficients(self.verdicts, self.progress)
+        edges, reached = distribution(*_with_load(*now, self.errors.scale))
         by = np.interp(at - np.log(self.life_coefficient), edges, reached)
         return np.exp(at), np.gradient(by, at)
 
@@ -144,14 +146,14 @@ def _with_load(values: Array, weights: Array, breadth: Array, load: float) -> tu
     )
 
 
-def _coefficients(verdicts: Sequence[Verdict]) -> tuple[Array, Array, Array]:
-    """Return ln(K/K0), weight and breadth of all nodes of some statements."""
-    nodes = [v.nodes for v in verdicts]
+def _coefficients(verdicts: Sequence[Verdict], progress: float) -> tuple[Array, Array, Array]:
+    """Return ln(K/K0) now, weight and breadth of all nodes of some statements."""
+    found = [v.nodes.now(progress) for v in verdicts]
     return (
-        np.concatenate([one.hypotheses.log_coefficient for one in nodes]),
+        np.concatenate([value for value, _ in found]),
         np.concatenate([v.weight * v.nodes.weight for v in verdicts])
         / sum(v.weight for v in verdicts),
-        np.concatenate([one.breadth for one in nodes]),
+        np.concatenate([breadth for _, breadth in found]),
     )
 
 
@@ -174,22 +176,24 @@ def identify(
         first,
         *((one, *alternative_posterior(given, one, start)) for one in STATEMENTS[1:]),
     ]
-    total = float(np.logaddexp.reduce([log_evidence for _, log_evidence, _ in found]))
+    chances = np.log([one.chance for one, _, _ in found]) + [log for _, log, _ in found]
+    weight = np.exp(chances - np.logaddexp.reduce(chances))
+    progress = float(readings.progress[-1] + readings.half[-1])
     verdicts = tuple(
         sorted(
             (
-                _verdict(one, log, total, nodes, life.coefficient, errors.load)
-                for one, log, nodes in found
+                _verdict(one, log, float(share), nodes, progress, life.coefficient, errors.scale)
+                for (one, log, nodes), share in zip(found, weight, strict=True)
             ),
             key=lambda each: -each.weight,
         )
     )
-    values, weights, breadth = _coefficients(verdicts)
+    values, weights, breadth = _coefficients(verdicts, progress)
     mean = float(weights @ values)
     spread = float(np.sqrt(weights @ ((values - mean) ** 2 + breadth**2 / 12.0)))
     strengths = np.concatenate([v.nodes.kinds.strength for v in verdicts])
     return Identification(
-        _scaled(quantiles(*_with_load(values, weights, breadth, errors.load)), life.coefficient),
+        _scaled(quantiles(*_with_load(values, weights, breadth, errors.scale)), life.coefficient),
         mean + float(np.log(life.coefficient)),
         spread,
         verdicts,
@@ -206,15 +210,17 @@ def identify(
 def _verdict(
     statement: Statement,
     log_evidence: float,
-    total: float,
+    share: float,
     nodes: Nodes,
+    progress: float,
     coefficient: float,
     load: float,
 ) -> Verdict:
-    """Return what a statement comes to, with the evidence of all of them together."""
+    """Return what a statement comes to, with its probability among all of them."""
     at = nodes.hypotheses
-    now = quantiles(*_with_load(at.log_coefficient, nodes.weight, nodes.breadth, load))
-    before, place = None, None
+    value, breadth = nodes.now(progress)
+    now = quantiles(*_with_load(value, nodes.weight, breadth, load))
+    before, after, place = None, None, None
     if statement.spread:
         # The ratio is normal given ln K: as broad as an even spread of the same variance.
         breadth = np.sqrt(nodes.breadth**2 + 12.0 * nodes.covariance[:, 0, 0])
@@ -222,13 +228,16 @@ def _verdict(
             *_with_load(at.log_coefficient + nodes.log_ratio, nodes.weight, breadth, load)
         )
         before = _scaled(first, coefficient)
+        last = quantiles(*_with_load(at.log_coefficient, nodes.weight, nodes.breadth, load))
+        after = _scaled(last, coefficient)
         place = _scaled(quantiles(np.log(at.place), nodes.weight), 1.0)
     return Verdict(
         statement.name,
-        float(np.exp(log_evidence - total)),
+        share,
         log_evidence,
         _scaled(now, coefficient),
         before,
+        after,
         place,
         nodes,
     )

@@ -19,7 +19,7 @@ from rigapp.texts import say
 from rigapp_model.identification.bins import Bin
 from rigapp_model.identification.colour import ScatterWithin, colours_of, covariance, spread_of
 from rigapp_model.identification.errors import CannotBeTold, ProbeErrors
-from rigapp_model.identification.shapes import shapes
+from rigapp_model.identification.shapes import Moments, shapes
 
 Array = NDArray[np.float64]
 
@@ -36,7 +36,8 @@ class DepthBins:
     begin: revolutions before the bin; middle: revolution in the middle of it; walked, alone (n,):
     mean of ln n over it, and that of the smaller of two ln n; noise: standard uncertainty of each
     bin's mean by its scatter, m, were it white; scatter: of one reading, m; spread: of groups of
-    readings within the bins.
+    readings within the bins; warm (n,): temperature beside the first bin, K, 0 where not known;
+    warm_zero: of the first bin, degC, None where not known of all.
     """
 
     depth: Array
@@ -50,6 +51,13 @@ class DepthBins:
     noise: Array
     scatter: float
     spread: ScatterWithin
+    warm: Array
+    warm_zero: float | None
+
+    @property
+    def moments(self) -> Moments:
+        """Return what ``shapes`` takes."""
+        return Moments(self.begin, self.revolution, self.warm)
 
 
 def readings_of(bins: Sequence[Bin], errors: ProbeErrors) -> DepthBins:
@@ -72,6 +80,8 @@ def readings_of(bins: Sequence[Bin], errors: ProbeErrors) -> DepthBins:
     turn = revolution / np.maximum(last, 1e-300)
     low = np.minimum(np.maximum(first * turn, 1.0), revolution)
     walked, alone = _mean_logarithms(low, revolution)
+    warm = np.array([b.warm for b in bins], dtype=np.float64)
+    warm_zero = float(warm[0]) if np.isfinite(warm).all() else None
     return DepthBins(
         depth,
         progress,
@@ -84,6 +94,8 @@ def readings_of(bins: Sequence[Bin], errors: ProbeErrors) -> DepthBins:
         scatter / np.sqrt(count),
         scatter,
         spread_of(bins, errors),
+        np.zeros(warm.size) if warm_zero is None else warm - warm_zero,
+        warm_zero,
     )
 
 
@@ -91,6 +103,8 @@ STRENGTHS = (1.0, 2.5, 6.3)
 """Strengths of the drift compared, in units of the record's lower bound."""
 STRENGTH_DECAY = 4.0
 """Each next strength is less probable beforehand by exp of this: the record is believed."""
+CREEP_SHARE = 0.2
+"""Probability beforehand that bushing or probes creep beside the drift that the record states."""
 LEAST_KIND = 9.0
 """Kinds less probable than the best by exp of this, by the spread within bins, are left out."""
 LEAST_DRIFT = 1e-9
@@ -116,12 +130,14 @@ def _mean_logarithms(low: Array, high: Array) -> tuple[Array, Array]:
 class Kinds:
     """Hold J kinds of noise, (J,) each.
 
-    strength: of the drift, m per root of ln n; scatter, size, length: see ``Colours``; period: of a
-    slow swing, revolutions, 0 for none; jump (J, 2): first and last revolution of the bin in which
-    there is a step instead, 0 for none; log_prior: with what the spread within bins says.
+    strength: of the drift, m per root of ln n; creeps: 1 with creep, else 0; scatter, size, length:
+    see ``Colours``; period: of a slow swing, revolutions, 0 for none; jump (J, 2): first and last
+    revolution of the bin in which there is a step instead, 0 for none; log_prior: with what the
+    spread within bins says.
     """
 
     strength: Array
+    creeps: Array
     scatter: Array
     size: Array
     length: Array
@@ -169,16 +185,20 @@ def possible_kinds(readings: DepthBins, drift: float, period: Array) -> tuple[Ki
     drift: lower bound of its strength; period (P,): of swings, revolutions, the first one 0.
     """
     colours = colours_of(readings.spread, period)
-    steps = np.arange(len(STRENGTHS))
-    strengths = max(drift, LEAST_DRIFT) * np.array(STRENGTHS)
-    each = np.repeat(np.arange(colours.size.size), steps.size)
-    which = np.tile(steps, colours.size.size)
-    log_weight = colours.log_weight[each] - STRENGTH_DECAY * which[:, None]
+    # Creep beside a drift that is larger than the record states would be two for one.
+    strengths = max(drift, LEAST_DRIFT) * np.array([*STRENGTHS, STRENGTHS[0]])
+    creeps = np.arange(strengths.size) == len(STRENGTHS)
+    of_drift = np.where(creeps, 0.0, -STRENGTH_DECAY * np.arange(strengths.size))
+    of_drift += np.log(np.where(creeps, CREEP_SHARE, 1.0 - CREEP_SHARE))
+    each = np.repeat(np.arange(colours.size.size), strengths.size)
+    which = np.tile(np.arange(strengths.size), colours.size.size)
+    log_weight = colours.log_weight[each] + of_drift[which, None]
     log_weight -= np.logaddexp.reduce(log_weight[:, 0])
     counts = (log_weight > log_weight.max(axis=0) - LEAST_KIND).any(axis=1)
     each, which, log_weight = each[counts], which[counts], log_weight[counts]
     return Kinds(
         strengths[which],
+        creeps[which].astype(np.float64),
         colours.scatter[each],
         colours.size[each],
         colours.length[each],
@@ -201,7 +221,7 @@ def covariance_of(readings: DepthBins, kinds: Kinds) -> Array:
 
 def noise_of(readings: DepthBins, kinds: Kinds, steps: Array) -> Noise:
     """Return what kinds of noise make of the bins, with steps in some of these (s, 2)."""
-    columns = shapes(kinds.period, kinds.jump, steps, readings.begin, readings.revolution)
+    columns = shapes(kinds.period, kinds.jump, kinds.creeps, steps, readings.moments)
     whole = covariance_of(readings, kinds) + columns.swapaxes(1, 2) @ columns
     lower = np.linalg.cholesky(whole)
     root = np.linalg.inv(lower).swapaxes(1, 2)

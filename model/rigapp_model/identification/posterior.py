@@ -35,7 +35,7 @@ FINE_ENOUGH = 24
 class Nodes:
     """Hold hypotheses with their weights, and what is normal given each of them.
 
-    breadth (H,): of ln K that each stands for;
+    breadth (H,): of ln K that each stands for, along which ln r changes by slope (H,) times it;
     weight (H,); mean (H, 4) and covariance (H, 4, 4) of ln r less that of the hypothesis, e / u_e,
     b / u_b and the modulus a; left (H, S), pulled (H, S, 4), and spare (H, S, S): the states of
     ``Noise`` given them, their dependence on them, and what covariance is left; kinds: of noise,
@@ -44,6 +44,7 @@ class Nodes:
 
     hypotheses: Hypotheses
     breadth: Array
+    slope: Array
     weight: Array
     mean: Array
     covariance: Array
@@ -57,6 +58,17 @@ class Nodes:
     def log_ratio(self) -> Array:
         """Return the mean of ln r, (H,)."""
         return self.hypotheses.log_ratio + self.mean[:, 0]
+
+    def now(self, progress: float) -> tuple[Array, Array]:
+        """Return ln of the coefficient at a progress to K0, (H,), and its breadth.
+
+        What is spread within it is normal: it is as broad as an even spread of the same variance.
+        """
+        at = self.hypotheses
+        ratio, slope = at.statement.ratio_now(self.log_ratio, progress, at.place)
+        along = self.breadth * (1.0 + slope * self.slope)
+        breadth = np.sqrt(along**2 + 12.0 * slope**2 * self.covariance[:, 0, 0])
+        return at.log_coefficient + ratio, breadth
 
     @property
     def log_moments(self) -> tuple[float, float]:
@@ -78,6 +90,7 @@ class Nodes:
         return Nodes(
             self.hypotheses.at(index),
             self.breadth[index],
+            self.slope[index],
             weight / weight.sum(),
             self.mean[index],
             self.covariance[index],
@@ -161,11 +174,12 @@ def constant_posterior(given: Given, statement: Statement) -> tuple[float, Nodes
         low, high = grid[max(inside[0] - 1, 0)], grid[min(inside[-1] + 1, GRID - 1)]
     _refuse_beyond(given, depth[:, -1], log_post)
     step = float(grid[1] - grid[0])
-    return kept(given.noise, hypotheses, fit, log_post + np.log(step), np.full(GRID, step))
+    log_weight = log_post + np.log(step)
+    return kept(given.noise, hypotheses, fit, log_weight, np.full(GRID, step), np.zeros(GRID))
 
 
 def kept(
-    noise: Noise, at: Hypotheses, fit: Fitted, log_weight: Array, breadth: Array
+    noise: Noise, at: Hypotheses, fit: Fitted, log_weight: Array, breadth: Array, slope: Array
 ) -> tuple[float, Nodes]:
     """Return the logarithm of the sum of weights (J, H), and nodes of those that count."""
     total = float(np.logaddexp.reduce(log_weight, axis=None))
@@ -180,6 +194,7 @@ def kept(
     return total, Nodes(
         at.at(place),
         breadth[place],
+        slope[place],
         weight / weight.sum(),
         padded(fit.step, 1),
         padded(fit.covariance, 2),

@@ -21,7 +21,7 @@ from rigapp_model.identification.noise import (
     possible_kinds,
 )
 from rigapp_model.identification.posterior import IdentificationInputs
-from rigapp_model.identification.shapes import COLUMNS, NO_PERIOD, NO_STEPS, shapes
+from rigapp_model.identification.shapes import COLUMNS, HEAT, NO_PERIOD, NO_STEPS, shapes
 from rigapp_model.identification.statements import Hypotheses, Statement
 
 Array = NDArray[np.float64]
@@ -31,6 +31,8 @@ SHORTEST, LONGEST, BEYOND, RATIO = 500.0, 5.0, 8.0, 1.3
 many times the test, each next one longer by a factor."""
 DAILY = 0.75
 """Share of a day among the slow swings beforehand: rooms have one."""
+WARMED = 0.1
+"""Where the temperature is known, so much of the swings have another cause."""
 STEP_SHARE = 0.1
 """Probability beforehand of a step somewhere, equal chance in each revolution."""
 STEP_TOLD = float(np.log(100.0))
@@ -62,9 +64,10 @@ def likely_noise(asked: IdentificationInputs, constant: Statement, change: State
     share = (readings.revolution - readings.begin) / readings.revolution[-1]
     share[0] = 0.0  # it is where the zero is taken
     others = np.full(swing.size - 2, (1.0 - DAILY) / (swing.size - 2))
-    swings = errors.swing * np.append(DAILY, others)
+    swung = WARMED * errors.swing if readings.warm_zero is not None else errors.swing
+    swings = swung * np.append(DAILY, others)
     beforehand = np.concatenate(
-        [(1.0 - STEP_SHARE) * np.append(1.0 - errors.swing, swings), STEP_SHARE * share]
+        [(1.0 - STEP_SHARE) * np.append(1.0 - swung, swings), STEP_SHARE * share]
     )
     with np.errstate(divide="ignore"):
         log_weight = np.log(beforehand) + np.concatenate(
@@ -126,15 +129,15 @@ def _compared(
     change and with the most probable one, J kinds of noise, T periods, a step in one of n bins.
     Each swing and step is two columns beside the others: what they gain is in closed form.
     """
-    begin, end = readings.begin, readings.revolution
-    always = shapes(np.zeros(1), np.zeros((1, 2)), found, begin, end)[0]
-    lower = np.linalg.cholesky(covariance_of(readings, base) + always.T @ always)
+    end, at, none = readings.revolution, readings.moments, np.zeros(1)
+    nothing = np.zeros((base.size.size, 2))
+    always = shapes(nothing[:, 0], nothing, base.creeps, found, at)
+    lower = np.linalg.cholesky(covariance_of(readings, base) + always.swapaxes(1, 2) @ always)
     log_determinant = 2.0 * np.log(np.diagonal(lower, axis1=1, axis2=2)).sum(axis=1)
     nowhere = np.zeros((swing.size - 1, 2))
-    sines = shapes(swing[1:], nowhere, NO_STEPS, begin, end)[:, 1:COLUMNS].reshape(-1, end.size)
-    jumps = shapes(np.zeros(1), np.zeros((1, 2)), np.column_stack([begin, end]), begin, end)[
-        0, COLUMNS:
-    ]
+    sines = shapes(swing[1:], nowhere, nowhere[:, 0], NO_STEPS, at)[:, 1:HEAT]
+    sines = sines.reshape(-1, end.size)
+    jumps = shapes(none, nowhere[:1], none, np.column_stack([at.begin, end]), at)[0, COLUMNS:]
     rows = np.concatenate([linear.columns, linear.misfit[None], sines, jumps])
     along = np.linalg.inv(lower) @ rows.T
     k = len(linear.columns)

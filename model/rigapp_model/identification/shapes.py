@@ -2,6 +2,7 @@
 
 Each is a column over the bins times an amplitude that is standard normal beforehand:
 
+- temperature moves the probes in proportion to what a sensor reads beside the first bin;
 - creep grows with the logarithm of revolutions, as that of polymers and of glued probes does
   (W. N. Findley et al., Creep and Relaxation of Nonlinear Viscoelastic Materials, 1976, ch. 2);
 - a slow swing, as the temperature of a room has, is a sine and a cosine of some period, less what
@@ -11,6 +12,8 @@ Each is a column over the bins times an amplitude that is standard normal before
 """
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,30 +28,47 @@ STEP = 3.0e-6
 """Of a step, m."""
 WITHIN = float(1.0 / np.sqrt(12.0))
 """Of the part of a step in its own bin about the half of it: it is anywhere in there."""
-COLUMNS = 3
-"""Of creep and a swing; each step has two more."""
+WARMTH = 0.7e-6
+"""Of what a kelvin moves the readings by, m: 60 mm of steel between probe and joint."""
+COLUMNS = 4
+"""Of creep, a swing and temperature; each step has two more."""
+HEAT = 3
+"""Column of temperature."""
 NO_PERIOD = 0.0
 """Period of no swing at all."""
 NO_STEPS = np.zeros((0, 2))
 
 
-def shapes(period: Array, jump: Array, steps: Array, begin: Array, end: Array) -> Array:
-    """Return the means of all columns over bins, (J, S, n), m: creep, swing or step, steps.
+@dataclass(frozen=True, slots=True, eq=False)
+class Moments:
+    """Hold bins (n,): revolutions before and at the end, and temperature beside the first one, K.
+
+    A bin without length is a moment. Without a temperature channel it is 0 everywhere.
+    """
+
+    begin: Array
+    end: Array
+    warm: Array
+
+
+def shapes(period: Array, jump: Array, creeps: Array, steps: Array, at: Moments) -> Array:
+    """Return the means of all columns over bins, (J, S, n), m: creep, swing or step, heat, steps.
 
     period (J,): of the swing, revolutions, NO_PERIOD for none; jump (J, 2): first and last
-    revolution of the bin in which there is a step in its place, 0 for none; steps (s, 2): the same
-    of steps that all have; begin, end (n,): revolutions before and at the end of each bin. A bin
-    without length is a moment.
+    revolution of the bin in which there is a step in its place, 0 for none; creeps (J,): 1 where
+    there is creep, else 0; steps (s, 2): as jump, of steps that all have.
     """
+    begin, end = at.begin, at.end
     found = np.zeros((period.size, COLUMNS + 2 * len(steps), end.size))
-    found[:, 0] = CREEP * mean_logarithm(begin + 1.0, end)
+    found[:, 0] = CREEP * creeps[:, None] * mean_logarithm(begin + 1.0, end)
     turned = 1.0 / np.where(period > 0.0, period, np.inf)[:, None]
     angle = np.pi * turned * (begin + end)
     flat = np.sinc(turned * (end - begin))
     found[:, 1] = SWING * (flat * np.cos(angle) - 1.0)
     found[:, 2] = SWING * flat * np.sin(angle)
     still = period <= 0.0
-    found[still, 1:COLUMNS] = _step(jump[still], begin, end)
+    found[still, 1:HEAT] = _step(jump[still], begin, end)
+    found[:, HEAT] = WARMTH * at.warm
     found[:, COLUMNS:] = _step(steps, begin, end).reshape(-1, end.size)
     return found
 

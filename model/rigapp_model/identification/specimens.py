@@ -82,7 +82,7 @@ def estimate_of(known: Identification, record: str) -> Estimate:
     alone = (mean * spread**-2 - np.log(known.prior.coefficient) * before) / precision
     common = float(weights @ ((values - weights @ values) * (seen - weights @ seen)))
     common *= spread**-2 / precision
-    own = float(precision**-0.5)
+    own = float(np.hypot(precision**-0.5, known.errors.geometry))
     common = float(np.clip(common, -0.999 * own, 0.999 * own))
     return Estimate(float(alone), own, common, record, known.errors.load)
 
@@ -114,11 +114,11 @@ def pairing_of(estimates: Sequence[Estimate], source: str) -> Pairing:
 
 
 def _seen(known: Identification) -> tuple[Array, Array, Array]:
-    """Return ln(K/K0), weight and mean of e / u_e of the nodes of all statements."""
+    """Return ln(K/K0) now, weight and mean of e / u_e of the nodes of all statements."""
     nodes = [one.nodes for one in known.verdicts]
     weight = np.concatenate([one.weight * one.nodes.weight for one in known.verdicts])
     return (
-        np.concatenate([one.hypotheses.log_coefficient for one in nodes]),
+        np.concatenate([one.now(known.progress)[0] for one in nodes]),
         weight / weight.sum(),
         np.concatenate([one.mean[:, 1] for one in nodes]),
     )

@@ -1,8 +1,8 @@
 """What may be true of a joint: its wear coefficient is constant, runs in, or changed at one time.
 
 Each statement says what progress counts at the life's coefficient K0:
-q(P) = K/K0 (P + (r - 1) g(P)), where K is the coefficient now, r the first one's ratio to it, and g
-the progress that was made at the first one. So one code serves all of them.
+q(P) = K/K0 (P + (r - 1) g(P)), where K is the last coefficient, r the first one's ratio to it, and
+g the progress that was made at the first one. So one code serves all of them.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Statement:
     that half width, place in nominal cycles; spread: of ln r beforehand, 0 for none; falls: whether
     r is above 1 by definition; anywhere: whether the place may be anywhere in what was tested, else
     within RUNNING_IN_PLACES; of_first: whether the prior of K is that of the first coefficient,
-    else of the last.
+    else of the last; chance: probability beforehand.
     """
 
     name: str
@@ -42,6 +42,19 @@ class Statement:
     falls: bool = False
     anywhere: bool = False
     of_first: bool = False
+    chance: float = 1.0
+
+    def ratio_now(self, log_ratio: Array, progress: float, place: Array) -> tuple[Array, Array]:
+        """Return ln of the coefficient now to K, (H,), and its slope by ln r.
+
+        log_ratio, place (H,); progress: nominal cycles.
+        """
+        if not self.falls:
+            return np.zeros(place.shape), np.zeros(place.shape)
+        left = np.exp(-progress / place)
+        first = np.exp(log_ratio)
+        now = 1.0 + (first - 1.0) * left
+        return np.log(now), first * left / now
 
     def precision(self, prior: Prior) -> Array:
         """Return the prior's precision of (ln K, ln r), (2, 2)."""
@@ -67,11 +80,12 @@ def _until(progress: Array, half: Array, place: Array) -> Array:
 CONSTANT, RUNNING_IN, CHANGE = "constant", "running-in", "change"
 
 STATEMENTS = (
-    Statement(CONSTANT, _none),
-    Statement(RUNNING_IN, _running_in, RUNNING_IN_SPREAD, falls=True),
-    Statement(CHANGE, _until, CHANGE_SPREAD, anywhere=True, of_first=True),
+    Statement(CONSTANT, _none, chance=0.8),
+    Statement(RUNNING_IN, _running_in, RUNNING_IN_SPREAD, falls=True, chance=0.1),
+    Statement(CHANGE, _until, CHANGE_SPREAD, anywhere=True, of_first=True, chance=0.1),
 )
-"""All of them count alike beforehand."""
+"""Were all alike, limits of a constant coefficient would hold it far more often than they say:
+readings that are as likely by each cannot take away what the others leave possible."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

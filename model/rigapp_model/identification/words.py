@@ -6,7 +6,13 @@ import numpy as np
 
 from rigapp.texts import joined, say
 from rigapp_model.identification.consistency import Departure
-from rigapp_model.identification.findings import CREEP_NAME, STEP_NAME, SWING_NAME, Disturbance
+from rigapp_model.identification.findings import (
+    CREEP_NAME,
+    HEAT_NAME,
+    STEP_NAME,
+    SWING_NAME,
+    Disturbance,
+)
 from rigapp_model.identification.inference import Credible, Identification
 from rigapp_model.identification.statements import CHANGE, CONSTANT, RUNNING_IN
 
@@ -32,6 +38,8 @@ def sentence(known: Identification, departure: Departure | None = None) -> str:
 
 def _disturbance(one: Disturbance) -> str:
     size, doubt = (f"{1e6 * value:.2g}" for value in (abs(one.size), 2.0 * one.doubt))
+    if one.name == HEAT_NAME:
+        return say("{} ± {} um for a degree of temperature", f"{1e6 * one.size:.2g}", doubt)
     if one.name == CREEP_NAME:
         return say("creep of {} ± {} um a decade of revolutions", f"{1e6 * one.size:.2g}", doubt)
     if one.name == SWING_NAME:
@@ -105,6 +113,7 @@ def _explained(known: Identification, departure: Departure) -> bool:
 def _running_in(known: Identification) -> str:
     best = known.best
     assert best.before is not None
+    assert best.after is not None
     assert best.place is not None
     done = known.progress > 3.0 * best.place.median  # to a twentieth of the way
     return say(
@@ -112,7 +121,7 @@ def _running_in(known: Identification) -> str:
         " revolutions.",
         say("fell") if done else say("is falling"),
         in_words(best.before),
-        in_words(best.coefficient),
+        in_words(best.after),
         revolution_of(known, best.place.median),
     )
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import threading
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 import msgspec
 import numpy as np
@@ -28,6 +30,8 @@ from rigapp.schema.messages import (
 )
 
 Array = NDArray[np.float64]
+
+NO_ROW: Mapping[str, float] = MappingProxyType({})
 
 
 def cycle_samples(
@@ -306,10 +310,17 @@ class Recorder:
         )
 
 
-def measured_history(number: int, measured: Measured) -> RevolutionMeasured:
-    """Return what the twin needs of one revolution."""
+TEMPERATURE = ("room_temperature", "room_temperature_mean")
+"""Columns of the temperature that moves the probes: of a slow channel, or of a sampled one."""
+
+
+def measured_history(
+    number: int, measured: Measured, row: Mapping[str, float] = NO_ROW
+) -> RevolutionMeasured:
+    """Return what the twin needs of one revolution; row: its values by column."""
     values = measured.calibrated
     wanted = {"time_s": values.time_s, "angle_rad": values.angle_rad}
     wanted |= {name: values[name] for name in ("force_1", "force_2", "probe_1", "probe_2")}
     packed = {name: array.astype("<f8").tobytes() for name, array in wanted.items()}
-    return RevolutionMeasured(revolution=number, **packed)
+    warm = next((row[name] for name in TEMPERATURE if name in row), math.nan)
+    return RevolutionMeasured(revolution=number, **packed, temperature_C=warm)

@@ -13895,6 +13895,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} {}: Drehzahlen in rpm schreiben, zum Beispiel 3,6</translation>
     </message>
     <message>
+        <source>{} ± {} um for a degree of temperature</source>
+        <translation>{} ± {} um je Grad Temperatur</translation>
+    </message>
+    <message>
         <source>{} × {:g} kg</source>
         <translation>{} × {:g} kg</translation>
     </message>

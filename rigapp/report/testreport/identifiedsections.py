@@ -129,6 +129,16 @@ def _prior_text(prior: Prior) -> str:
     return f"{coefficient_number(PER_UNIT * prior.coefficient)} · {COEFFICIENT_UNIT}"
 
 
+def _budget_text(known: Identification) -> str:
+    """Return what the limits of the coefficient hold beside the readings' own disturbances."""
+    errors = known.errors
+    return (
+        f"probes {100.0 * known.sensitivity:.2g} %, zero {1e6 * errors.reference:.2g} µm,"
+        f" force {100.0 * errors.load:.2g} %,"
+        f" clearance and width {100.0 * errors.geometry:.2g} %, modulus"
+    )
+
+
 def remaining_text(test: IdentifiedTest) -> str:
     """Return how long the test goes on until the depth of its end, in words."""
     left = test.left
@@ -154,6 +164,7 @@ def known_blocks(test: IdentifiedTest) -> tuple[Block, ...]:
         ("Readings up to revolution", grouped(int(known.revolution))),
         ("Remaining", remaining_text(test)),
         ("Record of the probes", test.record),
+        ("Standard uncertainties in the limits", _budget_text(known)),
         ("Assumed beforehand", f"{_prior_text(known.prior)}, {known.prior.source}"),
     )
     statements = tuple(

@@ -83,6 +83,12 @@ def tree_of_test(test: IdentifiedTest) -> dict[str, Any]:
         "wear_coefficient": _credible(known.coefficient, PER_UNIT, UNIT),
         "statements": [_statement(known, one) for one in known.verdicts],
         "disturbances": [_disturbance(one) for one in known.disturbances],
+        "budget": {
+            "probe_sensitivity": known.sensitivity,
+            "force": known.errors.load,
+            "clearance_and_width": known.errors.geometry,
+            "zero_um": UM * known.errors.reference,
+        },
         **promised(test),
         "remaining_s": _finite(test.remaining_s),
         "prior": _prior(known.prior),
@@ -102,6 +108,7 @@ def _statement(known: Identification, one: Verdict) -> dict[str, Any]:
         "weight": one.weight,
         "wear_coefficient": _credible(one.coefficient, PER_UNIT, UNIT),
         "before": None if one.before is None else _credible(one.before, PER_UNIT, UNIT),
+        "after": None if one.after is None else _credible(one.after, PER_UNIT, UNIT),
         "revolution": None if one.place is None else revolution_of(known, one.place.median),
     }
 

@@ -108,15 +108,19 @@ KINDS = (
 def recorded(kind: str, seed: int, doubled_at: int | None = None) -> Recorded:
     """Return a test with one kind of disturbance.
 
-    Every test has a sensitivity (1 %), a zero (1 um) and 0.4 um of scatter of its own.
+    Every test has a sensitivity (1 %), a zero (1 um), a modulus (20 %) and 0.4 um of scatter of its
+    own, as they are stated to the estimator.
     doubled_at: revolution from which the coefficient is twice as large.
     """
     random = np.random.default_rng([KINDS.index(kind), seed])
     number = np.arange(1.0, LAST + 1.0)
     ratio = float(np.exp(random.normal(0.0, 0.3)))
-    joint = USUAL
-    if kind == "modulus":
-        joint = replace(joint, stiffness=STIFFNESS * float(np.exp(random.normal(0.0, 0.2))))
+    wrong = (
+        1.2 ** random.choice([-1.0, 1.0])
+        if kind == "modulus"
+        else float(np.exp(random.normal(0.0, 0.2)))
+    )
+    joint = Joint(stiffness=STIFFNESS * wrong)
     if kind == "clearance":
         joint = replace(joint, clearance=CLEARANCE * (1.0 + random.normal(0.0, 0.1)))
     if kind == "gain":

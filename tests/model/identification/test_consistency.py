@@ -110,7 +110,7 @@ def test_sentences_say_what_is_known_and_why_not() -> None:
         return sentence(identify(virtual.gathered(depth), LIFE, virtual.ERRORS, virtual.PRIOR))
 
     assert said(100).startswith("The wear coefficient cannot be told yet, because its limits are")
-    assert said(8000).startswith("One wear coefficient, 55")
+    assert said(8000).startswith("One wear coefficient, 54")
     runs_in = 1.1 * (NUMBER + 3000.0 * -np.expm1(-NUMBER / 1500.0))
     assert said(LAST, runs_in).startswith("Running-in: the wear coefficient fell from 14")
     assert "within 1" in said(LAST, runs_in)

@@ -98,7 +98,7 @@ def test_all_that_disturbs_is_in_the_covariance_of_the_bins() -> None:
         coloured = np.array(
             [[(fall ** np.abs(np.subtract.outer(a, b))).mean() for a in turns] for b in turns]
         )
-        shapes = np.array([creep, *(sines if swings[j] else step(9)), *step(12)])
+        shapes = np.array([creep * kinds.creeps[j], *(sines if swings[j] else step(9)), *step(12)])
         dense = (
             np.diag(kinds.scatter[j] ** 2 / counted)
             + kinds.size[j] ** 2 * coloured
