@@ -13,7 +13,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.ndimage import maximum_filter1d, median_filter, uniform_filter1d
 
-from rigapp_model.history import AngleHistory, quantum_of
+from rigapp_model.history import (
+    COUNTING_DEVIATION,
+    COUNTING_SPAN,
+    AngleHistory,
+    quantum_of,
+)
 from rigapp_model.recurrent_motion import HIGHEST_ORDER, RecurrentMotion
 
 Array = NDArray[np.float64]
@@ -27,6 +32,8 @@ BROAD = 7.0
 """Standard deviations by which the mean power must exceed the noise's to be motion."""
 EXPLAINED = 0.06
 """Counts by which a fit may miss those that were measured and still explain them."""
+ALIKE = 1.1
+"""Ratio of deviations up to which two motions explain angles that are no counts alike."""
 BETWEEN = 1.0 / np.sqrt(24.0)
 """RMS of a wave of any amplitude that has room in a span of one."""
 SPIKE = 3.0
@@ -44,7 +51,9 @@ class MotionUncertainty:
     """Hold standard uncertainties at each time: angle (rad), speed (rad/s), acceleration (rad/s^2).
 
     unfollowed: the largest acceleration (rad/s^2) that the angle shows beyond the fit; 0 when none
-    stands out of the noise. recurrent: what comes again, this revolution among it.
+    stands out of the noise. recurrent: what comes again, this revolution among it. history: what
+    all of that is about: the fit, or what comes again where that explains the angle as well.
+    lasting: part of the acceleration's deviation that is alike in each revolution.
     """
 
     angle: Array
@@ -52,6 +61,8 @@ class MotionUncertainty:
     acceleration: Array
     unfollowed: float
     recurrent: RecurrentMotion
+    history: AngleHistory
+    lasting: float = 1.0
 
 
 NOTHING_YET = RecurrentMotion()
@@ -75,8 +86,13 @@ def motion_uncertainty(
     by_chance = max(quantum / np.sqrt(12.0), 0.0 if quantum else history.noise) ** 2 / size
     recurrent, known = before.after(moments, turned, history.angle, by_chance)
     smooth, slower, unpushed = history.angle, np.zeros(size), np.zeros(size)
+    lasting = 1.0
     if known is not None:
-        smooth, slower = known.angle, known.speed - history.speed
+        smooth = known.angle
+        if _explains(turned, smooth, history, quantum):
+            history = AngleHistory(smooth, known.speed, known.acceleration, history.noise)
+            lasting = known.lasting
+        slower = known.speed - history.speed
         unpushed = known.acceleration - history.acceleration
     left, slack = _beyond(turned, smooth, quantum)
     beyond = np.interp(even, moments, left)
@@ -124,7 +140,22 @@ def motion_uncertainty(
         acceleration=np.hypot(np.interp(moments, even, acceleration), unpushed),
         unfollowed=most,
         recurrent=recurrent,
+        history=history,
+        lasting=lasting,
     )
+
+
+def _explains(turned: Array, known: Array, history: AngleHistory, quantum: float) -> bool:
+    """Tell whether a known motion explains the angles as well as the fit to them does.
+
+    Counts: by what the fit itself is held to; else: the deviation from it is that from the fit,
+    whose terms take some.
+    """
+    left = turned - known
+    if quantum > 0.0:
+        left = (left - _line_of_least_span(left, quantum)) / quantum
+        return float(np.ptp(left)) <= COUNTING_SPAN and float(np.std(left)) <= COUNTING_DEVIATION
+    return float(np.std(left)) <= ALIKE * float(np.std(turned - history.angle))
 
 
 def _of_angle(left: Array, noise: float, quantum: float) -> Array:

@@ -31,6 +31,10 @@ FITTED = 12
 line themselves."""
 SIGNIFICANT = 6.0
 """Harmonics of the mean with less than so many times their variance are noise (5 % odds)."""
+OWN = 2.0
+"""An order that scatters by more than so many times its chance changes from turn to turn."""
+SEEN = 2.0
+"""Power of higher orders beyond so many standard deviations of chance is motion that is there."""
 _ORDERS = np.arange(1, HIGHEST_ORDER + 1)
 
 
@@ -40,7 +44,8 @@ class KnownMotion:
 
     again: the part of the counts that comes again at the same angles, and tells nothing new.
     hidden_speed, hidden_acceleration: standard deviations of what comes again and is not seen,
-    and of what does not come again. scatter: usual variance of a harmonic (HIGHEST_ORDER,), rad^2.
+    and of what does not come again; lasting: the part of the latter that comes again, by its
+    deviation. scatter: usual variance of a harmonic (HIGHEST_ORDER,), rad^2.
     """
 
     angle: Array
@@ -49,6 +54,7 @@ class KnownMotion:
     again: float
     hidden_speed: float
     hidden_acceleration: float
+    lasting: float
     scatter: Array
 
 
@@ -79,10 +85,11 @@ class RecurrentMotion:
         speed = float((smooth[-1] - smooth[0]) / (time[-1] - time[0]))
         alike = abs(speed - self.speed) <= SAME_SPEED * abs(speed)
         before = self if alike else RecurrentMotion()
-        new = before._with(_harmonics(moments, some, waves), speed, chance)
+        whole = _harmonics(moments, some, waves)
+        new = before._with(whole, speed, chance)
         if new.seen < LEAST_SEEN:
             return new, None
-        return new, new._known(time, angle, _waves(smooth) if step > 1 else waves)
+        return new, new._known(time, angle, _waves(smooth) if step > 1 else waves, whole)
 
     def _with(self, whole: ComplexArray, speed: float, chance: float) -> RecurrentMotion:
         seen = self.seen + 1
@@ -102,11 +109,18 @@ class RecurrentMotion:
             self.chance + share * (chance - self.chance),
         )
 
-    def _known(self, time: Array, angle: Array, waves: ComplexArray) -> KnownMotion:
+    def _known(
+        self, time: Array, angle: Array, waves: ComplexArray, whole: ComplexArray
+    ) -> KnownMotion:
+        """Return what is known of a revolution whose harmonics were found as whole."""
         number = min(float(self.seen), REMEMBERED)
         scatter = self.scatter * number / (number - 1.0)
         power = np.maximum(np.abs(self.mean) ** 2, 1e-300)
         mean = self.mean * np.maximum(0.0, 1.0 - SIGNIFICANT * scatter / number / power)
+        # What changes from turn to turn by more than chance: this turn's own, as far as it is told.
+        own = 1.0 - self.chance / np.maximum(scatter, 1e-300)
+        own = np.where(scatter > OWN * self.chance, own, 0.0)
+        mean = mean + own * (whole - mean)
         periodic, faster, pushed = (
             2.0 * np.real((mean * (1j * self.speed * _ORDERS) ** times) @ waves)
             for times in range(3)
@@ -118,14 +132,16 @@ class RecurrentMotion:
         repeated = float(np.mean((np.abs(self.mean) ** 2 - scatter / number)[FITTED:])) / usual
         again = max(0.0, min(too_little, repeated))
         sure = np.abs(mean) > 0.0
-        hidden = []
-        for times in (1, 2):
-            weights = 2.0 * (self.speed * _ORDERS) ** (2.0 * times)
-            each = weights * scatter / number
-            weak = _at_most(weights * np.abs(self.mean) ** 2 - each, each, ~sure)
-            chance = weights * self.chance
-            free = _at_most(weights * scatter - chance, chance / np.sqrt(number - 1.0))
-            hidden.append(float(np.sqrt(each[sure].sum() + weak + free)))
+        weights = 2.0 * (self.speed * _ORDERS) ** 4.0
+        each = weights * scatter / number
+        chance = weights * self.chance
+        weak = hidden_power(weights * np.abs(self.mean) ** 2 - each, each, ~sure)
+        follows = own > 0.0
+        free = hidden_power(weights * scatter - chance, chance / np.sqrt(number - 1.0), ~follows)
+        lasting = np.where(sure & ~follows, each, 0.0) + weak
+        pushing = np.where(follows, own * chance, free) + lasting
+        turning = pushing / (self.speed * _ORDERS) ** 2.0
+        hidden = [float(np.sqrt(one.sum())) for one in (turning, pushing)]
         return KnownMotion(
             line(time) + periodic,
             line.deriv()(time) + faster,
@@ -133,15 +149,35 @@ class RecurrentMotion:
             again,
             hidden[0],
             hidden[1],
+            float(np.sqrt(lasting.sum() / max(float(pushing.sum()), 1e-300))),
             scatter,
         )
 
 
-def _at_most(variances: Array, doubts: Array, which: NDArray[np.bool_] | None = None) -> float:
-    """Return what a sum of estimated variances may be, from their standard deviations."""
-    if which is not None:
-        variances, doubts = variances[which], doubts[which]
-    return max(float(variances.sum()), 0.0) + float(np.sqrt(doubts @ doubts))
+def hidden_power(powers: Array, doubts: Array, which: NDArray[np.bool_] | None = None) -> Array:
+    """Return what powers of the acceleration's orders (HIGHEST_ORDER,) may be, (rad/s^2)^2.
+
+    powers: estimated, with their standard deviations; which: orders that are asked for, 0 for
+    others. Above FITTED no order has more than the others there: a jerk within no time has as much
+    in each, any smoother motion less in higher ones. So the lower of them, which counts tell better
+    by the fourth power of the order, bound the higher; what is seen of these is added.
+    """
+    asked = np.ones(powers.size, dtype=np.bool_) if which is None else which
+    found = np.zeros(powers.size)
+    for part in (asked & (_ORDERS <= FITTED), asked & (_ORDERS > FITTED)):
+        some, doubt = powers[part], doubts[part]
+        if not some.size:
+            continue
+        most = max(float(some.sum()), 0.0) + float(np.sqrt(doubt @ doubt))
+        if part[FITTED:].any():
+            weight = np.maximum(doubt, 1e-300) ** -2.0
+            level = (
+                max(float(weight @ some) / float(weight.sum()), 0.0) + float(weight.sum()) ** -0.5
+            )
+            seen = float(some.sum()) - SEEN * float(np.sqrt(doubt @ doubt))
+            most = min(most, max(level * some.size, seen))
+        found[part] = most / some.size
+    return found
 
 
 def _harmonics(time: Array, angle: Array, waves: ComplexArray) -> ComplexArray:

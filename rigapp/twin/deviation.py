@@ -62,7 +62,7 @@ ALIKE_RAD = math.radians(12.0)
 """How far in crank angle that reaches which neither tolerances nor noise explain."""
 UNMODELLED_N = 0.1
 """Standard size of that where none is seen, N."""
-HIDDEN_N = 1.5
+HIDDEN_N = 2.0
 """A motion that leaves this much open, standard, N, explains what a fault of 2 N would show."""
 HANGING_N = 0.2
 """Standard weight of what hangs on the load cell outboard of its gauges, N: 20 g."""
@@ -146,7 +146,8 @@ class DeviationWatch:
         """Take a revolution and return what explains the difference so far.
 
         force (2, GRID): measured, N, crank frame; left_open (GRID,): standard, N, by the measured
-        angle; depth: of the predicted wear, m; reference: of the new bushing, once it is known.
+        angle, alike in each revolution; depth: of the predicted wear, m; reference: of the new
+        bushing, once it is known.
         """
         speed = float(np.mean(motion.speed))
         if not abs(speed - self._speed) <= SAME_SPEED * abs(speed):

@@ -24,7 +24,7 @@ from rigapp.twin.jointload import UNKNOWN, JointLoad
 from rigapp.twin.uncertainty import PredictionUncertainty, prediction_uncertainty
 from rigapp_model.dynamics import MechanismMotion
 from rigapp_model.history import FEWEST_SAMPLES, smooth_history
-from rigapp_model.history_uncertainty import NOTHING_YET
+from rigapp_model.history_uncertainty import NOTHING_YET, motion_uncertainty
 from rigapp_model.parameters import Parameters
 from rigapp_model.recurrent_motion import RecurrentMotion
 from rigapp_model.wear.techniques import solve_of
@@ -135,18 +135,17 @@ def predict_force(
     depth: float,
     before: RecurrentMotion = NOTHING_YET,
 ) -> tuple[MechanismMotion, PredictionUncertainty]:
-    """Compute motion and forces at ``GRID`` from a revolution's angle history alone.
+    """Compute motion and forces at ``GRID`` from the history of the crank's angle alone.
 
     joint: one of ``SOLVABLE``, of a bushing worn by depth (m) at the contact point. Returns also
     how uncertain the angle leaves the force, by what came again in the revolutions before.
     """
-    history = smooth_history(measured.time, measured.angle)
-    on_grid = measured.on_grid
+    fitted = smooth_history(measured.time, measured.angle)
+    doubt = motion_uncertainty(measured.time, measured.angle, fitted, before)
+    on_grid, history = measured.on_grid, doubt.history
     compute = functools.partial(_motion, parameters, joint, depth)
     motion = compute(on_grid(history.speed), on_grid(history.acceleration))
-    return motion, prediction_uncertainty(
-        measured.time, measured.angle, history, on_grid, motion, compute, before
-    )
+    return motion, prediction_uncertainty(doubt, on_grid, motion, compute)
 
 
 def _motion(

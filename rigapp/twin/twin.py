@@ -211,7 +211,7 @@ class Twin:
         band = self.agreement.band(measured, motion, doubt, predicted)
         averaged = replace(doubt, curve=self.agreement.left_open)
         differs = self.deviation.take(
-            in_crank, motion, 0.5 * averaged.curve, predicted, self.reference
+            in_crank, motion, 0.5 * doubt.lasting * averaged.curve, predicted, self.reference
         )
         found = compare(measured, motion, wear, averaged, load, band, {**known, **differs.columns})
         return msgspec.structs.replace(found, profile=profile)

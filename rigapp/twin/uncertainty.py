@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp_model.dynamics import MechanismMotion
-from rigapp_model.history import AngleHistory
-from rigapp_model.history_uncertainty import NOTHING_YET, motion_uncertainty
+from rigapp_model.history_uncertainty import MotionUncertainty
 from rigapp_model.recurrent_motion import RecurrentMotion
 
 Array = NDArray[np.float64]
@@ -24,11 +23,13 @@ class PredictionUncertainty:
     """Hold the expanded uncertainty (k = 2, N) of the predicted force at crank angles.
 
     unfollowed: the largest angular acceleration (rad/s^2) that the angle shows and the prediction
-    does not follow; 0 when none stands out of the noise of the angle. recurrent: what comes again
+    does not follow; 0 when none stands out of the noise of the angle. lasting: part of the curve
+    that is alike in each revolution, and does not average out. recurrent: what comes again
     in each revolution, this one among them.
     """
 
     curve: Array
+    lasting: float
     unfollowed: float
     recurrent: RecurrentMotion
 
@@ -39,21 +40,16 @@ class PredictionUncertainty:
 
 
 def prediction_uncertainty(
-    time: Array,
-    angle: Array,
-    history: AngleHistory,
+    doubt: MotionUncertainty,
     on_grid: Callable[[Array], Array],
     motion: MechanismMotion,
     compute: Compute,
-    before: RecurrentMotion = NOTHING_YET,
 ) -> PredictionUncertainty:
     """Return the uncertainty of the force of a motion that ``compute`` gave.
 
-    time (s), angle (rad): as measured; history: what was fitted to them; on_grid: from there to
-    the angles of the motion (one revolution evenly), at which ``compute`` takes speed and
-    acceleration. before: what came again in the revolutions before.
+    doubt: of the angles as they were measured; on_grid: from there to the angles of the motion (one
+    revolution evenly), at which ``compute`` takes speed and acceleration.
     """
-    doubt = motion_uncertainty(time, angle, history, before)
     speed, acceleration, force = motion.speed, motion.acceleration, motion.force_crank
     faster = compute(speed + on_grid(doubt.speed), acceleration).force_crank - force
     pushed = compute(speed, acceleration + on_grid(doubt.acceleration)).force_crank - force
@@ -62,5 +58,8 @@ def prediction_uncertainty(
     turned = angle * (np.roll(force, -1, axis=-1) - np.roll(force, 1, axis=-1)) / (2.0 * step)
     parts = np.concatenate([np.asarray(part) for part in (faster, pushed, turned)])
     return PredictionUncertainty(
-        COVERAGE_FACTOR * np.sqrt(np.sum(parts**2, axis=0)), doubt.unfollowed, doubt.recurrent
+        COVERAGE_FACTOR * np.sqrt(np.sum(parts**2, axis=0)),
+        doubt.lasting,
+        doubt.unfollowed,
+        doubt.recurrent,
     )

@@ -128,9 +128,14 @@ def test_a_cause_is_said_in_a_sentence() -> None:
 @pytest.mark.long
 @pytest.mark.parametrize("rpm", [60.0, 150.0])
 @pytest.mark.parametrize("counts", [0, 3600])
-def test_counts_that_hide_a_fault_name_no_other_one(rpm: float, counts: int) -> None:
-    hidden = rpm > 100.0 and counts > 0
-    index, guide = ("nothing", "nothing") if hidden else CAUSES_OF_FAULTS
+def test_faults_are_told_at_each_speed_with_an_encoder_as_with_exact_angles(
+    rpm: float, counts: int
+) -> None:
+    index, guide = CAUSES_OF_FAULTS
+    # With counts at 150 rpm the forces that 1 degree and friction change are alike.
+    likely = {index, "friction coefficient"} if rpm > 100.0 and counts else {index}
     assert cause_of(followed(rpm=rpm, counts=counts)) == "nothing"
-    assert cause_of(followed(index_deg=1.0, rpm=rpm, counts=counts)) == index
+    assert cause_of(followed(index_deg=1.0, rpm=rpm, counts=counts)) in likely
     assert cause_of(followed(guide_N=2.0, rpm=rpm, counts=counts)) == guide
+    heavy = followed(slider_mass_factor=1.06, rpm=rpm, counts=counts)
+    assert cause_of(heavy) == "slider mass"
