@@ -68,6 +68,7 @@ BUDGETS = {
     "identified-noise": Budget("kinds of disturbance that miss the goal", "of twelve", 0.0),
     "coverage": Budget("coverage of the load cell furthest from 95 %", "% away", 2.0),
     "independent_cell": Budget("truth held by U, cells in the time domain, worst", "%", 93.0, True),
+    "independent_probe": Budget("the same of probes before a micrometer", "%", 93.0, True),
     "mistakes_named": Budget("mistakes of a calibration named rightly, worst", "%", 95.0, True),
     "length_resume": Budget("resume of 10^7 revolutions", "s", 5.0),
     "length_resume_memory": Budget("the same, peak memory", "MB", 300.0),

@@ -38,6 +38,7 @@ def probe_result(found: ProbeCalibration) -> dict[str, Any]:
         "hysteresis_um": _times(found.hysteresis),
         "cylinder_gain": found.gain,
         **budget_result(found.budget, "um", UM),
+        "expanded_uncertainty_of_mean_um": _times(found.expanded_of_mean),
         "residual_um": None if found.residual is None else (UM * found.residual).tolist(),
     }
 
@@ -73,16 +74,20 @@ def _times(value: float | None) -> float | None:
 
 def probe_lines(found: ProbeCalibration) -> list[str]:
     """Return the result in words and numbers, a line each."""
-    if found.sensitivity is None or found.expanded is None or found.offset is None:
+    if found.sensitivity is None or found.offset is None:
         return []
+    assert found.expanded is not None
+    assert found.expanded_of_mean is not None
     backlash = found.hysteresis
     return [
         say("Position = {:.4f} um/V (voltage {:+.5f} V).", UM * found.sensitivity, -found.offset),
         say(
-            "Linearity {:.3f} % of the range; expanded uncertainty {:.2f} um (k = {:.2f}).",
+            "Linearity {:.3f} % of the range; expanded uncertainty {:.2f} um (k = {:.2f}), of a"
+            " mean of many readings {:.2f} um.",
             found.linearity,
             UM * found.expanded,
             found.coverage_factor,
+            UM * found.expanded_of_mean,
         ),
         say("Backlash is not known.")
         if backlash is None

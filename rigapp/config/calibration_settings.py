@@ -119,10 +119,12 @@ class UseSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     leaves a part out. temperature_difference_K: to the calibration's, for the zero to when it was
     taken last. creep_percent: of the load, between seconds and minutes under it.
     load_introduction_percent: of the load, between one adapter and another. angle_deg: of the pin
-    in use, as of an eccentric encoder. zero_before_test: the zero is taken before each test, that
-    of the record is not used. What a calibration does not show, per cent of full scale at full
-    scale: cross_terms_percent of each bridge, where the pin angles do not determine f1 f2;
-    bend_percent, beyond the largest load; loop_percent, where no falling loads were read.
+    in use, as of an eccentric encoder. largest_force_N: in use, full scale without it.
+    zero_before_test: the zero is taken before each test, that of the record is not used. What a
+    calibration does not show, per cent of full scale at full scale: cross_terms_percent of each
+    bridge, where the pin angles do not determine f1 f2;
+    bend_percent, beyond the largest load; loop_percent, where no falling loads were read, or none
+    of cycles as long as those in use.
     """
 
     temperature_difference_K: Annotated[float, within(0.0, 100.0)] = 5.0
@@ -132,6 +134,7 @@ class UseSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     gain_change_percent_per_year: Annotated[float, within(0.0, 10.0)] = 0.1
     load_introduction_percent: Annotated[float, within(0.0, 10.0)] = 0.0
     angle_deg: Annotated[float, within(0.0, 10.0)] = 0.0
+    largest_force_N: Annotated[float | None, within(0.1, 1e6)] = None
     zero_before_test: bool = False
     cross_terms_percent: Annotated[float, within(0.0, 10.0)] = 1.25
     bend_percent: Annotated[float, within(0.0, 10.0)] = 0.5
@@ -308,6 +311,7 @@ def _use(given: UseSection, valid_days: int) -> Use:
         change=0.01 * given.gain_change_percent_per_year * valid_days / 365.0,
         introduction=0.01 * given.load_introduction_percent,
         angle=math.radians(given.angle_deg),
+        largest=given.largest_force_N,
         zeroed=given.zero_before_test,
         cross_terms=0.01 * given.cross_terms_percent,
         bend=0.01 * given.bend_percent,

@@ -22,6 +22,7 @@ FOUR = (0.0, 90.0, 180.0, 270.0)
 WEIGHTS = 5e-5
 ANGLE = math.radians(0.03)
 COURSE, ZEROED = Course(), Use(zeroed=True)
+TO_30 = Course(loads=(0.06, 0.12, 0.18, 0.24, 0.3))
 
 
 @dataclass(frozen=True)
@@ -57,8 +58,13 @@ ROWS = (
     Row("f1 f2 0.4 %, 4 angles", replace(PLAIN, product=0.008), Course(angles=FOUR)),
     Row("x y^2 0.4 %", replace(PLAIN, cubic=0.008)),
     Row("x^3 0.3 %", replace(PLAIN, bow=0.003)),
-    Row("x^3 0.3 %, calibrated to 30 %", replace(PLAIN, bow=0.003),
-        Course(loads=(0.06, 0.12, 0.18, 0.24, 0.3))),
+    Row("x^3 0.3 %, calibrated to 30 %", replace(PLAIN, bow=0.003), TO_30),
+    Row("hysteresis 0.3 %, calibrated to 30 %", replace(PLAIN, loop=0.003), TO_30),
+    Row("both, calibrated to 30 %", replace(PLAIN, bow=0.003, loop=0.003), TO_30),
+    Row("the same, rising loads only", replace(PLAIN, bow=0.003, loop=0.003),
+        replace(TO_30, falling=False)),
+    Row("both, calibrated and used to 30 %", replace(PLAIN, bow=0.003, loop=0.003), TO_30,
+        use=Use(zeroed=True, largest=120.0), reach=0.3),
     Row("angles set to 0.1 degrees", replace(PLAIN, setting_deg=0.1)),
     Row("dead zone 0.5 %", replace(PLAIN, dead_zone=0.005)),
     Row("all together", ALL, use=Use(creep=3e-4, introduction=5e-4, zeroed=True)),

@@ -22,6 +22,9 @@ IN_A_ZERO = 1.15
 """Times the half width of the lean of a zero: a metal that remembers its loads always leans by
 about two thirds of the loop, whose root mean square is that of a rectangle so much wider. A zero in
 use that is taken at another angle has it in full."""
+LEAN_OF_A_PART = 2.0
+"""The same of a cell that was loaded to a part of its scale: loops go with the square of the load
+(Rayleigh); a load of the other direction before makes one twice as long, half of it the lean."""
 DIRECTIONS = 16
 """Directions of the load of which the worst is stated: of eight or more angles all are alike."""
 
@@ -62,7 +65,7 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
         else at_most("creep", use.creep * load),
         at_most(say("temperature, gain"), use.gain_per_kelvin * use.temperature * load),
         at_most(say("change until the next calibration"), use.change * load),
-        at_most(say("hysteresis, no falling loads"), _loop(parts, settings, load)),
+        at_most(say("hysteresis that was not read"), _loop(parts, settings, load)),
     )
     both = (
         *_zeros(parts, settings),
@@ -95,7 +98,10 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
 def _zeros(parts: Scatter, settings: LoadCellSettings) -> tuple[Contribution, ...]:
     """Return what the zero, and the weight of the pin that is taken off, give a component."""
     zeros = parts.zeros
-    more = IN_A_ZERO if settings.use.zeroed else 1.0
+    more = 1.0
+    if settings.use.zeroed:
+        part = settings.cell.full_scale > NEAR * parts.branches.largest
+        more = LEAN_OF_A_PART if part else IN_A_ZERO
     weight = (
         Contribution(say("own weight of the pin"), zeros.weight_uncertainty, zeros.degrees, "A"),
         # A zero leans towards the load of before, as the weight of a pin makes it do.
@@ -119,7 +125,7 @@ def _zero_shift(parts: Scatter, settings: LoadCellSettings) -> float:
     nothing and the widest loop; creep has half of its way back before a zero is read.
     """
     use, full = settings.use, settings.cell.full_scale
-    loop = parts.branches.widest() if parts.falling else use.loop * full
+    loop = parts.branches.widest() if _loops_read(parts, settings) else use.loop * full
     return loop + 0.5 * use.creep * full
 
 
@@ -147,11 +153,22 @@ def _beyond_largest(parts: Scatter, settings: LoadCellSettings, load: float) -> 
     return settings.use.bend * load * (load**2 - largest**2) / full**2
 
 
+def _reach(settings: LoadCellSettings) -> float:
+    """Return the largest force in use, N."""
+    full, stated = settings.cell.full_scale, settings.use.largest
+    return full if stated is None else min(stated, full)
+
+
+def _loops_read(parts: Scatter, settings: LoadCellSettings) -> bool:
+    """Tell whether falling loads were read, of cycles as long as those in use."""
+    return parts.falling and _reach(settings) <= NEAR * parts.branches.largest
+
+
 def _loop(parts: Scatter, settings: LoadCellSettings, load: float) -> float:
     """Return the half width (N) of the hysteresis that is stated where it was not read."""
-    if parts.falling:
+    if _loops_read(parts, settings):
         return 0.0
-    share = min(load / settings.cell.full_scale, 1.0)
+    share = min(load / _reach(settings), 1.0)
     return settings.use.loop * settings.cell.full_scale * math.sin(math.pi * share)
 
 

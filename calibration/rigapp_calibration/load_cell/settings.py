@@ -37,10 +37,11 @@ class Use:
     seconds and minutes under load, part of the load; creep_measured: by this calibration. change:
     of the gain until the next calibration, relative. introduction: of the load by an adapter, in
     the calibration and in use, part of the load. angle: of the pin in use, rad (an eccentric
-    encoder). zeroed: the zero is taken before a test, so that that of the calibration is not used.
-    What no reading of the calibration shows, parts of full scale: cross_terms f1 f2 at full scale,
-    of each bridge; bend, of the characteristic beyond the largest load; loop, the width of the
-    hysteresis where no falling loads were read.
+    encoder). largest: force in use, N, None for full scale. zeroed: the zero is taken before a
+    test, so that that of the calibration is not used. What no reading of the calibration shows,
+    parts of full scale: cross_terms f1 f2 at full scale, of each bridge; bend, of the
+    characteristic beyond the largest load; loop, the width of the hysteresis where no falling loads
+    were read, or the cycles in use are longer.
     """
 
     temperature: float = 0.0
@@ -51,6 +52,7 @@ class Use:
     creep_measured: bool = False
     introduction: float = 0.0
     angle: float = 0.0
+    largest: float | None = None
     zeroed: bool = False
     cross_terms: float = 0.0125
     bend: float = 0.005

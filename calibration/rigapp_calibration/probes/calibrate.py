@@ -10,10 +10,15 @@ from numpy.typing import ArrayLike
 
 from rigapp.texts import say
 from rigapp_calibration.arrays import Array
-from rigapp_calibration.probes.checks import checks, robust_line, unusable
+from rigapp_calibration.probes.checks import checks, falling, robust_line, unusable
 from rigapp_calibration.probes.readings import ProbeReadings, ProbeSettings
 from rigapp_calibration.problems import Problem, blocked
 from rigapp_calibration.taking.uncertainty import Budget, Contribution, at_most, combine
+
+FEWEST_FREE = 4
+"""Degrees of freedom of positions read again: fewer tell their noise worse than a curve does."""
+KNOTS = 16
+"""Places of the range at which its bend is stated; between them it is smooth."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +46,11 @@ class ProbeCalibration:
     def expanded(self) -> float | None:
         """Return the expanded uncertainty of one position, m."""
         return None if self.budget is None else self.budget.expanded
+
+    @property
+    def expanded_of_mean(self) -> float | None:
+        """Return the expanded uncertainty of a mean of many readings of one position, m."""
+        return None if self.budget is None else self.budget.of_mean(math.inf).expanded
 
     @property
     def coverage_factor(self) -> float | None:
@@ -78,6 +88,63 @@ def _hysteresis(readings: ProbeReadings, residual: Array) -> float | None:
     return float(np.mean([np.mean(falling[p]) - np.mean(rising[p]) for p in common]))
 
 
+@dataclass(frozen=True, slots=True)
+class _Scatter:
+    """What the residuals of a line hold, taken apart so that nothing counts twice; m.
+
+    noise: standard deviation of one reading, with its degrees of freedom. between: of positions,
+    beyond their noise and the bend. bent: of the line, by terms of second and third degree, at even
+    places of the range. drift: from the first to the last reading. What noise alone would show of
+    them is taken off.
+    """
+
+    noise: float
+    degrees: float
+    between: float
+    bent: tuple[float, ...]
+    drift: float
+
+
+def _scatter(readings: ProbeReadings, residual: Array) -> _Scatter:
+    """Take residuals (n,) of the straight line apart."""
+    count, down = len(residual), falling(readings).astype(np.float64)
+    others = np.column_stack((np.linspace(-0.5, 0.5, count), down - down.mean()))
+    others = others[:, : 1 if down.min() == down.max() else 2]
+    middle = 0.5 * float(readings.position.min() + readings.position.max())
+    w = 2.0 * (readings.position - middle) / float(np.ptp(readings.position))
+    curve = np.column_stack((np.vander(w, 4, increasing=True), others))
+    found, left, free = _solved(curve, residual)
+    variance, between = left / free, 0.0
+    steps, place = np.unique(np.round(readings.position, 9), return_inverse=True)
+    if count - len(steps) - others.shape[1] >= FEWEST_FREE and len(steps) > 4:
+        # Positions that were read again tell noise from what belongs to them.
+        own = np.column_stack((np.eye(len(steps))[place], others))
+        _, inside, inside_free = _solved(own, residual)
+        variance = inside / inside_free
+        more = (left - inside) / (free - inside_free) - variance
+        between, free = max(0.0, more) * len(steps) / count, inside_free
+    # Only what a straight line leaves of noise can look like a bend.
+    line = np.linalg.qr(curve[:, :2])[0]
+    shapes = np.vander(np.linspace(-1.0, 1.0, KNOTS), 4, increasing=True)
+    told = shapes @ np.linalg.pinv(curve)[:4]
+    told = told - (told @ line) @ line.T
+    bent = shapes @ found[:4]
+    seen = float(bent @ bent)
+    by_noise = (variance + between * count / len(steps)) * float(np.sum(told**2))
+    kept = math.sqrt(max(0.0, 1.0 - by_noise / seen)) if seen > 0.0 else 0.0
+    return _Scatter(
+        math.sqrt(variance), float(free), math.sqrt(between), tuple((kept * bent).tolist()),
+        float(found[4]),
+    )  # fmt: skip
+
+
+def _solved(rows: Array, values: Array) -> tuple[Array, float, int]:
+    """Return the least squares solution, the sum of squares that it leaves, degrees of freedom."""
+    found = np.asarray(np.linalg.lstsq(rows, values, rcond=None)[0], np.float64)
+    rest = values - rows @ found
+    return found, float(rest @ rest), max(1, len(values) - int(rows.shape[1]))
+
+
 def _result(
     readings: ProbeReadings, settings: ProbeSettings, problems: list[Problem]
 ) -> ProbeCalibration:
@@ -90,11 +157,31 @@ def _result(
     spread = float(np.sqrt(np.sum((readings.position - readings.position.mean()) ** 2)))
     relative = std / spread
     hysteresis = _hysteresis(readings, residual)
-    free = float(count - 2)
+    parts, screw = _scatter(readings, residual), settings.micrometer_uncertainty
     lines = (
-        Contribution(say("residual of the line"), std, free, "A", averages=True),
-        Contribution("slope", 0.5 * span * relative, free, "A"),
-        Contribution("micrometer", settings.micrometer_uncertainty),
+        Contribution("repeatability", parts.noise, parts.degrees, "A", averages=True),
+        Contribution(
+            say("line, at the end of its range"),
+            math.hypot(std / math.sqrt(count), 0.5 * span * relative),
+            float(count - 2),
+            "A",
+        ),
+        Contribution(
+            say("bend of the line, second and third degree"),
+            math.sqrt(float(np.mean(np.square(parts.bent)))),
+            evaluation="A",
+            distribution="two-point",
+            points=parts.bent,
+        ),
+        Contribution("micrometer", screw),
+        # The micrometer's own errors make positions differ as well.
+        Contribution(
+            say("differences between positions beyond those of the micrometer"),
+            math.sqrt(max(0.0, parts.between**2 - screw**2)),
+            parts.degrees,
+            "A",
+        ),
+        at_most(say("drift during the calibration"), 0.5 * abs(parts.drift), "A"),
         at_most("resolution", 0.5 * settings.resolution_volts / abs(slope)),
         Contribution("backlash", abs(hysteresis or 0.0) / 2.0, math.inf, "A", "two-point"),
         at_most(say("cylindrical target, change of sensitivity"), bending),

@@ -53,6 +53,7 @@ EXPANDED = (
     "The expanded uncertainty of one position is {least}{expanded_uncertainty_um:.2f} µm with a"
     " coverage factor k = {coverage_factor:.2f} (about 95 %)."
 )
+OF_MEAN = "{name}U of a mean of many readings is {expanded_uncertainty_of_mean_um:.2f} µm."
 NOT_ACROSS = (
     "It does not contain what a motion of the pin across the probe's axis adds on a"
     " cylindrical target, y²/(2R): its size in use was not stated."
@@ -128,6 +129,11 @@ def _statements(content: Content) -> list[str]:
     probe, pair = content["settings"]["probe"], "probes" in content["result"]
     least = "the larger one of the two probes, " if pair else ""
     texts = [METHOD, say(EXPANDED, {**content["result"], "least": least})]
+    texts += (
+        say(OF_MEAN, {**result, "name": name})
+        for name, result, _ in _each(content)
+        if "expanded_uncertainty_of_mean_um" in result  # not in records of before
+    )
     if not probe.get("off_axis_um"):
         texts.append(NOT_ACROSS)
     if pair:

@@ -2360,6 +2360,10 @@
         <translation>wie lang ein expliziter Schritt sein darf, ist nur für Verschleiß im Verhältnis zur Pressung bekannt; implizite Schritte nehmen</translation>
     </message>
     <message>
+        <source>hysteresis that was not read</source>
+        <translation>nicht gelesene Hysterese</translation>
+    </message>
+    <message>
         <source>illegal data address</source>
         <translation>unzulässige Datenadresse</translation>
     </message>
@@ -8532,6 +8536,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>vor dem Start</translation>
     </message>
     <message>
+        <source>bend of the line, second and third degree</source>
+        <translation>Krümmung der Geraden, zweiten und dritten Grades</translation>
+    </message>
+    <message>
         <source>both probes</source>
         <translation>beide Wegsensoren</translation>
     </message>
@@ -8664,6 +8672,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Raute</translation>
     </message>
     <message>
+        <source>differences between positions beyond those of the micrometer</source>
+        <translation>Unterschiede zwischen Stellungen über die der Messschraube hinaus</translation>
+    </message>
+    <message>
         <source>disturbed: {} samples lost, {} errors in the last minute</source>
         <translation>gestört: {} Werte verloren, {} Fehler in der letzten Minute</translation>
     </message>
@@ -8674,6 +8686,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>done</source>
         <translation>getan</translation>
+    </message>
+    <message>
+        <source>drift during the calibration</source>
+        <translation>Drift während der Kalibrierung</translation>
     </message>
     <message>
         <source>drive off</source>
@@ -8858,10 +8874,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>how the test ended</source>
         <translation>das Ende des Versuchs</translation>
-    </message>
-    <message>
-        <source>hysteresis, no falling loads</source>
-        <translation>Hysterese, ohne fallende Lasten</translation>
     </message>
     <message>
         <source>idle</source>
@@ -10467,10 +10479,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die {} kg hängen lassen: Sie werden nach {} s gelesen</translation>
     </message>
     <message>
-        <source>Linearity {:.3f} % of the range; expanded uncertainty {:.2f} um (k = {:.2f})</source>
-        <translation>Linearität {} % des Bereichs; erweiterte Unsicherheit {} um (k = {})</translation>
-    </message>
-    <message>
         <source>Load cell input saturated: {}</source>
         <translation>Eingang des Kraftsensors übersteuert: {}</translation>
     </message>
@@ -11385,6 +11393,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Line {} has typographic quotation marks; write straight ones (&quot;)</source>
         <translation>Zeile {} hat typografische Anführungszeichen; gerade schreiben (&quot;)</translation>
+    </message>
+    <message>
+        <source>Linearity {:.3f} % of the range; expanded uncertainty {:.2f} um (k = {:.2f}), of a mean of many readings {:.2f} um</source>
+        <translation>Linearität {} % des Bereichs; erweiterte Unsicherheit {} um (k = {}), eines Mittels vieler Ablesungen {} um</translation>
     </message>
     <message>
         <source>Lower {}</source>
