@@ -120,6 +120,7 @@ class UseSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     taken last. creep_percent: of the load, between seconds and minutes under it.
     load_introduction_percent: of the load, between one adapter and another. angle_deg: of the pin
     in use, as of an eccentric encoder. largest_force_N: in use, full scale without it.
+    dead_zone_percent: of full scale, held back of every load by friction.
     zero_before_test: the zero is taken before each test, that of the record is not used. What a
     calibration does not show, per cent of full scale at full scale: cross_terms_percent of each
     bridge, where the pin angles do not determine f1 f2;
@@ -135,6 +136,7 @@ class UseSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     load_introduction_percent: Annotated[float, within(0.0, 10.0)] = 0.0
     angle_deg: Annotated[float, within(0.0, 10.0)] = 0.0
     largest_force_N: Annotated[float | None, within(0.1, 1e6)] = None
+    dead_zone_percent: Annotated[float, within(0.0, 5.0)] = 0.0
     zero_before_test: bool = False
     cross_terms_percent: Annotated[float, within(0.0, 10.0)] = 1.25
     bend_percent: Annotated[float, within(0.0, 10.0)] = 0.5
@@ -312,6 +314,7 @@ def _use(given: UseSection, valid_days: int) -> Use:
         introduction=0.01 * given.load_introduction_percent,
         angle=math.radians(given.angle_deg),
         largest=given.largest_force_N,
+        dead_zone=0.01 * given.dead_zone_percent,
         zeroed=given.zero_before_test,
         cross_terms=0.01 * given.cross_terms_percent,
         bend=0.01 * given.bend_percent,

@@ -18,6 +18,7 @@ that is off by much of its own U loses more of them."""
 
 def test_forces_of_a_test_lie_within_the_stated_uncertainty(tmp_path: Path) -> None:
     found = coverage(tmp_path, range(SHORT), FORCES)
+    assert found.pop("refused") == 0.0
     low, high = LOW - 3.0 * SPREAD, HIGH + 2.5 * SPREAD
     assert all(low <= part <= high for part in found.values()), found
 
@@ -27,5 +28,6 @@ def test_forces_of_a_test_lie_within_the_stated_uncertainty(tmp_path: Path) -> N
 def test_forces_lie_within_the_stated_uncertainty_in_93_to_97_of_100(tmp_path: Path) -> None:
     found = coverage(tmp_path, range(LONG))
     print("\n".join(f"{name}: {100.0 * part:.1f} %" for name, part in found.items()))
+    assert found.pop("refused") < 0.005
     chance = 2.0 * (HIGH * (1.0 - HIGH) / LONG) ** 0.5  # of a part of so many, two deviations
     assert all(LOW - chance <= part <= HIGH + chance for part in found.values()), found

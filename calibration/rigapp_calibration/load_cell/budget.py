@@ -66,6 +66,7 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
         at_most(say("temperature, gain"), use.gain_per_kelvin * use.temperature * load),
         at_most(say("change until the next calibration"), use.change * load),
         at_most(say("hysteresis that was not read"), _loop(parts, settings, load)),
+        at_most(say("dead zone"), min(use.dead_zone * full, load)),
     )
     both = (
         *_zeros(parts, settings),

@@ -22,12 +22,14 @@ from rigapp_calibration.load_cell.two_axis import HUBER, Terms, cubes, design
 from rigapp_calibration.problems import Problem
 from rigapp_calibration.taking.readings import place_of
 
-FALSE_ALARMS = 1e-3
-"""Of good calibrations, by Bonferroni's bound over all patterns: one in a thousand is refused."""
+FALSE_ALARMS = 1e-4
+"""Of good calibrations, by Bonferroni's bound over all patterns: one in ten thousand is refused."""
 GAIN_CHANGE = 0.005
 """Relative: a bridge and its amplifier keep their gain ten times better through an afternoon."""
 MASS_SHARE = 0.003
 """Of full scale: what good cells show of hysteresis and bend, so that less is no piece for sure."""
+HELD_BACK = 1.5
+"""Times the stated dead zone that the readings may show of it: they tell it to a third."""
 MOST_AT_ONCE = 3
 """So many mistakes of this kind in one calibration are named, then it is enough."""
 ROUNDS = 4
@@ -48,6 +50,7 @@ class Pattern:
 
     bridges: whose gain changes, empty for a matter of weights. place: the run from which on, or the
     place of the load among the loads; only: at that load alone; steady: all at once, not slowly.
+    stated: a size that the settings allow for.
     """
 
     column: Array
@@ -56,6 +59,7 @@ class Pattern:
     place: int
     only: bool = False
     steady: bool = True
+    stated: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,7 +100,8 @@ def check_patterns(evidence: Evidence) -> tuple[list[Problem], Evidence]:
         found = _search(evidence, cells)
         if found is None or not found.sure:
             break
-        problems.append(_named(evidence, cells, found))
+        if abs(found.size) > found.pattern.stated:
+            problems.append(_named(evidence, cells, found))
         evidence = _without(evidence, cells, found)
     return problems, evidence
 
@@ -170,9 +175,12 @@ def patterns(evidence: Evidence, cells: Averages) -> Iterator[Pattern]:
     towards = _towards(cells) * evidence.newton_per_kg
     least = MASS_SHARE * evidence.settings.cell.full_scale / evidence.newton_per_kg
     heaviest = len(cells.loads) - 1
+    held_back = evidence.settings.use.dead_zone * evidence.settings.cell.full_scale
+    stated = HELD_BACK * held_back / evidence.newton_per_kg
     for place in range(1, heaviest + 1):
         more = (cells.load >= place)[:, None]
-        yield Pattern((towards * more).ravel(), least, (), place)
+        of_all = stated if place == 1 else 0.0
+        yield Pattern((towards * more).ravel(), least, (), place, stated=of_all)
         if place < heaviest:
             here = (cells.load == place)[:, None]
             yield Pattern((towards * here).ravel(), least, (), place, only=True)
@@ -310,9 +318,9 @@ def _named(evidence: Evidence, cells: Averages, found: Found) -> Problem:
         return Problem(
             "hanger_mass",
             say(
-                "Every load seems {}, while the zeros are right: is hanger_mass_kg what"
-                " hangs beside the pieces at every load, and is the first piece what its"
-                " mark says?",
+                "Every load seems {}, while the zeros are right. Check hanger_mass_kg and the"
+                " first piece; if something holds back a part of each load, state [use]"
+                " dead_zone_percent.",
                 words,
             ),
         )

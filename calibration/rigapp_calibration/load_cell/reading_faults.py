@@ -12,12 +12,16 @@ import numpy as np
 from rigapp.texts import say
 from rigapp_calibration.arrays import Array, Marks
 from rigapp_calibration.load_cell.characteristics import SURE, Evidence
+from rigapp_calibration.load_cell.two_axis import ITERATIONS
 from rigapp_calibration.problems import Problem
 from rigapp_calibration.taking.readings import each_series, place_of
 
 ANGLE_OFF = np.radians(0.5)
 """An angle set by eye and read from a protractor is right to a few tenths: that is scatter, which
 the uncertainty holds; five times the 0.1 degrees of an encoder is a mistake."""
+
+FEWEST_SMOOTH = 6
+"""Loaded readings of a run that tell a bend of it, which has two coefficients, from one of them."""
 
 
 def single_faults(evidence: Evidence) -> Iterator[Problem]:
@@ -40,9 +44,33 @@ def _off(evidence: Evidence) -> tuple[Array, Array]:
 
 
 def _along_only(evidence: Evidence) -> Marks:
-    """Tell which readings are off along their load, and little across it."""
+    """Tell which readings are off along their load, and little across it.
+
+    A cell of third degree bends every load of its run, which is no wrong one: a reading must be off
+    beside its run as well.
+    """
     (off, across), sure = _off(evidence), _sure(evidence)
-    return (np.abs(off) > sure) & (np.abs(across) < np.maximum(sure, 0.5 * np.abs(off)))
+    beside = np.abs(off - _smooth(evidence, off)) > 0.5 * sure
+    return beside & (np.abs(off) > sure) & (np.abs(across) < np.maximum(sure, 0.5 * np.abs(off)))
+
+
+def _smooth(evidence: Evidence, off: Array) -> Array:
+    """Return what each run is off by smoothly, (n,) N: a gain and a bend of its loads, by Huber."""
+    found, runs = np.zeros_like(off), evidence.loads.runs()
+    share = evidence.loads.applied / evidence.loads.applied.max()
+    rows = np.column_stack((share, share**3))
+    for number in range(int(runs.max()) + 1):
+        members = (runs == number) & (share > 0.0)
+        if np.count_nonzero(members) < FEWEST_SMOOTH:
+            continue
+        root = np.ones(np.count_nonzero(members))
+        for _ in range(ITERATIONS):
+            weighted = rows[members] * root[:, None]
+            solved = np.linalg.lstsq(weighted, off[members] * root, rcond=None)[0]
+            rest = np.abs(off[members] - rows[members] @ solved)
+            root = np.minimum(1.0, evidence.noise / np.maximum(rest, 1e-300))
+        found[members] = rows[members] @ solved
+    return found
 
 
 # --- angles --------------------------------------------------------------------------------------

@@ -37,11 +37,12 @@ class Use:
     seconds and minutes under load, part of the load; creep_measured: by this calibration. change:
     of the gain until the next calibration, relative. introduction: of the load by an adapter, in
     the calibration and in use, part of the load. angle: of the pin in use, rad (an eccentric
-    encoder). largest: force in use, N, None for full scale. zeroed: the zero is taken before a
-    test, so that that of the calibration is not used. What no reading of the calibration shows,
-    parts of full scale: cross_terms f1 f2 at full scale, of each bridge; bend, of the
-    characteristic beyond the largest load; loop, the width of the hysteresis where no falling loads
-    were read, or the cycles in use are longer.
+    encoder). largest: force in use, N, None for full scale. dead_zone: part of full scale that is
+    held back of every load, by friction at the hanger. zeroed: the zero is taken before a test, so
+    that that of the calibration is not used. What no reading of the calibration shows, parts of
+    full scale: cross_terms f1 f2 at full scale, of each bridge; bend, of the characteristic beyond
+    the largest load; loop, the width of the hysteresis where no falling loads were read, or the
+    cycles in use are longer.
     """
 
     temperature: float = 0.0
@@ -53,6 +54,7 @@ class Use:
     introduction: float = 0.0
     angle: float = 0.0
     largest: float | None = None
+    dead_zone: float = 0.0
     zeroed: bool = False
     cross_terms: float = 0.0125
     bend: float = 0.005

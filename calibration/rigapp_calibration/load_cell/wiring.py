@@ -1,5 +1,7 @@
 """Wiring: plugs exchanged or turned, bridges dead; of all readings, or of some series.
 
+And the pin angles of two series written for each other, which looks much the same.
+
 A run (a series at one pin angle) has one slope: what the two signals change by per newton. Wiring
 changes slopes by half of them and more, so that a tenth tells it from everything else.
 """
@@ -13,7 +15,7 @@ from itertools import combinations
 import numpy as np
 
 from rigapp.texts import joined, say
-from rigapp_calibration.arrays import Array, Marks
+from rigapp_calibration.arrays import Array, Marks, Whole
 from rigapp_calibration.load_cell.characteristics import Evidence
 from rigapp_calibration.problems import Problem
 
@@ -105,8 +107,15 @@ def check_wiring(evidence: Evidence) -> Iterator[Problem]:
             ),
         )
         return
-    fitting = _best(seen, towards)
+    sensitivity, fitting = _best(seen, towards)
     as_is = fitting[0]
+    pair = np.flatnonzero(~as_is)
+    if len(pair) == 2 and _exchanged(sensitivity, seen, towards, pair):
+        # Plugs that were moved stay so to the end, or were wrong from the start.
+        block = pair[1] == pair[0] + 1 and (pair[0] == 0 or pair[1] == len(used) - 1)
+        if not (block and fitting[1:, pair].all(axis=1).any()):
+            yield _exchange(evidence, [used[number] for number in pair], run)
+            return
     if np.count_nonzero(~fitting.any(axis=0)) > len(used) // STRAY_RUNS or as_is.all():
         return
     names = [evidence.readings.series[int(np.flatnonzero(run == number)[0])] for number in used]
@@ -119,6 +128,33 @@ def check_wiring(evidence: Evidence) -> Iterator[Problem]:
             yield Problem(
                 wiring.code, say("{}: {} Then take them again.", where, _sentence(wiring.words))
             )
+
+
+def _exchanged(sensitivity: Array, seen: Array, towards: Array, pair: Whole) -> bool:
+    """Tell whether two runs fit when each has the load direction of the other one."""
+    expected = towards[pair[::-1]] @ sensitivity.T
+    return bool(np.all(np.hypot(*(expected - seen[pair]).T) < FITS * _size(sensitivity)))
+
+
+def _exchange(evidence: Evidence, numbers: Sequence[int], run: Whole) -> Problem:
+    angles = [float(evidence.readings.angle[run == number][0]) for number in numbers]
+    one, other = (evidence.readings.series[np.flatnonzero(run == n)[0]] for n in numbers)
+    return Problem(
+        "angles_exchanged",
+        say(
+            "The pin angles of series {} ({:.1f} degrees) and {} ({:.1f} degrees) are written for"
+            " each other: exchange them.",
+            one,
+            np.degrees(angles[0]),
+            other,
+            np.degrees(angles[1]),
+        ),
+    )
+
+
+def _size(sensitivity: Array) -> float:
+    """Return the mean size of a sensitivity: the root of the product of its singular values."""
+    return float(np.sqrt(abs(np.linalg.det(sensitivity))))
 
 
 def _sentence(words: str) -> str:
@@ -134,14 +170,14 @@ def _slope(loads: Array, signal: Array) -> Array:
     return np.asarray(np.median(steps / apart[told, None], axis=0))
 
 
-def _best(seen: Array, towards: Array) -> Marks:
-    """Return which runs fit as they are (row 0) and with each wiring, by the best sensitivity.
+def _best(seen: Array, towards: Array) -> tuple[Array, Marks]:
+    """Return the best sensitivity, and which runs fit as they are (row 0) and with each wiring.
 
     Every two runs propose one. The best leaves no run unexplained, is that of a cell rightly wired,
     and has most runs on its side as they are: in this order.
     """
     changes = np.array([np.eye(2), *(one.change for one in WIRINGS)])
-    best: tuple[tuple[int, bool, int], Marks] | None = None
+    best: tuple[tuple[int, bool, int], Array, Marks] | None = None
     for pair in combinations(range(len(seen)), 2):
         span = towards[list(pair)].T
         if abs(np.linalg.det(span)) < APART:
@@ -151,12 +187,14 @@ def _best(seen: Array, towards: Array) -> Marks:
         if small < ROUND * large:
             continue
         expected = np.einsum("wij,jk,rk->wri", changes, sensitivity, towards)
-        fits = np.hypot(*np.moveaxis(expected - seen, -1, 0)) < FITS * np.sqrt(small * large)
+        fits = np.hypot(*np.moveaxis(expected - seen, -1, 0)) < FITS * _size(sensitivity)
         straight = bool(np.all(np.diag(sensitivity) > 0.5 * large))
         rank = (int(fits.any(axis=0).sum()), straight, int(fits[0].sum()))
         if best is None or rank > best[0]:
-            best = rank, fits
-    return best[1] if best else np.ones((len(changes), len(seen)), dtype=np.bool_)
+            best = rank, sensitivity, fits
+    if best is None:
+        return np.eye(2), np.ones((len(changes), len(seen)), dtype=np.bool_)
+    return best[1:]
 
 
 def _where(names: Sequence[str], wrong: Marks, may_be: Marks) -> str:

@@ -8636,6 +8636,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Tage</translation>
     </message>
     <message>
+        <source>dead zone</source>
+        <translation>Totzone</translation>
+    </message>
+    <message>
         <source>deceleration</source>
         <translation>Verzögerung</translation>
     </message>
@@ -11299,10 +11303,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Acht Prüfungen in Folge liegen {} dem Mittel: Der Kraftsensor hat sich verschoben; eine neue Kalibrierung planen</translation>
     </message>
     <message>
-        <source>Every load seems {}, while the zeros are right: is hanger_mass_kg what hangs beside the pieces at every load, and is the first piece what its mark says?</source>
-        <translation>Jede Last scheint {}, während die Nullpunkte stimmen: Ist hanger_mass_kg das, was bei jeder Last neben den Stücken hängt, und ist das erste Stück, was seine Aufschrift sagt?</translation>
-    </message>
-    <message>
         <source>Expanded uncertainty of a value {:.3g} {} (k = {:.2f})</source>
         <translation>Erweiterte Unsicherheit eines Werts {} {} (k = {})</translation>
     </message>
@@ -11593,6 +11593,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The pin angle of {:.1f} degrees at {} is off by about {:.1f} degrees; take it from the encoder</source>
         <translation>Der Bolzenwinkel von {} Grad bei {} ist um etwa {} Grad falsch; ihn vom Drehgeber nehmen</translation>
+    </message>
+    <message>
+        <source>The pin angles of series {} ({:.1f} degrees) and {} ({:.1f} degrees) are written for each other: exchange them</source>
+        <translation>Die Bolzenwinkel der Reihen {} ({} Grad) und {} ({} Grad) sind füreinander eingetragen: Sie vertauschen</translation>
     </message>
     <message>
         <source>The planned {} revolutions are made and recorded</source>
@@ -14289,6 +14293,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}: not a list of faults: {}</source>
         <translation>{}: keine Liste von Störungen: {}</translation>
+    </message>
+    <message>
+        <source>Every load seems {}, while the zeros are right. Check hanger_mass_kg and the first piece; if something holds back a part of each load, state [use] dead_zone_percent</source>
+        <translation>Jede Last scheint {}, während die Nullpunkte stimmen. hanger_mass_kg und das erste Stück prüfen; hält etwas einen Teil jeder Last zurück, [use] dead_zone_percent angeben</translation>
     </message>
     <message>
         <source>the drive cannot be used: it has nothing for {}</source>
