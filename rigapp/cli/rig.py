@@ -105,12 +105,12 @@ def init(
     """Make rig, test and calibration files to start from; overwrites nothing."""
     named = {"daq": (daq, daq_port), "drive": (drive, drive_port)}
     if real:
-        from rigapp.commands.init.real_rig import prepare_real_folder
+        from rigapp.commands.init import prepare_real_folder
 
         return prepare_real_folder(folder, named)
     if any(named["daq"] + named["drive"]):
         raise UnusableInput("--daq, --drive and their ports are of real devices; add --real.")
-    from rigapp.commands.init.folder import prepare_folder
+    from rigapp.commands.init import prepare_folder
 
     return prepare_folder(folder)
 
@@ -120,7 +120,7 @@ def schema(
     kind: Annotated[str, typer.Argument(help="rig or test.", metavar="rig|test")],
 ) -> int:
     """Print the JSON Schema of a rig or test file, for editors that complete and check it."""
-    from rigapp.commands.init.schema import print_schema
+    from rigapp.commands.init import print_schema
 
     return print_schema(kind)
 

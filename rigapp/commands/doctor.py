@@ -37,7 +37,6 @@ WINDOW_TEST_S = 120  # starting the libraries of the window on a slow disk
 CAN_LISTEN_S = 1.0  # heartbeats come several times a second
 NETWORKS = Path("/sys/class/net")
 USB_SERIAL = Path("/sys/bus/usb-serial/devices")
-_CAN_NETWORK = "280"
 NO_PERMISSION, IN_USE = "the-port-may-not-be-opened", "the-port-is-in-use"
 SILENT = "nothing-answers"
 RULES_NAME = "60-rigapp.rules"
@@ -338,10 +337,12 @@ def rules_advice(folders: Sequence[Path] = RULES_FOLDERS) -> Iterator[Observatio
 
 def can_interfaces(folder: Path = NETWORKS) -> Iterator[Observation]:
     """Name the CAN interfaces and the nodes whose heartbeat is heard on them."""
-    names = [path.name for path in _children(folder) if _text(path / "type") == _CAN_NETWORK]
+    from rigapp.prepare.real_rig import can_networks
+
+    names = can_networks(folder)
     if not names:
         yield Observation("CAN interfaces", "none found; slcan adapters are serial ports")
-    for name in sorted(names):
+    for name in names:
         if _text(folder / name / "operstate") == "down":
             yield Observation(
                 name,
@@ -362,13 +363,6 @@ def _heard(name: str) -> Observation:
         return Observation(name, f"CAN interface: {error.sentence}", False)
     silence = "" if nodes else "; a drive is silent until its object 1017 is set or its power comes"
     return Observation(name, f"CAN interface, {node_words(nodes)}{silence}")
-
-
-def _children(folder: Path) -> list[Path]:
-    try:
-        return list(folder.iterdir())
-    except OSError:
-        return []
 
 
 def _text(path: Path) -> str:

@@ -71,6 +71,7 @@ class Act(enum.StrEnum):
     PREPARE = "prepare"
     CALIBRATE = "calibrate"
     RESULTS = "results"
+    NEW_RIG = "new_rig"
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,5 @@
 """What happens once on a machine or in a folder before the first start, and what it starts from.
 
-System libraries, compiled kernels, example files. Others enter by ``shipped``, ``kernels``.
+System libraries, compiled kernels, example files, the files of a new rig.
+Others enter by ``shipped``, ``kernels``, ``folders``, ``real_rig``, ``schemas``.
 """

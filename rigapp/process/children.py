@@ -62,12 +62,13 @@ class Child:
         pipes: bool = False,
         log: Path | None = None,
         environment: dict[str, str] | None = None,
+        folder: Path | None = None,
     ) -> None:
         """Start the module.
 
         In a session of its own: Ctrl-C at the terminal is for whoever started it, who decides what
         becomes of it. pipes: with ``stdin`` and ``stdout`` for the program. log: file that takes
-        standard output and error. environment: in place of the program's own.
+        standard output and error. environment, folder (to work in): in place of the program's own.
         """
         self._log: IO[bytes] = (
             tempfile.TemporaryFile() if log is None else log.open("w+b")  # noqa: SIM115
@@ -79,6 +80,7 @@ class Child:
             stdout=subprocess.PIPE if pipes else output,
             stderr=self._log,
             env=environment,
+            cwd=folder,
             start_new_session=True,
         )
 

@@ -15,7 +15,7 @@ from house.test_documented_commands import PAGES, commands
 from twin.recorded_plants import RECORDED, record
 
 from rigapp.cli.program import app
-from rigapp.commands.init.folder import start_folder
+from rigapp.commands.init import start_folder
 
 TOP = Path(__file__).parents[2]
 

@@ -12,7 +12,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rigapp.commands.init.schema import schema_text
 from rigapp.config.commented import commented
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_rig, parse_test
@@ -20,6 +19,7 @@ from rigapp.config.meanings import KINDS, json_schema, meanings
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.ranges import keys_of
 from rigapp.config.toml import toml_text
+from rigapp.prepare.schemas import schema_text
 from rigapp_drivers.registry import available_drivers, load_driver
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

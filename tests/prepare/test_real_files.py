@@ -12,9 +12,10 @@ from pathlib import Path
 import pytest
 from patience import PATIENCE_S
 
-from rigapp.commands.init.real_rig import Box, lasting_name, prepare_real_folder, real_files
+from rigapp.commands.init import prepare_real_folder
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
+from rigapp.prepare.real_rig import Box, lasting_name, real_files
 from rigapp_drivers.api import DriverKind
 from rigapp_drivers.registry import available_drivers, load_driver
 

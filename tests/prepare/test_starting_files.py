@@ -12,11 +12,11 @@ from pathlib import Path
 import pytest
 from patience import PATIENCE_S
 
-from rigapp.commands.init import folder as init
-from rigapp.commands.init.folder import NEXT, start_folder, starting_files
+from rigapp.commands.init import NEXT, start_folder
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
-from rigapp.prepare import shipped
+from rigapp.prepare import folders, shipped
+from rigapp.prepare.folders import starting_files
 
 TOP = Path(__file__).parents[2]
 EXAMPLES = TOP / "examples"
@@ -95,8 +95,8 @@ def test_what_was_written_is_taken_back_when_the_disk_refuses(
             raise UnusableInput("no space left")
         return whole_file(*arguments, **options)
 
-    whole_file = init.whole_file
-    monkeypatch.setattr(init, "whole_file", until_the_third)
+    whole_file = folders.whole_file
+    monkeypatch.setattr(folders, "whole_file", until_the_third)
     with pytest.raises(UnusableInput, match="no space"):
         start_folder(tmp_path / "a" / "b")
     assert list(tmp_path.iterdir()) == []
@@ -159,7 +159,7 @@ def test_an_installation_holds_every_file() -> None:
         for pattern in patterns
         for one in TOP.glob(pattern)
     }
-    old = {new: one for one, new in init.NEW_NAMES.items()}
+    old = {new: one for one, new in folders.NEW_NAMES.items()}
     for one in starting_files(EXAMPLES):
         assert (
             Path("examples") / one.place.with_name(old.get(one.place.name, one.place.name)) in held

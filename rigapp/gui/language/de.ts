@@ -4276,8 +4276,20 @@
         <translation>{}, noch {:.0f} %</translation>
     </message>
     <message>
+        <source>{}: device</source>
+        <translation>{}: Gerät</translation>
+    </message>
+    <message>
         <source>{}: no whole cycle is saved yet</source>
         <translation>{}: noch kein ganzer Zyklus gespeichert</translation>
+    </message>
+    <message>
+        <source>{}: port</source>
+        <translation>{}: Anschluss</translation>
+    </message>
+    <message>
+        <source>{}: who answers</source>
+        <translation>{}: wer antwortet</translation>
     </message>
     <message>
         <source>{}; band 95 %</source>
@@ -4304,48 +4316,6 @@
 9.81 m/s² is a rounded value, up to 0.3 % off: write the gravity of this place, or name a settings file with latitude and height.</source>
         <translation>
 9.81 m/s² ist ein gerundeter Wert, bis zu 0.3 % falsch: die Fallbeschleunigung dieses Orts eintragen oder eine Einstellungsdatei mit Breite und Höhe nennen.</translation>
-    </message>
-    <message>
-        <source>
-| Key | Does |
-| --- | --- |
-{commands}
-| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
-| F7 | Acknowledge the alarm that is told in full; show the alarms where none is seen |
-| {recover} | Do the next step that the message line or the *Recover* panel names |
-| F11 | Try the simulated rig, from the page *Start* |
-| F1 | This help |
-| F3 | Calibrate the load cell or the probes, map the pin&apos;s run-out |
-| F9 | Light or dark |
-| Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+R, Ctrl+U, Ctrl+W | Go to a page |
-| Alt + underlined letter | Press a button, go to a field |
-| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
-| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
-| Esc | Close the start bar or this window |
-
-The emergency stop is the red button on the rig. It works without this program, and no program
-replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
-</source>
-        <translation>
-| Taste | Wirkung |
-| --- | --- |
-{commands}
-| F8 | Zur Zeile für Gründe und Notizen; Enter schreibt die Notiz ins Protokoll |
-| F7 | Den Alarm quittieren, der ganz dasteht; ist keiner zu sehen, die Alarme zeigen |
-| {recover} | Den nächsten Schritt tun, den Meldezeile oder *Zurück zum Versuch* nennt |
-| F11 | Den simulierten Prüfstand ausprobieren, auf der Seite *Start* |
-| F1 | Diese Hilfe |
-| F3 | Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Bolzens aufnehmen |
-| F9 | Hell oder dunkel |
-| Strg+1 … Strg+9, Strg+0, Strg+D, Strg+R, Strg+U, Strg+W | Zu einer Seite |
-| Alt + unterstrichener Buchstabe | Eine Taste drücken, in ein Feld gehen |
-| ← → + − in einem Verlauf | Verschieben und vergrößern; ein Klick liest die Werte eines Zyklus, Esc wieder die neuesten |
-| ← → in einem Kraftbild | Den Cursor um 1°, mit Umschalt um 10° verschieben; ein Klick setzt ihn |
-| Esc | Die Startkarte oder dieses Fenster schließen |
-
-Der Not-Halt ist der rote Taster am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm
-ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus, die Datei wird geschlossen.
-</translation>
     </message>
     <message>
         <source> (By cycle {}.)</source>
@@ -4468,12 +4438,62 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Den Winkel des Drehgebers nehmen, wie er &amp;jetzt ist</translation>
     </message>
     <message>
+        <source>
+| Key | Does |
+| --- | --- |
+{commands}
+| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
+| F7 | Acknowledge the alarm that is told in full; show the alarms where none is seen |
+| {recover} | Do the next step that the message line or the *Recover* panel names |
+| F11 | Try the simulated rig, from the page *Start* |
+| F1 | This help |
+| F3 | Calibrate the load cell or the probes, map the pin&apos;s run-out |
+| F9 | Light or dark |
+| Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+N, Ctrl+R, Ctrl+U, Ctrl+W | Go to a page |
+| Alt + underlined letter | Press a button, go to a field |
+| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
+| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
+| Esc | Close the start bar or this window |
+
+The emergency stop is the red button on the rig. It works without this program, and no program
+replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
+</source>
+        <translation>
+| Taste | Wirkung |
+| --- | --- |
+{commands}
+| F8 | Zur Zeile für Gründe und Notizen; Enter schreibt die Notiz ins Protokoll |
+| F7 | Den Alarm quittieren, der ganz dasteht; ist keiner zu sehen, die Alarme zeigen |
+| {recover} | Den nächsten Schritt tun, den Meldezeile oder *Zurück zum Versuch* nennt |
+| F11 | Den simulierten Prüfstand ausprobieren, auf der Seite *Start* |
+| F1 | Diese Hilfe |
+| F3 | Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Bolzens aufnehmen |
+| F9 | Hell oder dunkel |
+| Strg+1 … Strg+9, Strg+0, Strg+D, Strg+N, Strg+R, Strg+U, Strg+W | Zu einer Seite |
+| Alt + unterstrichener Buchstabe | Eine Taste drücken, in ein Feld gehen |
+| ← → + − in einem Verlauf | Verschieben und vergrößern; ein Klick liest die Werte eines Zyklus, Esc wieder die neuesten |
+| ← → in einem Kraftbild | Den Cursor um 1°, mit Umschalt um 10° verschieben; ein Klick setzt ihn |
+| Esc | Die Startkarte oder dieses Fenster schließen |
+
+Der Not-Halt ist der rote Taster am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm
+ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus, die Datei wird geschlossen.
+</translation>
+    </message>
+    <message>
         <source>&amp;Guide</source>
         <translation>&amp;Anleitung</translation>
     </message>
     <message>
         <source>&amp;Keys</source>
         <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Make the files</source>
+        <translation>&amp;Dateien anlegen</translation>
+    </message>
+    <message>
+        <source>&amp;Open this rig</source>
+        <translation>Diesen Prüfstand ö&amp;ffnen</translation>
     </message>
     <message>
         <source>&amp;Test file</source>
@@ -4552,6 +4572,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Ein aufgezeichneter Versuch wird abgespielt: kein Prüfstand bewegt sich</translation>
     </message>
     <message>
+        <source>A seal cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A short test on a rig of software.</source>
         <translation>Ein kurzer Versuch, alles nur simuliert.</translation>
     </message>
@@ -4570,6 +4594,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>A window with the simulated rig is being opened.</source>
         <translation>Ein Fenster mit dem simulierten Prüfstand wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>A window with {} is being opened.</source>
+        <translation>Ein Fenster mit {} wird geöffnet.</translation>
     </message>
     <message>
         <source>A&amp;dd test files…</source>
@@ -4656,8 +4684,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Winkel, den der Drehgeber zeigt</translation>
     </message>
     <message>
+        <source>Another device answers there: {}</source>
+        <translation>Dort antwortet ein anderes Gerät: {}</translation>
+    </message>
+    <message>
         <source>As in the file.</source>
         <translation>Wie in der Datei.</translation>
+    </message>
+    <message>
+        <source>Asks each USB device who it is. A port behind a USB adapter is listed, not asked.</source>
+        <translation>Fragt jedes USB-Gerät, wer es ist. Ein Anschluss hinter einem USB-Adapter wird aufgeführt, nicht befragt.</translation>
     </message>
     <message>
         <source>Back</source>
@@ -4720,6 +4756,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Buchse</translation>
     </message>
     <message>
+        <source>C&amp;hoose…</source>
+        <translation>&amp;Wählen…</translation>
+    </message>
+    <message>
         <source>CAN adapter; the port is its channel</source>
         <translation>CAN-Adapter; der Anschluss ist sein Kanal</translation>
     </message>
@@ -4730,6 +4770,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>CAN error passive</source>
         <translation>CAN im Zustand „error passive“</translation>
+    </message>
+    <message>
+        <source>CAN interface</source>
+        <translation>CAN-Schnittstelle</translation>
     </message>
     <message>
         <source>CAN overrun</source>
@@ -4854,6 +4898,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Choose tests</source>
         <translation>Versuche wählen</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Ordner wählen</translation>
     </message>
     <message>
         <source>Click, or Tab to it and use ← →, to read values; Esc ends it. Draw a rectangle to look closer.</source>
@@ -5192,6 +5240,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Datei zu groß</translation>
     </message>
     <message>
+        <source>Files of the new rig</source>
+        <translation>Dateien des neuen Prüfstands</translation>
+    </message>
+    <message>
         <source>Filter noise on the encoder inputs</source>
         <translation>Störungen an den Eingängen des Drehgebers filtern</translation>
     </message>
@@ -5214,6 +5266,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>First {:+.2f} degrees, now {:+.2f} degrees with the level turned: mean {:+.2f} +- {:.3f} degrees; the level itself is off by {:+.2f} degrees.</source>
         <translation>Zuerst {:+.2f} Grad, jetzt {:+.2f} Grad mit umgedrehter Wasserwaage: Mittel {:+.2f} +- {:.3f} Grad; die Wasserwaage selbst weicht um {:+.2f} Grad ab.</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Folder of the new rig</source>
+        <translation>Ordner des neuen Prüfstands</translation>
     </message>
     <message>
         <source>Force with its uncertainty</source>
@@ -5704,6 +5764,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Platz schaffen oder den Ordner zurückbringen. Das Programm vorher nicht beenden.</translation>
     </message>
     <message>
+        <source>Make the files of a rig with real devices (Ctrl+N)</source>
+        <translation>Die Dateien eines Prüfstands mit echten Geräten anlegen (Strg+N)</translation>
+    </message>
+    <message>
         <source>Make the rig safe, release the button, then reset. Nothing restarts by itself.</source>
         <translation>Den Prüfstand sichern, den Taster lösen, dann zurücksetzen. Nichts läuft von selbst wieder an.</translation>
     </message>
@@ -5730,6 +5794,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>May</source>
         <translation>Mai</translation>
+    </message>
+    <message>
+        <source>May stay empty until the port is known; the check of the rig names it.</source>
+        <translation>Darf leer bleiben, bis der Anschluss bekannt ist; die Prüfung des Prüfstands nennt ihn.</translation>
     </message>
     <message>
         <source>Measured minus model against crank angle</source>
@@ -5846,6 +5914,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>New</source>
         <translation>Neu</translation>
+    </message>
+    <message>
+        <source>New rig</source>
+        <translation>Neuer Prüfstand</translation>
+    </message>
+    <message>
+        <source>New rig…</source>
+        <translation>Neuer Prüfstand…</translation>
     </message>
     <message>
         <source>New spec&amp;imen…</source>
@@ -6258,6 +6334,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Points of the study</source>
         <translation>Punkte der Studie</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Anschluss</translation>
+    </message>
+    <message>
+        <source>Ports found: {}; known devices answer on {}.</source>
+        <translation>Gefundene Anschlüsse: {}; auf {} antworten bekannte Geräte.</translation>
     </message>
     <message>
         <source>Posi&amp;tions of a run</source>
@@ -6712,6 +6796,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Läuft wie geplant.</translation>
     </message>
     <message>
+        <source>S&amp;earch the ports</source>
+        <translation>Anschlüsse d&amp;urchsuchen</translation>
+    </message>
+    <message>
         <source>S&amp;helve</source>
         <translation>&amp;Zurückstellen</translation>
     </message>
@@ -6798,6 +6886,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Schema</source>
         <translation>Schema</translation>
+    </message>
+    <message>
+        <source>Searching …</source>
+        <translation>Suche läuft …</translation>
     </message>
     <message>
         <source>Sensitivity of the daily checks</source>
@@ -7424,6 +7516,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Fehler des simulierten Prüfstands sind nicht bekannt: {}</translation>
     </message>
     <message>
+        <source>The files are in {}. Open the rig, then check it.</source>
+        <translation>Die Dateien sind in {}. Den Prüfstand öffnen, dann prüfen.</translation>
+    </message>
+    <message>
         <source>The first angle</source>
         <translation>Der erste Winkel</translation>
     </message>
@@ -7940,8 +8036,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Gewichte in Kilogramm; 5x8 sind acht von 5 kg</translation>
     </message>
     <message>
+        <source>What a new rig is</source>
+        <translation>Was ein neuer Prüfstand ist</translation>
+    </message>
+    <message>
         <source>What becomes of the readings between two scans; average delays by an unknown time</source>
         <translation>Was mit den Messungen zwischen zwei Abtastungen geschieht; average verzögert um eine unbekannte Zeit</translation>
+    </message>
+    <message>
+        <source>What came of it</source>
+        <translation>Was daraus wurde</translation>
     </message>
     <message>
         <source>What happened</source>
@@ -7970,6 +8074,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>What is wrong with step {}, or where it is</source>
         <translation>Was an Schritt {} falsch ist oder wo er liegt</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Was es ist</translation>
     </message>
     <message>
         <source>What it rests on</source>
@@ -8014,6 +8122,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>What the result depends on most</source>
         <translation>Wovon das Ergebnis am meisten abhängt</translation>
+    </message>
+    <message>
+        <source>What the search has found</source>
+        <translation>Was die Suche gefunden hat</translation>
     </message>
     <message>
         <source>What the study came to</source>
@@ -8208,6 +8320,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} neben den Versuch schreiben</translation>
     </message>
     <message>
+        <source>Writes rig file, test file and calibration settings for real devices, each key with its meaning. Nothing is overwritten, and this window&apos;s rig stays as it is.</source>
+        <translation>Schreibt Prüfstandsdatei, Versuchsdatei und Kalibriereinstellungen für echte Geräte, jeden Schlüssel mit seiner Bedeutung. Nichts wird überschrieben, und der Prüfstand dieses Fensters bleibt, wie er ist.</translation>
+    </message>
+    <message>
         <source>Writing the certificate; the first one takes some seconds …</source>
         <translation>Der Kalibrierschein wird geschrieben; der erste braucht einige Sekunden …</translation>
     </message>
@@ -8278,6 +8394,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>a fault of which it gives no code</source>
         <translation>eine Störung ohne Fehlernummer</translation>
+    </message>
+    <message>
+        <source>a first test of 50 revolutions at 30 rpm</source>
+        <translation>ein erster Versuch mit 50 Umdrehungen bei 30 rpm</translation>
     </message>
     <message>
         <source>a full bridge of foil gauges gives its gauge factor, 2, times the strain: 4 at the 0.2 % that hardened steel bears, about 2 in most cells</source>
@@ -8632,6 +8752,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zyklus {} bei {:.0f}°</translation>
     </message>
     <message>
+        <source>data acquisition</source>
+        <translation>Messwerterfassung</translation>
+    </message>
+    <message>
         <source>days</source>
         <translation>Tage</translation>
     </message>
@@ -8694,6 +8818,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>drift during the calibration</source>
         <translation>Drift während der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>Antrieb</translation>
     </message>
     <message>
         <source>drive off</source>
@@ -9080,6 +9208,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>weniger</translation>
     </message>
     <message>
+        <source>lets an editor complete and check rig.toml</source>
+        <translation>damit ein Editor rig.toml ergänzt und prüft</translation>
+    </message>
+    <message>
         <source>lighter</source>
         <translation>leichter</translation>
     </message>
@@ -9170,6 +9302,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>next</source>
         <translation>als Nächstes</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
     </message>
     <message>
         <source>no calibration is open</source>
@@ -9528,6 +9664,22 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Grenze setzen</translation>
     </message>
     <message>
+        <source>settings of another channel&apos;s calibration</source>
+        <translation>Einstellungen der Kalibrierung eines anderen Kanals</translation>
+    </message>
+    <message>
+        <source>settings of the load cell&apos;s calibration</source>
+        <translation>Einstellungen der Kalibrierung des Kraftsensors</translation>
+    </message>
+    <message>
+        <source>settings of the pin&apos;s run-out map</source>
+        <translation>Einstellungen der Rundlaufkarte des Bolzens</translation>
+    </message>
+    <message>
+        <source>settings of the probes&apos; calibration</source>
+        <translation>Einstellungen der Kalibrierung der Wegsensoren</translation>
+    </message>
+    <message>
         <source>shelve</source>
         <translation>zurückstellen</translation>
     </message>
@@ -9760,6 +9912,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>die Messwerte haben eine andere Anzahl von Eingängen oder ein anderes Format, als im Gerät eingestellt wurde; den Versuch stoppen, neu konfigurieren und object_map prüfen</translation>
     </message>
     <message>
+        <source>the mechanism, for rigapp model</source>
+        <translation>der Mechanismus, für rigapp model</translation>
+    </message>
+    <message>
         <source>the model has no solution</source>
         <translation>das Modell hat keine Lösung</translation>
     </message>
@@ -9848,8 +10004,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>die Prüfstandsdatei</translation>
     </message>
     <message>
+        <source>the rig: devices, wiring, calibration; read it through once</source>
+        <translation>der Prüfstand: Geräte, Verdrahtung, Kalibrierung; einmal durchlesen</translation>
+    </message>
+    <message>
         <source>the salvaged copy</source>
         <translation>die gerettete Kopie</translation>
+    </message>
+    <message>
+        <source>the same for test.toml</source>
+        <translation>dasselbe für test.toml</translation>
     </message>
     <message>
         <source>the sensor&apos;s memory cannot be used</source>
@@ -13535,6 +13699,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} Winkel und {} Tiefen</translation>
     </message>
     <message>
+        <source>{} answers</source>
+        <translation>{} antwortet</translation>
+    </message>
+    <message>
         <source>{} at the end of the range</source>
         <translation>{} am Ende des Bereichs</translation>
     </message>
@@ -13593,6 +13761,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} entries in the scan list, {} at most; take analog inputs out</source>
         <translation>{} Einträge in der Abtastliste, höchstens {}; analoge Eingänge herausnehmen</translation>
+    </message>
+    <message>
+        <source>{} exist</source>
+        <translation>{} gibt es</translation>
+    </message>
+    <message>
+        <source>{} exists</source>
+        <translation>{} gibt es</translation>
     </message>
     <message>
         <source>{} for {} angles</source>
@@ -13951,6 +14127,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}, Umdrehung {}</translation>
     </message>
     <message>
+        <source>{}, serial number {}</source>
+        <translation>{}, Seriennummer {}</translation>
+    </message>
+    <message>
         <source>{}, still so after {} restarts; check that the encoder drives the counter input, maximum_speed_rpm and maximum_acceleration_rev_per_s2, and that the device was not reset (its settings and its count are lost then)</source>
         <translation>{}, auch nach {} Neustarts noch; prüfen, dass der Drehgeber den Zählereingang ansteuert, maximum_speed_rpm und maximum_acceleration_rev_per_s2, und dass das Gerät nicht zurückgesetzt wurde (Einstellungen und Zählerstand sind dann verloren)</translation>
     </message>
@@ -14207,6 +14387,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: {} statt {} Werte erhalten</translation>
     </message>
     <message>
+        <source>{}: has no schema; say {}</source>
+        <translation>{}: hat kein Schema; möglich: {}</translation>
+    </message>
+    <message>
         <source>{}: holds no data for the figure {}</source>
         <translation>{}: enthält keine Daten für das Bild {}</translation>
     </message>
@@ -14237,6 +14421,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}: is no TOML of lines like name = &quot;secret&quot;</source>
         <translation>{}: ist kein TOML aus Zeilen wie name = &quot;geheim&quot;</translation>
+    </message>
+    <message>
+        <source>{}: is no folder; nothing is written, name another folder</source>
+        <translation>{}: ist kein Ordner; nichts wird geschrieben, einen anderen Ordner nennen</translation>
     </message>
     <message>
         <source>{}: is no small file of yours; a link is not followed</source>
@@ -14281,6 +14469,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}: name the address of one interface, not all of them</source>
         <translation>{}: die Adresse einer Schnittstelle nennen, nicht alle</translation>
+    </message>
+    <message>
+        <source>{}: not asked, it is no USB device itself</source>
+        <translation>{}: nicht befragt, es ist selbst kein USB-Gerät</translation>
+    </message>
+    <message>
+        <source>{}: the folder cannot be made; name another folder</source>
+        <translation>{}: Der Ordner kann nicht angelegt werden; einen anderen Ordner nennen</translation>
     </message>
     <message>
         <source>{}: the key cannot be read</source>
@@ -14651,6 +14847,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: Dieser Versuch läuft; ihn erst stoppen</translation>
     </message>
     <message>
+        <source>{}: this user may not open it</source>
+        <translation>{}: darf von diesem Benutzer nicht geöffnet werden</translation>
+    </message>
+    <message>
         <source>{}: two signals cannot share one input; give each its own</source>
         <translation>{}: Zwei Signale können sich keinen Eingang teilen; jedem seinen eigenen geben</translation>
     </message>
@@ -14685,6 +14885,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}: {} Then take them again</source>
         <translation>{}: {} Dann sie wiederholen</translation>
+    </message>
+    <message>
+        <source>{}: {} already; nothing is written, as nothing is overwritten. Name another folder, or move what is there</source>
+        <translation>{}: {} schon; nichts wird geschrieben, denn nichts wird überschrieben. Einen anderen Ordner nennen oder verschieben, was dort ist</translation>
     </message>
     <message>
         <source>{}: {} failed ({}); what was committed before is safe, check the disk before resuming</source>

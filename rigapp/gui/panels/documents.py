@@ -45,9 +45,12 @@ KINDS = (
 )
 
 
-def launch_process(arguments: Sequence[str]) -> None:
-    """Start another rigapp on its own, which lives on when this window closes."""
-    Child("rigapp", *arguments).leave()
+def launch_process(arguments: Sequence[str], folder: Path | None = None) -> None:
+    """Start another rigapp on its own, which lives on when this window closes.
+
+    folder: to work in, this window's own without one.
+    """
+    Child("rigapp", *arguments, folder=folder).leave()
 
 
 def open_document(path: Path) -> bool:

@@ -124,12 +124,20 @@ class StartPage(QWidget):
         self.table.setMinimumHeight(3 * ROW_HEIGHT)
         self.table.opened.connect(lambda _: host.do(Act.RESULTS))
         self.all = button("all_results", "All results", partial(host.do, Act.RESULTS), rank="quiet")
+        self.new_rig = button(
+            "start_new_rig",
+            "New rig…",
+            partial(host.do, Act.NEW_RIG),
+            tip="Make the files of a rig with real devices (Ctrl+N)",
+            rank="quiet",
+        )
         self._pump = ShelfPump(host.results, self._changed, self)
         below = row(heading("last_title", "Last tests"), None, self.all)
         cards = WrappingGrid(WAY_WIDTH, len(WAYS))
         for card in self.ways.values():
             cards.addWidget(card)
-        column(self.title, self.rig, cards, below, (self.table, 1), on=self, spacing=STEP)
+        rig = row((self.rig, 1), self.new_rig)
+        column(self.title, rig, cards, below, (self.table, 1), on=self, spacing=STEP)
         self.dress(host.theme)
 
     def showEvent(self, event: QShowEvent) -> None:

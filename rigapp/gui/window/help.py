@@ -37,7 +37,7 @@ KEYS: Text = """
 | F1 | This help |
 | F3 | Calibrate the load cell or the probes, map the pin's run-out |
 | F9 | Light or dark |
-| Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+R, Ctrl+U, Ctrl+W | Go to a page |
+| Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+N, Ctrl+R, Ctrl+U, Ctrl+W | Go to a page |
 | Alt + underlined letter | Press a button, go to a field |
 | ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
 | ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |

@@ -17,6 +17,7 @@ from rigapp.gui.panels.cycle import cycle_page
 from rigapp.gui.panels.devices import device_page
 from rigapp.gui.panels.faults import fault_page
 from rigapp.gui.panels.logbook import log_page
+from rigapp.gui.panels.newrig import new_rig_page
 from rigapp.gui.panels.queue import queue_page
 from rigapp.gui.panels.resultpage import has_result, result_page
 from rigapp.gui.panels.results import results_page
@@ -81,6 +82,7 @@ TABS = (
     Tab("result", "Result", "Ctrl+R", RailPlace.WATCH, result_page, has_result),
     Tab("studies", "Studies", "Ctrl+D", RailPlace.RESULTS, studies_page),
     Tab("faults", "Simulated faults", "Ctrl+9", RailPlace.RIG, fault_page, _simulated),
+    Tab("new_rig", "New rig", "Ctrl+N", RailPlace.RIG, new_rig_page, _with_rig),
 )
 NUMBERS = {tab.name: number for number, tab in enumerate(TABS)}
 

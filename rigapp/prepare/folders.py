@@ -1,9 +1,9 @@
-"""`rigapp init`: a folder with files to start from, which work as they stand."""
+"""Folders with files to start from: written whole or not at all, nothing overwritten."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,8 +11,8 @@ from pathlib import Path
 from rigapp.config.errors import UnusableInput
 from rigapp.config.reading import read_text
 from rigapp.config.writing import whole_file
-from rigapp.prepare.kernels import compile_kernels
-from rigapp.prepare.shipped import RIG, TEST, examples_folder
+from rigapp.prepare.shipped import RIG, TEST
+from rigapp.texts import joined, say
 
 NEW_NAMES = {RIG: "rig.toml", TEST: "test.toml"}
 """What the examples are called where they are somebody's own, also inside of the other files."""
@@ -22,12 +22,6 @@ ABOUT = {
     "test.toml": "a short wear test",
     "parameters.toml": "the mechanism, for rigapp model",
 }
-NEXT = (
-    "rigapp check rig.toml test.toml",
-    "rigapp run test.toml --rig rig.toml --out test.h5 --speed max",
-    "rigapp calibrate load-cell --settings calibration/load_cell.toml"
-    " --readings calibration/load_cell.csv --to cell.json",
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,39 +32,13 @@ class StartingFile:
     text: str
 
 
-def prepare_folder(folder: Path) -> int:
-    """Write the files to start from, and compile what a first test would wait for; exit status.
-
-    Raises UnusableInput as ``start_folder``.
-    """
-    start_folder(folder)
-    print("Numerical kernels are compiled once, so that no test waits for them:")
-    compile_kernels()
-    print("Try next:" if folder.resolve() == Path.cwd() else f"Try next, in {folder}:")
-    for command in NEXT:
-        print(f"  {command}")
-    return 0
-
-
-def start_folder(folder: Path) -> None:
-    """Write the files to start from into a folder, all or none, and list them.
-
-    Raises UnusableInput, and writes nothing, when one of them is there already.
-    """
-    fill_folder(folder, list(starting_files(examples_folder())), ABOUT)
-
-
-def fill_folder(folder: Path, files: list[StartingFile], about: Mapping[str, str]) -> None:
-    """Write files into a folder, all or none, and list them; about: place -> what it is.
+def write_files(folder: Path, files: list[StartingFile]) -> None:
+    """Write files into a folder, all or none.
 
     Raises UnusableInput, and writes nothing, when one of them is there already.
     """
     _refuse_existing(folder, files)
     _write(folder, files)
-    print(f"{folder} holds now:")
-    width = max(len(str(one.place)) for one in files)
-    for one in files:
-        print(f"  {one.place!s:<{width}}  {about.get(str(one.place), '')}".rstrip())
 
 
 def starting_files(examples: Path) -> Iterator[StartingFile]:
@@ -96,13 +64,15 @@ def _refuse_existing(folder: Path, files: list[StartingFile]) -> None:
     """Refuse a folder that has one of the files, or whose name is that of a file."""
     for place in (folder, *(folder / name for name in ("calibration", "notebooks"))):
         if os.path.lexists(place) and not place.is_dir():
-            raise UnusableInput(f"{place}: is no folder; nothing is written, name another folder.")
+            raise UnusableInput("{}: is no folder; nothing is written, name another folder.", place)
     there = [str(one.place) for one in files if os.path.lexists(folder / one.place)]
     if there:
-        verb = "exists" if len(there) == 1 else "exist"
+        names = joined(", ", there)
         raise UnusableInput(
-            f"{folder}: {', '.join(there)} {verb} already; nothing is written, as nothing is"
-            " overwritten. Name another folder, or move what is there."
+            "{}: {} already; nothing is written, as nothing is overwritten. Name another folder,"
+            " or move what is there.",
+            folder,
+            say("{} exists", names) if len(there) == 1 else say("{} exist", names),
         )
 
 
@@ -124,7 +94,9 @@ def _make_folder(folder: Path, undo: ExitStack) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise UnusableInput(f"{folder}: the folder cannot be made ({error.strerror}).") from error
+        raise UnusableInput(
+            "{}: the folder cannot be made ‹{}›; name another folder.", folder, error.strerror
+        ) from error
     for one in reversed(missing):
         undo.callback(_remove_empty, one)
 

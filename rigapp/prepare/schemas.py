@@ -1,4 +1,4 @@
-"""`rigapp schema`: what a rig or test file may hold, for the editor in which it is written."""
+"""What a rig or test file may hold, as JSON Schema, for the editor in which it is written."""
 
 from __future__ import annotations
 
@@ -8,19 +8,14 @@ from typing import Any
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.meanings import KINDS, json_schema, schema_of_setting
+from rigapp.texts import joined, say
 from rigapp_drivers.registry import DriverNotFound, available_drivers, load_driver
-
-
-def print_schema(kind: str) -> int:
-    """Print the JSON Schema of a kind of file; raise UnusableInput for another word."""
-    print(schema_text(kind), end="")
-    return 0
 
 
 def schema_text(kind: str) -> str:
     """Return the JSON Schema of "rig" or "test"; raise UnusableInput for another word."""
     if kind not in KINDS:
-        raise UnusableInput(f"{kind}: has no schema; say {' or '.join(KINDS)}.")
+        raise UnusableInput("{}: has no schema; say {}.", kind, joined(say(" or "), KINDS))
     settings = _settings() if kind == "rig" else {}
     tree = {"title": f"rigapp {kind} file", **json_schema(KINDS[kind], settings)}
     return json.dumps(tree, indent=2, ensure_ascii=False) + "\n"
