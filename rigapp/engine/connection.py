@@ -107,7 +107,7 @@ class Connection:
         rig.processor.monitor = self.guard
         self.control = core.control = rig.control
         self.source_errors = 0
-        self.last_source_error = ""
+        self.last_source_error: DeviceError | None = None
         self._waits_in_vain = 0
         self._overrun = False
         self._drive_polled_s = 0.0
@@ -165,7 +165,7 @@ class Connection:
         try:
             self.source.stop()
         except DeviceError as error:
-            self.last_source_error = error.sentence
+            self.last_source_error = error
         self.devices.close()
         for slow in self.rig.slow_channels.devices.values():
             slow.close()
@@ -203,7 +203,7 @@ class Connection:
 
     def _note(self, error: DeviceError) -> None:
         self.source_errors += 1
-        self.last_source_error = error.sentence
+        self.last_source_error = error
 
     # --- process ---------------------------------------------------------------------------------
 

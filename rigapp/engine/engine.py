@@ -126,6 +126,7 @@ class Engine:
         self._open_store = open_store
         self._connection: Connection | None = None
         self._opening: Devices | None = None
+        self._open_error: DeviceError | None = None
         self._command = OneAtATime(COMMAND_WAIT_S)
         self._operator = ""
         publisher = self._core.publisher
@@ -147,6 +148,7 @@ class Engine:
             self._core.fire(Trigger.CONNECT)
             self._core.fault_code = FinishReason.DEVICE
             self._release()
+            self._open_error = None
             try:
                 if ports is not None:
                     self._ports = dict(ports())
@@ -155,8 +157,12 @@ class Engine:
                 why = error_text(error, say("The devices could not be connected."))
                 self._core.fire_if(Trigger.FAILED, why)
                 if isinstance(error, DeviceError):
+                    self._open_error = error
                     self._core.warn(lost_device(error))
+                else:
+                    self._opening = None
                 raise
+            self._opening = None
             self._core.fire_if(Trigger.CONNECTED)
             self._connection.drive_watch.look()
             self._refuse_in_fault()
@@ -180,10 +186,7 @@ class Engine:
         where = str(core.rig.path)
         devices = make_devices(core.rig.record, self._ports, self._load, where, self._wires)
         self._opening = devices
-        try:
-            setup = devices.open()
-        finally:
-            self._opening = None
+        setup = devices.open()
         connection: Connection | None = None
         try:
             calibration = calibration_of(core.rig.record, setup)
@@ -607,7 +610,9 @@ class Engine:
 
     def status(self) -> Status:
         """Return everything a header shows, at this moment."""
-        return build_status(self._core, self._connection, self._operator, self._opening)
+        return build_status(
+            self._core, self._connection, self._operator, self._opening, self._open_error
+        )
 
     def wait(self, until: Iterable[RunState] = ENDED, timeout_s: float = 60.0) -> RunState:
         """Wait for one of some states; raise TimeoutError. A test has ended in ``run.ENDED``."""

@@ -48,7 +48,9 @@ def together(errors: Sequence[DeviceError]) -> DeviceError:
     first = errors[0]
     if len(errors) == 1:
         return first
-    words = joined(" ", (error.sentence for error in errors))
+    alike = len({error.sentence for error in errors}) == 1
+    each = (say("{}: {}", error.device, error.sentence) for error in errors)
+    words = first.sentence if alike else joined(" ", each)
     devices = joined(", ", dict.fromkeys(error.device for error in errors))
     ports = joined(", ", dict.fromkeys(error.port for error in errors))
     error = type(first)(devices, ports, words)

@@ -33,6 +33,7 @@ from rigapp.schema.results import how_ended
 from rigapp.schema.states import ACTIVE
 from rigapp.texts import say
 from rigapp_calibration.load_cell.force_uncertainty import stated_uncertainty
+from rigapp_drivers.api import DeviceError, help_of
 from rigapp_drivers.edge import Guarded
 
 RIG_FILE = say("rig file")
@@ -43,9 +44,13 @@ RIG_LINE = say("by its line in the rig file")
 
 
 def build_status(
-    core: Core, connection: Connection | None, operator: str, opening: Devices | None = None
+    core: Core,
+    connection: Connection | None,
+    operator: str,
+    opening: Devices | None = None,
+    error: DeviceError | None = None,
 ) -> Status:
-    """Return the status; opening: devices that are just being connected."""
+    """Return the status; opening: devices that are just being connected, or were not: error."""
     active, rig = core.test, core.rig.record
     live = connection.rig if connection is not None else None
     return Status(
@@ -60,7 +65,7 @@ def build_status(
             data_age_s=live.data_age_s() if live is not None else None,
             coasting=live is not None and live.coasting,
             drive=_drive(connection),
-            devices=_devices(connection) if opening is None else _being_opened(opening),
+            devices=_devices(connection) if opening is None else _being_opened(opening, error),
             channels=_channels(core, connection),
         ),
         core.alarms.alarms(),
@@ -208,26 +213,22 @@ def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
         return ()
     source, control = connection.devices.source, connection.rig.control
     sampling = DeviceView(
-        **_named(connection.devices, source),
+        **_named(connection.devices, source, connection.last_source_error),
         connected=not connection.reader.ended,
         sample_rate_Hz=connection.rig.setup.sample_rate_Hz,
         lost_samples=connection.rig.processor.assembler.lost_samples,
         errors=connection.source_errors,
-        last_error=connection.last_source_error,
     )
-    error = control.last_error
     drive = DeviceView(
-        **_named(connection.devices, connection.devices.spindle),
+        **_named(connection.devices, connection.devices.spindle, control.last_error),
         connected=control.answering,
         errors=control.errors,
-        last_error=error.sentence if error is not None else "",
     )
     slow = (
         DeviceView(
-            **_named(connection.devices, one.source),
+            **_named(connection.devices, one.source, one.last_error),
             connected=one.answering,
             errors=one.errors,
-            last_error=one.last_error,
             needed=False,
         )
         for one in connection.rig.slow_channels.devices.values()
@@ -235,16 +236,29 @@ def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
     return (sampling, drive, *slow)
 
 
-def _being_opened(devices: Devices) -> tuple[DeviceView, ...]:
-    """Return the devices in the order in which they are opened, ready ones as connected."""
+def _being_opened(devices: Devices, error: DeviceError | None) -> tuple[DeviceView, ...]:
+    """Return the devices in the order in which they are opened, ready ones as connected.
+
+    error: why they could not be connected; all are closed again then.
+    """
+    needed = (devices.source, devices.spindle)
+    if error is None:
+        return tuple(
+            DeviceView(**_named(devices, one), connected=one.name in devices.readback)
+            for one in needed
+        )
+    told = {one.device: one for one in error.each}
+    everyone: list[Guarded] = [*needed, *(slow for slow, _ in devices.slow)]
     return tuple(
-        DeviceView(**_named(devices, one), connected=one.name in devices.readback)
-        for one in (devices.source, devices.spindle)
+        DeviceView(
+            **_named(devices, one, told.get(one.name)), connected=False, needed=one in needed
+        )
+        for one in everyone
     )
 
 
-def _named(devices: Devices, device: Guarded) -> dict[str, Any]:
-    """Return what is shown of every device alike."""
+def _named(devices: Devices, device: Guarded, error: DeviceError | None = None) -> dict[str, Any]:
+    """Return what is shown of every device alike; error: its last one."""
     identity = devices.identities.get(device.name)
     words = ("maker", "model", "firmware", "serial_number")
     return {
@@ -255,6 +269,8 @@ def _named(devices: Devices, device: Guarded) -> dict[str, Any]:
         "counters": dict(device.counters()),
         "wiring": str(devices.readback.get(device.name, {}).get("wiring", "")),
         "advice": str(devices.readback.get(device.name, {}).get("advice", "")),
+        "last_error": error.sentence if error is not None else "",
+        "help": help_of(error) if error is not None else "",
     }
 
 

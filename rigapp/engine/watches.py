@@ -53,7 +53,8 @@ class Watches:
                 if not device.worker.error:
                     alarms.clear(key)
             elif not alarms.is_active(key):
-                self._core.act_on(slow_silent(device.source, silent[name], device.last_error))
+                why = device.last_error.sentence if device.last_error is not None else ""
+                self._core.act_on(slow_silent(device.source, silent[name], why))
 
     def _look_at_queue(self) -> None:
         """Switch the drive off when an overload would be seen too late."""

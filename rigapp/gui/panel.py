@@ -80,7 +80,8 @@ class Host:
 
     ask: a request to the engine, whose answer the window shows. say: a sentence where answers
     stand, and whether it is a good one. read_revolution: the saved cycle nearest to a revolution.
-    results: the recorded tests. do: go somewhere, begin something.
+    results: the recorded tests. do: go somewhere, begin something. help: show a section of
+    docs/troubleshooting.md, by its anchor.
     """
 
     theme: Theme
@@ -91,6 +92,7 @@ class Host:
     say: Callable[[str, bool], None]
     read_revolution: Read
     do: Callable[[Act], None]
+    help: Callable[[str], None]
     panels: dict[str, Panel] = field(default_factory=dict)
 
     @property

@@ -10,6 +10,7 @@ from rigapp.config.errors import UnusableInput
 RIG = "simulated.toml"
 TEST = "quick.toml"
 GUIDE = "operator.md"
+TROUBLESHOOTING = "troubleshooting.md"
 SHARED = Path("share/rigapp")
 """Where ``pyproject.toml`` lets an installation put both, below its prefix."""
 

@@ -238,7 +238,8 @@ class DeviceView(msgspec.Struct, frozen=True):
     counters: what its driver counted on the line, by name (``bytes_received``, ``crc_errors``,
     ``retries``), in the order to show it; empty when it counts nothing. wiring: what goes to which
     input, where the driver says so. advice: what to look at in this device. needed: no test goes on
-    without it; one of slow channels may be missing.
+    without it; one of slow channels may be missing. help: the section of docs/troubleshooting.md
+    that its last error leads to, empty without one.
     """
 
     name: str
@@ -254,6 +255,7 @@ class DeviceView(msgspec.Struct, frozen=True):
     wiring: str = ""
     advice: str = ""
     needed: bool = True
+    help: str = ""
 
 
 class EngineStatus(_UnknownIsNone, frozen=True):

@@ -150,10 +150,18 @@ def test_a_driver_that_fails_while_connecting_is_a_fault_that_connecting_again_m
         words_name(str(caught.value), device, doing)
         assert rig.engine.state is RunState.FAULT
         words_name(rig.engine.status().engine.reason, device, doing)
+        shown = {one.name: one for one in rig.engine.status().rig.devices}
+        assert shown.keys() == {"daq", "drive", "climate"}
+        assert [one.connected for one in shown.values()] == [False] * 3
+        assert doing in shown[device].last_error
+        assert {name: one.help for name, one in shown.items() if one.help} == {
+            device: "a-driver-failed"
+        }
         assert not rig.source.opened
         assert rig.stands
         trap.take_away()
     back_to_work(rig)
+    assert not shown_of(rig, device).help
 
 
 def test_a_driver_that_cannot_be_made_is_a_fault_that_names_it(

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
-from PySide6.QtCore import QUrl
+from PySide6.QtCore import QPoint, QUrl
 from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.window import help as help_module
-from rigapp.gui.window.help import HelpWindow
+from rigapp.gui.window.help import HelpWindow, anchor_of
 from rigapp.prepare.shipped import guides_folder
+from rigapp_drivers.api import HELP
 
 
 @pytest.fixture
@@ -50,6 +52,24 @@ def test_a_link_leads_to_another_guide_and_back(shown: HelpWindow) -> None:
     assert browser.toPlainText() != first
     press(shown, "help_back")
     assert browser.toPlainText() == first
+
+
+@pytest.mark.parametrize("section", sorted(HELP.values()))
+def test_a_device_error_leads_to_the_top_of_its_section(shown: HelpWindow, section: str) -> None:
+    shown.show_section(section)
+    browser = shown.browser
+    assert Path(browser.source().toLocalFile()).name == "troubleshooting.md"
+    bar = browser.verticalScrollBar()
+    first = browser.cursorForPosition(QPoint(browser.width() // 2, 8)).block()
+    assert anchor_of(first.text()) == section or bar.value() == bar.maximum()
+    assert bar.value() > 0
+
+
+def test_what_to_do_about_a_device_opens_the_guide(window: Any) -> None:
+    window.tabs.help_wanted.emit("nothing-answers")
+    told = window._help.browser
+    assert Path(told.source().toLocalFile()).name == "troubleshooting.md"
+    assert told.verticalScrollBar().value() > 0
 
 
 @pytest.mark.parametrize("link", ["https://example.org/", "missing.md", "images/guide-log.png"])

@@ -107,6 +107,12 @@ def test_a_device_card_tells_link_and_warnings_apart_and_counts_under_details(
     assert card.chip.text() == "◆ Not connected"
     assert card.chip.property("chip") == "critical"
     assert card.link.text() == error
+    assert card.help.isHidden()  # an engine of before names no section
+    card = show(msgspec.structs.replace(daq, last_error=error, help="no-answer-or-a-late-one"))
+    assert not card.help.isHidden()
+    with qtbot.waitSignal(panel.help_wanted, timeout=PATIENCE_MS) as told:
+        card.help.click()
+    assert told.args == ["no-answer-or-a-late-one"]
 
 
 def test_channels_show_signal_value_and_what_is_positive(

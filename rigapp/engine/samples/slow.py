@@ -91,7 +91,7 @@ class SlowDevice:
     ) -> None:
         self.source = source
         self.errors = 0
-        self.last_error = ""
+        self.last_error: DeviceError | None = None
         self.answered_s = time.monotonic()
         self.worker = Worker(f"ask {source.name}", self._step, on_death, silence_s)
         self._request = request
@@ -140,14 +140,14 @@ class SlowDevice:
         }
         for name, reading in self._readings.items():
             keep(self._recent, name, reading)
-        self.answered_s, self.last_error, self._reopen_s = now, "", REOPEN_S
+        self.answered_s, self.last_error, self._reopen_s = now, None, REOPEN_S
         self._asked.set()
         self.worker.pause(PERIOD_S)
 
     def _failed(self, error: DeviceError) -> None:
         """Close the device, to be opened again: what it left half done is nobody's guess."""
         self.errors += 1
-        self.last_error = error.sentence
+        self.last_error = error
         self._asked.set()
         self.close()
         self.worker.pause(self._reopen_s)

@@ -6972,6 +6972,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Nur Versuche mit diesen Wörtern zeigen</translation>
     </message>
     <message>
+        <source>Show the section of the troubleshooting guide for the last error</source>
+        <translation>Den Abschnitt der Anleitung zur Fehlersuche zum letzten Fehler zeigen</translation>
+    </message>
+    <message>
         <source>Signal</source>
         <translation>Signal</translation>
     </message>

@@ -93,6 +93,7 @@ class DeviceCard(QFrame):
     """One device: health, link, warnings of its own; what was counted under Details."""
 
     reconnect_wanted = Signal(str)
+    help_wanted = Signal(str)
 
     def __init__(self, device: str, clock: Callable[[], float]) -> None:
         super().__init__()
@@ -117,6 +118,14 @@ class DeviceCard(QFrame):
             "Reconnect this device",
             guarded=True,
         )
+        self.help = button(
+            f"{name}_help",
+            "What to do",
+            self._help,
+            tip="Show the section of the troubleshooting guide for the last error",
+            rank="quiet",
+        )
+        self._section = ""
         grid = QGridLayout()
         grid.setHorizontalSpacing(GAP)
         grid.setColumnStretch(1, 1)
@@ -124,7 +133,7 @@ class DeviceCard(QFrame):
         for place, (caption, line) in enumerate(lines):
             grid.addWidget(QLabel(tr(caption)), place, 0)
             grid.addWidget(line, place, 1)
-        head = flowing(self.chip, (self.title, 1), self.more, self.reconnect)
+        head = flowing(self.chip, (self.title, 1), self.help, self.more, self.reconnect)
         column(
             head, self.identity, grid, self.details, on=self, margins=(MARGIN, GAP), spacing=STEP
         )
@@ -145,7 +154,12 @@ class DeviceCard(QFrame):
         self.warnings.setText(translate(device.advice) or tr("no warning"))
         told = (details_of(device.last_error), details_of(device.advice), counted(device))
         self.details.setText("\n".join(filter(None, told)))
+        self._section = device.help
+        self.help.setVisible(bool(device.help))
         self.setAccessibleDescription(f"{tr(word)}, {link}")
+
+    def _help(self) -> None:
+        self.help_wanted.emit(self._section)
 
 
 def _health(device: DeviceView, *, disturbed: bool) -> tuple[str, Text]:
@@ -179,6 +193,7 @@ class DevicePanel(QWidget):
     """Show devices, channels, drive and this window's own health."""
 
     wanted = Signal(str, dict)
+    help_wanted = Signal(str)
 
     takes = Takes.HISTORY
 
@@ -268,6 +283,7 @@ class DevicePanel(QWidget):
             if device.name not in self.cards:
                 card = DeviceCard(device.name, self._clock)
                 card.reconnect_wanted.connect(self._reconnect)
+                card.help_wanted.connect(self.help_wanted)
                 self.cards[device.name] = card
                 self._cards.addWidget(card)
             self.cards[device.name].show_device(device)
@@ -373,4 +389,5 @@ def device_page(host: Host) -> QWidget:
     """Make the page of devices and channels."""
     panel = host.add("devices", DevicePanel(host.theme, host.stalls))
     panel.wanted.connect(host.ask)
+    panel.help_wanted.connect(host.help)
     return panel

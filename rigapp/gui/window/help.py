@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +22,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.gui.widgets.build import button, named
 from rigapp.gui.window.controls import BUTTONS
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
-from rigapp.prepare.shipped import GUIDE, guides_folder
+from rigapp.prepare.shipped import GUIDE, TROUBLESHOOTING, guides_folder
 from rigapp.presentation.translation import Text, tr
 
 MARGIN = 64  # px: the bar at the side, and what a list is set in from the page's edge
@@ -55,6 +56,11 @@ def keys() -> str:
         for command in BUTTONS
     )
     return f"# {tr('Keys')}\n{tr(KEYS, commands=commands, recover=RECOVER_KEY)}"
+
+
+def anchor_of(heading: str) -> str:
+    """Return the anchor of a heading, as the guides' site makes it."""
+    return re.sub(r"[^a-z0-9 -]", "", heading.lower()).replace(" ", "-")
 
 
 class GuidePages(QTextBrowser):
@@ -130,6 +136,17 @@ class GuidePages(QTextBrowser):
         path = Path(target.toLocalFile())
         if path.suffix == ".md" and path.is_file():
             self.setSource(target, QTextDocument.ResourceType.MarkdownResource)
+            self.show_heading(target.fragment())
+
+    def show_heading(self, anchor: str) -> None:
+        """Bring a heading to the top, by the anchor that the guides' site gives it."""
+        block = self.document().begin()
+        while block.isValid():
+            if block.blockFormat().headingLevel() and anchor_of(block.text()) == anchor:
+                place = self.document().documentLayout().blockBoundingRect(block)
+                self.verticalScrollBar().setValue(int(place.top()))
+                return
+            block = block.next()
 
 
 class HelpWindow(QWidget):
@@ -164,6 +181,16 @@ class HelpWindow(QWidget):
             return
         page = QUrl.fromLocalFile(str(path))
         self.browser.setSource(page, QTextDocument.ResourceType.MarkdownResource)
+
+    def show_section(self, anchor: str) -> None:
+        """Show a section of the troubleshooting guide; the keys where no guide is installed."""
+        try:
+            page = QUrl.fromLocalFile(str(guides_folder() / TROUBLESHOOTING))
+        except UnusableInput:
+            self.show_keys()
+            return
+        self.browser.setSource(page, QTextDocument.ResourceType.MarkdownResource)
+        self.browser.show_heading(anchor)
 
     def show_keys(self) -> None:
         """Show what each key does."""

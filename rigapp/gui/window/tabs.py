@@ -91,12 +91,13 @@ class Tabs(QTabWidget):
     """Own every page; ``panels`` are all panels on them, by name.
 
     ``wanted`` carries requests to the engine, ``said`` sentences, ``asked`` what the window is to
-    do.
+    do, ``help_wanted`` a section of docs/troubleshooting.md.
     """
 
     wanted = Signal(str, dict)
     said = Signal(str, bool)
     asked = Signal(Act)
+    help_wanted = Signal(str)
 
     def __init__(
         self,
@@ -119,6 +120,7 @@ class Tabs(QTabWidget):
             self.said.emit,
             test.ask_revolution,
             self.asked.emit,
+            self.help_wanted.emit,
         )
         self.panels = host.panels
         self._last_page = {tab.place: number for number, tab in reversed(list(enumerate(TABS)))}

@@ -320,6 +320,12 @@ class MainWindow(QMainWindow):
             dress_part(self._help, self.theme)
         self._front(self._help)
 
+    def help_with(self, section: str) -> None:
+        """Show a section of the troubleshooting guide."""
+        self.show_help()
+        if self._help is not None:
+            self._help.show_section(section)
+
     def calibrate(self) -> None:
         """Ask what to calibrate, or go back to the calibration under way; refused during a test."""
         from rigapp.gui.wizard.chooser import CalibrationChooser
@@ -725,6 +731,7 @@ class MainWindow(QMainWindow):
         self.tabs.wanted.connect(self.controls.send)
         self.tabs.said.connect(lambda text, good: self.controls.show_answer(text, good=good))
         self.tabs.asked.connect(self._do)
+        self.tabs.help_wanted.connect(self.help_with)
         for key, call in (
             ("F1", self.show_help),
             (COMMAND_KEY, self.controls.command_line.act),
