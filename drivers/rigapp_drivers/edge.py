@@ -31,7 +31,7 @@ from rigapp_drivers.api import (
     StreamSetup,
     WrongDevice,
 )
-from rigapp_drivers.wire.recorder import recorder_of
+from rigapp_drivers.wire.recorder import recorders_of
 
 log = logging.getLogger(__name__)
 
@@ -163,8 +163,7 @@ class Edge:
 
     def _note(self, **content: object) -> None:
         """Put what was asked and answered beside the bytes, where the line is recorded."""
-        recorder = recorder_of(self.name, self.port)
-        if recorder is not None:
+        for recorder in recorders_of(self.name, self.port):
             recorder.note(content)
 
 

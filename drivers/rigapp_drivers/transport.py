@@ -22,7 +22,7 @@ import serial
 from rigapp.texts import say, sentence_of_error
 from rigapp_drivers.api import BytePort, ConnectionFailed, DeviceLost, Identity
 from rigapp_drivers.wire.ports import RECORDED, PortNotFound, actual_port
-from rigapp_drivers.wire.recorder import WireRecorder, recorder_of
+from rigapp_drivers.wire.recorder import recorders_of
 
 _PORT_ERRORS: tuple[type[Exception], ...] = (OSError, ValueError)
 """What a port raises; pyserial's own error is an OSError."""
@@ -64,7 +64,6 @@ class SerialPort:
         self.low_latency = False
         self.bytes_received = 0
         self.bytes_sent = 0
-        self._recorder: WireRecorder | None = None
         self._serial: Any = None
         self._selectable = False
         self._closing = False
@@ -100,7 +99,6 @@ class SerialPort:
         self._selectable = _can_select(opened)
         self._closing = False
         self.bytes_received = self.bytes_sent = 0
-        self._recorder = recorder_of(self.device, self.port)
         self._serial = opened
 
     def read_some(self, maximum: int, timeout_s: float) -> bytes:
@@ -124,8 +122,8 @@ class SerialPort:
                 except _PORT_ERRORS as error:
                     raise self._lost(error, "reading") from error
                 self.bytes_received += len(data)
-                if self._recorder is not None:
-                    self._recorder.received(data)
+                for recorder in recorders_of(self.device, self.port):
+                    recorder.received(data)
                 if data or left <= 0.0:
                     return data
 
@@ -133,8 +131,8 @@ class SerialPort:
         """Send all bytes within the write time-out; raise DeviceLost."""
         with self._writing:
             opened = self._usable(say("writing"))
-            if self._recorder is not None:
-                self._recorder.sent(data)
+            for recorder in recorders_of(self.device, self.port):
+                recorder.sent(data)
             try:
                 sent = opened.write(data)
             except _PORT_ERRORS as error:
@@ -177,8 +175,8 @@ class SerialPort:
         finally:
             for lock in held:
                 lock.release()
-            if self._recorder is not None:
-                self._recorder.close()
+            for recorder in recorders_of(self.device, self.port):
+                recorder.close()
 
     def _usable(self, doing: str) -> Any:
         opened = self._serial

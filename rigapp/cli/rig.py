@@ -157,10 +157,17 @@ def sim(context: typer.Context, rig: RigArgument) -> int:
 def wire(
     file: Annotated[Path, typer.Argument(help="Recorded line of a device.")],
     raw: Annotated[bool, option("--bytes", "Show the bytes instead of their meaning.")] = False,
+    report: Annotated[
+        Path | None,
+        option("--bug-report", "FILE is a rig file: record its lines, packed into this ZIP file."),
+    ] = None,
+    seconds: Annotated[float, option("--seconds", "How long to record, with --bug-report.")] = 10.0,
 ) -> int:
     """Show what a device and the program said on a recorded line, decoded by its driver."""
-    from rigapp.commands.wire import show_line
+    from rigapp.commands.wire import report_lines, show_line
 
+    if report is not None:
+        return report_lines(file, report, seconds)
     return show_line(file, raw=raw)
 
 

@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 import sys
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_rig
+from rigapp.config.names import login_name
+from rigapp.schema.messages import Status
+from rigapp.service.client import Client
 from rigapp_drivers.registry import DriverNotFound, load_driver
 from rigapp_drivers.wire.trace import RecordKind, TraceError, WireRecord, WireTrace, read_trace
 
+PACKING_S = 120.0
+"""Recordings of all devices, each bounded to some hundred megabytes, are packed within it."""
+LOOK_S = 0.2
 MARKS = {RecordKind.SENT: ">", RecordKind.RECEIVED: "<", RecordKind.NOTE: "#"}
 SHOWN_BYTES = 64
 
@@ -30,6 +38,40 @@ def show_line(path: Path, *, raw: bool = False) -> int:
     if trace.problem:
         print(trace.problem, file=sys.stderr)
     return 1 if trace.problem else 0
+
+
+def report_lines(rig: Path, to: Path, seconds: float) -> int:
+    """Record the lines of a rig's devices for a report of an error; exit status.
+
+    Its engine does it, started where none runs; the devices are connected anew unless the rig is
+    occupied. Raises UnusableInput, EngineUnreachable.
+    """
+    from rigapp.service.launch import attach
+
+    read_rig(rig)
+    file = to.resolve()
+    client = attach(rig, login_name())
+    try:
+        asked = {"file": str(file), "duration_s": seconds, "reconnect": True}
+        reply = client.request("report_begin", asked)
+        if not reply.ok:
+            raise UnusableInput(reply.sentence)
+        print(f"Recording for {seconds:g} s.", file=sys.stderr)
+        deadline = time.monotonic() + seconds + PACKING_S
+        while not (told := _told(client)):
+            if time.monotonic() > deadline:
+                raise UnusableInput("{}: was not written in {:g} s.", file, PACKING_S)
+            time.sleep(LOOK_S)
+    finally:
+        client.close()
+    print(told)
+    return 0 if file.exists() else 1
+
+
+def _told(client: Client) -> str:
+    """Return what came of the report, empty while it is recorded."""
+    report = Status.of_tree(client.request("status").result).engine.line_report
+    return report.sentence if report is not None else ""
 
 
 def shown(trace: WireTrace, *, raw: bool = False) -> Iterator[str]:

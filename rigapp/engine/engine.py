@@ -120,6 +120,7 @@ class Engine:
     ) -> None:
         self._records = dict(records or {})
         self._wires = WireRecording(rig.path.parent, record_wire)
+        self.begin_report, self.end_report = self._wires.begin_report, self._wires.end_report
         self._core = Core(rig, timing or Timing(), on_measured, awake)
         self._ports = dict(ports or {})
         self._load = load

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Final
 
 from rigapp_drivers.api import DriverInfo
-from rigapp_drivers.wire.recorder import WireRecorder, record_line
+from rigapp_drivers.wire.recorder import RecordedFor, WireRecorder, record_line
 
 FOLDER: Final = "wire"
 SUFFIX: Final = ".wire"
@@ -17,7 +16,6 @@ KEPT: Final = 10
 """Recordings of a device that its rig file asks for; older ones are deleted."""
 
 
-@dataclass(frozen=True, slots=True)
 class WireRecording:
     """Tell which lines are recorded and where.
 
@@ -26,8 +24,12 @@ class WireRecording:
     without it.
     """
 
-    folder: Path = Path()
-    file: Path | None = None
+    def __init__(self, folder: Path = Path(), file: Path | None = None) -> None:
+        self.folder, self.file = folder, file
+        self._lines: dict[str, tuple[str, dict[str, Any]]] = {}
+        self._report: Path | None = None
+        self._reported: Collection[str] = ()
+        self._recorders: dict[str, WireRecorder] = {}
 
     def attach(
         self,
@@ -39,9 +41,6 @@ class WireRecording:
     ) -> None:
         """Record a device's line where that is asked for, else no longer."""
         path = self._path(device, wanted)
-        if path is None:
-            record_line(device, port, None)
-            return
         header = {
             "device": device,
             "driver": driver.name,
@@ -49,7 +48,34 @@ class WireRecording:
             "protocol": driver.protocol,
             "settings": dict(settings),
         }
-        record_line(device, port, WireRecorder(path, header))
+        record_line(device, port, WireRecorder(path, header) if path is not None else None)
+        before, _ = self._lines.get(device, (port, header))
+        if before != port:  # a simulated device's is another one each time
+            record_line(device, before, None, RecordedFor.REPORT)
+        self._lines[device] = port, header
+        self._record_for_report(device)
+
+    def begin_report(self, folder: Path, devices: Collection[str]) -> None:
+        """Record the lines of devices into a folder, too; those not open yet once they are."""
+        self.end_report()
+        self._report, self._reported = folder, devices
+        for device in tuple(self._lines):
+            self._record_for_report(device)
+
+    def end_report(self) -> None:
+        """End what ``begin_report`` began; its files are whole then."""
+        self._report, recorders, self._recorders = None, self._recorders, {}
+        for device, recorder in recorders.items():
+            record_line(device, self._lines[device][0], None, RecordedFor.REPORT)
+            recorder.close()
+
+    def _record_for_report(self, device: str) -> None:
+        if self._report is None or device not in self._reported:
+            return
+        port, header = self._lines[device]
+        if device not in self._recorders:
+            self._recorders[device] = WireRecorder(self._report / f"{device}{SUFFIX}", header)
+        record_line(device, port, self._recorders[device], RecordedFor.REPORT)
 
     def _path(self, device: str, wanted: bool) -> Path | None:
         if self.file is not None:

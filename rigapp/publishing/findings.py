@@ -137,6 +137,32 @@ def found_in(one: Passage, computers: frozenset[str], people: frozenset[str]) ->
             yield f"the name of {name}, who is not among the authors"
 
 
+def without_private(text: str, names: Iterable[str]) -> str:
+    """Return a text in which what is private is replaced by what it is, in brackets.
+
+    Home folders, e-mail addresses, addresses of other computers (that of a document, too: it may
+    hold a secret), and names, as whole words. names: of people and computers.
+    """
+    text = _URL.sub(_without_host, text)
+    text = _ROOT.sub("[home]", _HOME.sub("[home]", _MAIL.sub("[e-mail]", text)))
+    text = _LOCAL_NAME.sub("[host]", text)
+    for pattern in (_IPV4, _IPV6):
+        text = pattern.sub(lambda one: "[address]" if _is_elsewhere(one[0]) else one[0], text)
+    for name in sorted(names, key=len, reverse=True):
+        text = re.sub(rf"(?<!\w){re.escape(name)}(?!\w)", "[name]", text, flags=re.IGNORECASE)
+    return text
+
+
+def _without_host(url: re.Match[str]) -> str:
+    scheme, _, rest = url[0].partition("://")
+    try:
+        host = urlsplit(url[0]).hostname or ""
+    except ValueError:
+        host = rest
+    here = host == "localhost" or ((found := _address(host)) is not None and found.is_loopback)
+    return url[0] if scheme in NO_HOST or scheme == "wire" or here else f"{scheme}://[address]"
+
+
 def _addresses(one: Passage) -> Iterator[str]:
     for found in _MAIL.findall(one.text):
         yield f"the e-mail address {found}"

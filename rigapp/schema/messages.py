@@ -258,13 +258,28 @@ class DeviceView(msgspec.Struct, frozen=True):
     help: str = ""
 
 
+class LineReport(msgspec.Struct, frozen=True):
+    """Show the lines that are recorded for a report of an error, or the last report.
+
+    file: the package that is written at the end. since, until: s since 1970; until 0: until it is
+    ended. sentence: what came of it, empty while it is recorded.
+    """
+
+    file: str
+    devices: tuple[str, ...]
+    since: float
+    until: float = 0.0
+    sentence: str = ""
+
+
 class EngineStatus(_UnknownIsNone, frozen=True):
     """Show the engine's own part of a status.
 
     operator: who started the newest test. in_command: who may give commands. rows_dropped: not sent
     to this viewer. queue: the tests of the rig's queue, those that are done among them;
     queue_works: the next one begins by itself. calibration: what occupies the rig, None without
-    one; the state beside it is the engine's own, as viewers of before know no other.
+    one; the state beside it is the engine's own, as viewers of before know no other. line_report:
+    lines that are recorded for a report, or the last such report, None before the first.
     """
 
     state: RunState
@@ -277,6 +292,7 @@ class EngineStatus(_UnknownIsNone, frozen=True):
     queue: tuple[QueuedTest, ...] = ()
     queue_works: bool = False
     calibration: OpenCalibration | None = None
+    line_report: LineReport | None = None
 
 
 class TestStatus(_UnknownIsNone, frozen=True):

@@ -136,6 +136,18 @@ class Zero(msgspec.Struct, frozen=True):
     reason: Words = ""
 
 
+class LinesToReport(msgspec.Struct, frozen=True):
+    """Name the package to write, the devices (none: all), and for how long, 0: until it is ended.
+
+    reconnect: the devices are connected anew, so that their set-up is recorded.
+    """
+
+    file: Name
+    devices: tuple[Name, ...] = ()
+    duration_s: Annotated[float, msgspec.Meta(ge=0.0, le=86400.0)] = 0.0
+    reconnect: bool = False
+
+
 class FaultKind(msgspec.Struct, frozen=True):
     """Name a kind of fault of the simulated rig."""
 
@@ -229,6 +241,8 @@ VERBS = {
         Verb("calibration_begin", BeginCalibration, Lane.WORK, timeout_s=20.0),
         Verb("calibration_end", CalibrationKey, Lane.WORK, Who.ANYONE, timeout_s=30.0),
         Verb("calibration_release", ReleaseCalibration, Lane.WORK, timeout_s=30.0),
+        Verb("report_begin", LinesToReport, Lane.WORK, timeout_s=120.0),
+        Verb("report_end", Nothing, Lane.WORK, timeout_s=60.0),
         Verb("use_records", Nothing, Lane.WORK),
         Verb("zero", Zero, Lane.WORK, timeout_s=60.0),
         Verb("inject_fault", FaultRecord, Lane.WORK),

@@ -48,6 +48,7 @@ from rigapp.schema.messages import (
 from rigapp.schema.notices import Finished
 from rigapp.schema.states import ACTIVE, Refused
 from rigapp.service.bounds import refusal
+from rigapp.service.bugreport import BugReports
 from rigapp.service.calibration import RigCalibration
 from rigapp.service.command import InCommand
 from rigapp.service.lasttest import cut_off, last_wear, remember
@@ -144,6 +145,7 @@ class EngineHost:
         self.calibration = RigCalibration(
             None if own else rig.path, lambda text, who: self.engine.log("calibrating", text, who)
         )
+        self.reports = BugReports(self.engine, lambda: self._rig, self._connect_to_report)
         hands = Hands(self._begin_queued, EXPECTED, self.engine.queue_stopped)
         self.queue = RigQueue(rig.path, hands, self.engine.watch())
         self.handle = RequestHandler(self).handle
@@ -208,6 +210,13 @@ class EngineHost:
         if not self.simulated.suits(parameters) and self.engine.state is not RunState.IDLE:
             self.engine.shutdown()
         self.engine.connect(lambda: self.simulated.ports(parameters))
+
+    def _connect_to_report(self) -> None:
+        """Connect anew for a report of an error; raise Refused while the rig is occupied."""
+        if self.occupied:
+            raise Refused("the rig is occupied; its lines are recorded without connecting anew")
+        with self.starting:
+            self.connect()
 
     def start(
         self,
@@ -422,6 +431,7 @@ class EngineHost:
         """Stop a test under way, tell viewers, release everything; the spindle stands then."""
         self.cancel(say("the engine ends"))
         self.queue.halt()
+        self.reports.close()
         try:
             self.engine.shutdown()
         finally:
@@ -481,6 +491,7 @@ class EngineHost:
             in_command=self.command.holder,
             queue=queue.items,
             queue_works=queue.working,
+            line_report=self.reports.shown,
         )
         pace = 0.0 if speed == "max" else float(speed or 1.0)
         rig = msgspec.structs.replace(status.rig, simulated_speed=pace)

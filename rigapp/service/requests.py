@@ -18,6 +18,7 @@ from rigapp.schema.verbs import (
     BeginCalibration,
     CalibrationKey,
     Hand,
+    LinesToReport,
     Nothing,
     QueueAdd,
     QueueRemove,
@@ -53,6 +54,7 @@ class RequestHandler:
 
     def handle(self, request: Request) -> Reply:
         """Carry out a request; what was refused comes back as one sentence, and is logged."""
+        self._host.reports.note_name(request.operator)
         reply = self._handled(request)
         if not reply.ok:
             log.info("%s refused: %s", request.verb, reply.sentence)
@@ -105,6 +107,8 @@ class RequestHandler:
             "calibration_begin": self._begin_calibration,
             "calibration_end": self._end_calibration,
             "calibration_release": self._release_calibration,
+            "report_begin": self._begin_report,
+            "report_end": lambda a, by: self._host.reports.end(),
             "use_records": lambda a, by: self._host.use_records(by.operator),
             "zero": self._zero_request,
             "inject_fault": lambda a, by: simulated.process.inject(tree_of(a)),
@@ -123,6 +127,11 @@ class RequestHandler:
             behind.note(self._host.engine.samples_processed, int(process.state()["samples"]))
         simulated.hand(asked.what, asked.details)
         return {"after_sample": behind.processed_at(int(process.state()["samples"]))}
+
+    def _begin_report(self, asked: LinesToReport, by: Request) -> Reply:
+        self._host.reports.begin(asked)
+        devices = joined(", ", self._host.reports.shown.devices)
+        return Reply(ok=True, sentence=say("The lines of {} are recorded.", devices))
 
     def _resume_paused(self, asked: Nothing, by: Request) -> None:
         self._host.calibration.judge_viewer(by.client)

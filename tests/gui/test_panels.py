@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -31,6 +32,7 @@ from rigapp.schema.messages import (
     DeviceView,
     DriveView,
     Event,
+    LineReport,
     RunState,
     Severity,
     Status,
@@ -113,6 +115,42 @@ def test_a_device_card_tells_link_and_warnings_apart_and_counts_under_details(
     with qtbot.waitSignal(panel.help_wanted, timeout=PATIENCE_MS) as told:
         card.help.click()
     assert told.args == ["no-answer-or-a-late-one"]
+
+
+def test_lines_are_recorded_for_a_report_and_its_file_is_named(
+    qtbot: Any, qapp: Any, make_status: MakeStatus, asked: list[Any], tmp_path: Path
+) -> None:
+    panel = DevicePanel(LIGHT, Watchdog(), reports=tmp_path)
+    qtbot.addWidget(panel)
+    collect(panel, asked)
+    card = panel.report
+
+    def show(state: RunState, report: LineReport | None) -> None:
+        panel.show_news(News(make_status(state=state, line_report=report)))
+
+    show(RunState.READY, None)
+    assert [card.devices.itemText(at) for at in range(3)] == ["all devices", "daq", "drive"]
+    assert card.told.isHidden()
+    assert not card.end.isEnabled()
+    card.record.click()
+    card.devices.setCurrentIndex(2)
+    card.time.setCurrentIndex(3)
+    show(RunState.RUNNING, None)  # a test is not disturbed
+    card.record.click()
+    (_, all_of_them), (_, one) = asked
+    assert (all_of_them["devices"], all_of_them["duration_s"]) == ([], 10.0)
+    assert all_of_them["reconnect"]
+    assert Path(all_of_them["file"]).parent == tmp_path
+    assert (one["devices"], one["duration_s"], one["reconnect"]) == (["drive"], 0.0, False)
+    report = LineReport(one["file"], ("drive",), time.time() - 5.0)
+    show(RunState.RUNNING, report)
+    assert card.told.text().startswith("Recording drive: 5 s. End and pack it")
+    assert not card.record.isEnabled()
+    card.end.click()
+    assert asked[-1] == ("report_end", {})
+    show(RunState.RUNNING, msgspec.structs.replace(report, sentence="The report is in a.zip."))
+    assert card.told.text() == "The report is in a.zip."
+    assert card.record.isEnabled()
 
 
 def test_channels_show_signal_value_and_what_is_positive(

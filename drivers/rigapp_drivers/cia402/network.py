@@ -42,7 +42,7 @@ from rigapp_drivers.cia402.slcan import Frame, encode_frame
 from rigapp_drivers.exchange import NamedQuestions
 from rigapp_drivers.transport import SerialPort
 from rigapp_drivers.wire.ports import RECORDED, PortNotFound, actual_port
-from rigapp_drivers.wire.recorder import WireRecorder, recorder_of
+from rigapp_drivers.wire.recorder import recorders_of
 
 TRIES: Final = 3  # one lost frame must not stop a test; a node that is silent thrice is gone
 FIRST_TRIES: Final = 10  # until it is identified nothing turns, and a busy computer may be late
@@ -97,7 +97,6 @@ class CanNode:
         self._timeout_s = timeout_s
         self._host_id: int | None = None
         self._bus: Any = None
-        self._recorder: WireRecorder | None = None
         self._thread: threading.Thread | None = None
         self._closing = threading.Event()
         self._failure: Exception | None = None
@@ -151,7 +150,6 @@ class CanNode:
                 interface,
                 error,
             ) from error
-        self._recorder = recorder_of(self.device, self.port)
         name = say("{} CAN receiver", self.device)
         self._thread = threading.Thread(target=self._receive, name=name, daemon=True)
         self._thread.start()
@@ -181,8 +179,8 @@ class CanNode:
         message = can.Message(arbitration_id=identifier, data=data, is_extended_id=False)
         try:
             with self._sending:
-                if self._recorder is not None:
-                    self._recorder.sent(encode_frame(Frame(identifier, bytes(data))))
+                for recorder in recorders_of(self.device, self.port):
+                    recorder.sent(encode_frame(Frame(identifier, bytes(data))))
                 self._bus.send(message, timeout=_SEND_S)
                 self.frames_sent += 1
         except Exception as error:
@@ -200,8 +198,8 @@ class CanNode:
                 bus.shutdown()
             except Exception:
                 _close_port(bus)
-        if self._recorder is not None:
-            self._recorder.close()
+        for recorder in recorders_of(self.device, self.port):
+            recorder.close()
 
     def _receive(self) -> None:
         bus = self._bus
@@ -232,8 +230,8 @@ class CanNode:
             self.bad_frames += 1
             return
         self.frames_received += 1
-        if self._recorder is not None:
-            self._recorder.received(_line_of(message))
+        for recorder in recorders_of(self.device, self.port):
+            recorder.received(_line_of(message))
         taker = self._takers.get(message.arbitration_id)
         if taker is not None and not message.is_remote_frame and not message.is_extended_id:
             taker(bytes(message.data), time.monotonic_ns())

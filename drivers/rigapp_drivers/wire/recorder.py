@@ -7,11 +7,12 @@ one begins.
 
 from __future__ import annotations
 
+import enum
 import logging
 import threading
 import time
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, BinaryIO, Final
@@ -151,17 +152,28 @@ class WireRecorder:
         self.path.replace(self.path.with_name(f"{self.path.name}.{number}"))
 
 
-_RECORDERS: dict[tuple[str, str], WireRecorder] = {}
+class RecordedFor(enum.Enum):
+    """Tell what a line is recorded for: as the user has set it, or for a report of an error."""
+
+    SETTING = "setting"
+    REPORT = "report"
 
 
-def record_line(device: str, port: str, recorder: WireRecorder | None) -> None:
-    """Record the line of a device on a port from its next opening on; None: no longer."""
-    if recorder is None:
-        _RECORDERS.pop((device, port), None)
-    else:
-        _RECORDERS[device, port] = recorder
+_RECORDERS: dict[tuple[str, str], dict[RecordedFor, WireRecorder]] = {}
 
 
-def recorder_of(device: str, port: str) -> WireRecorder | None:
-    """Return what records the line of a device on a port, None where nothing does."""
-    return _RECORDERS.get((device, port))
+def record_line(
+    device: str,
+    port: str,
+    recorder: WireRecorder | None,
+    purpose: RecordedFor = RecordedFor.SETTING,
+) -> None:
+    """Record the line of a device on a port from now on; None: no longer for this purpose."""
+    kept = {**_RECORDERS.get((device, port), {}), purpose: recorder}
+    # A new table in one step: the line's own thread looks into it meanwhile.
+    _RECORDERS[device, port] = {key: one for key, one in kept.items() if one is not None}
+
+
+def recorders_of(device: str, port: str) -> Collection[WireRecorder]:
+    """Return what records the line of a device on a port now, often nothing."""
+    return _RECORDERS.get((device, port), {}).values()

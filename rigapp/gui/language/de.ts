@@ -4512,6 +4512,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>, Auslösung</translation>
     </message>
     <message>
+        <source>/dev/serial/by-id/..., can0</source>
+        <translation>/dev/serial/by-id/..., can0</translation>
+    </message>
+    <message>
         <source>1 alarm in the test</source>
         <translation>1 Alarm im Versuch</translation>
     </message>
@@ -5064,6 +5068,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Gerät oder Mittel belegt</translation>
     </message>
     <message>
+        <source>Devices to record</source>
+        <translation>Aufzuzeichnende Geräte</translation>
+    </message>
+    <message>
         <source>Digital line with line B of the encoder, for the direction; with the encoder clock</source>
         <translation>Digitalleitung mit Spur B des Drehgebers, für die Drehrichtung; mit dem Takt des Drehgebers</translation>
     </message>
@@ -5148,6 +5156,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Drehgeber und Antrieb zeigen, dass die Kurbel rückwärts dreht, obwohl vorwärts befohlen war: die Motorleitungen prüfen, und A und B des Drehgebers am Antrieb</translation>
     </message>
     <message>
+        <source>End and pack</source>
+        <translation>Beenden und packen</translation>
+    </message>
+    <message>
         <source>End calibration…</source>
         <translation>Kalibrierung beenden…</translation>
     </message>
@@ -5158,6 +5170,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>End the calibration that occupies the rig</source>
         <translation>Die Kalibrierung beenden, die den Prüfstand belegt</translation>
+    </message>
+    <message>
+        <source>End the recording and pack it</source>
+        <translation>Die Aufzeichnung beenden und packen</translation>
     </message>
     <message>
         <source>End the scan list by slist n 65535, in case a longer one is in the device</source>
@@ -5550,6 +5566,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Keep this angle and turn the level end for end</source>
         <translation>Diesen Winkel behalten und die Wasserwaage umdrehen</translation>
+    </message>
+    <message>
+        <source>Keeps every byte on the line and packs it with log, rig file and versions into one file for whoever helps you. Names, folders, addresses and keys are taken out.</source>
+        <translation>Hält jedes Byte auf der Leitung fest und packt es mit Protokoll, Prüfstandsdatei und Versionen in eine Datei für den, der hilft. Namen, Ordner, Adressen und Schlüssel werden entfernt.</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -6584,8 +6604,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Neu verbinden</translation>
     </message>
     <message>
+        <source>Reconnect first</source>
+        <translation>Zuerst neu verbinden</translation>
+    </message>
+    <message>
         <source>Record</source>
         <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Record for a bug report</source>
+        <translation>Für einen Fehlerbericht aufzeichnen</translation>
     </message>
     <message>
         <source>Record the digital lines D0 to D6 as another row (an encoder index, say)</source>
@@ -6606,6 +6634,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Recorded tests, newest first</source>
         <translation>Aufgezeichnete Versuche, neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Recording {}: {:.0f} s, {:.0f} s left.</source>
+        <translation>Aufzeichnung von {}: {:.0f} s, noch {:.0f} s.</translation>
+    </message>
+    <message>
+        <source>Recording {}: {:.0f} s. End and pack it when you have seen it.</source>
+        <translation>Aufzeichnung von {}: {:.0f} s. Beenden und packen, sobald der Fehler zu sehen war.</translation>
+    </message>
+    <message>
+        <source>Records how the devices are found and set up, too. Not while a test runs.</source>
+        <translation>Zeichnet auch auf, wie die Geräte gefunden und eingestellt werden. Nicht während eines Versuchs.</translation>
     </message>
     <message>
         <source>Recover</source>
@@ -7616,6 +7656,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Datensatz ist gespeichert und schreibgeschützt: {}.</translation>
     </message>
     <message>
+        <source>The report could not be written</source>
+        <translation>Der Bericht konnte nicht geschrieben werden</translation>
+    </message>
+    <message>
         <source>The revolutions concerned are flagged as gaps.</source>
         <translation>Die betroffenen Umdrehungen sind als Lücken gekennzeichnet.</translation>
     </message>
@@ -7818,6 +7862,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Time of the samples that are handed over together</source>
         <translation>Dauer der Messwerte, die zusammen übergeben werden</translation>
+    </message>
+    <message>
+        <source>Time to record</source>
+        <translation>Dauer der Aufzeichnung</translation>
     </message>
     <message>
         <source>Title, specimen, file, operator, reason</source>
@@ -8066,6 +8114,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>What is positive</source>
         <translation>Was positiv ist</translation>
+    </message>
+    <message>
+        <source>What is recorded</source>
+        <translation>Was aufgezeichnet wird</translation>
+    </message>
+    <message>
+        <source>What is recorded for a bug report</source>
+        <translation>Was für einen Fehlerbericht aufgezeichnet wird</translation>
     </message>
     <message>
         <source>What is started</source>
@@ -8554,6 +8610,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>air density</source>
         <translation>Dichte der Luft</translation>
+    </message>
+    <message>
+        <source>all devices</source>
+        <translation>alle Geräte</translation>
     </message>
     <message>
         <source>all {} cycles are in the file</source>
@@ -9336,6 +9396,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>keine Kraft aufgezeichnet</translation>
     </message>
     <message>
+        <source>no line is being recorded for a report</source>
+        <translation>es wird keine Leitung für einen Bericht aufgezeichnet</translation>
+    </message>
+    <message>
         <source>no prediction</source>
         <translation>keine Vorhersage</translation>
     </message>
@@ -9578,6 +9642,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>release command</source>
         <translation>Kommando abgeben</translation>
+    </message>
+    <message>
+        <source>report begin</source>
+        <translation>Bericht beginnen</translation>
+    </message>
+    <message>
+        <source>report end</source>
+        <translation>Bericht beenden</translation>
     </message>
     <message>
         <source>reset</source>
@@ -9900,6 +9972,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>das Verschleißmodell {:g} der Datei ist hier unbekannt</translation>
     </message>
     <message>
+        <source>the lines are being recorded already; end that first</source>
+        <translation>die Leitungen werden schon aufgezeichnet; das zuerst beenden</translation>
+    </message>
+    <message>
         <source>the load cell</source>
         <translation>den Kraftsensor</translation>
     </message>
@@ -10006,6 +10082,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the rig file</source>
         <translation>die Prüfstandsdatei</translation>
+    </message>
+    <message>
+        <source>the rig is occupied; its lines are recorded without connecting anew</source>
+        <translation>der Prüfstand ist belegt; seine Leitungen werden ohne neues Verbinden aufgezeichnet</translation>
     </message>
     <message>
         <source>the rig: devices, wiring, calibration; read it through once</source>
@@ -10158,6 +10238,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>until ended</source>
         <translation>bis zum Beenden</translation>
+    </message>
+    <message>
+        <source>until it is ended</source>
+        <translation>bis sie beendet wird</translation>
     </message>
     <message>
         <source>upper 95 % limit of it</source>
@@ -11735,6 +11819,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die letzte Prüfung liegt {} Standardabweichungen {} dem Mittel aller vorigen: sie wiederholen; bleibt es dabei, vor dem Versuch die Ursache suchen</translation>
     </message>
     <message>
+        <source>The lines of {} are recorded</source>
+        <translation>Die Leitungen von {} werden aufgezeichnet</translation>
+    </message>
+    <message>
         <source>The log is damaged from its row {} on</source>
         <translation>Das Protokoll ist ab Zeile {} beschädigt</translation>
     </message>
@@ -11809,6 +11897,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The record {}: its result cannot be verified</source>
         <translation>Der Datensatz {}: Sein Ergebnis lässt sich nicht nachprüfen</translation>
+    </message>
+    <message>
+        <source>The report is in {}</source>
+        <translation>Der Bericht ist in {}</translation>
     </message>
     <message>
         <source>The running check is passed: at {:.0f} rpm force_1 changes by {:+.2f} N, {:+.2f} N are known, the uncertainty is {:.2f} N. The cell tells mass times radius as {:.3f} kg mm, +- {:.3f}</source>
@@ -14375,6 +14467,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: Jedes Geheimnis ist ein Text in Anführungszeichen und nicht leer</translation>
     </message>
     <message>
+        <source>{}: exists already; nothing is overwritten</source>
+        <translation>{}: gibt es schon; nichts wird überschrieben</translation>
+    </message>
+    <message>
         <source>{}: exists and is not overwritten; name another record</source>
         <translation>{}: gibt es schon und wird nicht überschrieben; einen anderen Datensatz nennen</translation>
     </message>
@@ -14471,6 +14567,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: Zeile {} wurde geändert, oder eine Zeile davor fehlt; an diese Datei wird nur angefügt. Eine andere beginnen und diese aufheben</translation>
     </message>
     <message>
+        <source>{}: name a file by its whole path, with the ending .zip</source>
+        <translation>{}: eine Datei mit ganzem Pfad und der Endung .zip nennen</translation>
+    </message>
+    <message>
         <source>{}: name the address of one interface, not all of them</source>
         <translation>{}: die Adresse einer Schnittstelle nennen, nicht alle</translation>
     </message>
@@ -14485,6 +14585,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}: the key cannot be read</source>
         <translation>{}: der Schlüssel lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>{}: there is no device {}</source>
+        <translation>{}: es gibt kein Gerät {}</translation>
     </message>
     <message>
         <source>{}: this file is of an older version, which kept nothing by which its rows could be proved; take another copy</source>

@@ -6,6 +6,7 @@ import time
 from collections import deque
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import Signal
@@ -14,6 +15,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.panel import Host, StallCounter
+from rigapp.gui.panels.linereport import LineReportCard
 from rigapp.gui.widgets.build import (
     button,
     column,
@@ -198,7 +200,11 @@ class DevicePanel(QWidget):
     takes = Takes.HISTORY
 
     def __init__(
-        self, theme: Theme, watchdog: StallCounter, clock: Callable[[], float] = time.monotonic
+        self,
+        theme: Theme,
+        watchdog: StallCounter,
+        clock: Callable[[], float] = time.monotonic,
+        reports: Path = Path("results"),
     ) -> None:
         super().__init__()
         self._theme = theme
@@ -214,6 +220,8 @@ class DevicePanel(QWidget):
             stretch=(4, 5),
             cut=(0, 4),
         )
+        self.report = LineReportCard(reports)
+        self.report.wanted.connect(self.wanted)
         self.drive = PlainTable("drive_table", "Drive", ("Drive", "Now"))
         self.health = PlainTable("health_table", "Engine and window", ("Engine and window", "Now"))
         self._build()
@@ -251,7 +259,8 @@ class DevicePanel(QWidget):
         for title, table in (("Drive", self.drive), ("Engine and window", self.health)):
             lower.addWidget(_carded(title, table))
         made = filled(
-            QVBoxLayout(inside), (self._cards, tools, _carded("Channels", self.channels), lower)
+            QVBoxLayout(inside),
+            (self._cards, tools, _carded("Channels", self.channels), self.report, lower),
         )
         made.setContentsMargins(0, 0, 0, 0)
         made.setSpacing(GAP)
@@ -273,6 +282,7 @@ class DevicePanel(QWidget):
             self._show_channels(status, told, sampled)
             self._show_drive(status, told)
         self._show_health(status, silence_s)
+        self.report.show_status(status)
         self._enable()
 
     def _show_devices(self, status: Status) -> None:
@@ -387,7 +397,7 @@ def _suffix(age: Age) -> str:
 
 def device_page(host: Host) -> QWidget:
     """Make the page of devices and channels."""
-    panel = host.add("devices", DevicePanel(host.theme, host.stalls))
+    panel = host.add("devices", DevicePanel(host.theme, host.stalls, reports=host.results_folder))
     panel.wanted.connect(host.ask)
     panel.help_wanted.connect(host.help)
     return panel

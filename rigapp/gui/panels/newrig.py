@@ -71,8 +71,8 @@ class BoxCard(QFrame):
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
             )
             field.setMinimumContentsLength(LEAST_CHARACTERS)
-        typed = edit(f"{name}_port_text", tr("{}: port", words))
-        typed.setPlaceholderText("/dev/serial/by-id/..., can0")
+        hint: Text = "/dev/serial/by-id/..., can0"
+        typed = edit(f"{name}_port_text", tr("{}: port", words), hint=hint)
         self.port.setLineEdit(typed)
         self.port.currentTextChanged.connect(self._show_who)
         self.who = prose(f"{name}_who", tr("{}: who answers", words), role="caption")

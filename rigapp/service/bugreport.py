@@ -1,0 +1,260 @@
+"""Record the lines of devices for a report of an error, and pack it with what explains it.
+
+What goes to others names no people, computers, folders or addresses; serial numbers stay.
+"""
+
+from __future__ import annotations
+
+import getpass
+import json
+import platform
+import re
+import socket
+import tempfile
+import threading
+import time
+import zipfile
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import ExitStack
+from importlib import metadata
+from pathlib import Path
+from typing import Any, Final
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import Document
+from rigapp.config.rig import RigFile
+from rigapp.config.toml import toml_text, toml_tree
+from rigapp.config.writing import whole_file
+from rigapp.engine.engine import Engine
+from rigapp.process.logs import in_file
+from rigapp.publishing.findings import PROGRAM, without_private
+from rigapp.schema.messages import LineReport
+from rigapp.schema.states import Refused
+from rigapp.schema.verbs import LinesToReport
+from rigapp.texts import say, sentence_of_error
+from rigapp_drivers.wire.trace import MAGIC, RecordKind, encode_note, encode_record, read_trace
+
+PRIVATE_SECTIONS: Final = ("notify", "ping", "records")
+"""Of a rig file: whom messages go to, and where keys are."""
+PRIVATE_FIELDS: Final = ("operator", "in_command", "queue", "file", "line_report")
+"""Of a status: people, and folders of theirs."""
+MOST_NAMES: Final = 1000
+SHORTEST_NAME: Final = 3
+"""Characters; shorter ones stand in many words by chance."""
+
+ABOUT: Final = """\
+Lines of {devices}, recorded by rigapp {version} from {since} to {until} (UTC).
+
+*.wire        what was said on the line: rigapp wire FILE shows it, port = "wire:FILE" plays it
+rig.toml      the rig file without comments
+log.txt       the program's remarks meanwhile
+status.json   state, alarms and counters at the end
+versions.json the program's and the system's versions
+
+Names of people and computers, folders, addresses and keys are taken out. Serial numbers are in it.
+{silent}"""
+
+
+class BugReports:
+    """Record for one report at a time; what was recorded is packed when its time is up.
+
+    rig: the rig file as it is in use. connect: connects the devices; raises what that raises.
+    """
+
+    def __init__(
+        self, engine: Engine, rig: Callable[[], Document[RigFile]], connect: Callable[[], None]
+    ) -> None:
+        self._engine, self._rig, self._connect = engine, rig, connect
+        self._lock = threading.RLock()
+        self._names = set(_names_here())
+        self._open: ExitStack | None = None
+        self._folder = Path()
+        self._timer: threading.Timer | None = None
+        self.shown: LineReport | None = None
+
+    def note_name(self, name: str) -> None:
+        """Remember who gives commands: the name is taken out of what is packed."""
+        if name not in PROGRAM and len(self._names) < MOST_NAMES:
+            self._names.update(_spellings(name))
+
+    def begin(self, asked: LinesToReport) -> None:
+        """Begin to record; raise Refused, UnusableInput."""
+        rig, file = self._rig(), Path(asked.file)
+        known = tuple(rig.record.devices)
+        for device in asked.devices:
+            if device not in known:
+                raise UnusableInput("{}: there is no device {}.", rig.path, repr(device))
+        if file.suffix != ".zip" or not file.is_absolute():
+            raise UnusableInput("{}: name a file by its whole path, with the ending .zip.", file)
+        if file.exists():
+            raise UnusableInput("{}: exists already; nothing is overwritten.", file)
+        with self._lock:
+            if self._open is not None:
+                raise Refused("the lines are being recorded already; end that first")
+            self._open = ExitStack()
+            self._folder = Path(
+                self._open.enter_context(tempfile.TemporaryDirectory(prefix="rigapp-report-"))
+            )
+            self._open.enter_context(in_file(self._folder / "log.txt"))
+            devices = asked.devices or known
+            self._engine.begin_report(self._folder, devices)
+            self._open.callback(self._engine.end_report)
+            self.shown = LineReport(str(file), devices, time.time())
+        if asked.reconnect:
+            try:
+                self._connect()
+            except Exception as error:  # what fails is what is reported
+                self._engine.log("device", sentence_of_error(error), "engine")
+        if asked.duration_s:
+            self._end_after(asked.duration_s)
+
+    def _end_after(self, seconds: float) -> None:
+        with self._lock:
+            if self._open is None or self.shown is None:
+                return
+            self.shown = msgspec.structs.replace(self.shown, until=time.time() + seconds)
+            self._timer = threading.Timer(seconds, self._time_is_up)
+            self._timer.name, self._timer.daemon = "end of report", True
+            self._timer.start()
+
+    def _time_is_up(self) -> None:
+        try:
+            self.end()
+        except (UnusableInput, Refused):  # its sentence is shown
+            return
+
+    def end(self) -> str:
+        """End the recording and pack it; return the file. Raises Refused, UnusableInput."""
+        with self._lock:
+            if self._open is None or self.shown is None:
+                raise Refused("no line is being recorded for a report")
+            opened, self._open = self._open, None
+            if self._timer is not None:
+                self._timer.cancel()
+                self._timer = None
+            self._engine.end_report()
+            with opened:
+                try:
+                    self._pack(self.shown)
+                except (OSError, UnusableInput) as error:
+                    words = say("The report could not be written ‹{}›.", sentence_of_error(error))
+                    self.shown = msgspec.structs.replace(self.shown, sentence=words)
+                    raise UnusableInput("{}: {}", self.shown.file, words) from error
+            words = say("The report is in {}.", self.shown.file)
+            self.shown = msgspec.structs.replace(self.shown, sentence=words)
+            return self.shown.file
+
+    def close(self) -> None:
+        """Pack what is being recorded."""
+        if self._open is not None:
+            self._time_is_up()
+
+    def _pack(self, report: LineReport) -> None:
+        status = self._engine.status()
+        names = frozenset({*self._names, *_spellings(status.engine.operator)})
+        tree = {key: value for key, value in status.tree().items() if key not in PRIVATE_FIELDS}
+        traces = sorted(self._folder.glob("*.wire*"))
+        recorded = {one.name.partition(".wire")[0] for one in traces}
+        silent = [one for one in report.devices if one not in recorded]
+        texts = {
+            "report.txt": ABOUT.format(
+                devices=", ".join(report.devices),
+                version=_version("rigapp"),
+                since=_utc(report.since),
+                until=_utc(time.time()),
+                silent=f"Nothing was said on the line of {', '.join(silent)}." if silent else "",
+            ),
+            "rig.toml": _public_rig(self._rig()),
+            "status.json": json.dumps(tree, indent=1, default=str, ensure_ascii=False),
+            "versions.json": json.dumps(versions(), indent=1),
+            "log.txt": _text_of(self._folder / "log.txt"),
+        }
+        Path(report.file).parent.mkdir(parents=True, exist_ok=True)
+        with (
+            whole_file(Path(report.file), new=True) as part,
+            zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED) as package,
+        ):
+            for name, text in texts.items():
+                package.writestr(name, without_private(text, names))
+            for trace in traces:
+                package.writestr(trace.name, b"".join(_public_trace(trace, names)))
+
+
+def versions() -> dict[str, str]:
+    """Return the versions of the program, of the packages that it names, and of the system."""
+    needed = (re.split(r"[^\w.-]", one)[0] for one in metadata.requires("rigapp") or ())
+    found = {name: _version(name) for name in dict.fromkeys(("rigapp", *needed))}
+    system = {"python": platform.python_version(), "system": platform.platform()}
+    return {**system, **{name: version for name, version in found.items() if version}}
+
+
+def _version(package: str) -> str:
+    try:
+        return metadata.version(package)
+    except metadata.PackageNotFoundError:
+        return ""
+
+
+def _utc(moment: float) -> str:
+    return time.strftime("%Y-%m-%d %H:%M:%S", time.gmtime(moment))
+
+
+def _text_of(log: Path) -> str:
+    """Return what a log holds, the file before it first."""
+    parts = (log.with_name(f"{log.name}.1"), log)
+    return "".join(one.read_text("utf-8", "replace") for one in parts if one.exists())
+
+
+def _public_rig(rig: Document[RigFile]) -> str:
+    """Return a rig file as it was read, without comments and private sections."""
+    tree = toml_tree(rig.text, rig.path)
+    return toml_text({key: value for key, value in tree.items() if key not in PRIVATE_SECTIONS})
+
+
+def _public_trace(path: Path, names: Iterable[str]) -> Iterator[bytes]:
+    """Yield a recorded line whose notes hold nothing private; its bytes stay."""
+    trace = read_trace(path)
+    first_ns = trace.records[0].time_ns if trace.records else 0
+    yield MAGIC
+    yield encode_note(first_ns, _public(trace.header, names))
+    for record in trace.records:
+        if record.kind is RecordKind.NOTE:
+            yield encode_note(record.time_ns, _public(record.note, names))
+        else:
+            yield encode_record(record.kind, record.time_ns, record.data)
+
+
+def _public(tree: Any, names: Iterable[str]) -> Any:
+    if isinstance(tree, str):
+        return without_private(tree, names)
+    if isinstance(tree, dict):
+        return {key: _public(value, names) for key, value in tree.items()}
+    if isinstance(tree, list):
+        return [_public(value, names) for value in tree]
+    return tree
+
+
+def _names_here() -> Iterator[str]:
+    """Yield the names of this account and this computer."""
+    host = socket.gethostname()
+    yield from (one for one in (host, host.partition(".")[0]) if len(one) >= SHORTEST_NAME)
+    try:
+        login = getpass.getuser()
+    except (KeyError, OSError, ImportError):
+        return
+    yield from _spellings(login)
+    try:
+        import pwd
+
+        yield from _spellings(pwd.getpwnam(login).pw_gecos.partition(",")[0])
+    except (ImportError, KeyError):
+        return
+
+
+def _spellings(name: str) -> Iterator[str]:
+    """Yield a name and its words, as far as they are long enough to tell somebody."""
+    for one in (name.strip(), *re.split(r"[\s.,_-]+", name)):
+        if len(one) >= SHORTEST_NAME:
+            yield one
