@@ -49,10 +49,11 @@ def escape_bars(_app: Any, _what: str, _name: str, _of: Any, _how: Any, lines: l
 
 
 def setup(app: Any) -> None:
-    """Connect with Sphinx; write the page of the commands."""
+    """Connect with Sphinx; write the pages of the commands and of the keys."""
     sys.path.insert(0, str(HERE))
-    from reference import command_reference
+    from reference import command_reference, key_reference
 
     (HERE / "api").mkdir(exist_ok=True)
     (HERE / "api" / "commands.md").write_text(command_reference(), "utf-8")
+    (HERE / "api" / "keys.md").write_text(key_reference(), "utf-8")
     app.connect("autodoc-process-docstring", escape_bars)

@@ -95,11 +95,11 @@ class _Writer:
             words += f" {self._notes[key.path]}"
         yield from _comment(words)
         if stated is not None and name in stated:
-            yield f"{name} = {_toml(stated[name])}"
+            yield f"{name} = {toml_value(stated[name])}"
         elif key.default is msgspec.NODEFAULT or key.default is None:
             yield f"# {name} ="
         else:
-            yield f"# {name} = {_toml(key.default)}"
+            yield f"# {name} = {toml_value(key.default)}"
 
     def _driver(self, name: str, stated: Mapping[str, Any]) -> Iterator[str]:
         """Yield the settings of a device's driver."""
@@ -111,12 +111,16 @@ class _Writer:
         for key, spec in self._settings[device].items():
             words = spec.sentence
             if spec.choices:
-                words += f" One of {', '.join(map(_toml, spec.choices))}."
+                words += f" One of {', '.join(map(toml_value, spec.choices))}."
             elif spec.minimum is not None and spec.maximum is not None:
                 words += f" Allowed: {spec.minimum:.9g} to {spec.maximum:.9g}."
             yield from _comment(words)
             value = stated.get(key, spec.default)
-            yield f"{key} = {_toml(value)}" if key in stated else f"# {key} = {_toml(value)}"
+            yield (
+                f"{key} = {toml_value(value)}"
+                if key in stated
+                else f"# {key} = {toml_value(value)}"
+            )
 
 
 def _comment(words: str) -> list[str]:
@@ -125,10 +129,10 @@ def _comment(words: str) -> list[str]:
     )
 
 
-def _toml(value: Any) -> str:
+def toml_value(value: Any) -> str:
     """Return a value as TOML writes it, on one line."""
     if isinstance(value, list | tuple):
-        return f"[{', '.join(map(_toml, value))}]"
+        return f"[{', '.join(map(toml_value, value))}]"
     if isinstance(value, dict):
-        return "{" + ", ".join(f" {key} = {_toml(one)}" for key, one in value.items()) + " }"
+        return "{" + ", ".join(f" {key} = {toml_value(one)}" for key, one in value.items()) + " }"
     return tomlkit.item(str(value) if isinstance(value, str) else value).as_string()

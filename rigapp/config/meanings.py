@@ -27,9 +27,15 @@ DIALECT: Final = "http://json-schema.org/draft-07/schema#"
 
 
 @functools.cache
+def key_table() -> Mapping[str, Mapping[str, str]]:
+    """Return a sentence for each key, by kind of file (a table of keys.toml) and path."""
+    return tomllib.loads(files("rigapp.config").joinpath("keys.toml").read_text("utf-8"))
+
+
+@functools.cache
 def meanings() -> Mapping[type[msgspec.Struct], Mapping[str, str]]:
     """Return a sentence for each key of a kind of file, by its path."""
-    table = tomllib.loads(files("rigapp.config").joinpath("keys.toml").read_text("utf-8"))
+    table = key_table()
     model = {f"model.{path}": words for path, words in table["parameters"].items()}
     return {
         RigFile: table["rig"],
@@ -40,7 +46,12 @@ def meanings() -> Mapping[type[msgspec.Struct], Mapping[str, str]]:
 
 def meaning_of(kind: type[msgspec.Struct], key: Key) -> str:
     """Return what a key means, with its unit, range and choices, as one or two sentences."""
-    parts = [meanings()[kind][key.path]]
+    return described(meanings()[kind][key.path], key)
+
+
+def described(words: str, key: Key) -> str:
+    """Return the sentence of a key with its unit, range and choices."""
+    parts = [words]
     parts += [f"{key.words[0].upper()}{key.words[1:]}."] if key.words else []
     unit = unit_of(key.path, key.range)
     if math.isfinite(key.range.low):
