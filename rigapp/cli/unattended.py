@@ -85,16 +85,26 @@ def service_install(
     token: TokenOption = None,
     certificate: CertificateOption = None,
     key: KeyOption = None,
+    rules: Annotated[
+        bool, option("--rules", "Only the udev rules for the ports of a rig; needs root.")
+    ] = False,
     show: Annotated[bool, option("--show", "Print the units; write and start nothing.")] = False,
 ) -> int:
     """Start engines and page with the computer; an engine connects and tells, nothing turns."""
     from rigapp.commands import service
 
+    if rules:
+        if rig or page or show:
+            raise UnusableInput("--rules is for root, the other options are for a user; part them.")
+        return service.install_rules()
+
     units = [service.engine_unit(one) for one in rig or []]
     if page:
         units.append(service.page_unit(page_bind, token, certificate, key))
     if not units:
-        raise UnusableInput("Name what is to start with the computer: --rig RIG.toml, --page.")
+        raise UnusableInput(
+            "Name what is to start with the computer: --rig RIG.toml, --page; or --rules."
+        )
     return service.show(units) if show else service.install(units)
 
 

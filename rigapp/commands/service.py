@@ -6,6 +6,7 @@ turns by itself.
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -16,9 +17,10 @@ from pathlib import Path
 
 import platformdirs
 
-from rigapp.commands.doctor import rules_advice
+from rigapp.commands.doctor import RULES_FOLDERS, RULES_NAME, installed_drivers, port_rules
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
+from rigapp.config.writing import whole_file
 from rigapp.process.children import module_command
 
 PAGE = "rigapp-page.service"
@@ -124,13 +126,43 @@ def install(units: Sequence[SystemdUnit]) -> int:
     if not _asked("daemon-reload") or not _asked("enable", "--now", *names):
         return 1
     print(f"Started, and started with the computer: {', '.join(names)}")
-    for one in rules_advice():
-        print(f"{one.subject}: {one.text}")
+    install_rules()
     if not _lingers():
         print(
             "They start when you log in and end when you log out; to have them from the start of"
             " the computer on: loginctl enable-linger"
         )
+    return 0
+
+
+def rules_folder() -> Path:
+    """Return where the rules of this computer are."""
+    return RULES_FOLDERS[0]
+
+
+def install_rules(folder: Path | None = None) -> int:
+    """Write the udev rules for the ports where this user may; else print what to run. Exit status.
+
+    Rules that are there as they would be written, and a system without udev, need nothing.
+    """
+    folder = folder or rules_folder()
+    path, text = folder / RULES_NAME, port_rules(installed_drivers([]))
+    if not folder.is_dir():
+        print("Rules for ports: this system has no udev, and needs none.")
+        return 0
+    if path.is_file() and path.read_text("utf-8", "replace") == text:
+        print(f"Rules for ports: {path} is up to date.")
+        return 0
+    if not os.access(folder, os.W_OK):
+        program = command_line(module_command("rigapp", "service", "install", "--rules"))
+        print(f"Rules for ports: not installed, only root may. Run once: sudo {program}")
+        return 1
+    with whole_file(path) as part:
+        part.write_text(text, "utf-8")
+    print(f"Written: {path}")
+    done = [_ran("udevadm", *words) for words in (("control", "--reload"), ("trigger",))]
+    if not all(done):
+        print("Restart the computer, or plug the boxes in again, so that the rules are used.")
     return 0
 
 
@@ -173,23 +205,29 @@ def _owner(path: Path) -> str:
 
 def _asked(*arguments: str) -> bool:
     """Ask the user's systemd for something; say on standard error why it was not done."""
-    if shutil.which("systemctl") is None:
-        print("rigapp: there is no systemctl here; the files are as told.", file=sys.stderr)
+    return _ran("systemctl", "--user", *arguments)
+
+
+def _ran(program: str, *arguments: str) -> bool:
+    """Run a program of the system; say on standard error why it did not do what it should."""
+    command = " ".join((program, *arguments[:2]))
+    if shutil.which(program) is None:
+        print(f"rigapp: there is no {program} here; the files are as told.", file=sys.stderr)
         return False
     try:
         done = subprocess.run(
-            ["systemctl", "--user", *arguments],
+            [program, *arguments],
             capture_output=True,
             text=True,
             timeout=SYSTEMCTL_S,
             check=False,
         )
     except subprocess.TimeoutExpired:
-        print(f"rigapp: systemctl {arguments[0]} did not answer in a minute.", file=sys.stderr)
+        print(f"rigapp: {command} did not answer in a minute.", file=sys.stderr)
         return False
     if done.returncode:
         why = " ".join(done.stderr.split()) or f"exit status {done.returncode}"
-        print(f"rigapp: systemctl --user {arguments[0]}: {why}", file=sys.stderr)
+        print(f"rigapp: {command}: {why}", file=sys.stderr)
     return done.returncode == 0
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from rigapp.commands import service
+from rigapp.commands.doctor import RULES_NAME
 from rigapp.config.errors import UnusableInput
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -35,6 +36,8 @@ def asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], list[
         path.chmod(0o755)
     monkeypatch.setenv("PATH", f"{programs}:/usr/bin:/bin")
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    # The tests may run as root, and the computer's own rules are no business of theirs.
+    monkeypatch.setattr(service, "rules_folder", lambda: tmp_path / "no udev")
     return lambda: notes.read_text("utf-8").splitlines()
 
 
@@ -90,6 +93,38 @@ def test_units_are_enabled_and_taken_away_again(
     assert service.remove([]) == 0
     with pytest.raises(UnusableInput, match="nothing of rigapp's"):
         service.remove([])
+
+
+def test_the_rules_for_ports_are_written_once_where_one_may(
+    tmp_path: Path,
+    asked: Callable[[], list[str]],
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    folder = tmp_path / "rules.d"
+    assert service.install_rules(folder) == 0
+    assert "no udev" in capsys.readouterr().out
+    folder.mkdir()
+    udevadm = tmp_path / "programs" / "udevadm"
+    shutil.copy(tmp_path / "programs" / "systemctl", udevadm)
+    assert service.install_rules(folder) == 0
+    path = folder / RULES_NAME
+    assert "ID_MM_PORT_IGNORE" in path.read_text("utf-8")
+    assert len(asked()) == 2
+    assert service.install_rules(folder) == 0
+    assert "up to date" in capsys.readouterr().out
+    assert len(asked()) == 2, "nothing is asked twice"
+    path.write_text("# of an older version\n", "utf-8")
+    monkeypatch.setattr("os.access", lambda *_: False)
+    assert service.install_rules(folder) == 1
+    told = capsys.readouterr().out
+    assert "Run once: sudo" in told
+    assert shlex.split(told.partition("sudo ")[2])[1:] == [
+        "-P", "-m", "rigapp", "service", "install", "--rules",
+    ]  # fmt: skip
+    monkeypatch.undo()
+    assert service.install_rules(folder) == 0
+    assert path.read_text("utf-8").startswith(f"# {RULES_NAME}")
 
 
 def test_the_unit_of_another_rig_is_never_overwritten(
