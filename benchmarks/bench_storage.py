@@ -63,7 +63,10 @@ class InPlace:
     """Store in the file made beforehand; a thread places and commits, as in the engine."""
 
     def __init__(self, folder: Path, revolutions: int) -> None:
-        plan = FilePlan(revolutions, revolutions // EVERY, SAMPLES, prediction=False)
+        plan = FilePlan(
+            revolutions, revolutions // EVERY, SAMPLES,
+            prediction=False, cycle_reason=True, checksums=True,
+        )  # fmt: skip
         self.path = folder / "in-place.h5"
         self._writer = create_test(self.path, plan, METADATA)
         self.row = self._writer.append_row
@@ -289,6 +292,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory(dir=options.folder) as name:
         compare(Path(name), options.seconds, cycles=True)
         compare(Path(name), options.seconds, cycles=False)
+        compare_checksums(Path(name))
         time_calls(Path(name), 4.0 * options.seconds)
         watch_memory(Path(name), options.rows)
         count_pages(Path(name))
@@ -351,6 +355,48 @@ def _judge_peers(rates: dict[str, list[tuple[float, float]]]) -> None:
             continue
         ratio = own / float(np.median([taken for taken, _ in rates[name]]))
         print(f"in place against {name}: {ratio:.1f} times (goal {goal})")
+
+
+def compare_checksums(folder: Path) -> None:
+    """Print what a row and a whole cycle cost the thread that appends, with and without checksums.
+
+    Least processor time of many rounds, which take turns: other programs of this computer only add.
+    """
+    values = np.arange(len(ROW_NAMES), dtype=np.float64)
+    noise = np.random.default_rng(1).normal(0.0, 50.0, SAMPLES)
+    columns = {name: noise.astype(dtype) for name, dtype in CYCLE_TYPES.items()}
+    rounds, rows, cycles = size(60, 2), 1024, 16
+    least = {(checksums, what): np.inf for checksums in (False, True) for what in ("row", "cycle")}
+    writers = {
+        checksums: create_test(
+            folder / f"checksums-{checksums}.h5",
+            FilePlan(
+                rounds * rows, rounds * cycles, SAMPLES,
+                prediction=False, cycle_reason=True, checksums=checksums,
+            ),
+            METADATA,
+        )
+        for checksums in (False, True)
+    }  # fmt: skip
+    for _ in range(rounds):
+        for checksums, writer in writers.items():
+            calls: dict[str, tuple[int, Callable[[], object]]] = {
+                "row": (rows, partial(writer.append_row, values)),
+                "cycle": (cycles, partial(writer.append_cycle, 1, columns)),
+            }
+            for what, (number, call) in calls.items():
+                begin = time.thread_time_ns()
+                for _ in range(number):
+                    call()
+                spent = (time.thread_time_ns() - begin) / number / 1e3
+                least[checksums, what] = min(least[checksums, what], spent)
+                writer.place()
+    for writer in writers.values():
+        writer.discard()
+    for what in ("row", "cycle"):
+        without, with_them = least[False, what], least[True, what]
+        print(f"one {what}: {without:.2f} us without checksums, {with_them:.2f} us with them")
+    print()
 
 
 def time_calls(folder: Path, seconds: float) -> None:

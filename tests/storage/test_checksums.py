@@ -23,6 +23,8 @@ from rigapp.storage import (
     reopen_test,
     salvage_test,
 )
+from rigapp.storage.structure.checksum import row_checksums
+from rigapp.storage.structure.layout import streams_of
 
 COLUMN_GROUPS = ("revolutions", "cycles", "prediction", "events")
 
@@ -73,6 +75,16 @@ def test_the_checksum_of_a_row_is_that_of_its_stored_bytes(quick_folder: Path) -
         )
         row = np.array([20], "<i8").tobytes() + np.array([whole.shape[1]], "<i8").tobytes()
         assert file["/entry/cycles/checksum"][1] == google_crc32c.value(samples + row)
+
+
+def test_many_rows_at_once_have_the_checksums_of_each(quick_folder: Path) -> None:
+    fields = streams_of(PLAN)["revolutions"].fields
+    random_bytes = np.random.default_rng(1).bytes
+    columns = [np.frombuffer(random_bytes(one.row_bytes * 300), one.dtype).copy() for one in fields]
+    found = row_checksums(fields, columns, 300)
+    for i in range(300):
+        data = b"".join(column[i].tobytes() for column in columns)
+        assert found[i] == google_crc32c.value(data)
 
 
 def many_flips(folder: Path, number: int, seed: int) -> None:

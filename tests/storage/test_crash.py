@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 import threading
 import time
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -109,12 +110,12 @@ def recording(tmp_path_factory: pytest.TempPathFactory) -> Recording:
     writer = new_test(folder, SMALL)
     path = folder / "test.h5"
     found = Recording(path, path.read_bytes())
-    honest_write, honest_sync = Disk.write, Disk.sync
+    honest_write, honest_sync = Disk.write_parts, Disk.sync
     honest_give_back = Disk.give_back
 
-    def write_and_note(disk: Disk, data: bytes | memoryview, offset: int) -> None:
-        honest_write(disk, data, offset)
-        found.steps.append(("write", offset, bytes(data)))
+    def write_and_note(disk: Disk, parts: Sequence[bytes | memoryview], offset: int) -> None:
+        honest_write(disk, parts, offset)
+        found.steps.append(("write", offset, b"".join(parts)))
 
     def sync_and_note(disk: Disk) -> None:
         honest_sync(disk)
@@ -125,7 +126,7 @@ def recording(tmp_path_factory: pytest.TempPathFactory) -> Recording:
         found.steps.append(("write", offset, bytes(length)))
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Disk, "write", write_and_note)
+        patch.setattr(Disk, "write_parts", write_and_note)
         patch.setattr(Disk, "give_back", give_back_and_note)
         patch.setattr(Disk, "sync", sync_and_note)
         for last in (7, 23, 60):
@@ -250,15 +251,15 @@ def test_a_disk_that_stalls_while_placing_delays_no_row(
     quick_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     stalled, go_on = threading.Event(), threading.Event()
-    honest = Disk.write
+    honest = Disk.write_parts
 
-    def stall(disk: Disk, data: bytes | memoryview, offset: int) -> None:
+    def stall(disk: Disk, parts: Sequence[bytes | memoryview], offset: int) -> None:
         stalled.set()
         assert go_on.wait(30.0)
-        honest(disk, data, offset)
+        honest(disk, parts, offset)
 
     with new_test(quick_folder) as writer:
-        monkeypatch.setattr(Disk, "write", stall)
+        monkeypatch.setattr(Disk, "write_parts", stall)
         write(writer, 1, 10)
         committer = threading.Thread(target=writer.commit, name="committer")
         committer.start()

@@ -45,7 +45,7 @@ def test_bytes_go_where_they_belong(tmp_path: Path) -> None:
         fd = file.fileno()
         files.reserve(fd, 0, 10)
         assert os.fstat(fd).st_size == 10
-        assert files.write_at(fd, b"abc", 4) == 3
+        assert files.write_at(fd, (b"a", b"bc"), 4) == 3
         files.reserve(fd, 0, 8)
         files.sync(fd)
         assert files.read_at(fd, 20, 2) == b"\0\0abc\0\0\0"
@@ -61,7 +61,7 @@ def test_a_file_gets_its_name_and_never_another_ones(tmp_path: Path) -> None:
             files.settle(fd, hidden, path)
         path.unlink()
         files.settle(fd, hidden, path)
-        files.write_at(fd, b"second", 0)
+        files.write_at(fd, (b"second",), 0)
     finally:
         os.close(fd)
     assert path.read_bytes() == b"second"

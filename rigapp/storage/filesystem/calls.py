@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Protocol
 
@@ -21,8 +21,8 @@ class FileSystem(Protocol):
     Offsets and lengths are in bytes. Any thread may call.
     """
 
-    def write_at(self, fd: int, data: Bytes, offset: int) -> int:
-        """Write at an offset; return how many bytes went."""
+    def write_at(self, fd: int, parts: Sequence[Bytes], offset: int) -> int:
+        """Write parts one after the other from an offset on; return how many bytes went."""
 
     def read_at(self, fd: int, length: int, offset: int) -> bytes:
         """Return the bytes at an offset, fewer at the end of the file."""

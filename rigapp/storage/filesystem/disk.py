@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
+from collections.abc import Sequence
 from pathlib import Path
 
 from rigapp.storage.filesystem.calls import Bytes, StorageFailed
@@ -34,13 +35,18 @@ class Disk:
 
     def write(self, data: Bytes, offset: int) -> None:
         """Write all of ``data`` at ``offset``; raises StorageFailed."""
+        self.write_parts((data,), offset)
+
+    def write_parts(self, parts: Sequence[Bytes], offset: int) -> None:
+        """Write all parts, one after the other, from ``offset`` on; raises StorageFailed."""
         self.refuse_broken()
-        size = len(data)
+        size = sum(map(len, parts))
         with self._writing:
             try:
-                done = FILES.write_at(self.fd, data, offset)
+                done = FILES.write_at(self.fd, parts, offset)
                 while done < size:
-                    done += FILES.write_at(self.fd, memoryview(data)[done:], offset + done)
+                    rest = memoryview(b"".join(parts))[done:]
+                    done += FILES.write_at(self.fd, (rest,), offset + done)
             except OSError as error:
                 raise self._failed(say("writing"), error) from error
             if self._touched is not None:

@@ -11,7 +11,7 @@ import os
 import re
 import socket
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from rigapp.storage.filesystem.calls import BINARY, Bytes
@@ -29,8 +29,9 @@ class PortableFiles:
         self._placing = threading.Lock()
         self._held: set[tuple[int, int]] = set()
 
-    def write_at(self, fd: int, data: Bytes, offset: int) -> int:
+    def write_at(self, fd: int, parts: Sequence[Bytes], offset: int) -> int:
         """Go there and write; no other thread moves the place meanwhile."""
+        data = parts[0] if len(parts) == 1 else b"".join(parts)
         with self._placing:
             os.lseek(fd, offset, os.SEEK_SET)
             return os.write(fd, data)

@@ -16,7 +16,7 @@ import fcntl
 import os
 import struct
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -52,6 +52,8 @@ assert sys.platform != "win32"
 LOCK_OFFSET = 1 << 62  # beyond any data
 BLOCK = 512  # bytes of the unit in which a file's space is told
 _FLOCK = "hhqqi0q"
+_MOST_PARTS = 1024
+"""Buffers that Linux and macOS take in one call (IOV_MAX)."""
 _OFD = sys.platform == "linux" and hasattr(fcntl, "F_OFD_SETLK")
 _ENOTSUPP = 524  # Linux's own, which NFS and FUSE let through
 _NO_LOCKS = (errno.ENOLCK, errno.EOPNOTSUPP, errno.EINVAL, errno.ENOSYS, _ENOTSUPP)
@@ -64,9 +66,11 @@ class PosixFiles:
     def __init__(self) -> None:
         self._by_name = PortableFiles()
 
-    def write_at(self, fd: int, data: Bytes, offset: int) -> int:
+    def write_at(self, fd: int, parts: Sequence[Bytes], offset: int) -> int:
         """Write without moving the file's place."""
-        return os.pwrite(fd, data, offset)
+        if len(parts) == 1:
+            return os.pwrite(fd, parts[0], offset)
+        return os.pwritev(fd, parts[:_MOST_PARTS], offset)
 
     def read_at(self, fd: int, length: int, offset: int) -> bytes:
         """Read without moving the file's place."""

@@ -97,4 +97,4 @@ def copy_ranges(source: int, target: int, ranges: Iterable[tuple[int, int]]) -> 
         data = FILES.read_at(source, length, offset)
         done = 0
         while done < len(data):
-            done += FILES.write_at(target, memoryview(data)[done:], offset + done)
+            done += FILES.write_at(target, (memoryview(data)[done:],), offset + done)

@@ -6,7 +6,7 @@ samples, column after column, then of its row without ``first``, which says only
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import google_crc32c
@@ -17,9 +17,19 @@ from rigapp.storage.structure.layout import FileColumn
 
 Crcs = NDArray[np.uint32]
 
+WORDS: dict[int, np.dtype[Any]] = {4: np.dtype("<u4"), 8: np.dtype("<u8")}
+"""Bytes of the values of which many rows are checked at once, and as what."""
+MANY_ROWS = 64
+"""Fewer are done before the compiled code is loaded."""
 
-def row_checksums(fields: Sequence[FileColumn], columns: Iterable[NDArray[Any]], rows: int) -> Crcs:
-    """Return the CRC-32C of each of ``rows`` rows; columns: an array a field, in their order."""
+
+def row_checksums(fields: Sequence[FileColumn], columns: Sequence[NDArray[Any]], rows: int) -> Crcs:
+    """Return the CRC-32C of each of ``rows`` rows; columns: an array a field, of its type."""
+    if rows >= MANY_ROWS and all(one.ndim == 1 and one.itemsize in WORDS for one in columns):
+        words = np.empty((len(columns), rows), np.uint64)
+        for word, column in zip(words, columns, strict=True):
+            word[:] = column.view(WORDS[column.itemsize])
+        return word_checksums(words, np.array([one.itemsize for one in columns]))
     packed = np.empty(rows, [(one.name, one.dtype, one.shape) for one in fields])
     for one, column in zip(fields, columns, strict=True):
         packed[one.name] = column
@@ -28,17 +38,32 @@ def row_checksums(fields: Sequence[FileColumn], columns: Iterable[NDArray[Any]],
     return np.array(found, np.uint32)
 
 
+def word_checksums(words: NDArray[np.uint64], sizes: NDArray[np.int64]) -> Crcs:
+    """Return the CRC-32C of each row.
+
+    words: (columns, rows), the bytes of each value and above them zeros; sizes: those of a value of
+    each column, in ``WORDS``.
+    """
+    return load_kernel()(words, sizes)
+
+
+def load_kernel() -> Callable[[NDArray[np.uint64], NDArray[np.int64]], Crcs]:
+    """Return what computes the checksums of many rows; whoever looks at few needs no numba."""
+    from rigapp.storage.structure.crc import checksums_of_words
+
+    return checksums_of_words
+
+
 def cycle_checksum(
     samples: Iterable[NDArray[Any]], fields: Sequence[FileColumn], row: Mapping[str, ArrayLike]
 ) -> int:
     """Return the CRC-32C of a cycle.
 
-    samples: each column's, of the file's type. fields: of its row; row: the value of each.
+    samples: each column's, of the file's type and without gaps. fields: of its row; row: the value
+    of each.
     """
     crc = 0
     for column in samples:
-        crc = google_crc32c.extend(crc, np.ascontiguousarray(column))
-    for one in fields:
-        if one.name != "first":
-            crc = google_crc32c.extend(crc, np.asarray(row[one.name], one.dtype).tobytes())
-    return int(crc)
+        crc = google_crc32c.extend(crc, column)
+    values = (np.asarray(row[one.name], one.dtype) for one in fields if one.name != "first")
+    return int(google_crc32c.extend(crc, b"".join(one.tobytes() for one in values)))

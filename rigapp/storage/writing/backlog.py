@@ -5,70 +5,109 @@ from __future__ import annotations
 import threading
 from collections import deque
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from rigapp.storage.filesystem.disk import Disk
 
 SOFT_LIMIT = 4 << 20  # 10 s of whole cycles at 120 rpm: so long may a disk sync
 HARD_LIMIT = 64 << 20  # three minutes of it: a disk that is so late is too slow
+WAIT_S = 1e-3  # for whoever places, so that it gets the interpreter; 128 kB take 0.1 ms
+RUN_BYTES = 1 << 17  # longer ones cost no less a byte, and whoever assists waits for one
+
+
+@dataclass(slots=True)
+class _Run:
+    """Writes that follow each other in the file without a gap: one call of the system."""
+
+    offset: int
+    end: int
+    parts: list[memoryview]
 
 
 class Backlog:
-    """Hold writes (offset, bytes) in order, bounded, between appending and committing.
+    """Hold writes (bytes, offset) in order, bounded, between appending and committing.
 
     Policy: up to SOFT_LIMIT bytes an append only copies into memory, so that a disk that stalls
-    delays nobody. Above it each append places ``share`` writes itself. Above HARD_LIMIT it places
+    delays nobody. Above it each append places ``share`` runs itself. Above HARD_LIMIT it places
     until the backlog is below: then the disk is slower than the data, and the caller must feel it.
     Nothing is ever dropped.
+
+    A column of a whole cycle lies in the file where that of the cycle before ends. Writes that wait
+    are joined so: a call for each column of several cycles, not for each of every cycle.
     """
 
     def __init__(self, disk: Disk) -> None:
         self._disk = disk
-        self._writes: deque[tuple[memoryview, int]] = deque()
+        self._runs: deque[_Run] = deque()
+        self._by_end: dict[int, _Run] = {}
         self._lock = threading.Lock()
         self._placing = threading.Lock()
         self.bytes = 0
 
     def put(self, writes: Sequence[tuple[memoryview, int]]) -> None:
-        """Add writes; their data must not change afterwards. Raises StorageFailed."""
+        """Add writes of places that nothing waiting is written to; raises StorageFailed.
+
+        Their data must not change afterwards.
+        """
         self._disk.refuse_broken()
-        size = sum(len(data) for data, _ in writes)
         with self._lock:
-            self._writes.extend(writes)
-            self.bytes += size
+            for data, offset in writes:
+                size = len(data)
+                run = self._by_end.pop(offset, None)
+                if run is None or offset + size - run.offset > RUN_BYTES:
+                    run = _Run(offset, offset, [])
+                    self._runs.append(run)
+                run.parts.append(data)
+                run.end = offset + size
+                self._by_end[run.end] = run
+                self.bytes += size
+
+    def put_over(self, writes: Sequence[tuple[memoryview, int]]) -> None:
+        """Add writes of places that others are written to: none is moved before or after them."""
+        self._disk.refuse_broken()
+        if not writes:
+            return
+        with self._lock:
+            self._by_end.clear()
+            for data, offset in writes:
+                self._runs.append(_Run(offset, offset + len(data), [data]))
+                self.bytes += len(data)
 
     def assist(self, share: int) -> None:
-        """Place writes as the policy asks; called by each append. Raises StorageFailed."""
+        """Place runs as the policy asks; called by each append. Raises StorageFailed."""
         if self.bytes <= SOFT_LIMIT:
             return
         while (share > 0 or self.bytes > HARD_LIMIT) and self._place_one(
-            wait=self.bytes > HARD_LIMIT
+            -1 if self.bytes > HARD_LIMIT else WAIT_S
         ):
             share -= 1
 
     def drain(self) -> None:
         """Return when everything put before the call is in the file. Raises StorageFailed."""
-        for _ in range(len(self._writes)):
-            if not self._place_one(wait=True):
+        for _ in range(len(self._runs)):
+            if not self._place_one(-1):
                 break
         with self._placing:
             self._disk.refuse_broken()
 
-    def _place_one(self, wait: bool) -> bool:
-        """Place the oldest write; one at a time, since a later one may lie over it."""
-        if not self._placing.acquire(blocking=wait):
+    def _place_one(self, wait_s: float) -> bool:
+        """Place the oldest run; one at a time, since a later one may lie over it."""
+        if not self._placing.acquire(timeout=wait_s):
             return False
         try:
-            write = self._pop()
-            if write is not None:
-                self._disk.write(*write)
-            return write is not None
+            run = self._pop()
+            if run is not None:
+                self._disk.write_parts(run.parts, run.offset)
+            return run is not None
         finally:
             self._placing.release()
 
-    def _pop(self) -> tuple[memoryview, int] | None:
+    def _pop(self) -> _Run | None:
         with self._lock:
-            if not self._writes:
+            if not self._runs:
                 return None
-            write = self._writes.popleft()
-            self.bytes -= len(write[0])
-            return write
+            run = self._runs.popleft()
+            if self._by_end.get(run.end) is run:
+                del self._by_end[run.end]
+            self.bytes -= run.end - run.offset
+            return run

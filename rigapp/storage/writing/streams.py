@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rigapp.storage.filesystem.disk import Disk
-from rigapp.storage.structure.checksum import row_checksums
+from rigapp.storage.structure.checksum import MANY_ROWS, WORDS, row_checksums, word_checksums
 from rigapp.storage.structure.layout import AHEAD, STATE, FileStream
 from rigapp.storage.writing.backlog import Backlog
 from rigapp.storage.writing.create import Places
@@ -117,11 +117,7 @@ class Room:
 
 
 class RowBuffer:
-    """Collect rows of scalar columns and hand them to the backlog a column at a time.
-
-    ``pending`` copies what is not yet handed over, so that the committing thread can place it while
-    appending goes on.
-    """
+    """Collect rows of scalar columns and hand them to the backlog a column at a time."""
 
     def __init__(
         self,
@@ -134,6 +130,9 @@ class RowBuffer:
     ) -> None:
         self._backlog = backlog
         self._fields = stream.fields
+        dtypes = [np.dtype(one.dtype) for one in stream.fields]
+        self._sizes = np.array([one.itemsize for one in dtypes])
+        self._narrow = [(i, one) for i, one in enumerate(dtypes) if one != np.float64]
         self._offsets = [offsets[one.name] for one in stream.fields]
         self._checksum = None if stream.checksum is None else offsets[stream.checksum.name]
         self._room = room
@@ -148,11 +147,11 @@ class RowBuffer:
         with self._lock:
             if self.count >= self._room.reserved and not self._room.holds(self.count + 1):
                 return False
-            self._rows[self._fill] = values
+            self._block[self._fill] = values
             self._fill += 1
             self.count += 1
             if self._fill == self._size:
-                self._hand_over(self._placed, self._block[:, self._placed - self._base :])
+                self._hand_over(self._placed, self._block[self._placed - self._base :])
                 self._placed = self.count
                 self._begin_block()
         self._backlog.assist(2)
@@ -162,28 +161,37 @@ class RowBuffer:
         """Hand what is left to the backlog; return the rows that are in it or in the file."""
         with self._lock:
             first, count = self._placed, self.count
-            block = self._block[:, first - self._base : self._fill].copy()
+            rows = self._block[first - self._base : self._fill]
             self._placed = count
-            self._backlog.put(self._room.reach(count))
-        self._hand_over(first, block)
+            self._backlog.put_over(self._room.reach(count))
+        self._hand_over(first, rows)
         return count
 
     def _begin_block(self) -> None:
         self._base = self.count
         self._fill = 0
-        self._block: Float = np.empty((len(self._fields), self._size))
-        self._rows: Float = self._block.T
+        self._block: Float = np.empty((self._size, len(self._offsets)))
 
-    def _hand_over(self, first: int, block: Float) -> None:
-        if block.shape[1] == 0:
+    def _hand_over(self, first: int, rows: Float) -> None:
+        """Hand rows over, a column at a time; nothing writes to them any more."""
+        if not len(rows):
             return
-        writes = []
-        for one, offset, column in zip(self._fields, self._offsets, block, strict=True):
-            if one.dtype != "<f8":
-                column = column.astype(one.dtype)
-            writes.append((_bytes_of(column), offset + first * column.itemsize))
+        block = np.array(rows.T, order="C")
+        columns, words = list(block), block.view(np.uint64)
+        for i, dtype in self._narrow:
+            columns[i] = block[i].astype(dtype)
+            words[i] = columns[i].view(WORDS[dtype.itemsize])
+        writes = [
+            (_bytes_of(column), offset + first * column.itemsize)
+            for column, offset in zip(columns, self._offsets, strict=True)
+        ]
         if self._checksum is not None:
-            crcs = row_checksums(self._fields, block, block.shape[1])
+            many = len(rows) >= MANY_ROWS
+            crcs = (
+                word_checksums(words, self._sizes)
+                if many
+                else row_checksums(self._fields, columns, len(rows))
+            )
             writes.append((_bytes_of(crcs), self._checksum + first * crcs.itemsize))
         self._backlog.put(writes)
 
@@ -203,9 +211,12 @@ class RecordPlacer:
         """Tell whether the first ``rows`` rows of the stream fit."""
         return rows <= self._room.reserved or self._room.holds(rows)
 
-    def place(self, first: int, rows: int, values: Mapping[str, ArrayLike]) -> None:
+    def place(
+        self, first: int, rows: int, values: Mapping[str, ArrayLike], *, over: bool = False
+    ) -> None:
         """Place ``rows`` rows from row ``first`` on; values: each field's array by name.
 
+        over: the same rows were placed before, and what is shorter than its place leaves the rest.
         An array that has the field's type already is not copied: it must not change afterwards.
         """
         writes: list[tuple[memoryview, int]] = []
@@ -213,10 +224,12 @@ class RecordPlacer:
         checksum = self._stream.checksum
         for one, dtype, row_bytes, offset in self._fields:
             if one is checksum and one.name not in values:
+                shapes = ((rows, *field.shape) for field in self._stream.fields)
+                columns = list(map(np.ndarray.reshape, columns, shapes))
                 crcs = row_checksums(self._stream.fields, columns, rows)
                 values = {**values, one.name: crcs}
             data = np.ascontiguousarray(values[one.name], dtype=dtype)
-            if data.nbytes != rows * row_bytes:
+            if data.nbytes > rows * row_bytes or (data.nbytes < rows * row_bytes and not over):
                 raise ValueError(
                     say(
                         "{}: got {}, wanted {} values",
@@ -226,9 +239,12 @@ class RecordPlacer:
                     )
                 )
             writes.append((_bytes_of(data), offset + first * row_bytes))
-            columns.append(data.reshape(rows, *one.shape))
-        writes += self._room.reach(first + rows)
-        self._backlog.put(writes)
+            columns.append(data)
+        if over:
+            self._backlog.put_over(writes)
+        else:
+            self._backlog.put(writes)
+            self._backlog.put_over(self._room.reach(first + rows))
 
 
 def _bytes_of(array: NDArray[Any]) -> memoryview:

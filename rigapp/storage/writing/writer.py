@@ -22,7 +22,7 @@ from rigapp.storage.filesystem.disk import Disk
 from rigapp.storage.filesystem.folder import refuse_little_space
 from rigapp.storage.filesystem.system import FILES
 from rigapp.storage.structure.build import PAGE
-from rigapp.storage.structure.checksum import cycle_checksum
+from rigapp.storage.structure.checksum import cycle_checksum, load_kernel
 from rigapp.storage.structure.events import asked_for, columns_of, rows_of, seed_of
 from rigapp.storage.structure.layout import (
     CHECKPOINT_BYTES,
@@ -56,6 +56,7 @@ from rigapp.storage.writing.streams import (
 from rigapp.texts import joined, say
 
 ROWS_BUFFERED = 256  # 72 kB in one piece; a commit takes what is there before
+LONG_TEST = 4096  # revolutions; few rigs make a block of rows a second
 STALE_ROWS = 4096  # more than a crash leaves uncounted
 EVENTS_KEPT_BACK = 64  # rows for alarms and the end of the test, whoever filled the log
 
@@ -141,6 +142,8 @@ class TestWriter:
         self._held = 0
         self._closed = False
         self._finished = False
+        if plan.checksums and plan.revolutions > LONG_TEST:
+            load_kernel()  # now, rather than with the first block of rows
         self._scalars.put_state(
             "writer", say("process {} on {}", os.getpid(), socket.gethostname())
         )
@@ -208,7 +211,8 @@ class TestWriter:
         """Put a whole cycle that may still be kept into the file, over the oldest of its kind.
 
         It counts only after a crash: see ``rigapp.storage.upkeep.waiting``. One that is longer
-        than its place is left out. why: as it is now, empty while nothing wants it.
+        than its place is left out. columns: see ``append_cycle``. why: as it is now, empty while
+        nothing wants it.
         """
         stream = self._streams.get("waiting")
         if stream is None:
@@ -221,20 +225,16 @@ class TestWriter:
             "quality": [quality],
             "why": [why],
         }
-        place = dict(row)
-        stored = []
-        for one in stream.fields:
-            if one.shape:
-                if number > one.shape[0]:
-                    return
-                padded = np.zeros(one.shape, one.dtype)
-                padded[:number] = values[one.name]
-                place[one.name] = padded
-                stored.append(padded[:number])
+        sampled = [one for one in stream.fields if one.shape]
+        if number > sampled[0].shape[0]:
+            return
+        samples = {one.name: np.ascontiguousarray(values[one.name], one.dtype) for one in sampled}
+        place = row | samples
         if stream.checksum is not None:
-            place[stream.checksum.name] = [cycle_checksum(stored, WAITING_FIELDS, row)]
+            crc = cycle_checksum(samples.values(), WAITING_FIELDS, row)
+            place[stream.checksum.name] = [crc]
         with self._cycle_lock:
-            self._records["waiting"].place(self._held % stream.capacity, 1, place)
+            self._records["waiting"].place(self._held % stream.capacity, 1, place, over=True)
             self._held += 1
         self._backlog.assist(2)
 
@@ -250,7 +250,7 @@ class TestWriter:
                 offset = self._places[stream.path(stream.checksum.name)][0]
                 number = min(STALE_ROWS, stream.capacity - rows)
                 size = stream.checksum.row_bytes
-                self._backlog.put([(memoryview(bytes(number * size)), offset + rows * size)])
+                self._backlog.put_over([(memoryview(bytes(number * size)), offset + rows * size)])
 
     def append_unfinished(
         self, revolution: int, columns: Mapping[str, ArrayLike], quality: int
@@ -373,7 +373,7 @@ class TestWriter:
             offset = self._places["/entry/prediction/checkpoint_revolution"][0]
             first, second = np.frombuffer(FILES.read_at(self._disk.fd, 16, offset), "<i8")
             self._slot = 0 if first <= second else 1
-        self._records["checkpoints"].place(self._slot, 1, values)
+        self._records["checkpoints"].place(self._slot, 1, values, over=True)
         self._slot = 1 - self._slot
 
     def append_event(self, event: Event) -> bool:
