@@ -8,6 +8,7 @@ from pathlib import Path
 
 from rigapp.config.errors import from_extra
 from rigapp.process.ending import ending_as_interrupt
+from rigapp.process.memory import end_of_loading
 from rigapp.schema.details import indented
 
 
@@ -18,6 +19,7 @@ def serve_page(
     with from_extra("page", "The page"):
         from rigapp.page.serving import page_server
     server = page_server(rigs, bind, token, certificate, key)
+    end_of_loading()
     print(f"The page is at {server.address}", flush=True)
     try:
         with ending_as_interrupt():

@@ -9,6 +9,7 @@ who does greet is through within a moment, whoever else waits.
 from __future__ import annotations
 
 import errno
+import gc
 import os
 import socket
 import struct
@@ -19,6 +20,9 @@ MOST_CONNECTIONS = 128
 """Each holds at most SEND_BYTES twice; the system allows 1024 open files by default."""
 MOST_GREETING = 64
 """In the handshake, each for some 50 ms: as many telephones come back after a power cut."""
+ENDS_HELD = 64
+"""Ended connections whose memory waits. What a handshake that fails leaves refers to itself, some
+70 kB of which Python counts a hundred small objects: its own searches come after thousands."""
 SHARE = 4
 """One part of the open files that the system allows is for connections, the others for engines."""
 
@@ -39,10 +43,19 @@ class Gate(socket.socket):
         self.most = min(MOST_CONNECTIONS, allowed // SHARE)
         self._most_greeting = min(MOST_GREETING, allowed // (2 * SHARE))
         self._greeting: dict[int, Guest] = {}
+        self._ends = self._in_a_row = 0
         self._spare = os.open(os.devnull, os.O_RDONLY)
 
     def accept(self) -> tuple[socket.socket, Any]:
-        """Return the next connection; raise ConnectionAbortedError where there is no room."""
+        """Return the next connection; raise ConnectionAbortedError where there is no room.
+
+        After some, raise BlockingIOError as if there were no more: asyncio would accept all that
+        wait, two thousand, before it looks at the first.
+        """
+        self._in_a_row += 1
+        if self._in_a_row > self._most_greeting:
+            self._in_a_row = 0
+            raise BlockingIOError
         try:
             descriptor, peer = self._accept()  # type: ignore[attr-defined]
         except OSError as error:
@@ -67,6 +80,10 @@ class Gate(socket.socket):
         """Take note that a connection is closed."""
         if self._greeting.get(guest.fileno()) is guest:
             del self._greeting[guest.fileno()]
+        self._ends += 1
+        if self._ends >= ENDS_HELD:
+            self._ends = self._in_a_row = 0
+            gc.collect()
 
     def close(self) -> None:
         """Accept no more."""

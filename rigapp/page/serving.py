@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import socket
+from asyncio.sslproto import SSLProtocol
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -22,6 +23,7 @@ from rigapp.page.site import site
 from rigapp.page.watch import Rigs, Watch
 
 KEEP_S = 5  # so long stays a connection open that asks nothing more
+RECORD_BYTES = 1 << 14  # the longest of TLS; asyncio's own choice is 256 kB a connection
 END_S = 3  # so long may answers under way take when the page ends
 
 
@@ -30,6 +32,7 @@ class PageServer(uvicorn.Server):
 
     def __init__(self, access: Access, rigs: Callable[[], Rigs]) -> None:
         """Listen at once; raise UnusableInput where the address cannot be had."""
+        SSLProtocol.max_size = RECORD_BYTES
         self.failure = ""
         self._hub = Hub()
         self._watch = Watch(rigs, self._fail)

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import json
+import os
 import resource
 import socket
+import ssl
 import subprocess
 import sys
 import time
-from collections.abc import Callable
-from contextlib import ExitStack, suppress
-from http.client import HTTPConnection
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
+from http.client import HTTPConnection, HTTPSConnection
 from pathlib import Path
 from typing import Any
 
@@ -56,23 +58,87 @@ def of(page: OpenPage, line: Any) -> bool:
     )
 
 
-def test_a_page_without_descriptors_goes_on(rig: Path, serve: Callable[..., ServedEngine]) -> None:
-    serve(rig)
+@contextmanager
+def page_of_its_own(rig: Path, *options: object, files: int | None = None) -> Iterator[Any]:
+    """Run a page as a process; yield it with its port. files: how many it may open."""
+
+    def limit() -> None:
+        if files is not None:
+            resource.setrlimit(resource.RLIMIT_NOFILE, (files, files))
+
+    words = ["--rig", rig, "--bind", "127.0.0.1:0", *options]
     with subprocess.Popen(
-        [sys.executable, "-m", "rigapp", "page", "--rig", str(rig), "--bind", "127.0.0.1:0"],
+        [sys.executable, "-m", "rigapp", "page", *map(str, words)],
         stdout=subprocess.PIPE,
         text=True,
-        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (LOW, LOW)),
+        preexec_fn=limit,
     ) as page:
         assert page.stdout is not None
-        port = int(page.stdout.readline().rstrip().rstrip("/").rpartition(":")[2])
+        yield page, int(page.stdout.readline().rstrip().rstrip("/").rpartition(":")[2])
+        assert page.poll() is None
+        page.terminate()
+
+
+def test_a_page_without_descriptors_goes_on(rig: Path, serve: Callable[..., ServedEngine]) -> None:
+    serve(rig)
+    with page_of_its_own(rig, files=LOW) as (_, port):
         eventually(lambda: attached(port), "the engine is seen")
         with ExitStack() as stack:
             silent(stack, port, STRANGERS)
             assert attached(port)
         eventually(lambda: attached(port), "the page goes on")
-        assert page.poll() is None
-        page.terminate()
+
+
+def memory_that_strangers_take(
+    rig: Path, token: Path, pair: tuple[Path, Path] | None, number: int, at_once: int
+) -> int:
+    """Let so many say nothing, some at once; return by how many bytes the page grew."""
+    options: list[object] = ["--token", token]
+    if pair is not None:
+        options += ["--certificate", pair[0], "--key", pair[1]]
+    with page_of_its_own(rig, *options) as (page, port):
+        healthy(port, token, pair)
+        process = psutil.Process(page.pid)
+        before = process.memory_info().rss
+        for _ in range(number // at_once):
+            with ExitStack() as stack:
+                silent(stack, port, at_once)
+                healthy(port, token, pair)
+        return int(process.memory_info().rss - before)
+
+
+def healthy(port: int, token: Path, pair: tuple[Path, Path] | None) -> None:
+    """Assert that the page answers."""
+    line: HTTPConnection = HTTPConnection("127.0.0.1", port, timeout=PATIENCE_S)
+    if pair is not None:
+        context = ssl.create_default_context(cafile=str(pair[0]))
+        line = HTTPSConnection("127.0.0.1", port, timeout=PATIENCE_S, context=context)
+    line.request(
+        "GET", "/healthz", headers={"Authorization": f"Bearer {token.read_text().strip()}"}
+    )
+    assert line.getresponse().status == 200
+    line.close()
+
+
+@pytest.mark.sampled
+@pytest.mark.parametrize("tls", [True, False], ids=["TLS", "plain"])
+def test_strangers_leave_no_memory_behind(
+    rig: Path, token: Path, pair: tuple[Path, Path], tls: bool
+) -> None:
+    taken = memory_that_strangers_take(rig, token, pair if tls else None, STRANGERS, STRANGERS)
+    assert taken < 50e6, "256 kB each would be 77 MB"
+
+
+@pytest.mark.soak
+@pytest.mark.timeout(3600)
+@pytest.mark.parametrize("tls", [True, False], ids=["TLS", "plain"])
+def test_a_hundred_thousand_strangers_leave_no_memory_behind(
+    rig: Path, token: Path, pair: tuple[Path, Path], tls: bool
+) -> None:
+    number = int(os.environ.get("RIGAPP_SOAK_STRANGERS", "100000"))
+    at_once, most = min(number, 10_000), resource.getrlimit(resource.RLIMIT_NOFILE)[1]
+    resource.setrlimit(resource.RLIMIT_NOFILE, (min(at_once + 500, most), most))
+    assert memory_that_strangers_take(rig, token, pair if tls else None, number, at_once) < 50e6
 
 
 def attached(port: int) -> bool:
@@ -87,14 +153,3 @@ def attached(port: int) -> bool:
         return False
     finally:
         line.close()
-
-
-@pytest.mark.soak
-def test_a_hundred_thousand_strangers(rig: Path, show: Show) -> None:
-    page = show([rig])
-    before = psutil.Process().memory_info().rss
-    for _ in range(1000):
-        with ExitStack() as stack:
-            silent(stack, page.port, 100)
-    assert page.get("/healthz")[0] == 200
-    assert psutil.Process().memory_info().rss - before < 50e6
