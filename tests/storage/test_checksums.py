@@ -121,6 +121,30 @@ def test_a_changed_setting_or_unit_is_named(quick_folder: Path) -> None:
     assert any("configuration" in one for one in damage_of(path))
 
 
+def test_a_flipped_bit_in_what_says_that_there_are_checksums_is_named(quick_folder: Path) -> None:
+    path = ended(quick_folder, 60)
+    data = path.read_bytes()
+    for what in (b'"checksums":true', b"configuration_sha256\0"):
+        damaged = flipped(path, quick_folder / "flipped.h5", data.index(what) + 1, 0)
+        assert any("configuration" in one for one in damage_of(damaged)), what
+        found = salvage_test(damaged, quick_folder / "new.h5")
+        assert found.kept["revolutions"] == 60
+        assert found.damage
+        (quick_folder / "new.h5").unlink()
+    place = data.index(b'"prediction_points":360') + len(b'"prediction_points":')
+    damaged = flipped(path, quick_folder / "flipped.h5", place, 0)
+    assert any("its plan cannot be read" in one for one in damage_of(damaged))
+
+
+def test_a_text_that_became_a_list_of_lists_is_not_read(quick_folder: Path) -> None:
+    path = ended(quick_folder, 30)
+    data, text = path.read_bytes(), b"units\0\0\0\x19\x01\x01"
+    place = data.index(text) + len(text) - 2
+    damaged = flipped(path, quick_folder / "flipped.h5", place, 0)
+    with pytest.raises(UnusableInput, match="is a list of lists"):
+        open_test(damaged)
+
+
 def test_a_damaged_file_is_neither_sealed_nor_gone_on_with(quick_folder: Path) -> None:
     path = ended(quick_folder, 30, "stopped")
     place = next(offset for name, offset, _ in data_of(path) if name.endswith("/force_max"))

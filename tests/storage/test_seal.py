@@ -118,6 +118,15 @@ def test_a_seal_made_anew_differs_from_the_one_beside(quick_folder: Path) -> Non
     assert faults(path) == [], "without the seal beside and a key nobody can tell"
 
 
+@pytest.mark.parametrize("where", ['"leaves":["', '"public_key":"'])
+def test_a_seal_with_a_digit_that_is_none_is_damaged(quick_folder: Path, where: str) -> None:
+    path = sealed(quick_folder)
+    beside = seal.beside(path)
+    beside.chmod(0o644)
+    beside.write_text(beside.read_text().replace(where, f"{where}g", 1))
+    assert any("The seal is damaged" in one for one in faults(path)), faults(path)
+
+
 def test_a_signed_seal_cannot_be_made_without_the_key(
     quick_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -31,10 +31,12 @@ from rigapp.storage.structure.layout import (
     CALIBRATION,
     CHECKPOINT_BYTES,
     CHECKPOINT_SLOTS,
+    CHECKSUMS,
     COMPRESSED,
     CONFIGURATION,
     CONFIGURATION_DIGEST,
     END_TIME,
+    ENTRY,
     FORM_ATTRIBUTE,
     PLAN,
     SCHEMA,
@@ -110,7 +112,9 @@ class TestReader:
         self._file = file
         self._known: dict[str, int] = {}
         with telling_damage(path, say("its plan")):
-            self.plan = msgspec.json.decode(self._text(PLAN), type=FilePlan)
+            plan = msgspec.json.decode(self._text(PLAN), type=FilePlan)
+            # That word of the plan may be what is damaged: what is there decides.
+            self.plan = replace(plan, checksums=plan.checksums or _proves(file))
             self._streams = streams_of(self.plan)
         strange = next(filter(None, map(strange_name, _names(self._streams))), "")
         if strange:
@@ -594,6 +598,13 @@ class TestReader:
     def _below(self, group: str) -> dict[str, Any]:
         with telling_damage(self.path, group):
             return _tree(self._file[group])
+
+
+def _proves(file: h5py.File) -> bool:
+    """Tell whether a file has the checksum of anything, whatever it says of itself."""
+    groups = ("revolutions", "cycles", "prediction")
+    checksums = (f"{ENTRY}/{group}/{CHECKSUMS[group].name}" for group in groups)
+    return any(path in file for path in (f"{STATE}/{CONFIGURATION_DIGEST}", *checksums))
 
 
 def _room_of(dataset: h5py.Dataset) -> int:

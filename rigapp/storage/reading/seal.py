@@ -169,8 +169,12 @@ def has_seal_beside(path: Path) -> bool:
 def read_seal(text: bytes | str) -> Seal:
     """Return a seal of its text; raise UnusableInput."""
     try:
-        return msgspec.json.decode(text, type=Seal)
-    except msgspec.MsgspecError as error:
+        seal = msgspec.json.decode(text, type=Seal)
+        leaves = (leaf for part in seal.parts.values() for leaf in part.leaves)
+        for digits in (*leaves, seal.public_key, seal.signature):
+            bytes.fromhex(digits)
+        return seal
+    except (msgspec.MsgspecError, ValueError) as error:
         raise UnusableInput("The seal is damaged ‹{}›", error) from error
 
 

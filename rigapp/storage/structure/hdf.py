@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import h5py
-from h5py import h5d, h5g, h5l, h5o, h5z
+from h5py import h5a, h5d, h5g, h5l, h5o, h5t, h5z
 
 from rigapp.config.errors import UnusableInput
 from rigapp.texts import say
@@ -99,6 +99,8 @@ def _first_trap(file: h5py.File, size: int) -> str:
             # What is damaged harms nobody: who asks for it is told so.
             with contextlib.suppress(OSError, RuntimeError, LookupError, ValueError, TypeError):
                 item = h5o.open(group, name)
+                if odd := _odd_attribute(item):
+                    return say("{} of {} is a list of lists", _shown(odd), _shown(path))
                 if isinstance(item, h5g.GroupID):
                     waiting.append((path, item))
                 elif isinstance(item, h5d.DatasetID):
@@ -126,6 +128,19 @@ def _shown(path: bytes) -> str:
     return path.decode(errors="replace")
 
 
+def _odd_attribute(item: h5o.ObjectID) -> bytes:
+    """Return the name of an attribute at whose content HDF5 may fall over, or nothing.
+
+    Where one flipped bit makes a text a list of lists, the library takes its letters for addresses.
+    """
+    for number in range(h5a.get_num_attrs(item)):
+        attribute = h5a.open(item, index=number)
+        kind = attribute.get_type()
+        if kind.get_class() == h5t.VLEN and kind.get_super().get_class() != h5t.REFERENCE:
+            return bytes(attribute.name)
+    return b""
+
+
 def _trap(dataset: h5d.DatasetID, length: int) -> str:
     """Return how a dataset would harm who reads its ``length`` bytes, or nothing."""
     made = dataset.get_create_plist()
@@ -138,6 +153,8 @@ def _trap(dataset: h5d.DatasetID, length: int) -> str:
             return say("needs the filter {}", foreign[0])
     elif made.get_external_count():
         return say("has its values in another file")
+    if dataset.get_type().get_class() == h5t.VLEN:
+        return say("is a list of lists")
     if length > SMALL and dataset.get_storage_size() == 0 and not is_bare(h5py.Dataset(dataset)):
         return say("claims {:.0f} MB and has none", 1e-6 * length)
     return ""
