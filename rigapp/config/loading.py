@@ -71,6 +71,11 @@ def read_notify(path: Path) -> Document[NotifyFile]:
     return read_document(path, NotifyFile)
 
 
+def parse_notify(text: str, name: str) -> NotifyFile:
+    """Read a user's file of ways from text; raise UnusableInput."""
+    return _record(Path(name), toml_tree(text, name), NotifyFile)
+
+
 def read_report_settings(path: Path) -> Document[ReportFile]:
     """Read the settings of reports; raise UnusableInput."""
     return read_document(path, ReportFile)

@@ -14,8 +14,10 @@ from typing import Any, Protocol, TypeVar, runtime_checkable
 
 from PySide6.QtWidgets import QWidget
 
+from rigapp.gui.look.preferences import Preferences
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.presentation.tokens import Theme
+from rigapp.presentation.translation import Text
 from rigapp.viewer.news import News, Takes
 from rigapp.viewer.recording import StoredRevolution
 from rigapp.viewer.tasks import TaskWorker
@@ -72,6 +74,7 @@ class Act(enum.StrEnum):
     CALIBRATE = "calibrate"
     RESULTS = "results"
     NEW_RIG = "new_rig"
+    AGAIN = "again"
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +84,8 @@ class Host:
     ask: a request to the engine, whose answer the window shows. say: a sentence where answers
     stand, and whether it is a good one. read_revolution: the saved cycle nearest to a revolution.
     results: the recorded tests. do: go somewhere, begin something. help: show a section of
-    docs/troubleshooting.md, by its anchor.
+    docs/troubleshooting.md, by its anchor. preferences: the user's choices.
+    rig: the rig file, None in a replay. keys: each key of the window, and what it does.
     """
 
     theme: Theme
@@ -93,6 +97,9 @@ class Host:
     read_revolution: Read
     do: Callable[[Act], None]
     help: Callable[[str], None]
+    preferences: Preferences
+    rig: Path | None = None
+    keys: tuple[tuple[Text, Text], ...] = ()
     panels: dict[str, Panel] = field(default_factory=dict)
 
     @property

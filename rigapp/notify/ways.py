@@ -8,24 +8,30 @@ import shutil
 import signal
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 from urllib.parse import urlsplit
 
 import msgspec
 import platformdirs
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import Document, read_notify
+from rigapp.config.loading import Document, parse_notify, read_notify
 from rigapp.config.notify import REFERENCE, NotifySection, PingSection
+from rigapp.config.reading import read_text
 from rigapp.config.rig import RigFile
+from rigapp.config.writing import whole_file
 from rigapp.notify.attempt import AttemptRequest, AttemptResult
 from rigapp.notify.message import Message, worded, worst_level
 from rigapp.process.children import module_command
 from rigapp.schema.wire import json_bytes, tree_of
+
+if TYPE_CHECKING:
+    from tomlkit import TOMLDocument
 
 ATTEMPT_S = 120.0
 """An attempt that takes longer is ended: a healthy server answers within seconds, and a computer
@@ -67,6 +73,71 @@ def ways_of(rig: Document[RigFile] | None) -> Ways:
             )
     ping = rig.record.ping if rig is not None and rig.record.ping is not None else None
     return Ways(named, ping or (user.ping if user else None), user_folder() / "secrets.toml")
+
+
+@dataclass(frozen=True, slots=True)
+class ListedWay:
+    """A way as it is listed: name, where it leads, what it tells of; own: of the user's file."""
+
+    name: str
+    leads_to: str
+    when: tuple[str, ...]
+    own: bool
+
+
+def listed_ways(rig: Document[RigFile] | None) -> tuple[ListedWay, ...]:
+    """Return the ways of a rig and of the user; raise UnusableInput."""
+    of_rig = len(rig.record.notify) if rig is not None else 0
+    return tuple(
+        ListedWay(way.name, address(way.url) or way.command[0], way.when, number >= of_rig)
+        for number, way in enumerate(ways_of(rig).ways)
+    )
+
+
+def add_way(way: NotifySection) -> None:
+    """Add a way to the user's file, comments kept; raise UnusableInput for one that is unusable."""
+
+    def add(document: TOMLDocument) -> None:
+        import tomlkit
+
+        entry = tomlkit.table()
+        for key, value in tree_of(way).items():
+            if value != getattr(NotifySection(), key):
+                entry.add(key, list(value) if isinstance(value, list | tuple) else value)
+        ways = document.setdefault("notify", tomlkit.aot())
+        ways.append(entry)
+
+    _change_user_file(add)
+
+
+def remove_way(name: str) -> None:
+    """Remove a way of the user's file by its name, or by its number where it has none."""
+
+    def remove(document: TOMLDocument) -> None:
+        ways = document.get("notify", [])
+        for at, way in enumerate(ways):
+            if way.get("name") == name:
+                del ways[at]
+                return
+        raise UnusableInput(
+            "{}: {} has no name there; edit the file.", user_folder() / "notify.toml", name
+        )
+
+    _change_user_file(remove)
+
+
+def _change_user_file(change: Callable[[TOMLDocument], None]) -> None:
+    """Change the user's file; it is written only if it is usable afterwards."""
+    import tomlkit
+
+    file = user_folder() / "notify.toml"
+    document = tomlkit.parse(read_text(file) if file.exists() else "schema = 1\n")
+    change(document)
+    text = tomlkit.dumps(document)
+    parse_notify(text, str(file))
+    file.parent.mkdir(parents=True, exist_ok=True)
+    with whole_file(file, mode=0o600) as part:
+        part.write_text(text, encoding="utf-8", newline="")
 
 
 def address(url: str) -> str:

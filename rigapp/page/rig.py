@@ -43,6 +43,8 @@ class DiskSpace:
 class Onlooker:
     """Take an engine's snapshots. What it is asked to request it refuses itself."""
 
+    operator = ""
+
     def __init__(self, entry: EngineEntry) -> None:
         """Attach; raise EngineUnreachable for another version, UnusableInput without a key."""
         self._client = Client(entry)

@@ -67,6 +67,7 @@ class ReplayClient:
     """
 
     is_replay = True
+    operator = ""
 
     def __init__(self, path: Path, *, speed: float = 10.0, at_end: bool = False) -> None:
         """Open a recorded test; raise UnusableInput. at_end: begin with everything shown."""

@@ -57,7 +57,7 @@ class Client:
         self.entry = entry
         self.identity = uuid.uuid4().hex
         self._keys = _viewer_keys(entry)
-        self._operator = operator
+        self.operator = operator
         self._context = zmq.Context()
         self._stream = self._context.socket(zmq.DEALER)
         self._stream.setsockopt(zmq.RCVHWM, SNAPSHOT_QUEUE)
@@ -137,7 +137,7 @@ class Client:
             request = Request(
                 verb=verb,
                 arguments=arguments or {},
-                operator=self._operator,
+                operator=self.operator,
                 identifier=self._identifier,
                 client=self.identity,
                 version=self.entry.version,

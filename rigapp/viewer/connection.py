@@ -28,7 +28,9 @@ RELEASE_S = 1.0  # closing the window may wait so long, no longer
 
 
 class EngineClient(Protocol):
-    """Talk to one engine, in this process or another."""
+    """Talk to one engine, in this process or another; operator: in whose name."""
+
+    operator: str
 
     def poll(self) -> Snapshot | None:
         """Return what is new since the last poll, or None; never waits."""
@@ -79,6 +81,7 @@ class EngineConnection:
         self._attempts = 0
         self._retry_at: float | None = 0.0
         self._closed = False
+        self._operator = ""
         self.command = CommandWatch(clock)
         self.status: Status | None = None
 
@@ -91,6 +94,12 @@ class EngineConnection:
     def reason(self) -> str:
         """Return why the line is not good, in words."""
         return self._reason
+
+    def sign_as(self, operator: str) -> None:
+        """Ask in somebody's name from now on; empty: as the client was made."""
+        self._operator = operator
+        if self._client is not None and operator:
+            self._client.operator = operator
 
     @property
     def is_replay(self) -> bool:
@@ -191,6 +200,7 @@ class EngineConnection:
             client.close()
             return
         self._client = client
+        self.sign_as(self._operator)
         self._attached_at = self._clock()
 
     def _not_attached(self, error: Exception) -> None:

@@ -82,6 +82,7 @@ class ScriptedClient:
 
     def __init__(self, engine: ScriptedEngine) -> None:
         self._engine = engine
+        self.operator = ""
         self.closed = False
 
     def poll(self) -> Snapshot | None:

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.checks.start import preflight
+from rigapp.config.names import login_name
 from rigapp.config.ranges import refusal
 from rigapp.gui.language.catalogue import (
     ENGLISH,
@@ -214,7 +215,7 @@ NAMES = (
     "force_max is 212 N, warns above 200 N", "At 300 N for 3 cycles the test stops",
     "Look at the joint; lower the speed or stop the test",
     "GSV-8 1.44", "RoboClaw 4.3", "daq", "drive", "PTFE bushing 1", "/dev/pts/3", "socket://127",
-    "examples/quick.toml", "title",
+    "examples/quick.toml", "title", *LANGUAGES.values(), login_name(),
 )  # fmt: skip
 """What is not the window's own in what it shows: names of rig, test, people, files and keys, and
 an alarm that no engine raises."""

@@ -93,7 +93,7 @@ def test_the_bar_follows_and_leads_the_replay(
     bar = window.replay_bar
     assert bar.isVisible()
     assert not window.controls.isVisible()
-    assert window.tabs.places() == {RailPlace.WATCH, RailPlace.RESULTS}
+    assert window.tabs.places() == {RailPlace.WATCH, RailPlace.RESULTS, RailPlace.SETTINGS}
     assert not window.rail.buttons[RailPlace.RIG].isVisible()
     assert window.body.colour == LIGHT.highlight
     assert all(not one.isEnabled() for one in window.findChildren(GuardedButton))

@@ -32,6 +32,10 @@
         <translation>Fest&amp;halten</translation>
     </message>
     <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
         <source>&amp;Mistake</source>
         <translation>&amp;Fehler</translation>
     </message>
@@ -600,10 +604,6 @@
         <translation>Zyklus, nach Dekaden</translation>
     </message>
     <message>
-        <source>Dark F9</source>
-        <translation>Dunkel F9</translation>
-    </message>
-    <message>
         <source>Data age</source>
         <translation>Alter der Daten</translation>
     </message>
@@ -680,6 +680,14 @@
         <translation>Den nächsten Schritt tun</translation>
     </message>
     <message>
+        <source>Do the next step that the message line or the panel Recover names</source>
+        <translation>Den nächsten Schritt tun, den Meldezeile oder Wiederanlauf nennen</translation>
+    </message>
+    <message>
+        <source>Does</source>
+        <translation>Wirkung</translation>
+    </message>
+    <message>
         <source>Draft limit</source>
         <translation>Grenze im Entwurf</translation>
     </message>
@@ -740,6 +748,10 @@
         <translation>Drehgeber ausgefallen</translation>
     </message>
     <message>
+        <source>End</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
         <source>End the fault</source>
         <translation>Den Fehler beenden</translation>
     </message>
@@ -782,6 +794,10 @@
     <message>
         <source>Enter, r or q</source>
         <translation>Enter, r oder q</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
     </message>
     <message>
         <source>Every</source>
@@ -842,6 +858,10 @@
     <message>
         <source>File that the test is written to</source>
         <translation>Datei, in die der Versuch geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Folder of the results</source>
+        <translation>Ordner der Ergebnisse</translation>
     </message>
     <message>
         <source>Follow the last {} cycles</source>
@@ -920,6 +940,18 @@
         <translation>Den Grund angeben.</translation>
     </message>
     <message>
+        <source>Go to a page</source>
+        <translation>Zu einer Seite gehen</translation>
+    </message>
+    <message>
+        <source>Go to a place</source>
+        <translation>Zu einem Bereich gehen</translation>
+    </message>
+    <message>
+        <source>Go to the line for reasons and notes; Enter adds the note to the log</source>
+        <translation>Zur Zeile für Gründe und Notizen gehen; Enter schreibt die Notiz ins Protokoll</translation>
+    </message>
+    <message>
         <source>Gravity</source>
         <translation>Fallbeschleunigung</translation>
     </message>
@@ -934,6 +966,10 @@
     <message>
         <source>How far inside limit {} its alarm ends</source>
         <translation>Wie weit innerhalb der Grenze {} ihr Alarm endet</translation>
+    </message>
+    <message>
+        <source>How the page is</source>
+        <translation>Wie es um die Seite steht</translation>
     </message>
     <message>
         <source>Identified</source>
@@ -976,6 +1012,18 @@
         <translation>Diese Umdrehung grau hinter den nächsten behalten.</translation>
     </message>
     <message>
+        <source>Key</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Language and folder count when the window is opened again.</source>
+        <translation>Sprache und Ordner gelten, wenn das Fenster neu geöffnet ist.</translation>
+    </message>
+    <message>
         <source>Last &amp;{}</source>
         <translation>Letzte &amp;{}</translation>
     </message>
@@ -994,6 +1042,14 @@
     <message>
         <source>Lay the level on the flat of the crank, turn the crank until the bubble is in the middle, and enter the angle that the encoder shows. Then turn the level end for end and do it again: the mean is free of the level&apos;s own error</source>
         <translation>Die Wasserwaage auf die Fläche der Kurbel legen, die Kurbel drehen, bis die Blase in der Mitte ist, und den Winkel eingeben, den der Drehgeber zeigt. Dann die Wasserwaage umdrehen und es noch einmal tun: Das Mittel ist frei von ihrem eigenen Fehler</translation>
+    </message>
+    <message>
+        <source>Leads to</source>
+        <translation>Führt zu</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>Limit {}</source>
@@ -4438,58 +4494,16 @@
         <translation>Den Winkel des Drehgebers nehmen, wie er &amp;jetzt ist</translation>
     </message>
     <message>
-        <source>
-| Key | Does |
-| --- | --- |
-{commands}
-| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
-| F7 | Acknowledge the alarm that is told in full; show the alarms where none is seen |
-| {recover} | Do the next step that the message line or the *Recover* panel names |
-| F11 | Try the simulated rig, from the page *Start* |
-| F1 | This help |
-| F3 | Calibrate the load cell or the probes, map the pin&apos;s run-out |
-| F9 | Light or dark |
-| Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+N, Ctrl+R, Ctrl+U, Ctrl+W | Go to a page |
-| Alt + underlined letter | Press a button, go to a field |
-| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
-| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
-| Esc | Close the start bar or this window |
-
-The emergency stop is the red button on the rig. It works without this program, and no program
-replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
-</source>
-        <translation>
-| Taste | Wirkung |
-| --- | --- |
-{commands}
-| F8 | Zur Zeile für Gründe und Notizen; Enter schreibt die Notiz ins Protokoll |
-| F7 | Den Alarm quittieren, der ganz dasteht; ist keiner zu sehen, die Alarme zeigen |
-| {recover} | Den nächsten Schritt tun, den Meldezeile oder *Zurück zum Versuch* nennt |
-| F11 | Den simulierten Prüfstand ausprobieren, auf der Seite *Start* |
-| F1 | Diese Hilfe |
-| F3 | Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Bolzens aufnehmen |
-| F9 | Hell oder dunkel |
-| Strg+1 … Strg+9, Strg+0, Strg+D, Strg+N, Strg+R, Strg+U, Strg+W | Zu einer Seite |
-| Alt + unterstrichener Buchstabe | Eine Taste drücken, in ein Feld gehen |
-| ← → + − in einem Verlauf | Verschieben und vergrößern; ein Klick liest die Werte eines Zyklus, Esc wieder die neuesten |
-| ← → in einem Kraftbild | Den Cursor um 1°, mit Umschalt um 10° verschieben; ein Klick setzt ihn |
-| Esc | Die Startkarte oder dieses Fenster schließen |
-
-Der Not-Halt ist der rote Taster am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm
-ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus, die Datei wird geschlossen.
-</translation>
-    </message>
-    <message>
         <source>&amp;Guide</source>
         <translation>&amp;Anleitung</translation>
     </message>
     <message>
-        <source>&amp;Keys</source>
-        <translation>&amp;Tasten</translation>
-    </message>
-    <message>
         <source>&amp;Make the files</source>
         <translation>&amp;Dateien anlegen</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
     </message>
     <message>
         <source>&amp;Open this rig</source>
@@ -4572,6 +4586,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Einen neuen oder einen wie zuvor.</translation>
     </message>
     <message>
+        <source>A new way counts when the engine is started again.</source>
+        <translation>Ein neuer Weg gilt, wenn die Steuerung neu gestartet ist.</translation>
+    </message>
+    <message>
         <source>A recorded test is played: no rig is moved</source>
         <translation>Ein aufgezeichneter Versuch wird abgespielt: kein Prüfstand bewegt sich</translation>
     </message>
@@ -4616,6 +4634,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Den Alarm quittieren, der ganz zu lesen ist</translation>
     </message>
     <message>
+        <source>Acknowledge the alarm that is told in full; show the alarms where none is seen</source>
+        <translation>Den ausführlich gezeigten Alarm quittieren; die Alarme zeigen, wo keiner zu sehen ist</translation>
+    </message>
+    <message>
         <source>Action critical</source>
         <translation>Aktion, kritisch</translation>
     </message>
@@ -4624,12 +4646,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Aktion bei Warnung</translation>
     </message>
     <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
         <source>Add a step</source>
         <translation>Schritt hinzufügen</translation>
     </message>
     <message>
+        <source>Add the way</source>
+        <translation>Den Weg hinzufügen</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
         <source>Address already in use</source>
         <translation>Adresse schon in Gebrauch</translation>
+    </message>
+    <message>
+        <source>Address and port of the page</source>
+        <translation>Adresse und Port der Seite</translation>
     </message>
     <message>
         <source>After how many revolutions it is seen</source>
@@ -4672,6 +4710,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Allein</translation>
     </message>
     <message>
+        <source>Alt + underlined letter</source>
+        <translation>Alt + unterstrichener Buchstabe</translation>
+    </message>
+    <message>
+        <source>Alt+1 … Alt+5</source>
+        <translation>Alt+1 … Alt+5</translation>
+    </message>
+    <message>
         <source>Always watched</source>
         <translation>Immer überwacht</translation>
     </message>
@@ -4696,12 +4742,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wie in der Datei.</translation>
     </message>
     <message>
+        <source>As starte&amp;d</source>
+        <translation>Wie &amp;gestartet</translation>
+    </message>
+    <message>
+        <source>As started: {}</source>
+        <translation>Wie gestartet: {}</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie der Desktop</translation>
+    </message>
+    <message>
         <source>Asks each USB device who it is. A port behind a USB adapter is listed, not asked.</source>
         <translation>Fragt jedes USB-Gerät, wer es ist. Ein Anschluss hinter einem USB-Adapter wird aufgeführt, nicht befragt.</translation>
     </message>
     <message>
         <source>Back</source>
         <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Backspace in a plot</source>
+        <translation>Rücktaste in einem Diagramm</translation>
     </message>
     <message>
         <source>Basicmicro RoboClaw</source>
@@ -4794,6 +4856,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Calculating …</source>
         <translation>Wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Calibrate the load cell or the probes, map the pin&apos;s run-out</source>
+        <translation>Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Zapfens vermessen</translation>
     </message>
     <message>
         <source>Calibrate {} – rigapp</source>
@@ -4908,6 +4974,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Ordner wählen</translation>
     </message>
     <message>
+        <source>Choose the folder of the results</source>
+        <translation>Den Ordner der Ergebnisse auswählen</translation>
+    </message>
+    <message>
         <source>Click, or Tab to it and use ← →, to read values; Esc ends it. Draw a rectangle to look closer.</source>
         <translation>Klicken, oder mit Tab hierher und ← →, um Werte abzulesen; Esc beendet. Ein Rechteck aufziehen vergrößert.</translation>
     </message>
@@ -4918,6 +4988,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Close the comparison</source>
         <translation>Vergleich schließen</translation>
+    </message>
+    <message>
+        <source>Close the start bar or the help</source>
+        <translation>Startleiste oder Hilfe schließen</translation>
     </message>
     <message>
         <source>Close; all readings are kept</source>
@@ -5016,6 +5090,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Übersprechen auf Achse 2 durch eine Kraft längs 1</translation>
     </message>
     <message>
+        <source>Ctrl+,</source>
+        <translation>Strg+,</translation>
+    </message>
+    <message>
+        <source>Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+N, Ctrl+R, Ctrl+U, Ctrl+W</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Curve</source>
         <translation>Kurve</translation>
     </message>
@@ -5034,6 +5116,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Daily check: one weight at 4 pin angles</source>
         <translation>Tägliche Prüfung: ein Gewicht bei 4 Bolzenwinkeln</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>Data acquisition</source>
@@ -5616,10 +5702,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die simulierten Hände diesen Schritt tun lassen</translation>
     </message>
     <message>
-        <source>Light F9</source>
-        <translation>Hell F9</translation>
-    </message>
-    <message>
         <source>Light or dark</source>
         <translation>Hell oder dunkel</translation>
     </message>
@@ -5672,6 +5754,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Liste der Studien</translation>
     </message>
     <message>
+        <source>Live page</source>
+        <translation>Live-Seite</translation>
+    </message>
+    <message>
         <source>Load cell at rest</source>
         <translation>Kraftsensor in Ruhe</translation>
     </message>
@@ -5714,6 +5800,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Longest wait for the answer to one request</source>
         <translation>Längste Wartezeit auf die Antwort zu einer Anfrage</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aussehen</translation>
     </message>
     <message>
         <source>Look at force, temperature and speed about that revolution, at lubrication and debris; note what was done.</source>
@@ -5888,6 +5978,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Motorausgang, der die Spindel antreibt</translation>
     </message>
     <message>
+        <source>Move and zoom; a click reads the values at a cycle, Esc the newest again</source>
+        <translation>Verschieben und vergrößern; ein Klick liest die Werte bei einem Zyklus, Esc wieder die neuesten</translation>
+    </message>
+    <message>
+        <source>Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there</source>
+        <translation>Den Cursor um 1° verschieben, mit Umschalt um 10°; ein Klick setzt ihn dorthin</translation>
+    </message>
+    <message>
         <source>N per metre of width</source>
         <translation>N je Meter Breite</translation>
     </message>
@@ -5908,6 +6006,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Name</translation>
     </message>
     <message>
+        <source>Name of a new way</source>
+        <translation>Name eines neuen Wegs</translation>
+    </message>
+    <message>
         <source>Name of step {}</source>
         <translation>Name von Schritt {}</translation>
     </message>
@@ -5918,6 +6020,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Name of the load cell</source>
         <translation>Name des Kraftsensors</translation>
+    </message>
+    <message>
+        <source>Name of the operator</source>
+        <translation>Name des Bedieners</translation>
     </message>
     <message>
         <source>Name of the probe</source>
@@ -5958,6 +6064,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>New value of the chosen limit</source>
         <translation>Neuer Wert der gewählten Grenze</translation>
+    </message>
+    <message>
+        <source>New way</source>
+        <translation>Neuer Weg</translation>
     </message>
     <message>
         <source>Newest values</source>
@@ -6066,6 +6176,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Nobody is in command</source>
         <translation>Niemand hat das Kommando</translation>
+    </message>
+    <message>
+        <source>Nobody is told. Add a way: a URL as in mailtos:// or json://.</source>
+        <translation>Niemand wird benachrichtigt. Weg hinzufügen: eine URL wie mailtos:// oder json://.</translation>
     </message>
     <message>
         <source>Node id of the drive</source>
@@ -6222,6 +6336,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Open results</source>
         <translation>Ergebnisse öffnen</translation>
+    </message>
+    <message>
+        <source>Open the page in a browser</source>
+        <translation>Die Seite im Browser öffnen</translation>
+    </message>
+    <message>
+        <source>Open the window a&amp;gain</source>
+        <translation>&amp;Fenster neu öffnen</translation>
     </message>
     <message>
         <source>Open {}</source>
@@ -6386,6 +6508,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Prepare the test of the next specimen</source>
         <translation>Den Versuch der nächsten Probe vorbereiten</translation>
+    </message>
+    <message>
+        <source>Press a button, go to a field</source>
+        <translation>Eine Schaltfläche drücken, zu einem Feld gehen</translation>
     </message>
     <message>
         <source>Press the emergency stop before you reach into the rig.</source>
@@ -6692,6 +6818,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Ursache beheben, dann die Geräte verbinden</translation>
     </message>
     <message>
+        <source>Remove the chosen way</source>
+        <translation>Den gewählten Weg entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen way; those of the rig file stand there</source>
+        <translation>Den gewählten Weg entfernen; die der Prüfstandsdatei stehen dort</translation>
+    </message>
+    <message>
         <source>Repeat from step</source>
         <translation>Wiederholen ab Schritt</translation>
     </message>
@@ -6770,6 +6904,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Results</source>
         <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Results folder</source>
+        <translation>Ergebnisordner</translation>
     </message>
     <message>
         <source>Resume the paused test</source>
@@ -6932,6 +7070,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Suche läuft …</translation>
     </message>
     <message>
+        <source>Send a test &amp;message</source>
+        <translation>&amp;Testmeldung senden</translation>
+    </message>
+    <message>
+        <source>Sending a test message …</source>
+        <translation>Eine Testmeldung wird gesendet …</translation>
+    </message>
+    <message>
         <source>Sensitivity of the daily checks</source>
         <translation>Empfindlichkeit der täglichen Prüfungen</translation>
     </message>
@@ -6952,8 +7098,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Abfolge</translation>
     </message>
     <message>
+        <source>Ser&amp;ve</source>
+        <translation>Bereitste&amp;llen</translation>
+    </message>
+    <message>
         <source>Series</source>
         <translation>Reihe</translation>
+    </message>
+    <message>
+        <source>Serve the page</source>
+        <translation>Die Seite bereitstellen</translation>
+    </message>
+    <message>
+        <source>Serve the page no longer</source>
+        <translation>Die Seite nicht mehr bereitstellen</translation>
     </message>
     <message>
         <source>Set it right in the rig file, connect again, and compare both speeds on the Devices tab.</source>
@@ -6970,6 +7128,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Set speed not reached</source>
         <translation>Solldrehzahl nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Settings (*.toml)</source>
@@ -6996,6 +7158,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wieder alles zeigen</translation>
     </message>
     <message>
+        <source>Show all again after a rectangle was drawn</source>
+        <translation>Nach dem Ziehen eines Rechtecks wieder alles zeigen</translation>
+    </message>
+    <message>
         <source>Show mechanism and materials</source>
         <translation>Getriebe und Werkstoffe zeigen</translation>
     </message>
@@ -7014,6 +7180,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Show the section of the troubleshooting guide for the last error</source>
         <translation>Den Abschnitt der Anleitung zur Fehlersuche zum letzten Fehler zeigen</translation>
+    </message>
+    <message>
+        <source>Shows this rig in browsers of this computer, while the window is open.</source>
+        <translation>Zeigt diesen Prüfstand in Browsern dieses Rechners, solange das Fenster offen ist.</translation>
     </message>
     <message>
         <source>Signal</source>
@@ -7054,6 +7224,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Simulated hands</source>
         <translation>Simulierte Hände</translation>
+    </message>
+    <message>
+        <source>Simulated hands do the steps of a calibration, without waiting times. Simulated rig only.</source>
+        <translation>Simulierte Hände tun die Schritte einer Kalibrierung, ohne Wartezeiten. Nur am simulierten Prüfstand.</translation>
     </message>
     <message>
         <source>Simulated or replayed</source>
@@ -7148,6 +7322,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Standardunsicherheit der Messschraube</translation>
     </message>
     <message>
+        <source>Stands in the log at what is done from this window. Empty: the login name.</source>
+        <translation>Steht im Protokoll bei allem, was von diesem Fenster aus geschieht. Leer: der Anmeldename.</translation>
+    </message>
+    <message>
         <source>Start</source>
         <translation>Start</translation>
     </message>
@@ -7170,6 +7348,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Starting</source>
         <translation>Anlauf</translation>
+    </message>
+    <message>
+        <source>Starting the page …</source>
+        <translation>Die Seite wird gestartet …</translation>
     </message>
     <message>
         <source>Starting: the zeros are taken, then the spindle is brought to speed.</source>
@@ -7376,6 +7558,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{name} das Kommando nehmen? {name} kann dann nur noch zusehen; das Protokoll hält es fest.</translation>
     </message>
     <message>
+        <source>Take command of the rig, or release it</source>
+        <translation>Das Kommando über den Prüfstand nehmen oder abgeben</translation>
+    </message>
+    <message>
         <source>Take off what hangs on the pin, then end the calibration</source>
         <translation>Abnehmen, was am Bolzen hängt, dann die Kalibrierung beenden</translation>
     </message>
@@ -7398,6 +7584,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Take up {}</source>
         <translation>{} fortsetzen</translation>
+    </message>
+    <message>
+        <source>Tells of</source>
+        <translation>Meldet</translation>
     </message>
     <message>
         <source>Test</source>
@@ -7442,6 +7632,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Tests of the queue</source>
         <translation>Versuche der Warteschlange</translation>
+    </message>
+    <message>
+        <source>Th&amp;eme (F9)</source>
+        <translation>Farb&amp;schema (F9)</translation>
     </message>
     <message>
         <source>The &amp;load hangs still</source>
@@ -7572,6 +7766,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Das erste erfüllte beendet den Versuch; was leer ist, ist aus</translation>
     </message>
     <message>
+        <source>The folder results, where the program is started</source>
+        <translation>Der Ordner results, wo das Programm gestartet wird</translation>
+    </message>
+    <message>
         <source>The follower frame needs the mechanism of the test, which is unknown</source>
         <translation>Das Bezugssystem der Koppel braucht den Mechanismus des Versuchs, der unbekannt ist</translation>
     </message>
@@ -7582,6 +7780,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The force is not known, so the drive was switched off.</source>
         <translation>Die Kraft ist nicht bekannt; der Antrieb wurde abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The guides are not installed. Settings (Ctrl+,) list what each key does.
+
+The emergency stop is the red button on the rig. It works without this program, and no program replaces it.</source>
+        <translation>Die Anleitungen sind nicht installiert. Was jede Taste tut, steht unter Einstellungen (Strg+,).
+
+Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm ersetzt ihn.</translation>
     </message>
     <message>
         <source>The index pulse is low, not high</source>
@@ -7614,6 +7820,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The other probe was not read; the alignment is unknown</source>
         <translation>Der andere Wegsensor wurde nicht gelesen; die Ausrichtung ist unbekannt</translation>
+    </message>
+    <message>
+        <source>The page is at {}</source>
+        <translation>Die Seite steht unter {}</translation>
     </message>
     <message>
         <source>The pin is &amp;turned</source>
@@ -7820,6 +8030,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Ihre Kennwerte bleiben, ihre Messwerte nicht.</translation>
     </message>
     <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
         <source>Then</source>
         <translation>Danach</translation>
     </message>
@@ -7888,6 +8102,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Drehmoment des Motors für 1 A, aus seinem Datenblatt, für den Kanal torque_Nm; 0: nicht bekannt</translation>
     </message>
     <message>
+        <source>Tra&amp;ining mode</source>
+        <translation>Übungsbetr&amp;ieb</translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Training mode</source>
+        <translation>Übungsbetrieb</translation>
+    </message>
+    <message>
         <source>Trends</source>
         <translation>Verläufe</translation>
     </message>
@@ -7904,6 +8130,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Simulierten Prüfstand probieren</translation>
     </message>
     <message>
+        <source>Try the simulated rig, from the page Start</source>
+        <translation>Den simulierten Prüfstand ausprobieren, von der Seite Start aus</translation>
+    </message>
+    <message>
         <source>Tue</source>
         <translation>Di</translation>
     </message>
@@ -7914,6 +8144,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>UART 3.3 V</source>
         <translation>UART 3.3 V</translation>
+    </message>
+    <message>
+        <source>URL</source>
+        <translation>URL</translation>
     </message>
     <message>
         <source>Uncertainty</source>
@@ -8048,8 +8282,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Betrieb</translation>
     </message>
     <message>
+        <source>Way</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
         <source>Way to the limit</source>
         <translation>Weg zur Grenze</translation>
+    </message>
+    <message>
+        <source>Ways to be told</source>
+        <translation>Meldewege</translation>
     </message>
     <message>
         <source>Wear</source>
@@ -8092,12 +8334,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Was ein neuer Prüfstand ist</translation>
     </message>
     <message>
+        <source>What became of it</source>
+        <translation>Was daraus wurde</translation>
+    </message>
+    <message>
         <source>What becomes of the readings between two scans; average delays by an unknown time</source>
         <translation>Was mit den Messungen zwischen zwei Abtastungen geschieht; average verzögert um eine unbekannte Zeit</translation>
     </message>
     <message>
         <source>What came of it</source>
         <translation>Was daraus wurde</translation>
+    </message>
+    <message>
+        <source>What counts later</source>
+        <translation>Was später gilt</translation>
     </message>
     <message>
         <source>What happened</source>
@@ -8168,6 +8418,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Was die Datei enthält</translation>
     </message>
     <message>
+        <source>What the name is for</source>
+        <translation>Wozu der Name dient</translation>
+    </message>
+    <message>
         <source>What the number is</source>
         <translation>Was die Zahl ist</translation>
     </message>
@@ -8194,6 +8448,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>What the table of the power says</source>
         <translation>Was die Tabelle der Trennschärfe sagt</translation>
+    </message>
+    <message>
+        <source>What the training mode does</source>
+        <translation>Was der Übungsbetrieb bewirkt</translation>
     </message>
     <message>
         <source>What these faults are</source>
@@ -8244,6 +8502,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wo</translation>
     </message>
     <message>
+        <source>Where a new way leads</source>
+        <translation>Wohin ein neuer Weg führt</translation>
+    </message>
+    <message>
         <source>Where the certificate is</source>
         <translation>Wo der Kalibrierschein ist</translation>
     </message>
@@ -8286,6 +8548,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Who is in command</source>
         <translation>Wer das Kommando hat</translation>
+    </message>
+    <message>
+        <source>Who is told</source>
+        <translation>Wer benachrichtigt wird</translation>
     </message>
     <message>
         <source>Whole cycles not kept</source>
@@ -8804,6 +9070,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>kritisch</translation>
     </message>
     <message>
+        <source>critical alarms</source>
+        <translation>kritische Alarme</translation>
+    </message>
+    <message>
         <source>current</source>
         <translation>Strom</translation>
     </message>
@@ -8814,6 +9084,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>cycle {} at {:.0f}°</source>
         <translation>Zyklus {} bei {:.0f}°</translation>
+    </message>
+    <message>
+        <source>daily summary</source>
+        <translation>Tagesbericht</translation>
     </message>
     <message>
         <source>data acquisition</source>
@@ -8916,6 +9190,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Not-Halt, verriegelnd (Voreinstellung)</translation>
     </message>
     <message>
+        <source>end is near</source>
+        <translation>Ende naht</translation>
+    </message>
+    <message>
+        <source>end of a test</source>
+        <translation>Versuchsende</translation>
+    </message>
+    <message>
         <source>ends {}</source>
         <translation>Ende {}</translation>
     </message>
@@ -9002,6 +9284,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>from the calibration in the file</source>
         <translation>aus der Kalibrierung in der Datei</translation>
+    </message>
+    <message>
+        <source>full disk</source>
+        <translation>volle Platte</translation>
     </message>
     <message>
         <source>gain of the load cell</source>
@@ -9094,6 +9380,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>interrupted</source>
         <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>is a list of lists</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>is made of values of other files</source>
@@ -9536,6 +9826,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Pause</translation>
     </message>
     <message>
+        <source>pauses</source>
+        <translation>Pausen</translation>
+    </message>
+    <message>
         <source>pausing</source>
         <translation>Anhalten</translation>
     </message>
@@ -9770,6 +10064,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>signals</source>
         <translation>Signale</translation>
+    </message>
+    <message>
+        <source>silent engine</source>
+        <translation>stumme Steuerung</translation>
     </message>
     <message>
         <source>simulated</source>
@@ -10304,6 +10602,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Warnung: Drehzahl</translation>
     </message>
     <message>
+        <source>warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
         <source>was {}; {}</source>
         <translation>war: {}; {}</translation>
     </message>
@@ -10614,6 +10916,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>µm, to the planned end; bands 95 %</source>
         <translation>µm, bis zum geplanten Ende; Bänder 95 %</translation>
+    </message>
+    <message>
+        <source>← → + − in a trend</source>
+        <translation>← → + − in einem Verlauf</translation>
+    </message>
+    <message>
+        <source>← → in a force plot</source>
+        <translation>← → in einem Kraftdiagramm</translation>
     </message>
     <message>
         <source>▲ Attention</source>
@@ -14031,6 +14341,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} von {} Bytes</translation>
     </message>
     <message>
+        <source>{} of {} is a list of lists</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{} of {} is not a number from {:g} to {:g}</source>
         <translation>{} von {} ist keine Zahl von {} bis {}</translation>
     </message>
@@ -15001,6 +15315,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}: {} failed ({}); what was committed before is safe, check the disk before resuming</source>
         <translation>{}: {} schlug fehl ({}); was vorher gesichert wurde, ist sicher, vor dem Fortsetzen die Festplatte prüfen</translation>
+    </message>
+    <message>
+        <source>{}: {} has no name there; edit the file</source>
+        <translation>{}: {} hat dort keinen Namen; bearbeiten Sie die Datei</translation>
     </message>
     <message>
         <source>{}: {} in the test, {} in this rig</source>

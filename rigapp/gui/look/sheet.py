@@ -52,6 +52,9 @@ QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus { border: 2px solid $high
 QLineEdit:disabled { background: $alternate; color: $muted; border-color: $hairline; }
 QLineEdit[wrong="true"] { border: 2px solid $critical; padding: 0 7px; }
 
+QCheckBox { border: 2px solid $clear; border-radius: 4px; padding: 1px; }
+QCheckBox:focus { border-color: $highlight; }
+
 QComboBox, QAbstractSpinBox {
     background: $base; color: $text; border: 1px solid $border; border-radius: ${radius}px;
     padding: 0 7px; min-height: 28px; selection-background-color: $highlight;

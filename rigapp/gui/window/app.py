@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import sys
 from pathlib import Path
 
@@ -11,13 +12,15 @@ from PySide6.QtWidgets import QApplication
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.language.catalogue import LANGUAGES, chosen_language, speak_language
 from rigapp.gui.look.dress import apply_theme
+from rigapp.gui.look.preferences import Preference, Preferences
 from rigapp.gui.window.selftest import run_self_test
 from rigapp.gui.window.window import PROGRAM, MainWindow
-from rigapp.presentation.tokens import THEMES
 from rigapp.process.ending import asked_to_end, end_at_once
 from rigapp.process.memory import end_of_loading
 from rigapp.viewer.connection import ClientFactory, EngineConnection
 from rigapp.viewer.showntest import ShownTest
+
+log = logging.getLogger(__name__)
 
 LOOK_MS = 200  # Ctrl-C is obeyed at once, to a person
 LOADED_MS = 3000
@@ -56,19 +59,22 @@ def main(
             raise UnusableInput(
                 f"--language {language}: the window speaks {' and '.join(LANGUAGES)}; name one."
             )
-        settings.setValue("language", language)
-    kept = settings.value("language", "")
-    speak_language(application, chosen_language(str(kept)))
-    theme = THEMES.get(str(settings.value("theme", "light")), THEMES["light"])
+        settings.setValue(Preference.LANGUAGE.value, language)
+    preferences = Preferences(settings)
+    speak_language(application, chosen_language(preferences.get(Preference.LANGUAGE)))
+    theme = preferences.theme
     apply_theme(application, theme)
+    rig = rig_path if rig_path.suffix == ".toml" else None
     window = MainWindow(
         EngineConnection(client_factory),
         ShownTest(),
         theme,
-        rig=rig_path if rig_path.suffix == ".toml" else None,
+        rig=rig,
         tests=tests,
-        results_folder=results_folder,
+        results_folder=_results_folder(preferences, results_folder) if rig else results_folder,
+        preferences=preferences,
         settings=settings,
+        again=["gui", "--rig", str(rig)] if rig else ["replay", str(rig_path)],
     )
     window.setWindowTitle(f"{PROGRAM} – {rig_path.stem}")
     window.show()
@@ -81,6 +87,19 @@ def main(
         look.timeout.connect(lambda: _end_when_asked(asked, window, application))
         look.start(LOOK_MS)
         return application.exec()
+
+
+def _results_folder(preferences: Preferences, started: Path) -> Path:
+    """Return the folder that the user chose, made where it is missing; else that of the start."""
+    chosen = preferences.get(Preference.RESULTS_FOLDER)
+    if not chosen:
+        return started
+    try:
+        Path(chosen).mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        log.warning("%s cannot be used, results go to %s: %s", chosen, started, error)
+        return started
+    return Path(chosen)
 
 
 def _end_when_asked(asked: list[str], window: MainWindow, application: QApplication) -> None:

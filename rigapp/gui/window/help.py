@@ -1,10 +1,10 @@
-"""Help on F1: the guides with their pictures where they are installed, and always the keys."""
+"""Help on F1: the guides with their pictures where they are installed; and what each key does."""
 
 from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 from PySide6.QtCore import Qt, QTimer, QUrl
 from PySide6.QtGui import (
@@ -23,39 +23,46 @@ from rigapp.gui.widgets.build import button, named
 from rigapp.gui.window.controls import BUTTONS
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.prepare.shipped import GUIDE, TROUBLESHOOTING, guides_folder
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.translation import Text, marked, tr
 
+NO_GUIDE: Final[Text] = (
+    "The guides are not installed. Settings (Ctrl+,) list what each key does.\n\n"
+    "The emergency stop is the red button on the rig. It works without this program, and no program"
+    " replaces it."
+)
 MARGIN = 64  # px: the bar at the side, and what a list is set in from the page's edge
 
-KEYS: Text = """
-| Key | Does |
-| --- | --- |
-{commands}
-| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
-| F7 | Acknowledge the alarm that is told in full; show the alarms where none is seen |
-| {recover} | Do the next step that the message line or the *Recover* panel names |
-| F11 | Try the simulated rig, from the page *Start* |
-| F1 | This help |
-| F3 | Calibrate the load cell or the probes, map the pin's run-out |
-| F9 | Light or dark |
-| Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+N, Ctrl+R, Ctrl+U, Ctrl+W | Go to a page |
-| Alt + underlined letter | Press a button, go to a field |
-| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
-| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
-| Esc | Close the start bar or this window |
+KEYS: Final[tuple[tuple[Text, Text], ...]] = (
+    ("F8", "Go to the line for reasons and notes; Enter adds the note to the log"),
+    ("F7", "Acknowledge the alarm that is told in full; show the alarms where none is seen"),
+    (RECOVER_KEY, "Do the next step that the message line or the panel Recover names"),
+    ("F11", "Try the simulated rig, from the page Start"),
+    ("F1", "Help"),
+    ("F2", "Take command of the rig, or release it"),
+    ("F3", "Calibrate the load cell or the probes, map the pin's run-out"),
+    ("F9", "Light or dark"),
+    ("Alt+1 … Alt+5", "Go to a place"),
+    ("Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+N, Ctrl+R, Ctrl+U, Ctrl+W", "Go to a page"),
+    ("Ctrl+,", "Settings"),
+    (marked("Alt + underlined letter"), "Press a button, go to a field"),
+    (
+        marked("← → + − in a trend"),
+        "Move and zoom; a click reads the values at a cycle, Esc the newest again",
+    ),
+    (
+        marked("← → in a force plot"),
+        "Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there",
+    ),
+    (marked("Backspace in a plot"), "Show all again after a rectangle was drawn"),
+    ("Esc", "Close the start bar or the help"),
+)
+"""Keys beside those of the buttons at the bottom, and what they do."""
 
-The emergency stop is the red button on the rig. It works without this program, and no program
-replaces it. "Stop test" ends a test in order: the spindle runs down, the file is closed.
-"""
 
-
-def keys() -> str:
-    """Return what each key does, as Markdown."""
-    commands = "\n".join(
-        f"| {command.key} | {command.spoken.rstrip('…')}: {tr(command.tip)} |"
-        for command in BUTTONS
-    )
-    return f"# {tr('Keys')}\n{tr(KEYS, commands=commands, recover=RECOVER_KEY)}"
+def window_keys() -> tuple[tuple[Text, Text], ...]:
+    """Return each key of the window, and what it does."""
+    commands = ((one.key, f"{one.spoken.rstrip('…')}: {tr(one.tip)}") for one in BUTTONS)
+    return (*commands, *KEYS)
 
 
 def anchor_of(heading: str) -> str:
@@ -161,7 +168,7 @@ class HelpWindow(QWidget):
         back.setEnabled(False)
         self.browser.backwardAvailable.connect(back.setEnabled)
         row = QHBoxLayout()
-        for one in (self._guide, button("help_keys", "&Keys", self.show_keys), back):
+        for one in (self._guide, back):
             row.addWidget(one)
         row.addStretch()
         column = QVBoxLayout(self)
@@ -172,26 +179,23 @@ class HelpWindow(QWidget):
         self.show_guide()
 
     def show_guide(self) -> None:
-        """Show the operator's guide; the keys where no guide is installed."""
+        """Show the operator's guide; where the keys are listed if no guide is installed."""
         try:
             path = guides_folder() / GUIDE
         except UnusableInput:
             self._guide.setEnabled(False)
-            self.show_keys()
+            self.browser.show_markdown(tr(NO_GUIDE))
             return
         page = QUrl.fromLocalFile(str(path))
         self.browser.setSource(page, QTextDocument.ResourceType.MarkdownResource)
 
     def show_section(self, anchor: str) -> None:
-        """Show a section of the troubleshooting guide; the keys where no guide is installed."""
+        """Show a section of the troubleshooting guide, or that no guide is installed."""
         try:
             page = QUrl.fromLocalFile(str(guides_folder() / TROUBLESHOOTING))
         except UnusableInput:
-            self.show_keys()
+            self._guide.setEnabled(False)
+            self.browser.show_markdown(tr(NO_GUIDE))
             return
         self.browser.setSource(page, QTextDocument.ResourceType.MarkdownResource)
         self.browser.show_heading(anchor)
-
-    def show_keys(self) -> None:
-        """Show what each key does."""
-        self.browser.show_markdown(keys())

@@ -31,6 +31,7 @@ class RailPlace(enum.StrEnum):
     PREPARE = marked("Prepare")
     RIG = marked("Rig")
     RESULTS = marked("Results")
+    SETTINGS = marked("Settings")
 
 
 ICONS = {
@@ -38,15 +39,16 @@ ICONS = {
     RailPlace.PREPARE: Icon.PREPARE,
     RailPlace.RIG: Icon.RIG,
     RailPlace.RESULTS: Icon.RESULTS,
+    RailPlace.SETTINGS: Icon.SETTINGS,
 }
 
 
 class Rail(QFrame):
-    """Choose a place; above them the rig and whether it is real, below theme and help."""
+    """Choose a place; above them the rig and whether it is real, below settings and help."""
 
     chosen = Signal(RailPlace)
 
-    def __init__(self, theme: Theme, switch_theme: Callable[[], None], help_: Callable[[], None]):
+    def __init__(self, theme: Theme, help_: Callable[[], None]):
         super().__init__()
         named(self, "rail", "Places")
         self.setFixedWidth(RAIL_WIDTH)
@@ -63,16 +65,13 @@ class Rail(QFrame):
         group = QButtonGroup(self)
         for one in self.buttons.values():
             group.addButton(one)
-        self.theme_button = button(
-            "theme_button", "Dark F9", switch_theme, "Light or dark", rank="quiet"
-        )
         self.help_button = button("help_button", "Help F1", help_, "Help", rank="quiet")
-        places = [self.buttons[place] for place in RailPlace]
+        *places, settings = (self.buttons[place] for place in RailPlace)
         above = column(self.rig, self.kind, None)
         above.setSpacing(STEP // 2)
         self._above = QWidget()
         self._above.setLayout(above)
-        made = column(self._above, *places, None, self.theme_button, self.help_button, on=self)
+        made = column(self._above, *places, None, settings, self.help_button, on=self)
         made.setContentsMargins(1, STEP, 1, STEP)
         made.setSpacing(STEP // 2)
         self.make_room(tight=False)
@@ -104,9 +103,6 @@ class Rail(QFrame):
         )
         self._theme = theme
         self._paint_places()
-        dark = theme.name == "dark"
-        self.theme_button.setIcon(icon(Icon.LIGHT if dark else Icon.DARK, theme.secondary))
-        self.theme_button.setText(tr("Light F9") if dark else tr("Dark F9"))
         self.help_button.setIcon(icon(Icon.HELP, theme.secondary))
 
     def _paint_places(self) -> None:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
 
 from rigapp.gui.look.dress import dress_part
+from rigapp.gui.look.preferences import Preferences
 from rigapp.gui.panel import Act, Dressed, Host, InParts, Panel, StallCounter
 from rigapp.gui.panels.alarms import alarm_page
 from rigapp.gui.panels.cycle import cycle_page
@@ -28,9 +30,11 @@ from rigapp.gui.panels.wear import wear_page
 from rigapp.gui.plots.plotmenu import offer_menus
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.results.shelf import ResultShelf
+from rigapp.gui.settings.page import SettingsPage, settings_page
 from rigapp.gui.testfile.prepare import PreparePanel, prepare_page
 from rigapp.gui.widgets.build import named
 from rigapp.gui.widgets.turns import Turns
+from rigapp.gui.window.help import window_keys
 from rigapp.gui.window.places import PageName, RailPlace
 from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, tr
@@ -81,6 +85,7 @@ TABS = (
     Tab("start", "Start", "Ctrl+0", RailPlace.WATCH, start_page, may_begin),
     Tab("result", "Result", "Ctrl+R", RailPlace.WATCH, result_page, has_result),
     Tab("studies", "Studies", "Ctrl+D", RailPlace.RESULTS, studies_page),
+    Tab("settings", "Settings", "Ctrl+,", RailPlace.SETTINGS, settings_page),
     Tab("faults", "Simulated faults", "Ctrl+9", RailPlace.RIG, fault_page, _simulated),
     Tab("new_rig", "New rig", "Ctrl+N", RailPlace.RIG, new_rig_page, _with_rig),
 )
@@ -106,6 +111,8 @@ class Tabs(QTabWidget):
         results: ResultShelf,
         worker: TaskWorker,
         stalls: StallCounter,
+        preferences: Preferences,
+        rig: Path | None = None,
     ) -> None:
         super().__init__()
         self._test = test
@@ -121,6 +128,9 @@ class Tabs(QTabWidget):
             test.ask_revolution,
             self.asked.emit,
             self.help_wanted.emit,
+            preferences,
+            rig,
+            window_keys(),
         )
         self.panels = host.panels
         self._last_page = {tab.place: number for number, tab in reversed(list(enumerate(TABS)))}
@@ -145,6 +155,13 @@ class Tabs(QTabWidget):
         """Return the panel that prepares a test."""
         panel = self.panels["prepare"]
         assert isinstance(panel, PreparePanel)
+        return panel
+
+    @property
+    def settings(self) -> SettingsPage:
+        """Return the page of settings."""
+        panel = self.panels["settings"]
+        assert isinstance(panel, SettingsPage)
         return panel
 
     @property

@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.gui.look.dress import apply_theme, dress_part
+from rigapp.gui.look.preferences import OFF, Preference, Preferences
 from rigapp.gui.panel import Act
 from rigapp.gui.panels.alarms import AlarmPanel
 from rigapp.gui.panels.documents import launch_process
@@ -51,7 +52,7 @@ from rigapp.gui.window.startbar import StartBar
 from rigapp.gui.window.tabs import Tabs
 from rigapp.gui.window.watchdog import IDLE_PERIOD_S, PERIOD_S, Watchdog
 from rigapp.presentation.states import occupied_text
-from rigapp.presentation.tokens import GAP, MARGIN, STEP, THEMES, TIGHT_HEIGHT, TIGHT_WIDTH, Theme
+from rigapp.presentation.tokens import GAP, MARGIN, STEP, TIGHT_HEIGHT, TIGHT_WIDTH, Theme
 from rigapp.presentation.translation import Text, tr, translate
 from rigapp.process.memory import begin_to_load, end_of_loading
 from rigapp.schema.details import error_text
@@ -125,12 +126,16 @@ class MainWindow(QMainWindow):
         rig: Path | None = None,
         tests: Sequence[Path] = (),
         results_folder: Path = Path("results"),
+        preferences: Preferences | None = None,
         settings: QSettings | None = None,
+        again: Sequence[str] = (),
     ) -> None:
+        """Make it; again: the command that opens one like it."""
         super().__init__()
         self._connection = connection
         self._test = test
-        self._settings = settings
+        self._settings, self._again = settings, tuple(again)
+        self.preferences = preferences or Preferences(settings)
         self._reader = TaskWorker("gui-files", bound=32)
         self._looks = 0
         self.rhythm: Rhythm | None = None
@@ -161,12 +166,14 @@ class MainWindow(QMainWindow):
         self.replay_bar.hide()
         self.body = ReplayFrame()
         self._results = ResultShelf(results_folder, self._reader)
-        self.tabs = Tabs(test, theme, self._results, self._reader, self.watchdog)
+        self.tabs = Tabs(
+            test, theme, self._results, self._reader, self.watchdog, self.preferences, rig
+        )
         self.stage = Stage(self.tabs)
         self.start_bar = StartBar(self.tabs.prepare.recipe, tests, results_folder)
         self.side = SideColumn(theme, self.recover)
         self.tabs.panels["side"] = self.side
-        self.rail = Rail(theme, self.switch_theme, self.show_help)
+        self.rail = Rail(theme, self.show_help)
         bars = (self.viewer_bar, self.close_bar, self.end_calibration, self.notice)
         self.messages = MessageLine(bars, self.controls.answer_place, theme)
         if rig is not None:
@@ -290,7 +297,15 @@ class MainWindow(QMainWindow):
 
     def switch_theme(self) -> None:
         """Change between light and dark."""
-        self.dress(THEMES["dark" if self.theme.name == "light" else "light"])
+        other = "dark" if self.theme.name == "light" else "light"
+        self.preferences.put(Preference.THEME, other)
+
+    def _take_choice(self, what: Preference) -> None:
+        """Follow a choice of the user at once, where that is possible."""
+        if what is Preference.THEME and self.preferences.theme is not self.theme:
+            self.dress(self.preferences.theme)
+        elif what is Preference.OPERATOR:
+            self._connection.sign_as(self.preferences.get(Preference.OPERATOR))
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -377,7 +392,8 @@ class MainWindow(QMainWindow):
         self.controls.show_answer("", good=True)
         self._calibrating_since, self._occupies = begun.get("since", 0.0), False
         self.notice.own_calibration = self._calibrating_since
-        operator = status.engine.operator or getuser()
+        chosen = self.preferences.get(Preference.OPERATOR)
+        operator = chosen or status.engine.operator or getuser()
         test = self.tabs.prepare.recipe.path
         rig = Rig(status.rig.name, status.rig.simulated, operator, self._rig_file, test)
         line, folder = self._connection.request, self._results_folder
@@ -393,6 +409,8 @@ class MainWindow(QMainWindow):
             fields=choice.fields,
             key=begun.get("key", ""),
         )
+        trains = self.preferences.get(Preference.HANDS) != OFF
+        self._calibration.live.hands_offered = trains
         self._calibration.finished.connect(self._end_calibration)
         self._turns.then((self._take_calibration,))
 
@@ -464,6 +482,7 @@ class MainWindow(QMainWindow):
         self._part_timer.stop()
         self.watchdog.stop()
         self._save_layout()
+        self.tabs.settings.live.close_page()
         if self._calibration is not None:
             self._calibration.reject()  # it frees the rig over the line that is closed next
         self._connection.close()
@@ -575,6 +594,8 @@ class MainWindow(QMainWindow):
             self._try_simulated()
         elif act is Act.CALIBRATE:
             self.calibrate()
+        elif act is Act.AGAIN:
+            self._open_again()
         else:
             self.tabs.show_page(act.value)
 
@@ -588,6 +609,14 @@ class MainWindow(QMainWindow):
         else:
             launch_process(["gui", "--start"])
             self._say("A window with the simulated rig is being opened.")
+
+    def _open_again(self) -> None:
+        """Open a window like this one, as the settings are now, and close this one."""
+        if self._keep_unsaved():
+            return
+        self._save_layout()
+        launch_process(self._again)
+        self._leave()
 
     def _say(self, text: Text, *, good: bool = True) -> None:
         self.controls.show_answer(tr(text), good=good)
@@ -732,6 +761,8 @@ class MainWindow(QMainWindow):
         self.tabs.said.connect(lambda text, good: self.controls.show_answer(text, good=good))
         self.tabs.asked.connect(self._do)
         self.tabs.help_wanted.connect(self.help_with)
+        self.preferences.changed.connect(self._take_choice)
+        self._connection.sign_as(self.preferences.get(Preference.OPERATOR))
         for key, call in (
             ("F1", self.show_help),
             (COMMAND_KEY, self.controls.command_line.act),
@@ -774,7 +805,6 @@ class MainWindow(QMainWindow):
         for splitter in self.tabs.splitters:
             self._settings.setValue(f"splitter/{splitter.objectName()}", splitter.saveState())
         self._settings.setValue("tab", self.tabs.currentIndex())
-        self._settings.setValue("theme", self.theme.name)
 
 
 def _load_wizards() -> type[CalibrationWizard]:

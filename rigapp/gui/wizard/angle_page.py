@@ -73,7 +73,7 @@ class AnglePage(GuidePage):
         session = self._live.session
         if session is not None:
             self.uncertainty.setValue(session.given.angle.standard_uncertainty_deg)
-        self.hands.setVisible(self._live.rig.simulated)
+        self.hands.setVisible(self._live.trains)
         self._forget_first()
         self._look()
 

@@ -104,6 +104,7 @@ class LiveCalibration(QObject):
         self._line, self._session_type = line, session_type
         self.rig, self.practice = rig, session_type.practice
         self.key = ""
+        self.hands_offered = True
         self.session: Any = None
         self.view: Mapping[str, Any] | None = None
         self.window: Any = None
@@ -121,13 +122,18 @@ class LiveCalibration(QObject):
         self._timer.timeout.connect(self.tick)
         self._timer.start()
 
+    @property
+    def trains(self) -> bool:
+        """Tell whether simulated hands are offered: on a simulated rig, in training mode."""
+        return self.rig.simulated and self.hands_offered
+
     # --- the session -----------------------------------------------------------------------------
 
     def open(self, given: CalibrationFile, journal: Path, plan: Any) -> None:
         """Begin a calibration, or take it up where there is no plan; raise UnusableInput."""
         self.close_session()
         self.session = self._session_type(
-            given, self.rig, journal, plan, keep_waiting_times=not self.rig.simulated
+            given, self.rig, journal, plan, keep_waiting_times=not self.trains
         )
         self.outcome = None
         self._done_for = NOWHERE

@@ -125,7 +125,7 @@ class TakingPage(GuidePage):
 
     def initializePage(self) -> None:
         """Show the step under way, and offer to record."""
-        self.hands.setVisible(self.live_calibration.rig.simulated)
+        self.hands.setVisible(self.live_calibration.trains)
         self._move()
         self._look()
 

@@ -1,0 +1,162 @@
+"""Who is told when nobody looks: the ways of rig and user, a test of them, one more way."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Final, get_args
+
+from PySide6.QtCore import QProcess
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QCheckBox, QWidget
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.notify import NotifySection, When
+from rigapp.gui.widgets.build import button, column, edit, named, prose
+from rigapp.gui.widgets.reflow import flowing
+from rigapp.gui.widgets.tables import PlainTable
+from rigapp.presentation.tokens import STEP
+from rigapp.presentation.translation import Text, tr, translate
+from rigapp.process.children import module_command
+from rigapp.schema.details import error_text
+from rigapp.viewer.tasks import TaskWorker
+
+if TYPE_CHECKING:
+    from rigapp.notify.ways import ListedWay
+
+WORDS: Final[dict[str, Text]] = {
+    "critical": "critical alarms",
+    "warning": "warnings",
+    "end": "end of a test",
+    "pause": "pauses",
+    "criterion": "end is near",
+    "silence": "silent engine",
+    "disk": "full disk",
+    "daily": "daily summary",
+}
+"""What a way may tell of, in the order of the choices."""
+NOBODY: Final[Text] = "Nobody is told. Add a way: a URL as in mailtos:// or json://."
+COUNTS: Final[Text] = "A new way counts when the engine is started again."
+TABLE_HEIGHT = 13 * STEP
+
+
+class MessageCard(QWidget):
+    """List the ways, try them, add and remove those of the user's own file."""
+
+    def __init__(
+        self, worker: TaskWorker, rig: Path | None, say: Callable[[str, bool], None]
+    ) -> None:
+        super().__init__()
+        self._worker, self._rig, self._say = worker, rig, say
+        self._ways: tuple[ListedWay, ...] = ()
+        named(self, "message_ways", "Who is told")
+        self.table = PlainTable(
+            "way_table", "Ways to be told", ("Way", "Leads to", "Tells of"), stretch=(2,), cut=(1,)
+        )
+        self.table.setMinimumHeight(TABLE_HEIGHT)
+        self.table.itemSelectionChanged.connect(self._enable)
+        self.told = prose("ways_told", "What became of it", role="caption")
+        self.test = button("ways_test", "Send a test &message", self._test)
+        tip: Text = "Remove the chosen way; those of the rig file stand there"
+        self.remove = button("way_remove", "Remove", self._remove, "Remove the chosen way", tip=tip)
+        self.name = edit("way_name", "Name of a new way", self._enable, hint="Name")
+        self.url = edit("way_url", "Where a new way leads", self._enable, hint="URL")
+        self.when = {
+            one: named(QCheckBox(tr(WORDS[one])), f"way_when_{one}", WORDS[one])
+            for one in get_args(When)
+        }
+        for one in NotifySection().when:
+            self.when[one].setChecked(True)
+        self.add = button("way_add", "Add", self._add, "Add the way")
+        column(
+            (self.table, 1),
+            flowing(self.test, self.remove, None),
+            self.told,
+            flowing("New way", (self.name, 1), (self.url, 2), self.add),
+            flowing(*self.when.values()),
+            on=self,
+            spacing=STEP,
+        )
+        self._process = QProcess(self)
+        self._process.finished.connect(self._tested)
+        self._enable()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Read the ways again: they may have been edited."""
+        super().showEvent(event)
+        self.look()
+
+    def look(self) -> None:
+        """Read the ways on the worker."""
+        rig = self._rig
+        self._worker.submit(lambda: _read(rig), self._list, self._fail)
+
+    def _list(self, ways: tuple[ListedWay, ...]) -> None:
+        self._ways = ways
+        self.table.show_rows(
+            [
+                (one.name, one.leads_to, ", ".join(tr(WORDS[when]) for when in one.when))
+                for one in ways
+            ]
+        )
+        if not ways:
+            self.told.setText(tr(NOBODY))
+        self._enable()
+
+    def _fail(self, error: Exception) -> None:
+        self.told.setText(error_text(error, "The ways cannot be read."))
+
+    def _enable(self) -> None:
+        chosen = self.table.chosen_of(self._ways)
+        self.remove.setEnabled(chosen is not None and chosen.own)
+        self.test.setEnabled(bool(self._ways) and not self._process.processId())
+        self.add.setEnabled(bool(self.name.text().strip() and self.url.text().strip()))
+
+    def _add(self) -> None:
+        from rigapp.notify.ways import add_way
+
+        when = tuple(one for one, box in self.when.items() if box.isChecked())
+        way = NotifySection(url=self.url.text().strip(), name=self.name.text().strip(), when=when)
+        try:
+            add_way(way)
+        except UnusableInput as error:
+            self.told.setText(translate(error_text(error, "The way cannot be added.")))
+            return
+        self.name.clear()
+        self.url.clear()
+        self.told.setText(tr(COUNTS))
+        self.look()
+
+    def _remove(self) -> None:
+        from rigapp.notify.ways import remove_way
+
+        chosen = self.table.chosen_of(self._ways)
+        if chosen is None:
+            return
+        try:
+            remove_way(chosen.name)
+        except UnusableInput as error:
+            self.told.setText(translate(error_text(error, "The way cannot be removed.")))
+            return
+        self.told.setText(tr(COUNTS))
+        self.look()
+
+    def _test(self) -> None:
+        rig = ["--rig", self._rig] if self._rig is not None else []
+        program, *arguments = module_command("rigapp", "notify", "--test", *rig)
+        self.told.setText(tr("Sending a test message …"))
+        self._process.start(program, arguments)
+        self._enable()
+
+    def _tested(self) -> None:
+        said = bytes(self._process.readAllStandardOutput().data()).decode(errors="replace")
+        wrong = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
+        self.told.setText((said.strip() or wrong.strip()).removeprefix("rigapp: "))
+        self._enable()
+
+
+def _read(rig: Path | None) -> tuple[ListedWay, ...]:
+    from rigapp.config.loading import read_rig
+    from rigapp.notify.ways import listed_ways
+
+    return listed_ways(read_rig(rig) if rig is not None else None)
