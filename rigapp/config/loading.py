@@ -20,7 +20,7 @@ from rigapp.config.ranges import keys_of, refusals
 from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
 from rigapp.config.report import ReportFile
-from rigapp.config.rig import RigFile
+from rigapp.config.rig import OperatorsFile, RigFile
 from rigapp.config.toml import toml_tree
 from rigapp.texts import joined, say, sentence_of_error
 
@@ -69,6 +69,11 @@ def read_test(path: Path) -> Document[TestFile]:
 def read_notify(path: Path) -> Document[NotifyFile]:
     """Read a user's file of ways to be told; raise UnusableInput."""
     return read_document(path, NotifyFile)
+
+
+def read_operators(path: Path) -> Document[OperatorsFile]:
+    """Read the file of a rig's operators; raise UnusableInput."""
+    return read_document(path, OperatorsFile)
 
 
 def parse_notify(text: str, name: str) -> NotifyFile:

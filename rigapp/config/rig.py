@@ -236,6 +236,22 @@ class RecordsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     trusted_keys: tuple[str, ...] = ()
 
 
+class OperatorsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[operators]: who may change limits.
+
+    file: of their names and hashed PINs, relative to the rig file; empty: whoever may operate.
+    """
+
+    file: str = ""
+
+
+class OperatorsFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A file of operators. pins: a salted hash by name, as the window's settings write it."""
+
+    schema: int
+    pins: dict[str, str] = {}
+
+
 class RigFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A rig file."""
 
@@ -248,6 +264,7 @@ class RigFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     probes: ProbesSection
     channels: dict[str, ChannelSection] = {}
     records: RecordsSection = RecordsSection()
+    operators: OperatorsSection = OperatorsSection()
     simulation: SimulationSection | None = None
     notify: tuple[NotifySection, ...] = ()
     ping: PingSection | None = None

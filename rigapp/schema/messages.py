@@ -337,7 +337,7 @@ class RigStatus(_UnknownIsNone, frozen=True):
     """Show the rig and its devices.
 
     speed_rpm, data_age_s: None without a connection. coasting: the crank is being stopped, has no
-    power, and turns.
+    power, and turns. limits_need_pin: only operators with a PIN change limits.
     """
 
     name: str = ""
@@ -349,6 +349,7 @@ class RigStatus(_UnknownIsNone, frozen=True):
     drive: DriveView | None = None
     devices: tuple[DeviceView, ...] = ()
     channels: tuple[ChannelView, ...] = ()
+    limits_need_pin: bool = False
 
 
 class Status(msgspec.Struct, frozen=True, omit_defaults=True):

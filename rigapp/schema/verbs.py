@@ -23,6 +23,7 @@ WHAT_CHARACTERS = 100
 
 Words = Annotated[str, msgspec.Meta(max_length=NOTE_CHARACTERS)]
 Name = Annotated[str, msgspec.Meta(max_length=PATH_CHARACTERS)]
+Pin = Annotated[str, msgspec.Meta(max_length=100)]
 Duration = Annotated[float, msgspec.Meta(ge=0.0, le=1e9)]
 Revolutions = Annotated[Any, msgspec.Meta(extra={"key": "run.revolutions"})]
 """A number that is judged, and named, like a key of a file; see ``config.ranges``."""
@@ -115,18 +116,23 @@ class Note(msgspec.Struct, frozen=True):
 
 
 class Extend(msgspec.Struct, frozen=True):
-    """Give the test under way another number of revolutions."""
+    """Give the test under way another number of revolutions; pin: where the rig file wants one."""
 
     revolutions: Revolutions
     reason: Words = ""
+    pin: Pin = ""
 
 
 class SetLimit(msgspec.Struct, frozen=True):
-    """Name a limit, see ``Engine.set_limit``, and its new value, which is judged there."""
+    """Name a limit, see ``Engine.set_limit``, and its new value, which is judged there.
+
+    pin: of who asks, where the rig file wants one.
+    """
 
     name: Name
     value: Any
     reason: Words = ""
+    pin: Pin = ""
 
 
 class Zero(msgspec.Struct, frozen=True):

@@ -52,6 +52,7 @@ from rigapp.service.bugreport import BugReports
 from rigapp.service.calibration import RigCalibration
 from rigapp.service.command import InCommand
 from rigapp.service.lasttest import cut_off, last_wear, remember
+from rigapp.service.pins import PinCheck
 from rigapp.service.recorded import (
     bushing_left,
     checkpoint,
@@ -142,6 +143,7 @@ class EngineHost:
         self.command = InCommand(
             lambda text, who, before, after: self.engine.log("command", text, who, before, after)
         )
+        self.pins = PinCheck(rig)
         self.calibration = RigCalibration(
             None if own else rig.path, lambda text, who: self.engine.log("calibrating", text, who)
         )
@@ -494,5 +496,7 @@ class EngineHost:
             line_report=self.reports.shown,
         )
         pace = 0.0 if speed == "max" else float(speed or 1.0)
-        rig = msgspec.structs.replace(status.rig, simulated_speed=pace)
+        rig = msgspec.structs.replace(
+            status.rig, simulated_speed=pace, limits_need_pin=self.pins.wanted
+        )
         return msgspec.structs.replace(status, engine=engine, rig=rig, recovery=recovery)

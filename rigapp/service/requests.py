@@ -17,6 +17,7 @@ from rigapp.schema.verbs import (
     VERBS,
     BeginCalibration,
     CalibrationKey,
+    Extend,
     Hand,
     LinesToReport,
     Nothing,
@@ -24,6 +25,7 @@ from rigapp.schema.verbs import (
     QueueRemove,
     ReleaseCalibration,
     Resume,
+    SetLimit,
     Start,
     Zero,
 )
@@ -102,8 +104,8 @@ class RequestHandler:
             "acknowledge": lambda a, by: engine.acknowledge(a.key, by.operator),
             "shelve": lambda a, by: engine.shelve(a.key, a.reason, a.minutes, by.operator),
             "note": lambda a, by: engine.note(a.text, by.operator),
-            "extend": lambda a, by: engine.extend(a.revolutions, by.operator, a.reason),
-            "set_limit": lambda a, by: engine.set_limit(a.name, a.value, by.operator, a.reason),
+            "extend": self._extend_request,
+            "set_limit": self._limit_request,
             "calibration_begin": self._begin_calibration,
             "calibration_end": self._end_calibration,
             "calibration_release": self._release_calibration,
@@ -118,6 +120,14 @@ class RequestHandler:
             "simulation_state": lambda a, by: simulated.process.state(),
             "shutdown": lambda a, by: self._host.ended.set(),
         }
+
+    def _extend_request(self, asked: Extend, by: Request) -> None:
+        self._host.pins.judge(by.operator, asked.pin)
+        self._host.engine.extend(asked.revolutions, by.operator, asked.reason)
+
+    def _limit_request(self, asked: SetLimit, by: Request) -> None:
+        self._host.pins.judge(by.operator, asked.pin)
+        self._host.engine.set_limit(asked.name, asked.value, by.operator, asked.reason)
 
     def _hand_request(self, asked: Hand, by: Request) -> dict[str, int]:
         """Let the simulated hands do something; return the first device sample after it."""

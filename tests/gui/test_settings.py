@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import pytest
 from patience import PATIENCE_MS
 from PySide6.QtCore import QSettings, Qt
@@ -14,12 +15,18 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_notify
 from rigapp.config.notify import NotifySection
 from rigapp.gui.look.preferences import Preference, Preferences
+from rigapp.gui.panels.limits import LimitPanel
 from rigapp.gui.settings.page import SettingsPage
+from rigapp.gui.settings.pins import PinPart
 from rigapp.gui.window import window as window_module
 from rigapp.gui.window.app import _results_folder
 from rigapp.gui.window.window import MainWindow
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.notify import ways
+from rigapp.service.pins import fits, pins_in
+from rigapp.viewer.news import News
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 @pytest.fixture
@@ -139,3 +146,38 @@ def test_every_key_of_the_buttons_is_listed(page: SettingsPage, window: MainWind
 def _delivered(card: Any) -> bool:
     card._worker.deliver()
     return True
+
+
+def test_a_pin_is_set_for_the_operator_where_the_rig_wants_one(
+    tmp_path: Path, qtbot: Any, light_application: Any
+) -> None:
+    text = (EXAMPLES / "simulated.toml").read_text("utf-8")
+    rig = tmp_path / "rig.toml"
+    rig.write_text(f'{text}\n[operators]\nfile = "operators.toml"\n', "utf-8")
+    choices = Preferences()
+    choices.put(Preference.OPERATOR, "Ada")
+    part = PinPart(rig, choices)
+    qtbot.addWidget(part)
+    part.show()
+    assert part.by_pin.isHidden()
+    part.pin.setText("27")
+    part.set.click()
+    assert "4 characters" in part.told.text()
+    part.pin.setText("2718")
+    part.set.click()
+    assert "Ada" in part.told.text()
+    assert not part.by_pin.isHidden()
+    assert fits("2718", pins_in(tmp_path / "operators.toml")["Ada"])
+
+
+def test_the_limits_ask_for_a_pin_where_the_rig_wants_one(
+    window: MainWindow, engine: Any, attach: Callable[[], None], make_status: Any
+) -> None:
+    panel = window.tabs.panels["limits"]
+    assert isinstance(panel, LimitPanel)
+    window.tabs.show_page("limits")
+    status = make_status()
+    for wanted in (True, False):
+        rig = msgspec.structs.replace(status.rig, limits_need_pin=wanted)
+        panel.show_news(News(msgspec.structs.replace(status, rig=rig)))
+        assert panel.pin.isHidden() is not wanted

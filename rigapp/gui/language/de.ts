@@ -4590,6 +4590,10 @@
         <translation>Ein neuer Weg gilt, wenn die Steuerung neu gestartet ist.</translation>
     </message>
     <message>
+        <source>A present PIN</source>
+        <translation>Eine vorhandene PIN</translation>
+    </message>
+    <message>
         <source>A recorded test is played: no rig is moved</source>
         <translation>Ein aufgezeichneter Versuch wird abgespielt: kein Prüfstand bewegt sich</translation>
     </message>
@@ -4720,6 +4724,10 @@
     <message>
         <source>Always watched</source>
         <translation>Immer überwacht</translation>
+    </message>
+    <message>
+        <source>An operator needs a name</source>
+        <translation>Ein Bediener braucht einen Namen</translation>
     </message>
     <message>
         <source>Angle (deg)</source>
@@ -5462,6 +5470,10 @@
         <translation>FESTGEHALTEN</translation>
     </message>
     <message>
+        <source>Have a PIN and may change limits: {}.</source>
+        <translation>Haben eine PIN und dürfen Grenzwerte ändern: {}.</translation>
+    </message>
+    <message>
         <source>Health of the device</source>
         <translation>Zustand des Geräts</translation>
     </message>
@@ -6042,6 +6054,14 @@
         <translation>Neu</translation>
     </message>
     <message>
+        <source>New PIN</source>
+        <translation>Neue PIN</translation>
+    </message>
+    <message>
+        <source>New PIN of the operator</source>
+        <translation>Neue PIN des Bedieners</translation>
+    </message>
+    <message>
         <source>New rig</source>
         <translation>Neuer Prüfstand</translation>
     </message>
@@ -6172,6 +6192,10 @@
     <message>
         <source>No test yet</source>
         <translation>Noch kein Versuch</translation>
+    </message>
+    <message>
+        <source>Nobody has a PIN yet: nobody can change limits of a running test.</source>
+        <translation>Noch hat niemand eine PIN: niemand kann Grenzwerte eines laufenden Versuchs ändern.</translation>
     </message>
     <message>
         <source>Nobody is in command</source>
@@ -6376,6 +6400,22 @@
     <message>
         <source>P&amp;lan</source>
         <translation>P&amp;lan</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>PIN</translation>
+    </message>
+    <message>
+        <source>PIN of somebody who has one</source>
+        <translation>PIN von jemandem, der eine hat</translation>
+    </message>
+    <message>
+        <source>PIN of the operator</source>
+        <translation>PIN des Bedieners</translation>
+    </message>
+    <message>
+        <source>PINs for limits</source>
+        <translation>PINs für Grenzwerte</translation>
     </message>
     <message>
         <source>Packet serial address of the drive</source>
@@ -7114,6 +7154,10 @@
         <translation>Die Seite nicht mehr bereitstellen</translation>
     </message>
     <message>
+        <source>Set PIN</source>
+        <translation>PIN setzen</translation>
+    </message>
+    <message>
         <source>Set it right in the rig file, connect again, and compare both speeds on the Devices tab.</source>
         <translation>In der Prüfstandsdatei berichtigen, neu verbinden und beide Drehzahlen auf der Seite Geräte vergleichen.</translation>
     </message>
@@ -7128,6 +7172,10 @@
     <message>
         <source>Set speed not reached</source>
         <translation>Solldrehzahl nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Set the PIN of the operator</source>
+        <translation>Die PIN des Bedieners setzen</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -7646,6 +7694,10 @@
         <translation>Das &amp;Ziel steht vor dem Wegsensor</translation>
     </message>
     <message>
+        <source>The PIN of somebody who has one is needed, too</source>
+        <translation>Auch die PIN von jemandem, der eine hat, wird gebraucht</translation>
+    </message>
+    <message>
         <source>The assumption of tension does not hold: the follower is in compression at all crank angles. The pin bears on the wall away from the crank all the time; the same equations with minus the clearance were solved</source>
         <translation>Die Annahme von Zug gilt nicht: Die Koppel steht bei allen Kurbelwinkeln unter Druck. Der Bolzen liegt stets an der Wand an, die von der Kurbel abgewandt ist; gelöst wurden dieselben Gleichungen mit negativem Spiel</translation>
     </message>
@@ -8066,6 +8118,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Dieser Prüfstand läuft so schnell er kann: für diesen Fehler {} wählen.</translation>
     </message>
     <message>
+        <source>This rig wants no PIN for limits. To want one, add [operators] with a file to the rig file.</source>
+        <translation>Dieser Prüfstand verlangt keine PIN für Grenzwerte. Dazu [operators] mit einer Datei in die Prüfstandsdatei schreiben.</translation>
+    </message>
+    <message>
         <source>Thu</source>
         <translation>Do</translation>
     </message>
@@ -8140,6 +8196,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>Type how many revolutions the step has, or how many seconds.</source>
         <translation>Geben Sie ein, wie viele Umdrehungen der Schritt hat oder wie viele Sekunden.</translation>
+    </message>
+    <message>
+        <source>Type the PIN of the operator whom the settings name.</source>
+        <translation>Die PIN des Bedieners eingeben, den die Einstellungen nennen.</translation>
     </message>
     <message>
         <source>UART 3.3 V</source>
@@ -8544,6 +8604,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>Who and what</source>
         <translation>Wer und was</translation>
+    </message>
+    <message>
+        <source>Who has a PIN</source>
+        <translation>Wer eine PIN hat</translation>
     </message>
     <message>
         <source>Who is in command</source>
@@ -11721,6 +11785,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>--to {}: wurde mit rigapp {} begonnen; damit fortfahren oder einen neuen Ordner angeben</translation>
     </message>
     <message>
+        <source>A PIN has {} characters at least</source>
+        <translation>Eine PIN hat mindestens {} Zeichen</translation>
+    </message>
+    <message>
         <source>A mass of {:g} kg is written; was it meant in grams? Write kilograms</source>
         <translation>Geschrieben ist eine Masse von {} kg; waren Gramm gemeint? Kilogramm schreiben</translation>
     </message>
@@ -13737,6 +13805,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>diese Firmware hat keine Zeitüberwachung: Sie antwortet nicht auf SET_TIMEOUT und GET_TIMEOUT ({}, {}), und ohne sie darf die Spindel nicht drehen; die Firmware des Antriebs erneuern</translation>
     </message>
     <message>
+        <source>this is not the PIN of {}</source>
+        <translation>das ist nicht die PIN von {}</translation>
+    </message>
+    <message>
         <source>to {}</source>
         <translation>nach {}</translation>
     </message>
@@ -13747,6 +13819,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>too many by {:g} s; raise the tolerance</source>
         <translation>zu viele bei {} s; die Toleranz erhöhen</translation>
+    </message>
+    <message>
+        <source>too many wrong PINs; try again in {:.0f} s</source>
+        <translation>zu viele falsche PINs; in {:.0f} s wieder versuchen</translation>
     </message>
     <message>
         <source>too small for a contact that elements can see; it needs {:.1g} N</source>
@@ -14191,6 +14267,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>{} has had no value for {:.0f} s; its limit {:.6g} is not monitored</source>
         <translation>{} hat seit {:.0f} s keinen Wert; der Grenzwert {:.6g} wird nicht überwacht</translation>
+    </message>
+    <message>
+        <source>{} has no PIN; limits are changed by operators who have one</source>
+        <translation>{} hat keine PIN; Grenzwerte ändern Bediener, die eine haben</translation>
     </message>
     <message>
         <source>{} has shown the very same value for {:.1f} turns; check its sensor, amplifier and cable</source>

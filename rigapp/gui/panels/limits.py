@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QGroupBox, QVBoxLayout
+from PySide6.QtWidgets import QGroupBox, QLineEdit, QVBoxLayout
 
 from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
@@ -85,10 +85,14 @@ class LimitPanel(QGroupBox):
         self.change = button(
             "limit_change", "Chan&ge limit", self._change, "Change the chosen limit", guarded=True
         )
+        self.pin = edit("limit_pin", "PIN of the operator", self._enable, hint="PIN")
+        self.pin.setEchoMode(QLineEdit.EchoMode.Password)
+        self.pin.setMaximumWidth(VALUE_WIDTH)
+        self.pin.hide()
         self.problem = prose("limit_problem", "Why the limit cannot be changed")
         self.value.setMinimumWidth(VALUE_WIDTH)
         fit_hint(self.reason)
-        first = flowing("New value", (self.value, 1), (self.reason, 3), self.change)
+        first = flowing("New value", (self.value, 1), (self.reason, 3), self.pin, self.change)
         filled(QVBoxLayout(self), ((self.table, 1), first, self.problem))
         self._enable()
 
@@ -96,6 +100,7 @@ class LimitPanel(QGroupBox):
         """Show the limits of the test, with the changes that its log tells of."""
         status = news.status
         state = status.engine.state if status is not None else None
+        self.pin.setVisible(status is not None and status.rig.limits_need_pin)
         planned = status.test.planned if status is not None and status.test is not None else 0
         self._channels = news.data.channels
         self.show_limits(state, news.recipe, newest_limits(news.events), planned)
@@ -157,6 +162,8 @@ class LimitPanel(QGroupBox):
             return "This is the present value."
         if not self.reason.text().strip():
             return "Give the reason."
+        if not self.pin.isHidden() and not self.pin.text():
+            return "Type the PIN of the operator whom the settings name."
         return translate(self._refusal(name, number))
 
     def _refusal(self, name: str, number: float) -> str:
@@ -170,10 +177,16 @@ class LimitPanel(QGroupBox):
             return
         reason = self.reason.text().strip()
         self.reason.clear()
+        asked = (
+            {"reason": reason}
+            if self.pin.isHidden()
+            else {"reason": reason, "pin": self.pin.text()}
+        )
+        self.pin.clear()
         if name == REVOLUTIONS:
-            self.wanted.emit("extend", {"revolutions": number, "reason": reason})
+            self.wanted.emit("extend", {"revolutions": number, **asked})
         else:
-            self.wanted.emit("set_limit", {"name": name, "value": number, "reason": reason})
+            self.wanted.emit("set_limit", {"name": name, "value": number, **asked})
 
 
 def _number(value: float) -> str:

@@ -15,6 +15,7 @@ from rigapp.gui.look.preferences import AS_SYSTEM, OFF, Preference
 from rigapp.gui.panel import Act, Host
 from rigapp.gui.settings.livepage import LivePageCard
 from rigapp.gui.settings.messages import MessageCard
+from rigapp.gui.settings.pins import PinPart
 from rigapp.gui.widgets.build import (
     button,
     choice,
@@ -119,6 +120,7 @@ class SettingsPage(QWidget):
         why: Text = "Stands in the log at what is done from this window. Empty: the login name."
         yield flowing("N&ame", (self.operator, 1))
         yield prose("operator_why", "What the name is for", why, role="caption")
+        yield PinPart(self._host.rig, self._choices)
 
     def _folder(self) -> Iterable[Any]:
         self.folder = ElidedLabel("results_folder", "Folder of the results")

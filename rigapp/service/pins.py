@@ -1,0 +1,117 @@
+"""PINs of the operators who may change limits, in a file that the rig file names.
+
+They keep a colleague from changing in passing what guards a test; whoever can write the files of
+the rig can do more than that. Of each PIN there is a salted hash (scrypt, RFC 7914), never itself,
+and it is in no recorded file.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import hmac
+import math
+import os
+import threading
+import time
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Final
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import Document, read_operators
+from rigapp.config.rig import OperatorsFile, RigFile
+from rigapp.config.toml import toml_text
+from rigapp.config.writing import whole_file
+from rigapp.schema.states import Refused
+from rigapp.texts import say
+
+COST, BLOCK, LANES = 2**14, 8, 1
+"""Of a hash: 16 MB and some 50 ms, as RFC 7914 proposes for a login."""
+SALT_BYTES, HASH_BYTES = 16, 32
+FEWEST: Final = 4
+"""Characters of a PIN."""
+FREE_TRIES, LONGEST_WAIT_S = 3, 300.0
+"""Wrong PINs in a row before the first wait, which doubles with each further one."""
+
+
+def hashed(pin: str, salt: bytes | None = None) -> str:
+    """Return what is kept of a PIN."""
+    salt = salt or os.urandom(SALT_BYTES)
+    made = hashlib.scrypt(pin.encode(), salt=salt, n=COST, r=BLOCK, p=LANES, dklen=HASH_BYTES)
+    return f"scrypt:{COST}:{BLOCK}:{LANES}:{salt.hex()}:{made.hex()}"
+
+
+def fits(pin: str, kept: str) -> bool:
+    """Tell whether a PIN is the one of which a hash is kept; no other form of hash fits."""
+    try:
+        kind, cost, block, lanes, salt, expected = kept.split(":")
+        if (kind, int(cost), int(block), int(lanes)) != ("scrypt", COST, BLOCK, LANES):
+            return False
+        made = hashed(pin, bytes.fromhex(salt)).rpartition(":")[2]
+    except ValueError:
+        return False
+    return hmac.compare_digest(made, expected)
+
+
+def operators_file(rig: Document[RigFile]) -> Path | None:
+    """Return the file of the operators of a rig, None where none is wanted."""
+    name = rig.record.operators.file
+    return rig.path.parent / name if name else None
+
+
+def pins_in(file: Path) -> Mapping[str, str]:
+    """Return the hashes by the operators' names, none without a file; raise UnusableInput."""
+    return read_operators(file).record.pins if file.exists() else {}
+
+
+def set_pin(file: Path, name: str, pin: str, by_pin: str) -> None:
+    """Give an operator a PIN, a new one in the place of the former; raise UnusableInput.
+
+    by_pin: the PIN of somebody who has one, where anybody has.
+    """
+    pins = dict(pins_in(file))
+    if not name.strip():
+        raise UnusableInput("An operator needs a name.")
+    if len(pin) < FEWEST:
+        raise UnusableInput("A PIN has {} characters at least.", FEWEST)
+    if pins and not any(fits(by_pin, kept) for kept in pins.values()):
+        raise UnusableInput("The PIN of somebody who has one is needed, too.")
+    pins[name.strip()] = hashed(pin)
+    with whole_file(file, mode=0o600) as part:
+        part.write_text(toml_text(OperatorsFile(1, pins)), encoding="utf-8", newline="")
+
+
+class PinCheck:
+    """Let a limit be changed by an operator with a PIN only, where the rig file wants that."""
+
+    def __init__(self, rig: Document[RigFile], clock: Callable[[], float] = time.monotonic) -> None:
+        self._file = operators_file(rig)
+        self._clock, self._lock = clock, threading.Lock()
+        self._wrong, self._wait_until = 0, -math.inf
+
+    @property
+    def wanted(self) -> bool:
+        """Tell whether limits need a PIN."""
+        return self._file is not None
+
+    def judge(self, operator: str, pin: str) -> None:
+        """Raise Refused where the PIN is not the operator's, UnusableInput for a broken file."""
+        if self._file is None:
+            return
+        with self._lock:  # two at once would have twice the tries
+            left = self._wait_until - self._clock()
+            if left > 0.0:
+                raise Refused(say("too many wrong PINs; try again in {:.0f} s", math.ceil(left)))
+            kept = pins_in(self._file).get(operator)
+            if kept is None:
+                raise Refused(
+                    say("{} has no PIN; limits are changed by operators who have one", operator)
+                )
+            if fits(pin, kept):
+                self._wrong = 0
+                return
+            self._wrong += 1
+            if self._wrong >= FREE_TRIES:
+                wait_s = min(2.0 ** (self._wrong - FREE_TRIES + 1), LONGEST_WAIT_S)
+                self._wait_until = self._clock() + wait_s
+            raise Refused(say("this is not the PIN of {}", operator))
