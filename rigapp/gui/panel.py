@@ -18,6 +18,7 @@ from rigapp.gui.look.preferences import Preferences
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text
+from rigapp.viewer.knownwear import WearReader
 from rigapp.viewer.news import News, Takes
 from rigapp.viewer.recording import StoredRevolution
 from rigapp.viewer.tasks import TaskWorker
@@ -84,8 +85,9 @@ class Host:
     ask: a request to the engine, whose answer the window shows. say: a sentence where answers
     stand, and whether it is a good one. read_revolution: the saved cycle nearest to a revolution.
     results: the recorded tests. do: go somewhere, begin something. help: show a section of
-    docs/troubleshooting.md, by its anchor. preferences: the user's choices.
-    rig: the rig file, None in a replay. keys: each key of the window, and what it does.
+    docs/troubleshooting.md, by its anchor. preferences: the user's choices. wear: has computed what
+    is known of it. rig: the rig file, None in a replay. keys: each key of the window, and what it
+    does.
     """
 
     theme: Theme
@@ -98,6 +100,7 @@ class Host:
     do: Callable[[Act], None]
     help: Callable[[str], None]
     preferences: Preferences
+    wear: WearReader
     rig: Path | None = None
     keys: tuple[tuple[Text, Text], ...] = ()
     panels: dict[str, Panel] = field(default_factory=dict)

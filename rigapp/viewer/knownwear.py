@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from rigapp.presentation.numbers import coefficient_text, grouped
 from rigapp.presentation.times import MOMENT, dated, duration
-from rigapp.presentation.translation import tr
+from rigapp.presentation.translation import tr, translate
 from rigapp.process.children import module_command
 from rigapp.schema.columns import WEAR_MODELS
 from rigapp.schema.messages import RunState, last_set_speed
@@ -28,6 +28,7 @@ from rigapp.viewer.channels import FreeValue
 from rigapp.viewer.judged import QUALITY
 from rigapp.viewer.news import News
 from rigapp.viewer.series import SeriesTable
+from rigapp.viewer.tasks import TaskWorker
 
 Floats = NDArray[np.float64]
 
@@ -229,3 +230,50 @@ def of_tree(tree: Mapping[str, Any]) -> KnownWear:
 
 def _floats(values: list[float | None]) -> Floats:
     return np.array([math.nan if one is None else one for one in values], dtype=np.float64)
+
+
+NOTHING = KnownWear("")
+REST_S = 3.0
+"""Between two computations: at the highest speed of a simulated rig bins come faster than that."""
+Read = Callable[[Path, int], KnownWear]
+"""Compute what is known of a test after a revolution, on a worker thread."""
+
+
+class WearReader:
+    """Have what is known of a test's wear computed, one at a time for all who show it."""
+
+    def __init__(self, worker: TaskWorker, read: Read = known_wear) -> None:
+        self._worker, self._reader = worker, read
+        self.known, self.said = NOTHING, ""
+        self._read: tuple[Path | None, float] = (None, math.nan)
+        self._busy = False
+        self._done_at = -math.inf
+
+    def look(self, news: News, rest_s: float = REST_S) -> None:
+        """Compute again where the columns say something new, rest_s after the last time."""
+        path, rows = news.path, news.data.predictions.revolutions
+        if self._read[0] != path:
+            self.known, self.said, self._read = NOTHING, "", (path, math.nan)
+            self._done_at = -math.inf
+        if path is None or not len(rows) or self._busy:
+            return
+        if time.monotonic() < self._done_at + rest_s:
+            return
+        revolution = newest_wear(news.data.predictions).revolution
+        # Why nothing is known yet changes with the number of revolutions: look at each doubling.
+        wanted = (path, revolution if math.isfinite(revolution) else -math.log2(len(rows)) // 1.0)
+        if wanted == self._read:
+            return
+        after = int(rows[-1])
+        self._busy = self._worker.submit(
+            lambda: self._reader(path, after),
+            lambda known: self._computed(wanted, known),
+            lambda error: self._computed(wanted, KnownWear(tr("Not computed: {}", error))),
+        )
+
+    def _computed(self, wanted: tuple[Path, float], known: KnownWear) -> None:
+        self._busy = False
+        self._done_at = time.monotonic()
+        if self._read[0] == wanted[0]:
+            self._read, self.known = wanted, known
+            self.said = translate(known.sentence)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,11 +14,19 @@ import pytest
 from patience import PATIENCE_MS
 
 from rigapp.gui.panels.wear import WearPanel
+from rigapp.gui.plots.knownwear import ForecastPanel
 from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.tokens import DARK, LIGHT
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import Snapshot
-from rigapp.viewer.knownwear import KnownWear, known_wear, newest_wear, of_tree, wear_values
+from rigapp.viewer.knownwear import (
+    KnownWear,
+    WearReader,
+    known_wear,
+    newest_wear,
+    of_tree,
+    wear_values,
+)
 from rigapp.viewer.news import News
 from rigapp.viewer.series import LiveData
 from rigapp.viewer.tasks import TaskWorker
@@ -130,7 +139,7 @@ def test_the_panel_draws_bands_and_course_and_asks_again_only_for_news(
         asked.append((path, after))
         return of_tree(TREE)
 
-    panel = WearPanel(LIGHT, worker, read)
+    panel = WearPanel(LIGHT, WearReader(worker, read))
     qtbot.addWidget(panel)
     panel.show_news(News())
     assert panel.sentence.text().startswith("No revolution measured yet")
@@ -141,7 +150,7 @@ def test_the_panel_draws_bands_and_course_and_asks_again_only_for_news(
     def drawn() -> bool:
         panel.show_news(news)
         worker.deliver()
-        x = panel.bands.newest.median.x
+        x = panel.bands.plot.newest.median.x
         return len(x) > 0
 
     qtbot.waitUntil(drawn, timeout=PATIENCE_MS)
@@ -154,7 +163,7 @@ def test_the_panel_draws_bands_and_course_and_asks_again_only_for_news(
         "from 1\u202f000 on",
         "measured",
     ]
-    assert list(panel.bands.newest.median.x) == [1000, 2000], "not what is unknown"
+    assert list(panel.bands.plot.newest.median.x) == [1000, 2000], "not what is unknown"
     assert panel.narrowing.plot.instead == ""
     panel.dress(DARK)
     panel.show_news(News(path=Path("b.h5")))
@@ -170,7 +179,7 @@ def test_a_refusal_is_told_in_words(
         assert arguments == ["a.h5", "--json", "--after", "50"]
         return json.dumps({"tests": [{"refused": True, "sentence": sentence}]})
 
-    panel = WearPanel(LIGHT, worker, lambda path, after: known_wear(path, after, run))
+    panel = WearPanel(LIGHT, WearReader(worker, lambda path, after: known_wear(path, after, run)))
     qtbot.addWidget(panel)
     data = LiveData()
     data.take(make_snapshot(count=50))
@@ -190,3 +199,55 @@ def test_the_tiles_stand_in_the_window(
     engine.snapshots.append(stated())
     attach()
     assert window.side.live.free["wear_coefficient"].value.whole == "555 · 10⁻⁶ mm³/(N m)"
+
+
+def forecast(qtbot: Any, worker: TaskWorker, tree: dict[str, Any] = TREE) -> ForecastPanel:
+    panel = ForecastPanel(
+        LIGHT, WearReader(worker, lambda path, after: of_tree(tree)), lambda: None
+    )
+    qtbot.addWidget(panel)
+    panel.show()
+    return panel
+
+
+def test_the_forecast_runs_to_the_planned_end_and_says_what_remains(
+    qtbot: Any, qapp: Any, stated: Any, worker: TaskWorker
+) -> None:
+    panel = forecast(qtbot, worker)
+    data = LiveData()
+    data.take(stated())
+    news = News(status=stated().status, data=data, path=Path("a.h5"))
+
+    def drawn() -> bool:
+        panel.show_news(news)
+        worker.deliver()
+        return len(panel.plot.newest.median.x) > 0
+
+    qtbot.waitUntil(drawn, timeout=PATIENCE_MS)
+    assert [one.text for one in panel.plot.marks.names] == ["forecast, 95 %", "measured"]
+    assert panel.plot.viewRange()[0][1] == max(4000, news.status.test.planned)
+    assert panel.remains.whole.startswith("Until the final wear depth: ")
+    assert "to beyond the model revolutions (95 %)" in panel.remains.whole
+    assert panel.why.isHidden()
+    assert panel.mend.isHidden()
+
+
+def test_without_a_record_of_the_probes_one_sentence_says_so_with_the_way_out(
+    qtbot: Any, qapp: Any, make_snapshot: Any, worker: TaskWorker
+) -> None:
+    panel = forecast(qtbot, worker, {"refused": True, "sentence": "Not known."})
+    data, snapshot = LiveData(), make_snapshot(count=50)
+    data.take(snapshot)
+    status = snapshot.status
+    for uncertainty, lacking in ((None, True), (0.5, False)):
+        probes = tuple(
+            msgspec.structs.replace(one, name=f"probe_{at}", uncertainty=uncertainty)
+            for at, one in enumerate(status.rig.channels[:2], 1)
+        )
+        rig = msgspec.structs.replace(status.rig, channels=probes)
+        news = News(msgspec.structs.replace(status, rig=rig), data, path=Path("a.h5"))
+        panel.show_news(news)
+        assert panel.mend.isHidden() is not lacking
+        assert ("no calibration record" in panel.why.text()) is lacking
+        panel.show_news(replace(news, is_replay=True))
+        assert panel.mend.isHidden(), "a replay has no rig to calibrate"

@@ -1404,6 +1404,10 @@
         <translation>Siehe den Satz beim Formular</translation>
     </message>
     <message>
+        <source>Serve</source>
+        <translation>Bereitstellen</translation>
+    </message>
+    <message>
         <source>Severe wear coefficient</source>
         <translation>Verschleißkoeffizient der Hochlage</translation>
     </message>
@@ -4360,6 +4364,10 @@
         <translation>µm je 1000 U</translation>
     </message>
     <message>
+        <source>µm, to the planned end</source>
+        <translation>µm, bis zum geplanten Ende</translation>
+    </message>
+    <message>
         <source>Δ model</source>
         <translation>Δ Modell</translation>
     </message>
@@ -4868,6 +4876,10 @@
     <message>
         <source>Calibrate the load cell or the probes, map the pin&apos;s run-out</source>
         <translation>Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Zapfens vermessen</translation>
+    </message>
+    <message>
+        <source>Calibrate the probes</source>
+        <translation>Wegsensoren kalibrieren</translation>
     </message>
     <message>
         <source>Calibrate {} – rigapp</source>
@@ -6122,6 +6134,10 @@
         <translation>Getrennt</translation>
     </message>
     <message>
+        <source>No forecast: the probes have no calibration record. Calibrate them.</source>
+        <translation>Keine Prognose: Die Wegsensoren haben keinen Kalibrierdatensatz. Kalibrieren Sie sie.</translation>
+    </message>
+    <message>
         <source>No limit is watched now</source>
         <translation>Jetzt wird keine Grenze überwacht</translation>
     </message>
@@ -7138,10 +7154,6 @@
         <translation>Abfolge</translation>
     </message>
     <message>
-        <source>Ser&amp;ve</source>
-        <translation>Bereitste&amp;llen</translation>
-    </message>
-    <message>
         <source>Series</source>
         <translation>Reihe</translation>
     </message>
@@ -7834,6 +7846,10 @@
         <translation>Die Kraft ist nicht bekannt; der Antrieb wurde abgeschaltet.</translation>
     </message>
     <message>
+        <source>The forecast is being computed …</source>
+        <translation>Die Prognose wird berechnet …</translation>
+    </message>
+    <message>
         <source>The guides are not installed. Settings (Ctrl+,) list what each key does.
 
 The emergency stop is the red button on the rig. It works without this program, and no program replaces it.</source>
@@ -8076,6 +8092,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>The voltage does not follow the reference; is the channel connected?</source>
         <translation>Die Spannung folgt dem Referenzwert nicht; ist der Kanal angeschlossen?</translation>
+    </message>
+    <message>
+        <source>The wear depth with its forecast is drawn here.</source>
+        <translation>Hier wird die Verschleißtiefe mit ihrer Prognose gezeichnet.</translation>
     </message>
     <message>
         <source>Their statistics are kept, their samples are not.</source>
@@ -8374,6 +8394,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Verschleißtiefe der Wegsensoren mit erweiterter Unsicherheit (k = 2)</translation>
     </message>
     <message>
+        <source>Wear depth with its forecast</source>
+        <translation>Verschleißtiefe mit ihrer Prognose</translation>
+    </message>
+    <message>
         <source>Wear law</source>
         <translation>Verschleißgesetz</translation>
     </message>
@@ -8460,6 +8484,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>What makes the device scan: its own clock, or each pulse of the encoder on input D6</source>
         <translation>Was das Gerät abtasten lässt: die eigene Uhr oder jeder Puls des Drehgebers an Eingang D6</translation>
+    </message>
+    <message>
+        <source>What remains</source>
+        <translation>Was verbleibt</translation>
     </message>
     <message>
         <source>What shall be calibrated?</source>
@@ -8636,6 +8664,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>Why the test ended</source>
         <translation>Warum der Versuch endete</translation>
+    </message>
+    <message>
+        <source>Why there is no forecast</source>
+        <translation>Warum es keine Prognose gibt</translation>
     </message>
     <message>
         <source>Why this window only looks</source>
@@ -9332,6 +9364,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>force at full scale</source>
         <translation>Kraft beim Endwert</translation>
+    </message>
+    <message>
+        <source>forecast, 95 %</source>
+        <translation>Prognose, 95 %</translation>
     </message>
     <message>
         <source>free position of the spring</source>

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
-from rigapp.gui.panel import Host
+from rigapp.gui.panel import Act, Host
+from rigapp.gui.plots.knownwear import ForecastPanel
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.trendview import TrendView
@@ -29,11 +32,11 @@ def overview_page(host: Host) -> QWidget:
     theme = host.theme
     overlay = host.add("overview", OverlayPanel("overview", theme))
     view = TrendView()
-    wear = host.add("overview_wear", TrendPanel("overview_wear", theme, "wear", view=view))
-    trend = host.add(
-        "overview_trend", TrendPanel("overview", theme, LARGEST, view=view, leads=False)
+    forecast = host.add(
+        "forecast", ForecastPanel(theme, host.wear, partial(host.do, Act.CALIBRATE))
     )
-    right = split("overview_right", Qt.Orientation.Vertical, [320, 320], wear, trend)
+    trend = host.add("overview_trend", TrendPanel("overview", theme, LARGEST, view=view))
+    right = split("overview_right", Qt.Orientation.Vertical, [340, 300], forecast, trend)
     return FoldingSplitter("overview_split", OVERVIEW_BESIDE_FROM).divide(
         (overlay, 700, OVERLAY), (right, 700, TRENDS)
     )

@@ -2,26 +2,54 @@
 
 from __future__ import annotations
 
-import numpy as np
+import time
+from collections.abc import Callable
+from typing import Final
 
+import numpy as np
+from PySide6.QtGui import QFont
+
+from rigapp.gui.look.fonts import sized
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.limitlines import limit_lines
 from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.palette import LinePen
-from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, plot_heading, remark
-from rigapp.gui.widgets.build import column
+from rigapp.gui.plots.plotting import (
+    NO_REVOLUTION,
+    PlotPanel,
+    QuietPlot,
+    detail,
+    plot_heading,
+    remark,
+)
+from rigapp.gui.widgets.build import button, column, prose, row
+from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.presentation.numbers import COEFFICIENT_SCALE, COEFFICIENT_UNIT, grouped
-from rigapp.presentation.tokens import Theme
+from rigapp.presentation.tokens import BODY_PT, GAP, Theme
 from rigapp.presentation.translation import Text, tr
+from rigapp.schema.messages import Status
 from rigapp.viewer.judged import EVERYTHING, Flagged, drawn
-from rigapp.viewer.knownwear import COEFFICIENT, Floats, KnownWear
-from rigapp.viewer.news import News
+from rigapp.viewer.knownwear import (
+    COEFFICIENT,
+    REMAINING,
+    REST_S,
+    Floats,
+    KnownWear,
+    WearBand,
+    WearReader,
+    wear_of,
+)
+from rigapp.viewer.news import News, Takes
 from rigapp.viewer.quantities import UM_PER_MM
 from rigapp.viewer.ranges import SteadyRange
 
 BUCKETS = 1200
 """Points of a line across: about one for each pixel."""
-DEPTH = "measured_wear_depth"
+DEPTH, MODEL_DEPTH = "measured_wear_depth", "wear_depth"
+PROBES: Final = ("probe_1", "probe_2")
+NO_RECORD: Final[Text] = "No forecast: the probes have no calibration record. Calibrate them."
+FORECAST_REST_S = 60.0
+"""Between two computations for the overview: each takes a core for seconds."""
 EARLY, NEWEST, MEASURED = (
     LinePen("second", dashed=True),
     LinePen("model", dashed=True),
@@ -47,54 +75,134 @@ class ShadedCurve:
         clear(self.median, self._band)
 
 
-class DepthBandPanel(PlotPanel):
-    """Draw the measured depth to the planned end, with the bands predicted early and last."""
+class DepthPlot(QuietPlot):
+    """The measured depth to the planned end, with predicted bands, or the model where none is."""
 
-    def __init__(self, theme: Theme) -> None:
-        super().__init__("wear_band_panel", "Wear depth with its predicted band")
-        self.plot = QuietPlot("wear_band_plot", "Wear depth against cycle, with bands", theme)
-        self.plot.label("bottom", "Cycle")
-        self.plot.steady = SteadyRange(2.0)
-        self.early, self.newest = ShadedCurve(self.plot, EARLY), ShadedCurve(self.plot, NEWEST)
-        self._measured = self.plot.curve(MEASURED)
-        self.title = remark("wear_band_title", "Unit")
-        self.title.setText(tr("µm, to the planned end; bands 95 %"))
-        column(plot_heading("Wear depth"), self.title, (self.plot, 1), on=self)
+    def __init__(self, name: str, theme: Theme) -> None:
+        super().__init__(name, "Wear depth against cycle, with bands", theme)
+        self.label("bottom", "Cycle")
+        self.steady = SteadyRange(2.0)
+        self.early, self.newest = ShadedCurve(self, EARLY), ShadedCurve(self, NEWEST)
+        self._model = self.curve(NEWEST)
+        self._measured = self.curve(MEASURED)
 
-    def draw(self, known: KnownWear, news: News, waiting: Text) -> None:
-        """Draw what is known, over the newest measured depths; waiting: why there is nothing."""
-        predictions = news.data.predictions
-        names = []
-        highest = 0.0
+    def draw(self, known: KnownWear, news: News, waiting: Text, *, early: bool = True) -> None:
+        """Draw what is known over the newest measured depths.
+
+        waiting: why there is nothing. early: the band that was predicted first, too.
+        """
+        predictions, names, highest = news.data.predictions, [], 0.0
         for band, pen, shown in zip(
-            (self.early, self.newest), (EARLY, NEWEST), self._bands(known), strict=True
+            (self.early, self.newest), (EARLY, NEWEST), _bands(known, early=early), strict=True
         ):
             if shown is None:
                 band.clear()
                 continue
             band.draw(shown.revolution, shown.low, shown.median, shown.high)
             highest = max(highest, float(np.nanmax(shown.high, initial=0.0)))
-            text = tr("from {} on", grouped(shown.after))
+            text = tr("from {} on", grouped(shown.after)) if early else tr("forecast, 95 %")
             names.append(CurveName(text, pen, float(shown.median[-1])))
         flagged = Flagged(news.data.rows, EVERYTHING, BUCKETS)
         line = drawn(predictions, DEPTH, flagged, EVERYTHING, BUCKETS, UM_PER_MM)
         self._measured.setData(line.x, line.y)
         seen = np.flatnonzero(np.isfinite(line.y))
-        if not seen.size:
-            self.plot.empty(waiting)
+        lowest, alone = min(line.low, 0.0), not known.bands and not early
+        clear(self._model)
+        if alone:
+            model = drawn(predictions, MODEL_DEPTH, flagged, EVERYTHING, BUCKETS, UM_PER_MM)
+            self._model.setData(model.x, model.y)
+            if np.isfinite(model.high):
+                highest = max(highest, model.high)
+                lowest = min(model.low, 0.0) if not seen.size else lowest
+                names.append(CurveName(tr("model"), NEWEST, float(model.y[-1])))
+        if not seen.size and not names:
+            self.empty(waiting)
             return
-        names.append(CurveName(tr("measured"), MEASURED, float(line.y[seen[-1]])))
+        if seen.size:
+            names.append(CurveName(tr("measured"), MEASURED, float(line.y[seen[-1]])))
+            highest = max(highest, line.high)
         if np.isfinite(known.depth_um):
             highest = max(highest, known.depth_um)
-        last = max(float(predictions.revolutions[-1]), float(known.planned), 1.0)
-        self.plot.show_range("x", 0.0, last)
-        self.plot.fit(min(line.low, 0.0), max(highest, line.high))
-        limits = limit_lines(news, {DEPTH})
-        self.plot.show_marks(names=tuple(names), limits=limits)
+        test = news.status.test if news.status is not None else None
+        planned = max(known.planned, test.planned if test is not None else 0)
+        last = max(float(predictions.revolutions[-1]), float(planned), 1.0)
+        self.show_range("x", 0.0, last)
+        self.fit(lowest, highest)
+        self.show_marks(names=tuple(names), limits=limit_lines(news, {DEPTH}))
 
-    def _bands(self, known: KnownWear) -> tuple:  # type: ignore[type-arg]
-        early = known.bands[0] if len(known.bands) > 1 else None
-        return early, (known.bands[-1] if known.bands else None)
+
+def _bands(known: KnownWear, *, early: bool) -> tuple[WearBand | None, WearBand | None]:
+    first = known.bands[0] if len(known.bands) > 1 and early else None
+    return first, (known.bands[-1] if known.bands else None)
+
+
+class DepthBandPanel(PlotPanel):
+    """Draw the measured depth to the planned end, with the bands predicted early and last."""
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__("wear_band_panel", "Wear depth with its predicted band")
+        self.plot = DepthPlot("wear_band_plot", theme)
+        self.title = remark("wear_band_title", "Unit")
+        self.title.setText(tr("µm, to the planned end; bands 95 %"))
+        column(plot_heading("Wear depth"), self.title, (self.plot, 1), on=self)
+
+    def draw(self, known: KnownWear, news: News, waiting: Text) -> None:
+        """Draw what is known; waiting: why there is nothing."""
+        self.plot.draw(known, news, waiting)
+
+
+class ForecastPanel(PlotPanel):
+    """Draw the depth to the planned end with its forecast; say what remains, or why it is unknown.
+
+    calibrate: called for the button that mends it where the probes have no record.
+    """
+
+    takes = Takes.HISTORY
+
+    def __init__(self, theme: Theme, reader: WearReader, calibrate: Callable[[], None]) -> None:
+        super().__init__("forecast_panel", "Wear depth with its forecast")
+        self._reader = reader
+        self.plot = DepthPlot("forecast_plot", theme)
+        self.unit = detail("forecast_unit", "Unit")
+        self.unit.show_text(tr("µm, to the planned end"), "µm")
+        self.remains = ElidedLabel("forecast_remains", "What remains")
+        bold = sized(self.remains.font(), BODY_PT, QFont.Weight.DemiBold)
+        self.remains.setFont(bold)
+        self.why = prose("forecast_why", "Why there is no forecast", role="secondary")
+        self.mend = button(
+            "forecast_mend",
+            "Calibrate the probes",
+            calibrate,
+            guarded=True,
+        )
+        head = row(plot_heading("Wear depth"), (self.unit, 1))
+        below = row((self.why, 1), self.mend, spacing=GAP)
+        column(head, self.remains, below, (self.plot, 1), on=self)
+
+    def show_news(self, news: News) -> None:
+        """Draw what is known; once there is a forecast it is computed anew once a minute."""
+        self._reader.look(news, FORECAST_REST_S if self._reader.known.bands else REST_S)
+        known, status = self._reader.known, news.status
+        waiting = tr("The wear depth with its forecast is drawn here.")
+        waiting = f"{tr(NO_REVOLUTION)}: {waiting}" if not len(news.data.rows) else waiting
+        self.plot.draw(known, news, waiting, early=False)
+        remaining = [one for one in wear_of(news, time.time()) if one.name == REMAINING]
+        told = [f"{one.title}: {one.value} · {one.detail}" for one in remaining]
+        self.remains.setVisible(bool(told))
+        self.remains.show_text("".join(told))
+        lacking = status is not None and not news.is_replay and probes_lack_record(status)
+        why = "" if told else tr(NO_RECORD) if lacking else self._reader.said
+        if not why and not told and len(news.data.rows):
+            why = tr("The forecast is being computed …")
+        self.why.setText(why)
+        self.why.setVisible(bool(why))
+        self.mend.setVisible(lacking and not told)
+
+
+def probes_lack_record(status: Status) -> bool:
+    """Tell whether a probe has no stated uncertainty, without which nothing is forecast."""
+    probes = [one for one in status.rig.channels if one.name in PROBES]
+    return bool(probes) and any(one.uncertainty is None for one in probes)
 
 
 class NarrowingPanel(PlotPanel):

@@ -31,7 +31,7 @@ class LivePageCard(QWidget):
         named(self, "live_page", "Live page")
         self.address = edit("page_address", "Address and port of the page", hint=ADDRESS)
         self.address.setText(choices.get(Preference.PAGE))
-        self.serve = button("page_serve", "Ser&ve", self._serve, "Serve the page")
+        self.serve = button("page_serve", "Serve", self._serve, "Serve the page")
         self.end = button("page_end", "End", self.close_page, "Serve the page no longer")
         self.open = button("page_open", "&Open", self._open, "Open the page in a browser")
         self.told = prose("page_told", "How the page is", NOT_SERVED, role="caption")

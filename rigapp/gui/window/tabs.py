@@ -39,6 +39,7 @@ from rigapp.gui.window.places import PageName, RailPlace
 from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.states import ACTIVE
+from rigapp.viewer.knownwear import WearReader
 from rigapp.viewer.news import News, Takes, tripped
 from rigapp.viewer.showntest import ShownTest
 from rigapp.viewer.tasks import TaskWorker
@@ -129,6 +130,7 @@ class Tabs(QTabWidget):
             self.asked.emit,
             self.help_wanted.emit,
             preferences,
+            WearReader(worker),
             rig,
             window_keys(),
         )
