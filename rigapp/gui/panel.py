@@ -76,6 +76,7 @@ class Act(enum.StrEnum):
     RESULTS = "results"
     NEW_RIG = "new_rig"
     AGAIN = "again"
+    TRIP = "trip"
 
 
 @dataclass(frozen=True, slots=True)

@@ -28,7 +28,16 @@ from rigapp.storage.reading.reader import (
 )
 from rigapp.storage.reading.resample import on_grid
 from rigapp.storage.reading.seal import broken_seals, seal_words
-from rigapp.storage.reading.trip import LargestForce, Trip, believed_until, largest_force, trip_of
+from rigapp.storage.reading.trip import (
+    LargestForce,
+    Trip,
+    TripCapture,
+    TripPiece,
+    believed_until,
+    largest_force,
+    trip_capture,
+    trip_of,
+)
 from rigapp.storage.reading.verify import NEWEST_BYTES, damage_of, found_damage
 from rigapp.storage.structure.hdf import open_for_reading
 from rigapp.storage.structure.layout import (
@@ -70,6 +79,8 @@ __all__ = [
     "TestReader",
     "TestWriter",
     "Trip",
+    "TripCapture",
+    "TripPiece",
     "believed_until",
     "blocks",
     "broken_seals",
@@ -101,5 +112,6 @@ __all__ = [
     "settle_in_background",
     "streams_of",
     "trimmed_copy",
+    "trip_capture",
     "trip_of",
 ]

@@ -36,7 +36,7 @@ from rigapp.viewer.series import (
 )
 
 if TYPE_CHECKING:  # the window shall not load the library of files before it reads one
-    from rigapp.storage import LargestForce, TestReader
+    from rigapp.storage import LargestForce, TestReader, TripCapture
 
 
 log = logging.getLogger(__name__)
@@ -279,6 +279,14 @@ def load_trip(path: Path) -> TripCycles | None:
             for one in (found.cycle, found.before)
         )
         return TripCycles(found.revolution, cycle, before, found.peak)
+
+
+def load_capture(path: Path) -> TripCapture | None:
+    """Return the seconds around the trip of a test, None without one; raise UnusableInput."""
+    from rigapp.storage import open_test, trip_capture
+
+    with open_test(path) as test:
+        return trip_capture(test)
 
 
 def load_events(path: Path) -> list[Event]:

@@ -17,7 +17,6 @@ from rigapp.engine.recording.store import open_file
 from rigapp.replay.client import ReplayClient
 from rigapp.report.results import result_of
 from rigapp.report.testreport.compose import report_of
-from rigapp.report.testreport.plots import rest_s
 from rigapp.schema.messages import Flag
 from rigapp.schema.results import HowEnded
 from rigapp.schema.states import ENDED
@@ -28,6 +27,7 @@ from rigapp.storage import (
     open_test,
     reserved_bytes,
     streams_of,
+    trip_capture,
     trip_of,
 )
 from rigapp.viewer.recording import load_trip
@@ -125,6 +125,18 @@ def test_an_overload_leaves_its_history_and_the_revolution_it_cut_off(
         assert (largest.value_N, largest.sign) == (pytest.approx(500.0, rel=1e-3), "")
         assert trip.before.revolution == trip.revolution - 1
         assert trip.before.columns["force"].max() < 100.0
+        capture = trip_capture(reader)
+        assert capture is not None
+        before, cycle = capture.pieces[:2]
+        assert (before.before, cycle.before) == (True, False)
+        assert before.time_s[-1] < cycle.time_s[0] <= 0.0
+        # The force that tripped is the first one that large.
+        assert cycle.values["force"][cycle.time_s < 0.0].max() < 480.0
+        assert np.interp(0.0, cycle.time_s, cycle.values["force"]) == pytest.approx(500.0, rel=0.01)
+        assert np.nanmedian(before.values["speed"]) > 0.0
+        assert capture.turned_s >= 0.0
+        assert capture.stood_s >= 0.0
+        assert abs(capture.happened - reader.events()[-1].time) < 60.0
     with h5py.File(path) as file:
         group = file["/entry/unfinished"]
         assert group["committed"][()] == 1
@@ -172,7 +184,10 @@ def test_a_jam_beyond_the_range_is_told_alike_by_file_result_report_and_replay(
     assert f"≥ {largest.value_N:.1f}" in written
     assert "The revolution in which the test tripped" in written
     assert trip.trigger_N == alarm.value
-    assert 0.0 <= rest_s(trip, trip.cycle) < 10.0
+    with open_test(path) as reader:
+        capture = trip_capture(reader)
+    assert capture is not None
+    assert 0.0 <= capture.turned_s < 10.0
     shown = load_trip(path)
     assert shown is not None
     assert shown.cycle is not None

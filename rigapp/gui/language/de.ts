@@ -4364,6 +4364,10 @@
         <translation>µm je 1000 U</translation>
     </message>
     <message>
+        <source>µm, each less its mean</source>
+        <translation>µm, jeweils ohne Mittelwert</translation>
+    </message>
+    <message>
         <source>µm, to the planned end</source>
         <translation>µm, bis zum geplanten Ende</translation>
     </message>
@@ -4408,6 +4412,10 @@
     <message>
         <source> With one speed only, what inertia adds to the run-out is not known.</source>
         <translation> Mit nur einer Drehzahl ist nicht bekannt, was die Trägheit zum Rundlauf beiträgt.</translation>
+    </message>
+    <message>
+        <source> at {:.0f}°</source>
+        <translation> bei {:.0f}°</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -4508,10 +4516,6 @@
     <message>
         <source>&amp;Make the files</source>
         <translation>&amp;Dateien anlegen</translation>
-    </message>
-    <message>
-        <source>&amp;Open</source>
-        <translation>Ö&amp;ffnen</translation>
     </message>
     <message>
         <source>&amp;Open this rig</source>
@@ -4688,6 +4692,10 @@
     <message>
         <source>Age of the data</source>
         <translation>Alter der Daten</translation>
+    </message>
+    <message>
+        <source>Alarm logged</source>
+        <translation>Alarm protokolliert</translation>
     </message>
     <message>
         <source>All</source>
@@ -5214,8 +5222,16 @@
         <translation>Bis zu {} gewählte Versuche in einem Bild zeichnen</translation>
     </message>
     <message>
+        <source>Drive current</source>
+        <translation>Antriebsstrom</translation>
+    </message>
+    <message>
         <source>Drive has lost its settings</source>
         <translation>Einstellungen des Antriebs verloren</translation>
+    </message>
+    <message>
+        <source>Drive off</source>
+        <translation>Antrieb aus</translation>
     </message>
     <message>
         <source>Driver, identity and port</source>
@@ -5328,6 +5344,10 @@
     <message>
         <source>Factor</source>
         <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Facts of the trip</source>
+        <translation>Angaben zur Abschaltung</translation>
     </message>
     <message>
         <source>Faster than this the shaft never changes speed; a larger change is taken as lost bytes</source>
@@ -5476,6 +5496,10 @@
     <message>
         <source>Go to a revolution</source>
         <translation>Zu einer Umdrehung gehen</translation>
+    </message>
+    <message>
+        <source>Grey: revolution before it</source>
+        <translation>Grau: Umdrehung davor</translation>
     </message>
     <message>
         <source>HELD</source>
@@ -5696,6 +5720,10 @@
     <message>
         <source>Largest position</source>
         <translation>Größte Position</translation>
+    </message>
+    <message>
+        <source>Last movement</source>
+        <translation>Letzte Bewegung</translation>
     </message>
     <message>
         <source>Last tests</source>
@@ -6208,6 +6236,10 @@
     <message>
         <source>No test yet</source>
         <translation>Noch kein Versuch</translation>
+    </message>
+    <message>
+        <source>No tripped test is chosen. Choose one under Results, then press Trip.</source>
+        <translation>Kein abgeschalteter Versuch ist gewählt. Einen unter Ergebnisse wählen, dann Abschaltung drücken.</translation>
     </message>
     <message>
         <source>Nobody has a PIN yet: nobody can change limits of a running test.</source>
@@ -6742,6 +6774,10 @@
         <translation>Messung</translation>
     </message>
     <message>
+        <source>Reading the trip …</source>
+        <translation>Die Abschaltung wird gelesen …</translation>
+    </message>
+    <message>
         <source>Reading what the test came to …</source>
         <translation>Das Ergebnis wird gelesen …</translation>
     </message>
@@ -6974,6 +7010,10 @@
         <translation>Versuch fortsetzen</translation>
     </message>
     <message>
+        <source>Revolution</source>
+        <translation>Umdrehung</translation>
+    </message>
+    <message>
         <source>Revolutions cannot be cut at the index, so the test was stopped.</source>
         <translation>Umdrehungen können nicht am Index getrennt werden; der Versuch wurde gestoppt.</translation>
     </message>
@@ -7126,6 +7166,10 @@
         <translation>Suche läuft …</translation>
     </message>
     <message>
+        <source>Seen at rest</source>
+        <translation>In Ruhe gesehen</translation>
+    </message>
+    <message>
         <source>Send a test &amp;message</source>
         <translation>&amp;Testmeldung senden</translation>
     </message>
@@ -7236,6 +7280,14 @@
     <message>
         <source>Show only tests with these words</source>
         <translation>Nur Versuche mit diesen Wörtern zeigen</translation>
+    </message>
+    <message>
+        <source>Show the seconds around the trip</source>
+        <translation>Die Sekunden um die Abschaltung zeigen</translation>
+    </message>
+    <message>
+        <source>Show the seconds around the trip of the chosen test</source>
+        <translation>Die Sekunden um die Abschaltung des gewählten Versuchs zeigen</translation>
     </message>
     <message>
         <source>Show the section of the troubleshooting guide for the last error</source>
@@ -8142,12 +8194,20 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Dieser Prüfstand verlangt keine PIN für Grenzwerte. Dazu [operators] mit einer Datei in die Prüfstandsdatei schreiben.</translation>
     </message>
     <message>
+        <source>This test did not trip, or its file has no samples of the trip.</source>
+        <translation>Dieser Versuch wurde nicht abgeschaltet, oder seine Datei hat keine Messwerte davon.</translation>
+    </message>
+    <message>
         <source>Thu</source>
         <translation>Do</translation>
     </message>
     <message>
         <source>Time</source>
         <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Time from the trip (s)</source>
+        <translation>Zeit ab der Abschaltung (s)</translation>
     </message>
     <message>
         <source>Time of the samples that are handed over together</source>
@@ -8192,6 +8252,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>Trends</source>
         <translation>Verläufe</translation>
+    </message>
+    <message>
+        <source>Trip</source>
+        <translation>Abschaltung</translation>
     </message>
     <message>
         <source>Tripped</source>
@@ -8568,6 +8632,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>What to do now</source>
         <translation>Was jetzt zu tun ist</translation>
+    </message>
+    <message>
+        <source>What tripped</source>
+        <translation>Was abgeschaltet hat</translation>
     </message>
     <message>
         <source>What was counted on the line</source>
@@ -9134,6 +9202,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Spiel</translation>
     </message>
     <message>
+        <source>commanded at once, before the alarm was logged</source>
+        <translation>sofort befohlen, vor dem Protokolleintrag des Alarms</translation>
+    </message>
+    <message>
         <source>commands</source>
         <translation>Befehle</translation>
     </message>
@@ -9152,6 +9224,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>contact law</source>
         <translation>Kontaktgesetz</translation>
+    </message>
+    <message>
+        <source>crank</source>
+        <translation>Kurbel</translation>
     </message>
     <message>
         <source>crank angle at the index</source>
@@ -10598,6 +10674,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Dreieck</translation>
     </message>
     <message>
+        <source>trip at {:.1f} N</source>
+        <translation>Abschaltung bei {:.1f} N</translation>
+    </message>
+    <message>
         <source>tripped</source>
         <translation>ausgelöst</translation>
     </message>
@@ -10804,6 +10884,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>{} % ({} to {})</source>
         <translation>{} % ({} bis {})</translation>
+    </message>
+    <message>
+        <source>{} after the alarm, by the log</source>
+        <translation>{} nach dem Alarm, laut Protokoll</translation>
+    </message>
+    <message>
+        <source>{} after the trip, by the device&apos;s clock</source>
+        <translation>{} nach der Abschaltung, laut Uhr des Geräts</translation>
     </message>
     <message>
         <source>{} alarms in the test</source>

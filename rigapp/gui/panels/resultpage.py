@@ -13,7 +13,7 @@ from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.panel import Act, Host
 from rigapp.gui.panels.documents import HTML, DocumentPanel
 from rigapp.gui.panels.resultcard import ResultCard
-from rigapp.gui.panels.results import ResultsPanel, ShelfPump
+from rigapp.gui.panels.results import TRIPPED, ResultsPanel, ShelfPump, show_trip
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.widgets.build import button, column, named, styled_label
@@ -73,6 +73,12 @@ class EndPage(QWidget):
                 self._compare,
                 tip="Compare it with the newest tests of its title",
             ),
+            "trip": button(
+                "end_trip",
+                "Trip",
+                self._trip,
+                tip="Show the seconds around the trip",
+            ),
             "new": button(
                 "end_new", "New spec&imen…", self._new, tip="Prepare the test of the next specimen"
             ),
@@ -100,6 +106,7 @@ class EndPage(QWidget):
         acts = flowing(
             made["report"],
             made["compare"],
+            made["trip"],
             None,
             styled_label("Then", "caption"),
             made["new"],
@@ -127,6 +134,7 @@ class EndPage(QWidget):
         signs = {
             "report": (Icon.FILE, theme.highlighted_text),
             "compare": (Icon.COMPARE, theme.text),
+            "trip": (Icon.TRIPPED, theme.text),
             "new": (Icon.SPECIMEN, theme.text),
             "on": (Icon.NEXT, theme.text),
         }
@@ -174,6 +182,8 @@ class EndPage(QWidget):
         self.documents.show_test(path)
         for name in ("report", "compare"):
             self.buttons[name].setEnabled(readable)
+        tripped = result is not None and result.outcome in TRIPPED
+        self.buttons["trip"].setVisible(tripped)
         on = self.buttons["on"]
         on.setEnabled(result is not None and result.status in RESUMABLE)
         on.setToolTip(tr(GO_ON))
@@ -189,6 +199,10 @@ class EndPage(QWidget):
         self._host.do(Act.RESULTS)
         if self.card.result is not None:
             results.compare_with(self.card.result)
+
+    def _trip(self) -> None:
+        if self.card.result is not None:
+            show_trip(self._host, self.card.result.path)
 
     def _new(self) -> None:
         self._host.do(Act.PREPARE)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Final
 
@@ -10,11 +11,12 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QHideEvent, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
-from rigapp.gui.panel import Host
+from rigapp.gui.panel import Act, Host
 from rigapp.gui.panels.compare import MOST, ComparePanel
 from rigapp.gui.panels.documents import DocumentPanel, Launch, launch_process
 from rigapp.gui.panels.resultcard import ResultCard
 from rigapp.gui.panels.resulttable import ResultTable
+from rigapp.gui.panels.trip import TripPage
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import (
     button,
@@ -50,6 +52,18 @@ BESIDE_FROM, LIST_HEIGHT, CARD_HEIGHT = 112 * STEP, 44 * STEP, 60 * STEP
 NO_CHOICE: Final[Text] = "Choose a test: what it came to stands here."
 
 
+TRIPPED = frozenset({HowEnded.TRIPPED, HowEnded.FAULT})
+"""Outcomes of which a file may have the seconds around a trip."""
+
+
+def show_trip(host: Host, path: str) -> None:
+    """Go to the page of the trip of a test."""
+    shown = host.panels["trip"]
+    assert isinstance(shown, TripPage)
+    shown.show_test(Path(path))
+    host.do(Act.TRIP)
+
+
 class ShelfPump(QTimer):
     """Take what the shelf has read, and tell when something has changed."""
 
@@ -74,6 +88,7 @@ class ResultsPanel(QWidget):
 
     wanted = Signal(str, dict)
     said = Signal(str, bool)
+    trip_wanted = Signal(str)
     takes = Takes(0)
 
     def __init__(
@@ -111,6 +126,12 @@ class ResultsPanel(QWidget):
                 self._compare,
                 tip=tr("Draw up to {} chosen tests in one plot", MOST),
             ),
+            "trip": button(
+                "result_trip",
+                "Trip",
+                self._trip,
+                tip="Show the seconds around the trip of the chosen test",
+            ),
             "resume": button(
                 "result_resume",
                 "&Go on with it",
@@ -141,7 +162,8 @@ class ResultsPanel(QWidget):
         )
         acts = row((self.buttons["open"], 1), (self.buttons["compare"], 1), spacing=STEP)
         inside = QWidget()
-        column(acts, self.buttons["resume"], self.card, card, None, on=inside, spacing=GAP)
+        more = row((self.buttons["resume"], 1), (self.buttons["trip"], 1), spacing=STEP)
+        column(acts, more, self.card, card, None, on=inside, spacing=GAP)
         area = named(QScrollArea(), "result_side", "The chosen test")
         area.setWidgetResizable(True)
         area.setFrameShape(QFrame.Shape.NoFrame)
@@ -232,6 +254,8 @@ class ResultsPanel(QWidget):
         self.buttons["open"].setEnabled(one)
         self.buttons["compare"].setEnabled(readable)
         self.buttons["resume"].setEnabled(first is not None and one and first.status in RESUMABLE)
+        tripped = first is not None and one and first.outcome in TRIPPED
+        self.buttons["trip"].setEnabled(tripped)
         if one:
             self._settled.start()
 
@@ -262,6 +286,9 @@ class ResultsPanel(QWidget):
     def _close_comparison(self) -> None:
         self._compared.hide()
 
+    def _trip(self) -> None:
+        self.trip_wanted.emit(self.chosen()[0].path)
+
     def _resume(self) -> None:
         self.wanted.emit("resume_file", {"file": self.chosen()[0].path})
 
@@ -271,4 +298,5 @@ def results_page(host: Host) -> QWidget:
     panel = host.add("results", ResultsPanel(host.theme, host.results, host.worker))
     panel.wanted.connect(host.ask)
     panel.said.connect(host.say)
+    panel.trip_wanted.connect(partial(show_trip, host))
     return panel

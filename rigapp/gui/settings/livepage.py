@@ -33,7 +33,7 @@ class LivePageCard(QWidget):
         self.address.setText(choices.get(Preference.PAGE))
         self.serve = button("page_serve", "Serve", self._serve, "Serve the page")
         self.end = button("page_end", "End", self.close_page, "Serve the page no longer")
-        self.open = button("page_open", "&Open", self._open, "Open the page in a browser")
+        self.open = button("page_open", "Open", self._open, "Open the page in a browser")
         self.told = prose("page_told", "How the page is", NOT_SERVED, role="caption")
         fields = flowing("Address", (self.address, 1), self.serve, self.end, self.open)
         column(fields, self.told, on=self, spacing=STEP)

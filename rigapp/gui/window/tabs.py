@@ -26,6 +26,7 @@ from rigapp.gui.panels.results import results_page
 from rigapp.gui.panels.start import may_begin, start_page
 from rigapp.gui.panels.studies import studies_page
 from rigapp.gui.panels.trends import overview_page, trend_page
+from rigapp.gui.panels.trip import trip_page
 from rigapp.gui.panels.wear import wear_page
 from rigapp.gui.plots.plotmenu import offer_menus
 from rigapp.gui.plots.plotting import QuietPlot
@@ -86,6 +87,7 @@ TABS = (
     Tab("start", "Start", "Ctrl+0", RailPlace.WATCH, start_page, may_begin),
     Tab("result", "Result", "Ctrl+R", RailPlace.WATCH, result_page, has_result),
     Tab("studies", "Studies", "Ctrl+D", RailPlace.RESULTS, studies_page),
+    Tab("trip", "Trip", "Ctrl+T", RailPlace.RESULTS, trip_page),
     Tab("settings", "Settings", "Ctrl+,", RailPlace.SETTINGS, settings_page),
     Tab("faults", "Simulated faults", "Ctrl+9", RailPlace.RIG, fault_page, _simulated),
     Tab("new_rig", "New rig", "Ctrl+N", RailPlace.RIG, new_rig_page, _with_rig),

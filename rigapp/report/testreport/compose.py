@@ -49,7 +49,7 @@ from rigapp.storage import (
     found_damage,
     largest_force,
     open_test,
-    trip_of,
+    trip_capture,
 )
 from rigapp.texts import capitalised
 from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty, force_uncertainty
@@ -111,7 +111,7 @@ def _document(reader: TestReader, path: Path, settings: tuple[ReportFile, bytes]
             uncertainty,
             result,
         ),
-        *datasections.trip(trip_of(reader), sentence_of(summary["reason"])),
+        *datasections.trip(trip_capture(reader), sentence_of(summary["reason"])),
         *logsections.sections(reader, events, rows, summary["reason"]),
         *datasections.extremes(
             rows, agreement, uncertainty, stated_uncertainties(reader.calibration())

@@ -28,7 +28,7 @@ from rigapp.report.testreport.worn import Worn, profile_blocks
 from rigapp.schema.channels import LOAD_CELL, Kind
 from rigapp.schema.details import sentence_of
 from rigapp.schema.messages import Event
-from rigapp.storage import Trip
+from rigapp.storage import TripCapture
 from rigapp.texts import capitalised
 from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty
 
@@ -203,15 +203,16 @@ def _statistic(name: str) -> str:
     return f"{STATISTICS[statistic]} of {plots.SHORT[channel]}"
 
 
-def trip(found: Trip | None, reason: str) -> list[Section]:
+def trip(found: TripCapture | None, reason: str) -> list[Section]:
     """Return what tripped, and the time around it; nothing of a test that did not trip."""
-    if found is None or found.cycle is None:
+    if found is None:
         return []
     text = capitalised(reason)
-    took = plots.rest_s(found, found.cycle)
-    if took > 0.0:
-        text += f" The crank turned for {took:.2f} s more, by the device's clock."
-    return [Section("Trip", (Text(text, strong=True), plots.trip(found, found.cycle)))]
+    if found.turned_s > 0.0:
+        text += f" The crank turned for {found.turned_s:.2f} s more, by the device's clock."
+    if math.isfinite(found.stood_s):
+        text += f" It was seen at rest {found.stood_s:.2f} s after the alarm."
+    return [Section("Trip", (Text(text, strong=True), plots.trip(found)))]
 
 
 def cycles(

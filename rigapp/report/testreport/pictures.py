@@ -16,7 +16,7 @@ from rigapp.report.testreport.identifiedsections import depth_figure
 from rigapp.report.testreport.model_facts import agreement_of, cycles_of
 from rigapp.report.testreport.worn import picture, worn_of
 from rigapp.schema.channels import LOAD_CELL
-from rigapp.storage import TestReader, open_test, trip_of
+from rigapp.storage import TestReader, open_test, trip_capture
 from rigapp_calibration.load_cell.force_uncertainty import force_uncertainty
 
 
@@ -83,8 +83,8 @@ def _prediction(reader: TestReader) -> Figure | None:
 
 
 def _trip(reader: TestReader) -> Figure | None:
-    found = trip_of(reader)
-    return plots.trip(found, found.cycle) if found is not None and found.cycle else None
+    found = trip_capture(reader)
+    return plots.trip(found) if found is not None else None
 
 
 def _mechanism(reader: TestReader) -> Figure | None:

@@ -32,7 +32,7 @@ from rigapp.report.testreport.facts import ChannelFacts, Gap, Stated
 from rigapp.report.testreport.model_facts import Agreement, CyclePicture
 from rigapp.report.testreport.wording import number, quantity, symbol, title_of
 from rigapp.schema.channels import Channel
-from rigapp.storage import StoredCycle, Trip
+from rigapp.storage import TripCapture
 from rigapp.texts import capitalised
 from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty
 
@@ -252,77 +252,48 @@ def wear_trend(agreement: Agreement, gaps: Sequence[Gap]) -> Figure | None:
         return saved(canvas, "Wear depth", told, caption)
 
 
-SPEED_OVER_DEG = 5.0
-"""The speed of a crank is read over so much of its turn, 50 counts of the encoder."""
-
-
-def trip(found: Trip, cycle: StoredCycle) -> Figure:
-    """Draw force, pin and speed against time, from the revolution before a trip to the standstill.
+def trip(capture: TripCapture) -> Figure:
+    """Draw force, pin, speed and drive current against time, from before a trip to the standstill.
 
     Time 0 is where the force was read that tripped, or the end of the revolution's record.
     """
+    found = capture.trip
     told = f"revolution {grouped(found.revolution)}"
     if found.peak is not None:
         told += f", up to {found.peak.sign}{quantity(found.peak.value_N, 'N')}"
         told += f" at {found.peak.angle_deg:.0f}°"
     if found.before is not None:
         told += f"; grey: revolution {grouped(found.before.revolution)}, before it"
-    earlier = [found.before] if found.before is not None else []
-    shown = [*earlier, cycle, *found.after]
-    zero = tripped_at(found, cycle)
-    probes = all("probe_1" in one.columns for one in shown)
     rows: dict[str, tuple[str, ...]] = {"|F| (N)": ("force",), "speed (rpm)": ("speed",)}
-    if probes:
-        rows["pin (µm)"] = ("probe_1", "probe_2")
+    if probes := capture.series(("probe_1", "probe_2")):
+        rows["pin (µm)"] = probes
+    currents = tuple(one.name for one in capture.table.sampled if one.unit == "A")
+    if currents or capture.currents:
+        rows["current (A)"] = capture.series(currents)
     with canvas_of(_height(len(rows))) as canvas:
         panels = _panels(canvas, len(rows))
         for axes, (title, names) in zip(panels, rows.items(), strict=True):
-            for one in shown:
-                at = one.columns["time"] - zero
+            for one in capture.pieces:
                 for name in names:
-                    values = _speed_rpm(one) if name == "speed" else one.columns[name]
-                    colour = MUTED if one is found.before else COLOURS.get(name, INK)
-                    label = SHORT[name] if one is shown[-1] else None
-                    axes.plot(*envelope(at, values), color=colour, label=label)
+                    colour = MUTED if one.before else COLOURS.get(name, INK)
+                    label = (
+                        SHORT.get(name, name.replace("_", " "))
+                        if one is capture.pieces[-1]
+                        else None
+                    )
+                    shown = envelope(one.time_s, one.values[name])
+                    axes.plot(*shown, color=colour, label=label)
             axes.set_ylabel(title)
             axes.axvline(0.0, color=MODEL, lw=0.8, ls=":")
+        for name, (time_s, values) in capture.currents.items():
+            panels[-1].plot(time_s, values, ".-", color=INK, label=name.replace("_", " "))
+        for axes in panels:
             name_curves(axes)
         if math.isfinite(found.trigger_N):
             panels[0].plot(0.0, found.trigger_N, "o", color=MODEL, ms=4.0)
         panels[-1].set_xlabel("time from the trip (s)")
         title = "The revolution in which the test tripped"
         return saved(canvas, title, f"Joint force of {told}.", f"{capitalised(told)}.")
-
-
-def tripped_at(found: Trip, cycle: StoredCycle) -> float:
-    """Return the device's time at which a test tripped, s: at the force that was too large."""
-    force, time = cycle.columns["force"], cycle.columns["time"]
-    # What is beyond the measuring range is stored as its end.
-    trigger = min(found.trigger_N, float(np.nanmax(force)))
-    with np.errstate(invalid="ignore"):
-        over = np.flatnonzero(force >= trigger - TRIGGER_N)
-    return float(time[over[0] if over.size else -1])
-
-
-TRIGGER_N = 0.2
-"""A force is judged as it is read, and stored in steps of the amplifier, some 0.1 N away."""
-
-
-def _speed_rpm(cycle: StoredCycle) -> Any:
-    """Return the speed of the crank (n,) by the time that a part of a turn takes."""
-    angle, time = cycle.columns["angle"].astype(np.float64), cycle.columns["time"]
-    places = np.searchsorted(np.maximum.accumulate(angle), angle - SPEED_OVER_DEG)
-    took = time - time[places]
-    with np.errstate(invalid="ignore", divide="ignore"):
-        return np.where(took > 0.0, (angle - angle[places]) / took / 6.0, np.nan)
-
-
-def rest_s(found: Trip, cycle: StoredCycle) -> float:
-    """Return the time from a trip to the last movement of the crank that is recorded, s."""
-    last = (found.after or (cycle,))[-1]
-    moved = np.flatnonzero(np.diff(last.columns["angle"]) != 0.0)
-    end = last.columns["time"][int(moved[-1]) + 1 if moved.size else 0]
-    return max(0.0, float(end) - tripped_at(found, cycle))
 
 
 def cycles(pictures: Sequence[CyclePicture], uncertainty: ForceUncertainty | None = None) -> Figure:

@@ -15,14 +15,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.schema.alarms import UNBELIEVED, kind_of
+from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.schema.loglines import alarm_change, severity_of
 from rigapp.schema.messages import Event, FinishReason, Flag, Severity
 from rigapp.storage.reading.blocks import blocks, rows_up_to
 from rigapp.storage.reading.reader import StoredCycle, TestReader
 
 OVERLOAD, BEYOND_RANGE, NO_FORCE = "overload", "overload:beyond_range", "saturated"
-RESUMED = "resumed"
+RESUMED, STOOD = "resumed", "stopped"
 DEPTH = "measured_wear_depth"
+SPEED_OVER_DEG = 5.0
+"""The speed of a crank is read over so much of its turn, 50 counts of the encoder."""
+TRIGGER_N = 0.2
+"""A force is judged as it is read, and stored in steps of the amplifier, some 0.1 N away."""
 SWUNG_DEG = 1.0
 """A crank that is this far back swings: an edge of the encoder that dithers moves it less."""
 
@@ -145,6 +150,112 @@ def _first_out(events: list[Event]) -> Event | None:
         elif change is not None and change.first_out and severity_of(event) is Severity.CRITICAL:
             found = event
     return found
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TripPiece:
+    """A stretch of samples around a trip, (n,) each; before: of the revolution before it.
+
+    time_s: from the trip. values: by channel, with ``speed`` in rpm.
+    """
+
+    time_s: NDArray[np.float64]
+    values: dict[str, NDArray[np.float64]]
+    before: bool = False
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TripCapture:
+    """What happened around a trip: samples, what tripped, and how soon the crank was at rest.
+
+    pieces: in their order. currents: time from the trip (n,) and A, by slow channel, one value a
+    revolution. sentence: why the test ended. happened: host time of the alarm's line in the log,
+    before which the drive had been commanded; stood_s: from there to the line that the spindle
+    stands; turned_s: from the trip to the last movement, by the device's clock. NaN where unknown.
+    """
+
+    trip: Trip
+    pieces: tuple[TripPiece, ...]
+    currents: dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]
+    sentence: str
+    happened: float = math.nan
+    stood_s: float = math.nan
+    turned_s: float = math.nan
+    table: ChannelTable = BASE
+
+    def series(self, names: tuple[str, ...]) -> tuple[str, ...]:
+        """Return which of some channels every piece has."""
+        return tuple(name for name in names if all(name in one.values for one in self.pieces))
+
+
+def trip_capture(test: TestReader) -> TripCapture | None:
+    """Return the seconds around the trip of a test; None without one, or without its samples."""
+    found = trip_of(test)
+    if found is None or found.cycle is None:
+        return None
+    cycle, before = found.cycle, [found.before] if found.before is not None else []
+    zero, events = _tripped_at(found, cycle), test.events()
+    pieces = tuple(
+        TripPiece(one.columns["time"] - zero, _values(one), one is found.before)
+        for one in (*before, cycle, *found.after)
+    )
+    first_out = _first_out(events)
+    happened = first_out.time if first_out is not None else math.nan
+    stood = [one.time for one in events if one.kind == STOOD and one.time >= happened]
+    return TripCapture(
+        found,
+        pieces,
+        _currents(test, cycle.table, zero, pieces[0].time_s[0]),
+        str(test.summary()["reason"]),
+        happened,
+        stood[0] - happened if stood else math.nan,
+        _turned_s(found, cycle, zero),
+        cycle.table,
+    )
+
+
+def _values(cycle: StoredCycle) -> dict[str, NDArray[np.float64]]:
+    names = [one.name for one in cycle.table.curves if one.name in cycle.columns]
+    return {**{name: cycle.columns[name] for name in names}, "speed": _speed_rpm(cycle)}
+
+
+def _currents(
+    test: TestReader, table: ChannelTable, zero: float, since: float
+) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    """Return what slow channels told in A, in revolutions that ended from ``since`` on."""
+    slow = [one.name for one in table.slow if one.unit == "A"]
+    if not slow or not test.committed():
+        return {}
+    time = test.column("time") - zero
+    kept = time >= since
+    return {name: (time[kept], test.column(name)[kept]) for name in slow}
+
+
+def _tripped_at(found: Trip, cycle: StoredCycle) -> float:
+    """Return the device's time at which a test tripped, s: at the force that was too large."""
+    force, time = cycle.columns["force"], cycle.columns["time"]
+    # What is beyond the measuring range is stored as its end.
+    trigger = min(found.trigger_N, float(np.nanmax(force)))
+    with np.errstate(invalid="ignore"):
+        over = np.flatnonzero(force >= trigger - TRIGGER_N)
+    return float(time[over[0] if over.size else -1])
+
+
+def _speed_rpm(cycle: StoredCycle) -> NDArray[np.float64]:
+    """Return the speed of the crank (n,) by the time that a part of a turn takes."""
+    angle, time = cycle.columns["angle"].astype(np.float64), cycle.columns["time"]
+    places = np.searchsorted(np.maximum.accumulate(angle), angle - SPEED_OVER_DEG)
+    took = time - time[places]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.where(took > 0.0, (angle - angle[places]) / took / 6.0, np.nan)
+
+
+def _turned_s(found: Trip, cycle: StoredCycle, zero: float) -> float:
+    """Return the time from a trip to the last movement of the crank that is recorded, s."""
+    last = (found.after or (cycle,))[-1]
+    moved = np.flatnonzero(np.diff(last.columns["angle"]) != 0.0)
+    end = last.columns["time"][int(moved[-1]) + 1 if moved.size else 0]
+    return max(0.0, float(end) - zero)
 
 
 class _ForceLog:
