@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import math
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,8 @@ from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.palette import MODEL, LinePen
 from rigapp.gui.plots.plotmenu import offer_menus, save_data, save_picture
 from rigapp.gui.plots.plotting import QuietPlot
+from rigapp.gui.plots.readings import ItemPoints, value_at
+from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.tokens import LIGHT
 
 X = np.linspace(0.0, 10.0, 11)
@@ -116,7 +119,13 @@ def test_the_menu_opens_by_its_key_and_copies(plot: QuietPlot, qtbot: Any) -> No
     menu = plot.findChild(QMenu, "plot_menu")
     assert menu is not None
     texts = [one.text() for one in menu.actions()]
-    assert texts == ["Copy picture", "Save picture…", "Save data…", "Show all again"]
+    assert texts == [
+        "Copy picture",
+        "Save picture…",
+        "Save data…",
+        "Two cursors",
+        "Show all again",
+    ]
     assert not menu.actions()[-1].isEnabled()
     QGuiApplication.clipboard().clear()
     menu.actions()[0].trigger()
@@ -131,3 +140,60 @@ def test_what_is_shown_as_a_plot_has_160_pixels_at_least(plot: QuietPlot, qtbot:
     qtbot.addWidget(overlay)
     assert overlay.plot.minimumHeight() >= 160
     assert overlay.residual_plot.minimumHeight() >= 80, "a strip below a plot"
+
+
+def test_two_cursors_read_every_curve_and_the_difference(plot: QuietPlot, qtbot: Any) -> None:
+    plot.show_range("x", 0.0, 12.0)
+    qtbot.keyClick(plot, Qt.Key.Key_1)
+    assert plot.cursors.places == pytest.approx([4.0, 8.0])
+    qtbot.keyClick(plot, Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
+    assert plot.cursors.places == pytest.approx([4.06, 8.0])
+    qtbot.keyClick(plot, Qt.Key.Key_2)
+    both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    qtbot.keyClick(plot, Qt.Key.Key_Left, both)
+    assert plot.cursors.places == pytest.approx([4.06, 7.4])
+    head, across, *curves = plot.cursor_readout()
+    assert head == ["", "1", "2", "2 \u2212 1"]
+    assert across[1:] == ["4.06", "7.4", "3.34"]
+    assert [row[0] for row in curves] == ["model", "=|F|"], "the one on top first"
+    assert curves[1][1:] == ["16", "49", "33"]
+    assert "2 \u2212 1" in plot.accessibleDescription()
+    plot.grab()
+    qtbot.keyClick(plot, Qt.Key.Key_Escape)
+    assert plot.cursors.places == []
+
+
+def test_shift_and_click_put_the_cursors_and_then_move_the_nearer_one(
+    plot: QuietPlot, qtbot: Any
+) -> None:
+    frame = plot.getViewBox().sceneBoundingRect()
+    low, high = plot.viewRange()[0]
+    for share in (0.2, 0.8, 0.7):
+        at = plot.mapFromScene(frame.left() + share * frame.width(), frame.center().y())
+        qtbot.mouseClick(
+            plot.viewport(), Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ShiftModifier, at
+        )
+    found = [(one - low) / (high - low) for one in plot.cursors.places]
+    assert found == pytest.approx([0.2, 0.7], abs=0.02)
+    assert not plot.zoomed
+
+
+def test_a_value_is_that_of_the_nearest_point_and_none_beyond_the_ends() -> None:
+    curve = ItemPoints(np.array([0.0, 1.0, 2.0, 3.0]), np.array([5.0, np.nan, 7.0, 8.0]))
+    assert [value_at(curve, at) for at in (0.4, 1.1, 2.9)] == [5.0, 7.0, 8.0]
+    assert math.isnan(value_at(curve, 3.1))
+    assert math.isnan(value_at(curve, -0.1))
+
+
+def test_the_same_keys_do_so_on_every_plot_of_the_window(window: MainWindow, qtbot: Any) -> None:
+    for plot in window.findChildren(QuietPlot):
+        plot.empty("")
+        qtbot.keyClick(plot, Qt.Key.Key_2)
+        low, high = plot.viewRange()[0]
+        before = list(plot.cursors.places)
+        assert len(before) == 2, plot.objectName()
+        qtbot.keyClick(plot, Qt.Key.Key_Left, Qt.KeyboardModifier.ControlModifier)
+        step = before[1] - plot.cursors.places[1]
+        assert step == pytest.approx((high - low) / 200.0), plot.objectName()
+        qtbot.keyClick(plot, Qt.Key.Key_Escape)
+        assert plot.cursors.places == [], plot.objectName()

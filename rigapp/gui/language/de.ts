@@ -112,6 +112,10 @@
         <translation>1 Umdrehung</translation>
     </message>
     <message>
+        <source>1, 2 in a plot</source>
+        <translation>1, 2 in einem Diagramm</translation>
+    </message>
+    <message>
         <source>A test is under way. It goes on without this window.</source>
         <translation>Ein Versuch läuft. Er geht ohne dieses Fenster weiter.</translation>
     </message>
@@ -490,6 +494,10 @@
     <message>
         <source>Circle: probe 1, triangle: probe 2</source>
         <translation>Kreis: Wegsensor 1, Dreieck: Wegsensor 2</translation>
+    </message>
+    <message>
+        <source>Click, or Tab to it and use ← →, to read values; Esc ends it. Draw a rectangle to look closer. Shift+click, or 1 and 2: two cursors and their difference.</source>
+        <translation>Klicken, oder mit Tab hierher und ← →, um Werte abzulesen; Esc beendet es. Ein Rechteck ziehen, um genauer hinzusehen. Umschalt+Klick, oder 1 und 2: zwei Cursor und ihre Differenz.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -5006,10 +5014,6 @@
         <translation>Den Ordner der Ergebnisse auswählen</translation>
     </message>
     <message>
-        <source>Click, or Tab to it and use ← →, to read values; Esc ends it. Draw a rectangle to look closer.</source>
-        <translation>Klicken, oder mit Tab hierher und ← →, um Werte abzulesen; Esc beendet. Ein Rechteck aufziehen vergrößert.</translation>
-    </message>
-    <message>
         <source>Close that calibration, or end it: rigapp calibrate release</source>
         <translation>Diese Kalibrierung schließen oder beenden: rigapp calibrate release</translation>
     </message>
@@ -5124,6 +5128,10 @@
     <message>
         <source>Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+N, Ctrl+R, Ctrl+U, Ctrl+W</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+← → in a plot</source>
+        <translation>Strg+← → in einem Diagramm</translation>
     </message>
     <message>
         <source>Curve</source>
@@ -6032,6 +6040,10 @@
     <message>
         <source>Move and zoom; a click reads the values at a cycle, Esc the newest again</source>
         <translation>Verschieben und vergrößern; ein Klick liest die Werte bei einem Zyklus, Esc wieder die neuesten</translation>
+    </message>
+    <message>
+        <source>Move the chosen cursor of the two, with Shift further</source>
+        <translation>Den gewählten der beiden Cursor verschieben, mit Umschalt weiter</translation>
     </message>
     <message>
         <source>Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there</source>
@@ -7690,6 +7702,10 @@
         <translation>Den gewählten Versuch aus der Warteschlange nehmen; was er aufgezeichnet hat, bleibt</translation>
     </message>
     <message>
+        <source>Take the cursors away</source>
+        <translation>Die Cursor entfernen</translation>
+    </message>
+    <message>
         <source>Take the present signals as zero force: the crank stands, the pin carries nothing. Old and new zero are logged; the calibration is not touched.</source>
         <translation>Die jetzigen Signale als Kraft null nehmen: Die Kurbel steht, der Bolzen trägt nichts. Alter und neuer Nullpunkt kommen ins Protokoll; die Kalibrierung bleibt unberührt.</translation>
     </message>
@@ -8276,6 +8292,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>Tue</source>
         <translation>Di</translation>
+    </message>
+    <message>
+        <source>Two cursors</source>
+        <translation>Zwei Cursor</translation>
+    </message>
+    <message>
+        <source>Two cursors with their difference; Shift+click puts one, Esc ends it</source>
+        <translation>Zwei Cursor mit ihrer Differenz; Umschalt+Klick setzt einen, Esc beendet es</translation>
     </message>
     <message>
         <source>Type how many revolutions the step has, or how many seconds.</source>

@@ -26,6 +26,8 @@ NEAREST = 1e-9
 """Of a range: what is less wide is none."""
 GROUND = 200
 """Opacity of what lies below the words of a spot, of 255: a curve there is still seen."""
+READOUT_GROUND = 230
+"""Opacity of what lies below the table at the cursors, of 255."""
 CLOSEST = 0.8
 """Of a line's height, between two names: its letters are so high, and do not touch."""
 MOST_NAME = 24
@@ -304,6 +306,43 @@ def paint_cursor(painter: QPainter, frame: PlotFrame, at: float, text: str, them
     painter.fillRect(place, QColor(theme.text))
     painter.setPen(QColor(theme.base))
     painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def paint_readout(
+    painter: QPainter, frame: PlotFrame, places: Sequence[float], rows: Sequence[Sequence[str]],
+    theme: Theme,
+) -> None:  # fmt: skip
+    """Paint two cursors, numbered at their heads, and the table of what is read at them."""
+    font, metrics = small_font(strong=True)
+    painter.setFont(font)
+    for number, at in enumerate(places, 1):
+        if frame.x_range[0] <= at <= frame.x_range[1]:
+            painter.setPen(line_pen(theme.highlight))
+            x = frame.x(at)
+            painter.drawLine(QPointF(x, frame.rect.top()), QPointF(x, frame.rect.bottom()))
+            painter.setPen(QColor(theme.highlight))
+            painter.drawText(QPointF(x + 2.0, frame.rect.top() + metrics.ascent()), str(number))
+    widths = [
+        max(metrics.horizontalAdvance(row[at]) for row in rows) + STEP for at in range(len(rows[0]))
+    ]
+    height = metrics.height()
+    left, top = frame.rect.left() + STEP, frame.rect.top() + STEP
+    if places and frame.x(places[0]) - left < sum(widths) + STEP:
+        left = max(left, frame.rect.right() - sum(widths) - STEP)
+    box = QRectF(left, top, sum(widths) + STEP, len(rows) * height + STEP)
+    ground = QColor(theme.base)
+    ground.setAlpha(READOUT_GROUND)
+    painter.fillRect(box, ground)
+    painter.setPen(QColor(theme.strong))
+    painter.drawRect(box)
+    painter.setPen(QColor(theme.text))
+    for line, row in enumerate(rows):
+        x = left + STEP / 2.0
+        for at, (text, width) in enumerate(zip(row, widths, strict=True)):
+            place = QRectF(x, top + STEP / 2.0 + line * height, width, height)
+            side = Qt.AlignmentFlag.AlignRight if at else Qt.AlignmentFlag.AlignLeft
+            painter.drawText(place, side | Qt.AlignmentFlag.AlignVCenter, text)
+            x += width
 
 
 def paint_spots(

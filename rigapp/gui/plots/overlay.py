@@ -69,15 +69,15 @@ BEHIND = (FROZEN, STORED, GOOD, SAVED)
 class AnglePlot(CursorPlot):
     """A plot over the crank angle whose cursor the arrows move."""
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def own_key(self, event: QKeyEvent) -> bool:
         """Move the cursor by 1 deg, with Shift by 10 deg; Esc takes it away."""
         step = 10.0 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1.0
         at = self.cursor_line.value() if self.cursor_line.isVisible() else 180.0
         sign = {Qt.Key.Key_Left: -1.0, Qt.Key.Key_Right: 1.0}.get(Qt.Key(event.key()))
         if sign is None:
-            super().keyPressEvent(event)
-        else:
-            self._pointed((at + sign * step) % 360.0)
+            return super().own_key(event)
+        self._pointed((at + sign * step) % 360.0)
+        return True
 
     def cursor_text(self, at: float) -> str:
         """Return the angle of the cursor."""

@@ -9,7 +9,6 @@ from functools import partial
 from pathlib import Path
 from typing import Final
 
-import numpy as np
 from PySide6.QtCore import QMarginsF, QPoint, QRectF, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QPageSize, QPaintDevice, QPainter, QPdfWriter
 from PySide6.QtSvg import QSvgGenerator
@@ -17,7 +16,6 @@ from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import harmless, whole_file
-from rigapp.gui.plots.curves import Dots, Trace
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.details import error_text
@@ -54,6 +52,10 @@ def open_menu(plot: QuietPlot, at: QPoint) -> None:
         (SAVE_DATA, partial(_choose, plot, SAVE_DATA, save_data, (".csv",))),
     ):
         menu.addAction(tr(text)).triggered.connect(lambda _=False, call=call: call())
+    placed = bool(plot.cursors.places)
+    cursors = menu.addAction(tr("Take the cursors away") if placed else tr("Two cursors"))
+    cursors.setEnabled(not plot.instead)
+    cursors.triggered.connect(lambda _=False: plot.show_cursors(both=not placed))
     back = menu.addAction(tr("Show all again"))
     back.setEnabled(plot.zoomed)
     back.triggered.connect(lambda _=False: plot.zoom_back())
@@ -113,25 +115,9 @@ def save_data(plot: QuietPlot, path: Path) -> None:
 def data_rows(plot: QuietPlot) -> Iterator[tuple[str, ...]]:
     """Yield a table of the curves that are drawn, with all their points; its names first."""
     yield tr("Curve"), *plot.captions()
-    for name, trace in named_traces(plot):
+    for name, trace in plot.curves():
         for x, y in zip(trace.x.tolist(), trace.y.tolist(), strict=True):
             yield harmless(name), f"{x:.9g}", "" if math.isnan(y) else f"{y:.9g}"
-
-
-def named_traces(plot: QuietPlot) -> Iterator[tuple[str, Trace | Dots]]:
-    """Yield the curves that are drawn, each with its name, or the number that it has.
-
-    A name belongs to the curve of its pen that ends nearest to it.
-    """
-    names = list(plot.marks.names)
-    for number, (trace, pen) in enumerate(plot.drawn(), 1):
-        if not len(trace.x):
-            continue
-        known = trace.y[np.isfinite(trace.y)]
-        end = float(known[-1]) if len(known) else math.nan
-        own = [one for one in names if one.pen == pen]
-        nearest = min(own, key=lambda one: abs(one.at - end), default=None)
-        yield nearest.text if nearest is not None else tr("curve {}", number), trace
 
 
 def _choose(plot: QuietPlot, title: Text, write: Write, endings: tuple[str, ...]) -> None:

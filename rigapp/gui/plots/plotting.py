@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Any, Final
 from weakref import ref
 
+import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QPoint, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -36,10 +37,21 @@ from rigapp.gui.plots.marks import (
     paint_moments,
     paint_names,
     paint_next_limits,
+    paint_readout,
     paint_spots,
     small_font,
 )
 from rigapp.gui.plots.palette import LinePen
+from rigapp.gui.plots.readings import (
+    LARGE_STEP,
+    SMALL_STEP,
+    CursorPair,
+    Drawn,
+    ItemPoints,
+    NamedCurve,
+    named_curves,
+    readout,
+)
 from rigapp.gui.widgets.build import named, prose
 from rigapp.gui.widgets.labels import ShortLabel
 from rigapp.presentation.numbers import axis_number, grouped
@@ -143,7 +155,8 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
 
     A rectangle drawn with the mouse is shown larger, moved by the middle button, until Backspace or
     the menu shows all again; the menu (right click, Shift+F10) gives picture and data away.
-    ``said`` tells what came of it.
+    Shift+click, or the keys 1 and 2, put down two cursors that Ctrl with an arrow moves and Esc
+    takes away. ``said`` tells what came of it.
     """
 
     said = Signal(str, bool)
@@ -189,6 +202,8 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self._home: dict[str, tuple[float, float]] = {}
         self._movable = (False, False)
         self._pressed: QPoint | None = None
+        self.cursors = CursorPair()
+        self._across = ""
         self._frame_drawn = QRubberBand(QRubberBand.Shape.Rectangle, self)
         self.give_room()
         self.dress(theme)
@@ -229,12 +244,76 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         """Return what stands along the axes; for the vertical one what the plot is, without it."""
         return self._axes["bottom"].text, self._axes["left"].text or self.accessibleName()
 
-    def drawn(self) -> Iterator[tuple[Trace | Dots, LinePen]]:
-        """Yield curves and points with their pens."""
-        return ((one, self._pens[one]) for one in self._canvas.traces)
+    def drawn(self) -> Iterator[tuple[Drawn, LinePen | None]]:
+        """Yield curves and points with their pens; None for a pen of pyqtgraph's own items."""
+        yield from ((one, self._pens[one]) for one in self._canvas.traces)
+        for item in self.getPlotItem().listDataItems():
+            x, y = item.getData()
+            if x is not None:
+                yield ItemPoints(np.asarray(x, np.float64), np.asarray(y, np.float64)), None
+
+    def curves(self) -> Iterator[NamedCurve]:
+        """Yield the curves that are drawn, each with its name."""
+        return named_curves(self.drawn(), self._marks.names)
+
+    def show_cursors(self, *, both: bool = True) -> None:
+        """Put both cursors down where they can be seen, or take them away."""
+        if both:
+            self.cursors.show(*self.viewRange()[0])
+        else:
+            self.cursors.clear()
+        self._read_cursors()
+
+    def _read_cursors(self) -> None:
+        """Say what is read at the cursors, to eyes and to a screen reader."""
+        rows = self.cursor_readout() if self.cursors.places else []
+        words = "; ".join(" ".join(row).strip() for row in rows)
+        self.setAccessibleDescription(words or self._marks.words)
+        self.viewport().update()
+
+    def cursor_readout(self) -> list[list[str]]:
+        """Return the table of what is read at the cursors."""
+        return readout(self.cursors, self.captions()[0] or self._across, self.curves())
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Move the two cursors, show all again by Backspace; the rest is the plot's own."""
+        if self._cursor_key(event):
+            self._read_cursors()
+        elif event.key() == Qt.Key.Key_Backspace and self.zoomed:
+            self.zoom_back()
+        elif not self.own_key(event):
+            super().keyPressEvent(event)
+
+    def own_key(self, event: QKeyEvent) -> bool:
+        """Do what a key does on this plot alone; return whether it does something."""
+        return False
+
+    def _cursor_key(self, event: QKeyEvent) -> bool:
+        """Do what a key does with the two cursors, the same on every plot."""
+        key, held, pair = Qt.Key(event.key()), event.modifiers(), self.cursors
+        low, high = self.viewRange()[0]
+        sign = {Qt.Key.Key_Left: -1.0, Qt.Key.Key_Right: 1.0}.get(key)
+        if key in (Qt.Key.Key_1, Qt.Key.Key_2) and not held:
+            pair.choose(int(key == Qt.Key.Key_2), low, high)
+        elif sign and pair.places and held & Qt.KeyboardModifier.ControlModifier:
+            large = held & Qt.KeyboardModifier.ShiftModifier
+            pair.move(sign * (high - low) * (LARGE_STEP if large else SMALL_STEP))
+        elif key == Qt.Key.Key_Escape and pair.places:
+            pair.clear()
+        else:
+            return False
+        return True
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Begin a rectangle, or a click."""
+        """Begin a rectangle, or a click; with Shift put down a cursor."""
+        shift = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+        if event.button() == Qt.MouseButton.LeftButton and shift and not self.instead:
+            at = self.getViewBox().mapSceneToView(self.mapToScene(event.position().toPoint()))
+            self.cursors.put(at.x())
+            self._read_cursors()
+            self.setFocus(Qt.FocusReason.MouseFocusReason)
+            event.accept()
+            return
         if event.button() == Qt.MouseButton.LeftButton and not self.instead:
             self._pressed = event.position().toPoint()
         super().mousePressEvent(event)
@@ -261,13 +340,6 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
             event.accept()
             return
         super().mouseReleaseEvent(event)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Show all again by Backspace."""
-        if event.key() == Qt.Key.Key_Backspace and self.zoomed:
-            self.zoom_back()
-        else:
-            super().keyPressEvent(event)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme: background, axes, every curve and line."""
@@ -375,6 +447,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         """Forget range, room and marks: what is drawn next is of another test."""
         self.steady.forget()
         self._room.start_afresh(self)
+        self.cursors.clear()
         self.show_marks(names=(), limits=(), moments=(), spots=())
 
     def drawBackground(self, painter: QPainter, rect: QRectF) -> None:
@@ -404,6 +477,9 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         paint_spots(painter, frame, marks.spots, self.theme, taken)
         paint_next_limits(painter, frame, marks.limits, self.theme, taken)
         paint_names(painter, frame, marks.names, self.theme)
+        if self.cursors.places:
+            rows = self.cursor_readout()
+            paint_readout(painter, frame, self.cursors.places, rows, self.theme)
 
     def _repaint(self, *_: object) -> None:
         self._placed = None
@@ -432,7 +508,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
     def show_crank_angle(self, *, label: bool = True) -> None:
         """Set the x axis to one revolution with ticks at every quarter."""
         self.show_range("x", 0.0, 360.0)
-        axis = self._axes["bottom"]
+        axis, self._across = self._axes["bottom"], tr("Crank angle")
         axis.setTicks([[(float(at), f"{at}°") for at in QUARTERS]])
         if label:
             self.label("bottom", "Crank angle")
@@ -463,7 +539,8 @@ class CursorPlot(QuietPlot):
         self.setToolTip(
             tr(
                 "Click, or Tab to it and use ← →, to read values; Esc ends it."
-                " Draw a rectangle to look closer."
+                " Draw a rectangle to look closer. Shift+click, or 1 and 2: two cursors and their"
+                " difference."
             )
         )
         self.cursor_line = self.guide(0.0, horizontal=False)
@@ -471,12 +548,12 @@ class CursorPlot(QuietPlot):
         self.cursor_line.hide()
         self.scene().sigMouseClicked.connect(self._clicked)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def own_key(self, event: QKeyEvent) -> bool:
         """Take the cursor away by Esc."""
-        if event.key() == Qt.Key.Key_Escape:
-            self._pointed(None)
-        else:
-            super().keyPressEvent(event)
+        if event.key() != Qt.Key.Key_Escape:
+            return super().own_key(event)
+        self._pointed(None)
+        return True
 
     def cursor_text(self, at: float) -> str:
         """Return what stands at the cursor."""

@@ -53,7 +53,7 @@ class TrendPlot(CursorPlot):
         self.setMouseEnabled(x=True, y=False)
         self.label("bottom", "Cycle")
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def own_key(self, event: QKeyEvent) -> bool:
         """Move by the arrows, zoom by plus and minus; Esc takes the cursor away."""
         low, high = self.viewRange()[0]
         span = high - low
@@ -65,11 +65,11 @@ class TrendPlot(CursorPlot):
         }
         wanted = moves.get(Qt.Key(event.key()))
         if wanted is None:
-            super().keyPressEvent(event)
-            return
+            return super().own_key(event)
         self.zoom_back()
         self.setXRange(*wanted, padding=0.0)
         self.getViewBox().sigRangeChangedManually.emit([True, False])
+        return True
 
 
 @dataclass(slots=True)

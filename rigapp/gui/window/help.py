@@ -53,6 +53,11 @@ KEYS: Final[tuple[tuple[Text, Text], ...]] = (
         marked("← → in a force plot"),
         "Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there",
     ),
+    (
+        marked("1, 2 in a plot"),
+        "Two cursors with their difference; Shift+click puts one, Esc ends it",
+    ),
+    (marked("Ctrl+← → in a plot"), "Move the chosen cursor of the two, with Shift further"),
     (marked("Backspace in a plot"), "Show all again after a rectangle was drawn"),
     ("Esc", "Close the start bar or the help"),
 )

@@ -30,6 +30,7 @@ from rigapp.gui.look.preferences import OFF, Preference, Preferences
 from rigapp.gui.panel import Act
 from rigapp.gui.panels.alarms import AlarmPanel
 from rigapp.gui.panels.documents import launch_process
+from rigapp.gui.plots.plotmenu import offer_menus
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import GuardedButton, button, column, follow_in_tab_order, named, row
 from rigapp.gui.widgets.turns import Turns
@@ -425,6 +426,7 @@ class MainWindow(QMainWindow):
     def _take_calibration(self) -> None:
         if self._calibration is not None:
             self.stage.take(self._calibration)
+            offer_menus(self._calibration, self._say_answer)
             self._turns.then((*self.stage.dress_calls(self.theme), self._show_calibration))
 
     def _show_calibration(self) -> None:
@@ -618,6 +620,9 @@ class MainWindow(QMainWindow):
         launch_process(self._again)
         self._leave()
 
+    def _say_answer(self, text: str, good: bool) -> None:
+        self.controls.show_answer(text, good=good)
+
     def _say(self, text: Text, *, good: bool = True) -> None:
         self.controls.show_answer(tr(text), good=good)
 
@@ -758,7 +763,7 @@ class MainWindow(QMainWindow):
         self.controls.command_line.take_over_wanted.connect(self.viewer_bar.ask)
         self.viewer_bar.wanted.connect(self.controls.send)
         self.tabs.wanted.connect(self.controls.send)
-        self.tabs.said.connect(lambda text, good: self.controls.show_answer(text, good=good))
+        self.tabs.said.connect(self._say_answer)
         self.tabs.asked.connect(self._do)
         self.tabs.help_wanted.connect(self.help_with)
         self.preferences.changed.connect(self._take_choice)

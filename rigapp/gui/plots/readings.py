@@ -1,0 +1,133 @@
+"""Two cursors on a plot: where they are, what each curve is there, and the difference."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Protocol
+
+import numpy as np
+
+from rigapp.gui.plots.curves import Floats
+from rigapp.gui.plots.marks import CurveName
+from rigapp.gui.plots.palette import LinePen
+from rigapp.presentation.numbers import UNKNOWN
+from rigapp.presentation.translation import tr
+
+MOST_CURVES = 4
+"""Of a plot that are read at the cursors: more would cover what they are read from."""
+SMALL_STEP, LARGE_STEP = 1.0 / 200.0, 1.0 / 20.0
+"""By which a key moves a cursor, of what is seen."""
+FIRST_AT, SECOND_AT = 1.0 / 3.0, 2.0 / 3.0
+"""Where the cursors begin, of what is seen."""
+
+
+class Drawn(Protocol):
+    """Points of a curve, (n,) each."""
+
+    @property
+    def x(self) -> Floats:
+        """Return the places across."""
+        ...
+
+    @property
+    def y(self) -> Floats:
+        """Return the values."""
+        ...
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ItemPoints:
+    """Points of an item of the plotting library, (n,) each."""
+
+    x: Floats
+    y: Floats
+
+
+NamedCurve = tuple[str, Drawn]
+
+
+def named_curves(
+    drawn: Iterable[tuple[Drawn, LinePen | None]], names: Sequence[CurveName]
+) -> Iterator[NamedCurve]:
+    """Yield the curves that are drawn, each with its name, or the number that it has.
+
+    A name belongs to the curve of its pen that ends nearest to it.
+    """
+    for number, (trace, pen) in enumerate(drawn, 1):
+        if not len(trace.x):
+            continue
+        known = trace.y[np.isfinite(trace.y)]
+        end = float(known[-1]) if len(known) else math.nan
+        own = [one for one in names if one.pen == pen]
+        nearest = min(own, key=lambda one: abs(one.at - end), default=None)
+        yield nearest.text if nearest is not None else tr("curve {}", number), trace
+
+
+def value_at(curve: Drawn, at: float) -> float:
+    """Return the value of a curve at the point nearest to a place; NaN beyond its ends."""
+    known = np.flatnonzero(np.isfinite(curve.x) & np.isfinite(curve.y))
+    if not known.size or not curve.x[known].min() <= at <= curve.x[known].max():
+        return math.nan
+    return float(curve.y[known[np.argmin(np.abs(curve.x[known] - at))]])
+
+
+@dataclass(slots=True)
+class CursorPair:
+    """Up to two places on the x axis; chosen: the one that keys move."""
+
+    places: list[float] = field(default_factory=list)
+    chosen: int = 0
+
+    def put(self, at: float) -> None:
+        """Put the first cursor, then the second; after that the nearer one moves."""
+        if len(self.places) < 2:
+            self.places.append(at)
+            self.chosen = len(self.places) - 1
+            return
+        self.chosen = int(abs(self.places[1] - at) < abs(self.places[0] - at))
+        self.places[self.chosen] = at
+
+    def show(self, low: float, high: float) -> None:
+        """Put both where they can be seen."""
+        self.places = [low + share * (high - low) for share in (FIRST_AT, SECOND_AT)]
+        self.chosen = 1
+
+    def choose(self, number: int, low: float, high: float) -> None:
+        """Let keys move cursor 0 or 1; both are put down where they are not yet."""
+        if len(self.places) < 2:
+            self.show(low, high)
+        self.chosen = number
+
+    def move(self, by: float) -> None:
+        """Move the chosen one."""
+        if self.places:
+            self.places[self.chosen] += by
+
+    def clear(self) -> None:
+        """Take both away."""
+        self.places, self.chosen = [], 0
+
+
+def readout(pair: CursorPair, across: str, curves: Iterable[NamedCurve]) -> list[list[str]]:
+    """Return a table: place and curves, each at both cursors, and the difference.
+
+    across: what the places are; curves: in the order in which they are drawn, the last one on top.
+    """
+    rows = [["", *(str(number + 1) for number in range(len(pair.places)))]]
+    read = [(across, list(pair.places))]
+    top = dict(curves)  # of curves with one name the last one, on top
+    for name, one in list(reversed(top.items()))[:MOST_CURVES]:
+        read.append((name, [value_at(one, at) for at in pair.places]))
+    for name, values in read:
+        rows.append([name, *map(_number, values)])
+    if len(pair.places) == 2:
+        rows[0].append("2 \u2212 1")
+        for row, (_, values) in zip(rows[1:], read, strict=False):
+            row.append(_number(values[1] - values[0]))
+    return rows
+
+
+def _number(value: float) -> str:
+    return f"{value:.5g}".replace("-", "\u2212") if math.isfinite(value) else UNKNOWN
