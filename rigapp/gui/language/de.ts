@@ -4619,7 +4619,7 @@
     </message>
     <message>
         <source>A seal cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Siegel ist nicht lesbar</translation>
     </message>
     <message>
         <source>A short test on a rig of software.</source>
@@ -5127,7 +5127,7 @@
     </message>
     <message>
         <source>Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+N, Ctrl+R, Ctrl+U, Ctrl+W</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+1 … Strg+9, Strg+0, Strg+D, Strg+N, Strg+R, Strg+U, Strg+W</translation>
     </message>
     <message>
         <source>Ctrl+← → in a plot</source>
@@ -9583,7 +9583,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     </message>
     <message>
         <source>is a list of lists</source>
-        <translation type="unfinished"></translation>
+        <translation>ist eine Liste von Listen</translation>
     </message>
     <message>
         <source>is made of values of other files</source>
@@ -14570,7 +14570,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     </message>
     <message>
         <source>{} of {} is a list of lists</source>
-        <translation type="unfinished"></translation>
+        <translation>{} von {} ist eine Liste von Listen</translation>
     </message>
     <message>
         <source>{} of {} is not a number from {:g} to {:g}</source>
