@@ -4,6 +4,8 @@ Error tree::
 
     DeviceError                 device, port and one plain sentence
     ├── ConnectionFailed        the port cannot be opened, or nothing answers on it
+    │   ├── PortInUse           another program has the port
+    │   └── PortForbidden       this user may not open the port
     ├── WrongDevice             something answers, but it is not the configured device
     ├── SettingRefused          the device refused or changed a setting
     ├── ReplyTimeout            a command was not answered in time
@@ -67,6 +69,14 @@ class ConnectionFailed(DeviceError):
     """The port cannot be opened, or nothing answers on it."""
 
 
+class PortInUse(ConnectionFailed):
+    """Another program has the port."""
+
+
+class PortForbidden(ConnectionFailed):
+    """This user may not open the port."""
+
+
 class WrongDevice(DeviceError):
     """Something answers, but it is not the configured device."""
 
@@ -108,6 +118,8 @@ class DeviceFault(DeviceError):
 
 HELP: Final[Mapping[type[DeviceError], str]] = {
     ConnectionFailed: "nothing-answers",
+    PortInUse: "the-port-is-in-use",
+    PortForbidden: "the-port-may-not-be-opened",
     WrongDevice: "another-device-answers",
     SettingRefused: "a-setting-is-refused",
     ReplyTimeout: "no-answer-or-a-late-one",

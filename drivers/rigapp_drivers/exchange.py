@@ -48,9 +48,10 @@ class OpenQuestions:
         """Note that an answer came: it is that to the oldest open question."""
         if not self._asked_s:
             return
-        self._measure(time.monotonic() - self._asked_s.popleft())
+        self.measure(time.monotonic() - self._asked_s.popleft())
 
-    def _measure(self, latency_s: float) -> None:
+    def measure(self, latency_s: float) -> None:
+        """Note how long an answer took; above the time-out it was late, which is told."""
         if latency_s <= self.timeout_s:
             return
         self.late += 1
@@ -86,11 +87,12 @@ class OpenQuestions:
         """Return what to do about late answers, "" when none was late."""
         if not self.late_s:
             return ""
+        advised = float(f"{_ADVICE * self.late_s * self._per_s:.2g}")
         return say(
-            "answers come up to {:.2g} s late; set {} to {:.2g} or more",
+            "answers come up to {:.2g} s late; set {} to {:g} or more",
             self.late_s,
             self._setting,
-            _ADVICE * self.late_s * self._per_s,
+            advised,
         )
 
 
@@ -130,5 +132,5 @@ class NamedQuestions(OpenQuestions):
         asked_s = self._left_s.pop(name, None)
         latency_s = 0.0 if asked_s is None else time.monotonic() - asked_s
         if latency_s < GIVEN_UP * self.timeout_s:
-            self._measure(latency_s)
+            self.measure(latency_s)
         return False

@@ -20,7 +20,14 @@ from typing import Any
 import serial
 
 from rigapp.texts import say, sentence_of_error
-from rigapp_drivers.api import BytePort, ConnectionFailed, DeviceLost, Identity
+from rigapp_drivers.api import (
+    BytePort,
+    ConnectionFailed,
+    DeviceLost,
+    Identity,
+    PortForbidden,
+    PortInUse,
+)
 from rigapp_drivers.wire.ports import RECORDED, PortNotFound, actual_port
 from rigapp_drivers.wire.recorder import recorders_of
 
@@ -93,8 +100,8 @@ class SerialPort:
         except PortNotFound as error:
             raise ConnectionFailed.at(self, sentence_of_error(error)) from error
         except _PORT_ERRORS as error:
-            sentence = _why_not_opened(error, actual)
-            raise ConnectionFailed.at(self, sentence) from error
+            kind, sentence = _why_not_opened(error, actual)
+            raise kind.at(self, sentence) from error
         self.low_latency = _set_low_latency(opened)
         self._selectable = _can_select(opened)
         self._closing = False
@@ -262,26 +269,31 @@ def _close_quietly(opened: Any) -> None:
             peer.close()
 
 
-def _why_not_opened(error: Exception, port: str) -> str:
+def _why_not_opened(error: Exception, port: str) -> tuple[type[ConnectionFailed], str]:
+    """Return the kind of error of a port that does not open, and its sentence."""
     number = getattr(error, "errno", None)
     text = sentence_of_error(error)
     if number in (errno.EAGAIN, errno.EBUSY) or "exclusively lock" in text:
         holder = holder_of(port)
         if holder:
-            return say("the port is in use by another program, {}; close it.", holder)
-        return say("the port is in use by another program; close that program.")
+            words = say("the port is in use by another program, {}; close it.", holder)
+            return PortInUse, words
+        return PortInUse, say("the port is in use by another program; close that program.")
     if number in (errno.EACCES, errno.EPERM):
-        return say(
+        return PortForbidden, say(
             "this user may not open the port; add the user to the group that owns it"
             " (often dialout or uucp) and log in again."
         )
     if port.startswith(RECORDED):
-        return say("{} The recording is not played.", text)
+        return ConnectionFailed, say("{} The recording is not played.", text)
     if port.startswith("socket://"):
-        return say("no connection ‹{}›; check host, port number and that the server runs.", text)
+        words = say("no connection ‹{}›; check host, port number and that the server runs.", text)
+        return ConnectionFailed, words
     if number in (errno.ENOENT, errno.ENXIO, errno.ENODEV):
-        return say("there is no such port; check the cable, the power and the port's name.")
-    return say("the port cannot be opened ‹{}›; check the port's name in the rig file.", text)
+        words = say("there is no such port; check the cable, the power and the port's name.")
+        return ConnectionFailed, words
+    words = say("the port cannot be opened ‹{}›; check the port's name in the rig file.", text)
+    return ConnectionFailed, words
 
 
 def holder_of(port: str, processes: Path = Path("/proc")) -> str:

@@ -65,6 +65,10 @@ def prepare_real_folder(folder: Path, named: Mapping[str, tuple[str, str]]) -> i
     one where nobody can be asked, and when a file is there already.
     """
     found = search_ports() if not all(port for _, port in named.values()) else []
+    if found and sys.stdin.isatty():
+        print("Ports of this computer:")
+        for one in found:
+            print(f"  {one.name}  {one.words}")
     boxes = [_box(name, *named[name], found) for name in ROLES]
     _fill(folder, real_files(boxes), ABOUT_REAL)
     for box in boxes:
@@ -125,9 +129,6 @@ def _port_of(info: DriverInfo, found: Sequence[FoundPort]) -> str:
     if answering:
         return _asked(f"Port of the {info.title}", answering, answering[0])
     print(f"{info.title}: answers on no port that may be asked.")
-    for one in found:
-        if not one.driver:
-            print(f"  {one.name}  {one.words}")
     return _typed(f"Port of the {info.title} (Enter: leave open): ")
 
 

@@ -131,7 +131,8 @@ def search_ports() -> list[FoundPort]:
 
 def _looked_at(port: Any, drivers: Sequence[DriverInfo]) -> FoundPort:
     known = drivers_of_usb_id(port.vid, port.pid, drivers)
-    label = joined(" / ", (info.title for info in known)) or port.description or ""
+    described = "" if port.description in (None, "n/a") else port.description
+    label = joined(" / ", (info.title for info in known)) or described or say("serial port")
     name = lasting_name(port.device)
     if not os.access(port.device, os.R_OK | os.W_OK):
         return FoundPort(name, say("{}: this user may not open it", label))

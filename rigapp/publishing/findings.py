@@ -5,7 +5,6 @@ What is found is suspected, not proven; a person decides.
 
 from __future__ import annotations
 
-import ipaddress
 import json
 import re
 import tomllib
@@ -16,6 +15,19 @@ from urllib.parse import urlsplit
 
 from rigapp.config.notify import REFERENCE
 from rigapp.publishing.packaged import PackagedTest
+from rigapp.publishing.private import (
+    HOME,
+    IPV4,
+    IPV6,
+    LOCAL_NAME,
+    MAIL,
+    NO_HOST,
+    PROGRAM,
+    ROOT,
+    URL,
+    address_of,
+    is_elsewhere,
+)
 from rigapp.publishing.publication import Author
 from rigapp.schema.messages import Event
 
@@ -96,25 +108,10 @@ def _leaves(tree: Any) -> list[str]:
     return [text for _, text in _branches(tree)]
 
 
-_MAIL = re.compile(r"[\w.%+-]+@(?:[A-Za-z0-9-]+\.)+[A-Za-z]{2,}")
-_HOME = re.compile(
-    r"(?:/(?:var/|usr/|export/)?home/|/Users/|/(?:run/)?media/|[A-Za-z]:[\\/]+Users[\\/]+)"
-    r"([^\\/\s\"',;:()\[\]]+)"
-)
-_ROOT = re.compile(r"(?<![\w/.-])/root(?=/)")
-_IPV4 = re.compile(r"(?<![\w.-])(?:\d{1,3}\.){3}\d{1,3}(?![\w-]|\.\d)")
-_IPV6 = re.compile(r"(?<![\w:.])(?:[0-9A-Fa-f]{0,4}:){2,7}[0-9A-Fa-f]{0,4}(?![\w:])")
-_URL = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*://[^\s\"'<>]+")
-_LOCAL_NAME = re.compile(
-    r"(?<![\w.@-])[A-Za-z0-9-]+(?:\.[A-Za-z0-9-]+)*"
-    r"\.(?:local|localdomain|lan|internal|intranet|corp|home\.arpa)(?![\w.-]*\w)"
-)
 _WRITER = re.compile(r"process \d+ on (\S+)")
 _VERSION = re.compile(r"version|firmware|platform")
 _TOLD = re.compile(r"(?:notify|ping)\.(?:url|command)")
 
-NO_HOST = frozenset({"hwgrep", "loop", "spy", "alt", "file"})
-"""Schemes whose URLs name a port of this computer, as pyserial has them."""
 PUBLIC = frozenset({"http", "https", "doi", "urn"})
 """Schemes by which documents are cited: a whole domain name there is no secret."""
 
@@ -137,53 +134,27 @@ def found_in(one: Passage, computers: frozenset[str], people: frozenset[str]) ->
             yield f"the name of {name}, who is not among the authors"
 
 
-def without_private(text: str, names: Iterable[str]) -> str:
-    """Return a text in which what is private is replaced by what it is, in brackets.
-
-    Home folders, e-mail addresses, addresses of other computers (that of a document, too: it may
-    hold a secret), and names, as whole words. names: of people and computers.
-    """
-    text = _URL.sub(_without_host, text)
-    text = _ROOT.sub("[home]", _HOME.sub("[home]", _MAIL.sub("[e-mail]", text)))
-    text = _LOCAL_NAME.sub("[host]", text)
-    for pattern in (_IPV4, _IPV6):
-        text = pattern.sub(lambda one: "[address]" if _is_elsewhere(one[0]) else one[0], text)
-    for name in sorted(names, key=len, reverse=True):
-        text = re.sub(rf"(?<!\w){re.escape(name)}(?!\w)", "[name]", text, flags=re.IGNORECASE)
-    return text
-
-
-def _without_host(url: re.Match[str]) -> str:
-    scheme, _, rest = url[0].partition("://")
-    try:
-        host = urlsplit(url[0]).hostname or ""
-    except ValueError:
-        host = rest
-    here = host == "localhost" or ((found := _address(host)) is not None and found.is_loopback)
-    return url[0] if scheme in NO_HOST or scheme == "wire" or here else f"{scheme}://[address]"
-
-
 def _addresses(one: Passage) -> Iterator[str]:
-    for found in _MAIL.findall(one.text):
+    for found in MAIL.findall(one.text):
         yield f"the e-mail address {found}"
 
 
 def _folders(one: Passage) -> Iterator[str]:
-    for found in _HOME.finditer(one.text):
+    for found in HOME.finditer(one.text):
         yield f"the home folder of {found[1]} ({found[0]})"
-    if _ROOT.search(one.text):
+    if ROOT.search(one.text):
         yield "a path in the home folder of root (/root)"
 
 
 def _networks(one: Passage) -> Iterator[str]:
-    for url in _URL.findall(one.text):
+    for url in URL.findall(one.text):
         if host := _private_host(url):
             yield f"the host name {host}"
-    for name in _LOCAL_NAME.findall(one.text):
+    for name in LOCAL_NAME.findall(one.text):
         yield f"the host name {name}"
     if not _VERSION.search(one.key):  # four numbers with dots
-        for found in (*_IPV4.findall(one.text), *_IPV6.findall(one.text)):
-            if _is_elsewhere(found):
+        for found in (*IPV4.findall(one.text), *IPV6.findall(one.text)):
+            if is_elsewhere(found):
                 yield f"the IP address {found}"
 
 
@@ -200,23 +171,10 @@ def _private_host(url: str) -> str:
         host = parts.hostname or ""
     except ValueError:
         return ""
-    if parts.scheme in NO_HOST or not host or host == "localhost" or _address(host) is not None:
+    if parts.scheme in NO_HOST or not host or host == "localhost" or address_of(host) is not None:
         return ""
-    whole = "." in host and not _LOCAL_NAME.fullmatch(host)
+    whole = "." in host and not LOCAL_NAME.fullmatch(host)
     return "" if parts.scheme in PUBLIC and whole else host
-
-
-def _address(text: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | None:
-    try:
-        return ipaddress.ip_address(text)
-    except ValueError:
-        return None
-
-
-def _is_elsewhere(text: str) -> bool:
-    """Tell whether a text is the address of some computer, and not of whichever this is."""
-    found = _address(text)
-    return found is not None and not (found.is_loopback or found.is_unspecified)
 
 
 def _word(name: str, text: str, flags: int = 0) -> bool:
@@ -224,10 +182,6 @@ def _word(name: str, text: str, flags: int = 0) -> bool:
     return re.search(rf"(?<!\w){re.escape(name)}(?!\w)", text, flags) is not None
 
 
-PROGRAM = frozenset(
-    {"", "engine", "limits", "drive", "storage", "twin", "messages", "queue", "operator"}
-)
-"""Who writes into a log without being a person, and a person who gave no name."""
 DEVICE = "device"
 """Kind of the events whose source is a device of the rig."""
 PEOPLE_OF_A_RECORD = ("operator", "reviewer")

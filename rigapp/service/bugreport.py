@@ -29,7 +29,7 @@ from rigapp.config.toml import toml_text, toml_tree
 from rigapp.config.writing import whole_file
 from rigapp.engine.engine import Engine
 from rigapp.process.logs import in_file
-from rigapp.publishing.findings import PROGRAM, without_private
+from rigapp.publishing.private import PROGRAM, without_private
 from rigapp.schema.messages import LineReport
 from rigapp.schema.states import Refused
 from rigapp.schema.verbs import LinesToReport

@@ -16,7 +16,7 @@ from stories import until
 from rigapp.commands.wire import shown
 from rigapp.config.loading import read_rig, read_test
 from rigapp.process import logs
-from rigapp.publishing.findings import without_private
+from rigapp.publishing.private import without_private
 from rigapp.schema.messages import Reply, Request, RunState
 from rigapp.service.host import EngineHost
 from rigapp.testing.traces import check_trace

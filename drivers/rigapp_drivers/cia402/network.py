@@ -24,6 +24,7 @@ from rigapp_drivers.api import (
     DeviceError,
     DeviceLost,
     Identity,
+    PortInUse,
     ReplyTimeout,
     SettingRefused,
     WrongDevice,
@@ -163,9 +164,10 @@ class CanNode:
         line = SerialPort(self.device, channel.partition("@")[0], _SLCAN_BAUD_RATE)
         try:
             line.open()
-        except ConnectionFailed as error:
-            if "in use" in error.sentence:
-                raise
+        except PortInUse:
+            raise
+        except ConnectionFailed:  # python-can says better why
+            return
         finally:
             line.close()
 

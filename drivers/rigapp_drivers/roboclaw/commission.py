@@ -146,6 +146,8 @@ def commission(link: Link, request: DriveRequest, motor: int, combined: bool) ->
             "power off in {}, input S3: {}", power_off["power_off_ramp"], input_S3["input_S3"]
         ),
     }
+    if link.late_words:
+        advice = joined(" ", filter(None, (advice, say("Its {}.", link.late_words))))
     if advice:
         readback["advice"] = advice
     return Setup(request, units, combined, pid.qpps, readback)

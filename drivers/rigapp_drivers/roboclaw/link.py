@@ -10,6 +10,7 @@ from typing import Final, TypeVar
 
 from rigapp.texts import joined, say
 from rigapp_drivers.api import BytePort, DeviceFault, ProtocolError, ReplyTimeout
+from rigapp_drivers.exchange import GIVEN_UP, OpenQuestions
 from rigapp_drivers.roboclaw.protocol import (
     ACKNOWLEDGE,
     NEWER,
@@ -27,6 +28,8 @@ TRIES: Final = 3  # one disturbed packet must not stop a test; three in a row ar
 STANDING_TRIES: Final = (1, 2, 4, 6, 8, 10)
 """How many time-outs each try waits while nothing is to turn: a busy computer, or a busy USB, may
 be late by the same time again and again, so that more of the same wait would not help."""
+LATENCY_MARGIN: Final = 1.5
+"""The first try waits for so many latencies, once answers were late."""
 QUIET_S: Final = 0.012  # longer than the 10 ms after which the drive forgets a packet
 LONGEST_REPLY: Final = 58  # bytes, of command 73
 BITS_PER_BYTE: Final = 10
@@ -50,6 +53,10 @@ class Link:
 
     ``standing``: nothing is commanded to turn, so that a question may wait for its answer longer.
 
+    An answer names its question by its checksum alone, an acknowledgement not at all. So after a
+    try that was repeated in silence the answers to the others are let pass, while nothing turns;
+    when they come, the line is slow, and from then on a first try waits for its latency.
+
     What the line spoils is counted (``crc_errors``, ``retries``, ``late_bytes``), and a packet that
     came through only when repeated goes to the log: neither says anything of the drive.
     """
@@ -72,6 +79,12 @@ class Link:
         self.late_bytes = 0
         self.last_sent_ns = time.monotonic_ns()
         self._sending = threading.Lock()
+        self._questions = OpenQuestions(device, timeout_s, "reply_timeout_ms", 1000.0)
+
+    @property
+    def late_words(self) -> str:
+        """Return what to do about answers that are late, "" where none was."""
+        return self._questions.words()
 
     def request_stop(self) -> None:
         """End the tries of a call under way, and forbid the writes that were begun before."""
@@ -92,18 +105,18 @@ class Link:
         DeviceLost when the port broke.
         """
 
-        def exchange(time_outs: int) -> tuple[int, ...] | Rejected:
+        def exchange(time_outs: float) -> tuple[int, ...] | Rejected:
             raw = self._ask(command, time_outs)
             return parse_values(self.address, command, raw, self.generation)
 
         if tries is None and self.standing:
             return self._repeat(command, exchange, STANDING_TRIES)
-        return self._repeat(command, exchange, (1,) * (TRIES if tries is None else tries))
+        return self._repeat(command, exchange, self._waits(TRIES if tries is None else tries))
 
     def version(self) -> str:
         """Return the firmware text, the first that a drive is asked for; errors as ``read``."""
 
-        def exchange(time_outs: int) -> str | Rejected:
+        def exchange(time_outs: float) -> str | Rejected:
             return parse_version(self.address, self._ask(Command.VERSION, time_outs))
 
         return self._repeat(Command.VERSION, exchange, STANDING_TRIES)
@@ -137,7 +150,8 @@ class Link:
     ) -> None:
         """Send a packet that is already built; see ``write``."""
         failures: list[str] = []
-        for attempt in range(TRIES):
+        first_s = time.monotonic()
+        for attempt, time_outs in enumerate(self._waits(TRIES)):
             if attempt:
                 self.retries += 1
                 self.wait_for_quiet()
@@ -145,7 +159,9 @@ class Link:
                     self._tell_repeated(_UNACKNOWLEDGED)
                     return
             self._send(packet, stop_requests)
-            answer = self._serial.read_some(1, self._reply_timeout(len(packet) + 1))
+            answer = self._acknowledgement(self._reply_timeout(len(packet) + 1), time_outs)
+            if answer == ACKNOWLEDGE and "" in failures:
+                self._outwait(first_s)
             if answer == ACKNOWLEDGE and (not read_back or in_effect is None or in_effect()):
                 if failures:
                     self._tell_repeated(_UNACKNOWLEDGED)
@@ -160,9 +176,54 @@ class Link:
                 break
         raise self._failure(command, failures)
 
+    def _acknowledgement(self, time_out_s: float, time_outs: float) -> bytes:
+        """Return the first byte that comes, b"" when none does; a stop waits one time-out only."""
+        deadline = time.monotonic() + time_outs * time_out_s
+        while True:
+            left = deadline - time.monotonic()
+            answer = self._serial.read_some(1, min(max(left, 0.0), time_out_s))
+            if answer or left <= 0.0 or self.hurry.is_set():
+                return answer
+
+    def _waits(self, tries: int) -> tuple[float, ...]:
+        """Return how many time-outs each try waits: more at first on a line that is slow.
+
+        While the crank may turn they are as many in all as there are tries.
+        """
+        first = LATENCY_MARGIN * self._questions.late_s / self._timeout_s
+        if first <= 1.0:
+            return (1.0,) * tries
+        if self.standing:
+            return (min(first, GIVEN_UP), *(1.0,) * (tries - 1))
+        first = min(first, TRIES - 1.0)
+        return (first,) if tries == 1 else (first, max(1.0, tries - first))
+
+    def _outwait(self, first_s: float) -> None:
+        """Let answers to tries that were repeated too early pass, and measure how late they are.
+
+        first_s: when the first try was sent. Answers come in the order of the tries, so the one
+        that was taken is the first one's where others follow; where none does, it was lost.
+        """
+        if not self.standing:
+            return
+        latency_s = time.monotonic() - first_s
+        until_s = self.last_sent_ns * 1e-9 + latency_s + 0.5 * self._timeout_s
+        passed = 0
+        while (left := until_s - time.monotonic()) > 0.0 and not self.hurry.is_set():
+            passed += len(self._serial.read_some(LONGEST_REPLY, min(left, self._timeout_s)))
+        self.late_bytes += passed
+        if passed:
+            self._questions.measure(latency_s)
+
     def _repeat(
-        self, command: int, exchange: Callable[[int], _Reply | Rejected], tries: Sequence[int]
+        self,
+        command: int,
+        exchange: Callable[[float], _Reply | Rejected],
+        tries: Sequence[float],
     ) -> _Reply:
+        first = self._waits(1)[0]
+        tries = [one for one in tries if one >= first] or tries
+        first_s = time.monotonic()
         failures: list[str] = []
         because: set[str] = set()
         for attempt, time_outs in enumerate(tries):
@@ -173,6 +234,8 @@ class Link:
                 self.wait_for_quiet()
             result = exchange(time_outs)
             if not isinstance(result, Rejected):
+                if "" in failures:
+                    self._outwait(first_s)
                 for reason in sorted(because):
                     self._tell_repeated(reason)
                 return result
@@ -191,6 +254,8 @@ class Link:
     def _failure(self, command: int, failures: list[str]) -> ProtocolError | ReplyTimeout:
         name = say("{} ({})", Command(command).name, command)
         told = list(dict.fromkeys(sentence for sentence in failures if sentence))
+        if self.late_words:
+            return ReplyTimeout.at(self, "no answer in time; {} ‹{}›.", self.late_words, name)
         if not told:
             return ReplyTimeout.at(
                 self,
@@ -223,7 +288,7 @@ class Link:
             self._serial.write(packet)
         self.last_sent_ns = time.monotonic_ns()
 
-    def _ask(self, command: int, time_outs: int) -> bytes:
+    def _ask(self, command: int, time_outs: float) -> bytes:
         self._send(read_packet(self.address, command))
         raw = b""
         time_out_s = self._reply_timeout(2 + LONGEST_REPLY)

@@ -10230,6 +10230,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Empfindlichkeit</translation>
     </message>
     <message>
+        <source>serial port</source>
+        <translation>serieller Anschluss</translation>
+    </message>
+    <message>
         <source>set limit</source>
         <translation>Grenze setzen</translation>
     </message>
@@ -12157,6 +12161,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Seine Messungen werden abgelehnt: {}</translation>
     </message>
     <message>
+        <source>Its {}</source>
+        <translation>Seine {}</translation>
+    </message>
+    <message>
         <source>Limits of the history for the sensitivity: {:.5f} to {:.5f}</source>
         <translation>Grenzen des Verlaufs für die Empfindlichkeit: {} bis {}</translation>
     </message>
@@ -12667,10 +12675,6 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>another calibration is open: {}</source>
         <translation>eine andere Kalibrierung ist offen: {}</translation>
-    </message>
-    <message>
-        <source>answers come up to {:.2g} s late; set {} to {:.2g} or more</source>
-        <translation>Antworten kommen bis zu {:.2g} s verspätet; {} auf {:.2g} oder mehr setzen</translation>
     </message>
     <message>
         <source>at {:.1f} deg</source>
@@ -15143,6 +15147,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>Every load seems {}, while the zeros are right. Check hanger_mass_kg and the first piece; if something holds back a part of each load, state [use] dead_zone_percent</source>
         <translation>Jede Last scheint {}, während die Nullpunkte stimmen. hanger_mass_kg und das erste Stück prüfen; hält etwas einen Teil jeder Last zurück, [use] dead_zone_percent angeben</translation>
+    </message>
+    <message>
+        <source>answers come up to {:.2g} s late; set {} to {:g} or more</source>
+        <translation>Antworten kommen bis zu {:.2g} s verspätet; {} auf {:g} oder mehr setzen</translation>
     </message>
     <message>
         <source>the drive cannot be used: it has nothing for {}</source>

@@ -643,6 +643,25 @@ def test_a_drive_that_is_late_by_the_same_time_again_and_again_is_heard(
         assert not drive.status().faults
 
 
+@pytest.mark.parametrize("late_s", [0.12, 0.2, 0.35])
+def test_a_line_whose_answers_are_all_late_is_understood_and_named(
+    drive_rig: Any, connect: Any, late_s: float, caplog: pytest.LogCaptureFixture
+) -> None:
+    rig = drive_rig()
+    rig.simulator.inject("slow_reply", value=late_s)
+    drive = connect(rig, watchdog_s=20.0, reply_timeout_ms=100.0)
+    for _ in range(3):
+        assert not drive.status().faults
+    assert drive.counters()["crc_errors"] == 0, "no answer is taken for a damaged one"
+    assert "s late; set reply_timeout_ms to" in caplog.text
+    repeated = drive.counters()["retries"]
+    if late_s < 0.2:  # two time-outs: while it turns no answer is waited for longer
+        drive.set_speed(0.5, 1000.0)
+        assert drive.status().setpoint_rev_per_s == pytest.approx(0.5)
+    drive.drive_off()
+    assert drive.counters()["retries"] == repeated
+
+
 def test_a_wrong_crc_is_counted_and_repeated(
     drive_rig: Any, connect: Any, caplog: pytest.LogCaptureFixture
 ) -> None:

@@ -1,0 +1,69 @@
+"""What is private in a text, by how it looks; and the text without it."""
+
+from __future__ import annotations
+
+import ipaddress
+import re
+from collections.abc import Iterable
+from urllib.parse import urlsplit
+
+MAIL = re.compile(r"[\w.%+-]+@(?:[A-Za-z0-9-]+\.)+[A-Za-z]{2,}")
+HOME = re.compile(
+    r"(?:/(?:var/|usr/|export/)?home/|/Users/|/(?:run/)?media/|[A-Za-z]:[\\/]+Users[\\/]+)"
+    r"([^\\/\s\"',;:()\[\]]+)"
+)
+ROOT = re.compile(r"(?<![\w/.-])/root(?=/)")
+IPV4 = re.compile(r"(?<![\w.-])(?:\d{1,3}\.){3}\d{1,3}(?![\w-]|\.\d)")
+IPV6 = re.compile(r"(?<![\w:.])(?:[0-9A-Fa-f]{0,4}:){2,7}[0-9A-Fa-f]{0,4}(?![\w:])")
+URL = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*://[^\s\"'<>]+")
+LOCAL_NAME = re.compile(
+    r"(?<![\w.@-])[A-Za-z0-9-]+(?:\.[A-Za-z0-9-]+)*"
+    r"\.(?:local|localdomain|lan|internal|intranet|corp|home\.arpa)(?![\w.-]*\w)"
+)
+
+NO_HOST = frozenset({"hwgrep", "loop", "spy", "alt", "file"})
+"""Schemes whose URLs name a port of this computer, as pyserial has them."""
+PROGRAM = frozenset(
+    {"", "engine", "limits", "drive", "storage", "twin", "messages", "queue", "operator"}
+)
+"""Who writes into a log without being a person, and a person who gave no name."""
+
+
+def without_private(text: str, names: Iterable[str]) -> str:
+    """Return a text in which what is private is replaced by what it is, in brackets.
+
+    Home folders, e-mail addresses, addresses of other computers (that of a document, too: it may
+    hold a secret), and names, as whole words. names: of people and computers.
+    """
+    text = URL.sub(_without_host, text)
+    text = ROOT.sub("[home]", HOME.sub("[home]", MAIL.sub("[e-mail]", text)))
+    text = LOCAL_NAME.sub("[host]", text)
+    for pattern in (IPV4, IPV6):
+        text = pattern.sub(lambda one: "[address]" if is_elsewhere(one[0]) else one[0], text)
+    for name in sorted(names, key=len, reverse=True):
+        text = re.sub(rf"(?<!\w){re.escape(name)}(?!\w)", "[name]", text, flags=re.IGNORECASE)
+    return text
+
+
+def _without_host(url: re.Match[str]) -> str:
+    scheme, _, rest = url[0].partition("://")
+    try:
+        host = urlsplit(url[0]).hostname or ""
+    except ValueError:
+        host = rest
+    here = host == "localhost" or ((found := address_of(host)) is not None and found.is_loopback)
+    return url[0] if scheme in NO_HOST or scheme == "wire" or here else f"{scheme}://[address]"
+
+
+def address_of(text: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | None:
+    """Return a text as an IP address, None where it is none."""
+    try:
+        return ipaddress.ip_address(text)
+    except ValueError:
+        return None
+
+
+def is_elsewhere(text: str) -> bool:
+    """Tell whether a text is the address of some computer, and not of whichever this is."""
+    found = address_of(text)
+    return found is not None and not (found.is_loopback or found.is_unspecified)
