@@ -6206,6 +6206,10 @@
         <translation>Noch keine Ergebnisse</translation>
     </message>
     <message>
+        <source>No revolution measured yet: the wear depth with its forecast is drawn here.</source>
+        <translation>Noch keine Umdrehung gemessen: hier wird die Verschleißtiefe mit ihrer Prognose gezeichnet.</translation>
+    </message>
+    <message>
         <source>No revolution was made, so no file is left</source>
         <translation>Es wurde keine Umdrehung gemacht, daher bleibt keine Datei</translation>
     </message>

@@ -183,8 +183,11 @@ class ForecastPanel(PlotPanel):
         """Draw what is known; once there is a forecast it is computed anew once a minute."""
         self._reader.look(news, FORECAST_REST_S if self._reader.known.bands else REST_S)
         known, status = self._reader.known, news.status
-        waiting = tr("The wear depth with its forecast is drawn here.")
-        waiting = f"{tr(NO_REVOLUTION)}: {waiting}" if not len(news.data.rows) else waiting
+        waiting = tr(
+            "The wear depth with its forecast is drawn here."
+            if len(news.data.rows)
+            else "No revolution measured yet: the wear depth with its forecast is drawn here."
+        )
         self.plot.draw(known, news, waiting, early=False)
         remaining = [one for one in wear_of(news, time.time()) if one.name == REMAINING]
         told = [f"{one.title}: {one.value} · {one.detail}" for one in remaining]
