@@ -42,6 +42,8 @@ from rigapp_drivers.api import (
     DriverKind,
     Identity,
     InputFault,
+    ProtocolError,
+    ReplyTimeout,
     SampleClock,
     SettingRefused,
     StreamSetup,
@@ -80,6 +82,7 @@ class Dataq:
         self._firmware = 0
         self._master_clock = ""
         self._plan: Plan | None = None
+        self._rate = ""
         self._stream: Stream | None = None
 
     def open(self) -> Identity:
@@ -105,6 +108,7 @@ class Dataq:
         for command in plan.commands(end_list=settings["end_scan_list"]):
             self._link.set(command)
         self._line.drain()
+        self._rate = self._told_rate()
         self._plan = plan
         self._stream = None
         clock = SampleClock.ENCODER if plan.clock is Clock.ENCODER else SampleClock.TIME
@@ -119,7 +123,7 @@ class Dataq:
         settings = self._settings
         pace = Pace(settings["block_s"], settings["silence_s"], settings["idle_check_s"])
         self._rest()
-        stream = Stream(self._link, self._plan, pace)
+        stream = Stream(self._link, self._plan, pace, self._rate)
         stream.start()
         self._stream = stream
 
@@ -192,6 +196,14 @@ class Dataq:
             "nothing answers stop; check power and cable, and that the LED blinks"
             " yellow (CDC mode).",
         )
+
+    def _told_rate(self) -> str:
+        """Return the rate as the device tells it, empty where its firmware does not."""
+        try:
+            return self._link.rate(tries=1)
+        except (ReplyTimeout, ProtocolError):
+            self._line.drain()
+            return ""
 
     def _identify(self) -> Identity:
         self._rest()

@@ -13,6 +13,7 @@ READ_BYTES: Final = 1 << 18
 TRIES: Final = 2  # a command that is lost once is sent again; the echo proves it
 _SLICE_S: Final = 0.05  # so late may a stop be seen
 _STOP: Final = line("stop")
+_RATE: Final = line("rrate")
 _SHOWN: Final = 40
 
 
@@ -59,6 +60,17 @@ class Link:
                 error,
             ) from error
 
+    def rate(self, tries: int = TRIES) -> str:
+        """Return the requested rate as the device tells it; raise ReplyTimeout, ProtocolError.
+
+        Older firmware does not tell it. It is one of the settings that are lost with the power.
+        """
+        reply = self._exchange(_RATE, tries)
+        try:
+            return query_value(_RATE, reply)
+        except BadReply as error:
+            raise ProtocolError.at(self.port, "{}; check the device's firmware.", error) from error
+
     def stop(self) -> bytes | None:
         """Stop scanning and return the samples that came before its echo; None: no echo came.
 
@@ -93,7 +105,7 @@ class Link:
                 self.tail = rest[rest.rfind(b"\r") + 1 :]
                 lines, rest = split_replies(rest)
                 for reply in filter(None, lines):
-                    of_query = " ".join(reply.split()[:2]) if reply.startswith("info ") else reply
+                    of_query = _question_of(reply)
                     if self._asked.is_answer(of_query):
                         self._asked.leave(answered=True)
                         return reply
@@ -112,6 +124,12 @@ class Link:
             tries,
             wanted,
         )
+
+
+def _question_of(reply: str) -> str:
+    """Return what a reply repeats of its question: a query has its value behind it."""
+    words = {"info": 2, "rrate": 1}.get(reply.partition(" ")[0])
+    return reply if words is None else " ".join(reply.split()[:words])
 
 
 def _words(command: bytes) -> str:

@@ -22,6 +22,7 @@ from rigapp_drivers.api import (
     InputFaultKind,
     ProtocolError,
     ReplyTimeout,
+    SettingsLost,
 )
 from rigapp_drivers.dataq.link import READ_BYTES, Link
 from rigapp_drivers.dataq.plan import Plan
@@ -107,9 +108,11 @@ class Stream:
     """Scan as planned; one thread reads, any thread may stop.
 
     The port is read when no Block waits, so what is kept here is bounded by one reading of it.
+    rate: as the device tells it once it is set up, by which a restart is known; empty where its
+    firmware does not tell it.
     """
 
-    def __init__(self, link: Link, plan: Plan, pace: Pace) -> None:
+    def __init__(self, link: Link, plan: Plan, pace: Pace, rate: str = "") -> None:
         self.tally = Tally()
         self._link = link
         self._plan = plan
@@ -131,6 +134,7 @@ class Stream:
         self._next_sample = 0
         self._anchor = (0, 0)
         self._bad_restarts = 0
+        self._rate = rate
         self._still = np.zeros(plan.layout.analog, np.int64)
 
     @property
@@ -238,6 +242,7 @@ class Stream:
         """Find out what silence means: with the encoder clock it may be a standing shaft."""
         if self._plan.clock is Clock.ENCODER:
             self._end()
+            self._require_settings()
             self._parser.restart(clean=True)
             self._begin()
             self._sign_of_life()
@@ -245,12 +250,25 @@ class Stream:
         self._halt()
         self._running = False
         raise self._error(
-            DeviceLost,
+            SettingsLost,
             say(
                 "nothing came for {:.1f} s though it answers: it was probably reset (power,"
                 " USB) and has lost its settings and its count; connect it again and find"
                 " the index again.",
                 silent_s,
+            ),
+        )
+
+    def _require_settings(self) -> None:
+        """Raise SettingsLost where an idle device has restarted: it would scan something else."""
+        if not self._rate or self._link.rate() == self._rate:
+            return
+        self._running = False
+        raise self._error(
+            SettingsLost,
+            say(
+                "it has restarted (power, USB) and has lost its settings and its count; connect"
+                " it again and find the index again."
             ),
         )
 

@@ -9610,6 +9610,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>er hat keine einstellbare Drehzahlgrenze; nur rigapp hält sie ein</translation>
     </message>
     <message>
+        <source>it has restarted (power, USB) and has lost its settings and its count; connect it again and find the index again</source>
+        <translation>es hat neu gestartet (Versorgung, USB) und seine Einstellungen und seinen Zählerstand verloren; neu verbinden und den Index neu suchen</translation>
+    </message>
+    <message>
         <source>it is that of another test</source>
         <translation>es gehört zu einem anderen Versuch</translation>
     </message>
@@ -15627,6 +15631,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>{}; check the device</source>
         <translation>{}; das Gerät prüfen</translation>
+    </message>
+    <message>
+        <source>{}; check the device&apos;s firmware</source>
+        <translation>{}; die Firmware des Geräts prüfen</translation>
     </message>
     <message>
         <source>{}; check the port in the rig file, and that the device is in CDC mode</source>

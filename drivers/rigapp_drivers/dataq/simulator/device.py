@@ -114,6 +114,7 @@ class DataqSimulator:
         direction_line: str = "none",
         index_line: str = "none",
         master_clock_Hz: int = p.MASTER_CLOCK_HZ,
+        tells_rate: bool = True,
         faults: Faults = (),
     ) -> None:
         if overrun_drops not in ("scans", "bytes"):
@@ -133,6 +134,7 @@ class DataqSimulator:
         self.inject, self.clear = self._plan.add, self._plan.clear
         self._rng = np.random.default_rng(seed)
         self._master_clock_Hz = master_clock_Hz
+        self._tells_rate = tells_rate
         self._terminals = Terminals(
             counts_per_revolution, line_b=_line(direction_line), line_z=_line(index_line)
         )
@@ -291,7 +293,7 @@ class DataqSimulator:
         if command == "din":
             return " 0"
         if command == "rrate":
-            return f" {self._scan_rate_Hz():g}"
+            return f" {self._scan_rate_Hz():g}" if self._tells_rate else None
         return self._set(command, numbers)
 
     def _begin(self, numbers: tuple[int, ...]) -> str | None:
