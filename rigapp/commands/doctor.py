@@ -78,6 +78,7 @@ def examine(port: str | None = None, *, as_json: bool = False) -> int:
 def _all() -> Iterator[Observation]:
     yield Observation("Python", f"{platform.python_version()} on {platform.platform()}")
     yield from _versions(PACKAGES)
+    yield from _shipped_folders()
     yield from _folders()
     yield from ports()
     yield from can_interfaces()
@@ -137,6 +138,17 @@ def _version(package: str) -> str:
         return importlib.metadata.version(package)
     except importlib.metadata.PackageNotFoundError:
         return ""
+
+
+def _shipped_folders() -> Iterator[Observation]:
+    from rigapp.config.errors import UnusableInput
+    from rigapp.prepare.shipped import examples_folder, guides_folder
+
+    for subject, folder in (("Examples", examples_folder), ("Guides", guides_folder)):
+        try:
+            yield Observation(subject, str(folder()))
+        except UnusableInput as error:
+            yield Observation(subject, str(error), False)
 
 
 def _folders() -> Iterator[Observation]:

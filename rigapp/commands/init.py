@@ -100,6 +100,10 @@ def _print_next(folder: Path, commands: Sequence[str]) -> None:
     print("Try next:" if folder.resolve() == Path.cwd() else f"Try next, in {folder}:")
     for command in commands:
         print(f"  {command}")
+    print(
+        "More examples, which the guides call examples/ (a study, steps, messages, monitoring, a"
+        f" driver): {examples_folder()}"
+    )
 
 
 def _box(name: str, driver: str, port: str, found: Sequence[FoundPort]) -> Box:

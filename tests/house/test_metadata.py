@@ -26,3 +26,21 @@ def test_each_supported_python_is_a_classifier() -> None:
     named = {one for one in PROJECT["classifiers"] if "Python :: 3." in one}
     assert named == {f"Programming Language :: Python :: 3.{minor}" for minor in range(low, high)}
     assert len(PROJECT["classifiers"]) == len(set(PROJECT["classifiers"]))
+
+
+def test_an_installation_has_every_example_and_guide() -> None:
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
+    shipped = {
+        path
+        for patterns in settings["tool"]["setuptools"]["data-files"].values()
+        for pattern in patterns
+        for path in ROOT.glob(pattern)
+    }
+    examples = {
+        path
+        for path in (ROOT / "examples").rglob("*")
+        if path.is_file() and path.suffix not in (".pyc", ".h5") and ".egg-info" not in str(path)
+    }
+    assert len(examples) > 30
+    assert examples - shipped == set()
+    assert set((ROOT / "docs").glob("*.md")) <= shipped
