@@ -18,10 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp_model.identification.bins import Bin, Bins, bins_of
-from rigapp_model.identification.excursion import TOLD, Excursion, excursion_of
+from rigapp_model.identification.excursion import TOLD, UNSEEN_SWING, Excursion, excursion_of
 from rigapp_model.identification.inference import Identification, Verdict
 from rigapp_model.identification.life import DepthLife
 from rigapp_model.identification.posterior import Nodes
+from rigapp_model.identification.screening import WARMED
 from rigapp_model.identification.shapes import COLUMNS, CREEP, HEAT, STEP, SWING, WARMTH
 from rigapp_model.identification.statements import CHANGE, STATEMENTS, Hypotheses
 
@@ -122,7 +123,7 @@ class Consistency:
         return max(self.sums) / THRESHOLD if self.mean is not None else float("nan")
 
     def renew(self, known: Identification) -> None:
-        """Take over what the closed bins tell by now; the sums go on."""
+        """Take over what the closed bins tell by now; the sums go on, but where a swing is new."""
         best = self._believed(known)
         nodes = best.nodes
         if nodes.log_moments[1] > WIDEST:
@@ -151,6 +152,10 @@ class Consistency:
         turned = min(2.0 * np.pi * PERIOD_DOUBT * known.revolution / period, 1.0)
         for swing in SWINGS:
             self.covariance[swing, swing] += (turned * SWING) ** 2 * self._swing()
+        swings = float(nodes.weight @ (nodes.kinds.period > 0.0))
+        if swings > SURE and period != self.scales[-1]:
+            # A swing that is found anew explains what a sum rose by.
+            self.sums, self.since = (0.0, 0.0), (known.revolution, known.revolution)
         self.statement, self.place = best.name, float(nodes.hypotheses.place[0])
         self.walked = float(known.readings.walked[-1])
         self.scales = (
@@ -302,7 +307,8 @@ class Consistency:
         faster = up > down
         _, _, drift, _, size, length, period = self.scales
         wander = self._swing() * _wander(period)
-        wear, step, since = self.rising[not faster].odds(drift, size, length, wander)
+        swings = UNSEEN_SWING * (1.0 if self.warm_zero is None else WARMED)
+        wear, step, since = self.rising[not faster].odds(drift, size, length, wander, swings)
         if wear > (TOLD if max(up, down) >= THRESHOLD else TOLD_EARLY):
             self.departure = Departure(revolution, since, faster)
             return self.departure

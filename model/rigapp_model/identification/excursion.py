@@ -31,7 +31,7 @@ TOLD = float(np.log(20.0))
 
 KNOWN_AFTER = 2.5
 """Periods after which a swing would have been seen in the bins."""
-SWINGS = 0.35
+UNSEEN_SWING = 0.35
 """Chance beforehand of a swing of each period; more of it delays what is told of a change early."""
 
 
@@ -65,12 +65,13 @@ class Excursion:
             self.bins, self.stride = self.bins[1::2], 2 * self.stride
 
     def odds(
-        self, drift: float, size: float, length: float, wander: float
+        self, drift: float, size: float, length: float, wander: float, swings: float = UNSEEN_SWING
     ) -> tuple[float, float, float]:
         """Return the logarithms of odds of other wear and of a step, each against all else.
 
         And the revolution from which on it is the more probable one of both. drift, size, length:
-        of the noise, see ``Kinds``; wander: of a swing, m^2 a revolution.
+        of the noise, see ``Kinds``; wander: of a swing, m^2 a revolution; swings: chance beforehand
+        of a swing of each period.
         """
         assert self.covariance is not None
         table = np.array(self.bins)
@@ -99,7 +100,7 @@ class Excursion:
         area = aa * bb - ab**2
         step = 0.5 * ((bb * u**2 - 2.0 * ab * u * v + aa * v**2) / area - np.log(area))
         by_wear, by_step = (float(np.logaddexp.reduce(x) - np.log(n)) for x in (wear, step))
-        by_chance = float(np.logaddexp(_by_swing(lower, misfit, first, last), 0.0))
+        by_chance = float(np.logaddexp(_by_swing(lower, misfit, first, last) + np.log(swings), 0.0))
         since = first[int(np.argmax(wear if by_wear > by_step else step))]
         return (
             by_wear - float(np.logaddexp(by_step, by_chance)),
@@ -138,7 +139,7 @@ def _by_swing(lower: Array, misfit: Array, first: Array, last: Array) -> float:
     ab, u, v = (one * two).sum(axis=1), one @ misfit, two @ misfit
     area = aa * bb - ab**2
     each = 0.5 * ((bb * u**2 - 2.0 * ab * u * v + aa * v**2) / area - np.log(area))
-    return float(np.logaddexp.reduce(each) + np.log(SWINGS))
+    return float(np.logaddexp.reduce(each))
 
 
 def excursion_of(numbers: Mapping[str, Any]) -> Excursion:

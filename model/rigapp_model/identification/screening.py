@@ -38,7 +38,7 @@ STEP_SHARE = 0.1
 STEP_TOLD = float(np.log(100.0))
 """A step is one that there is where its odds are above this, and else one that may be."""
 MOST_STEPS = 3
-PARTS = 4
+PARTS = 2
 """Places of a change in each bin."""
 NEVER = 1e12
 """Precision of ln r where there is no change."""
@@ -141,35 +141,35 @@ def _compared(
     rows = np.concatenate([linear.columns, linear.misfit[None], sines, jumps])
     along = np.linalg.inv(lower) @ rows.T
     k = len(linear.columns)
-    gram = along[:, :, : k + 1].swapaxes(1, 2) @ along
-    known, cross = gram[:, :, : k + 1], gram[:, :, k + 1 :]
     first, second = along[:, :, k + 1 :: 2], along[:, :, k + 2 :: 2]
     weight = log_weight[:, :1] - 0.5 * log_determinant[:, None]
-    likely = min(_likely_change(linear, known, weight), k - 2)
-    own = np.tile([0, 1, 2, 3, likely, likely + 1], (2, 1))
+    likely = min(_likely_change(linear, along[:, :, : k + 1], weight), k - 2)
+    places = [0, 1, 2, 3, likely, likely + 1, k]
+    gram = along[:, :, places].swapaxes(1, 2) @ along[:, :, [*places, *range(k + 1, len(rows))]]
+    known, cross = gram[:, :, :7], gram[:, :, 7:]
     pull = (linear.precision @ linear.off[..., None])[..., 0]
-    matrix = known[:, own[:, :, None], own[:, None]] + linear.precision
-    right = known[:, own, k] + pull
+    matrix = known[:, None, :6, :6] + linear.precision
+    right = known[:, None, :6, 6] + pull
     inverse, step, determinant = swept(matrix, right)
     plain = -0.5 * (
-        known[:, k, k][:, None]
+        known[:, 6, 6][:, None]
         + (linear.off * pull).sum(axis=1)
         - (right * step).sum(axis=2)
         + determinant
         - np.linalg.slogdet(linear.precision)[1]
         + log_determinant[:, None]
     )
-    over = cross[:, own]
+    over = cross[:, None, :6]
     by = inverse @ over
-    toward = cross[:, None, k] - (step[:, :, None] @ over)[:, :, 0]
+    toward = cross[:, None, 6] - (step[:, :, None] @ over)[:, :, 0]
     u, v = toward[:, :, 0::2], toward[:, :, 1::2]
     one, two = over[:, :, :, 0::2], over[:, :, :, 1::2]
 
     def product(a: Array, b: Array) -> Array:
-        return np.asarray(np.einsum("jnt,jnt->jt", a, b)[:, None])
+        return np.asarray((a * b).sum(axis=1)[:, None])
 
     def explained(a: Array, b: Array) -> Array:
-        return np.asarray(np.einsum("jpkt,jpkt->jpt", a, b))
+        return np.asarray((a * b).sum(axis=2))
 
     aa = 1.0 + product(first, first) - explained(one, by[:, :, :, 0::2])
     ab = product(first, second) - explained(one, by[:, :, :, 1::2])
@@ -181,20 +181,22 @@ def _compared(
     return np.asarray(whole)
 
 
-def _likely_change(linear: _Linear, known: Array, weight: Array) -> int:
+def _likely_change(linear: _Linear, along: Array, weight: Array) -> int:
     """Return the place among the columns of the most probable change without swing and step.
 
-    known (J, M + 1, M + 1): products of columns and misfit; weight (J, 1): its logarithm.
+    along (J, n, M + 1): columns and misfit where noise is white; weight (J, 1): its logarithm.
     """
+    low = along[:, :, [0, 1, 2, 3, -1]].swapaxes(1, 2) @ along
+    matrix, over, toward = low[:, None, :4, :4], low[:, :4, 4:-1], low[:, 4, 4:-1]
     pull = linear.precision[0, :4, :4] @ linear.off[0, :4]
     inverse, step, determinant = swept(
-        known[:, None, :4, :4] + linear.precision[0, :4, :4], known[:, None, :4, -1] + pull
+        matrix + linear.precision[0, :4, :4], low[:, None, :4, -1] + pull
     )
-    right, over = known[:, :4, -1] + pull, known[:, :4, 4:-1]
-    plain = 0.5 * ((right * step[:, 0]).sum(axis=1) - known[:, -1, -1] - determinant[:, 0])
-    toward = known[:, 4:-1, -1] - (step @ over)[:, 0]
-    size = 1.0 + np.einsum("jhh->jh", known[:, 4:-1, 4:-1])
-    size -= np.einsum("jkh,jkl,jlh->jh", over, inverse[:, 0], over)
+    right = low[:, :4, -1] + pull
+    plain = 0.5 * ((right * step[:, 0]).sum(axis=1) - low[:, 4, -1] - determinant[:, 0])
+    toward = toward - (step @ over)[:, 0]
+    size = 1.0 + np.square(along[:, :, 4:-1]).sum(axis=1)
+    size -= (over * (inverse[:, 0] @ over)).sum(axis=1)
     gain = 0.5 * (toward**2 / size - np.log(size))
     return 4 + int(np.argmax((plain[:, None] + weight + gain).max(axis=0)))
 
