@@ -158,6 +158,21 @@ class PredictionSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
     prior: PriorSection | None = None
 
 
+MOST_TILES, MOST_PLOTS = 12, 6
+"""Of a page of one's own: more are no page that is read at a glance."""
+
+
+class ViewSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[view]: the operator's own page of the window.
+
+    tiles: columns of revolutions or predictions whose newest values are shown. plots: "cycle", the
+    newest revolution, or quantities over the test. The page itself writes both.
+    """
+
+    tiles: Annotated[tuple[str, ...], msgspec.Meta(max_length=MOST_TILES)] = ()
+    plots: Annotated[tuple[str, ...], msgspec.Meta(max_length=MOST_PLOTS)] = ()
+
+
 class TestFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A test file."""
 
@@ -172,3 +187,4 @@ class TestFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     limits: LimitsSection = LimitsSection()
     stop: StopSection = StopSection()
     prediction: PredictionSection = PredictionSection()
+    view: ViewSection = ViewSection()

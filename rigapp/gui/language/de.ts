@@ -164,6 +164,14 @@
         <translation>Hinzufügen oder verwerfen</translation>
     </message>
     <message>
+        <source>Add plot</source>
+        <translation>Diagramm hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add tile</source>
+        <translation>Kachel hinzufügen</translation>
+    </message>
+    <message>
         <source>Added mass</source>
         <translation>Zusatzmasse</translation>
     </message>
@@ -598,6 +606,10 @@
     <message>
         <source>Crank radius</source>
         <translation>Kurbelradius</translation>
+    </message>
+    <message>
+        <source>Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+M, Ctrl+N, Ctrl+R, Ctrl+T, Ctrl+U, Ctrl+W</source>
+        <translation>Strg+1 … Strg+9, Strg+0, Strg+D, Strg+M, Strg+N, Strg+R, Strg+T, Strg+U, Strg+W</translation>
     </message>
     <message>
         <source>Current</source>
@@ -5126,10 +5138,6 @@
         <translation>Strg+,</translation>
     </message>
     <message>
-        <source>Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+N, Ctrl+R, Ctrl+U, Ctrl+W</source>
-        <translation>Strg+1 … Strg+9, Strg+0, Strg+D, Strg+N, Strg+R, Strg+U, Strg+W</translation>
-    </message>
-    <message>
         <source>Ctrl+← → in a plot</source>
         <translation>Strg+← → in einem Diagramm</translation>
     </message>
@@ -5424,6 +5432,10 @@
     <message>
         <source>Folder of the new rig</source>
         <translation>Ordner des neuen Prüfstands</translation>
+    </message>
+    <message>
+        <source>Force over the crank angle</source>
+        <translation>Kraft über dem Kurbelwinkel</translation>
     </message>
     <message>
         <source>Force with its uncertainty</source>
@@ -6050,6 +6062,18 @@
         <translation>Den Cursor um 1° verschieben, mit Umschalt um 10°; ein Klick setzt ihn dorthin</translation>
     </message>
     <message>
+        <source>Move to the back</source>
+        <translation>Nach hinten</translation>
+    </message>
+    <message>
+        <source>Move to the front</source>
+        <translation>Nach vorn</translation>
+    </message>
+    <message>
+        <source>My page</source>
+        <translation>Meine Seite</translation>
+    </message>
+    <message>
         <source>N per metre of width</source>
         <translation>N je Meter Breite</translation>
     </message>
@@ -6240,6 +6264,10 @@
     <message>
         <source>No such file or directory</source>
         <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>No test file is open. Open or save one in Prepare first</source>
+        <translation>Keine Versuchsdatei ist offen. Zuerst unter Vorbereiten eine öffnen oder speichern</translation>
     </message>
     <message>
         <source>No test is armed. Choose a test file, or save the new one in Prepare.</source>
@@ -6568,6 +6596,14 @@
     <message>
         <source>Play or pause</source>
         <translation>Abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Plot to add</source>
+        <translation>Diagramm zum Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
     </message>
     <message>
         <source>Point</source>
@@ -7166,6 +7202,14 @@
         <translation>Die Versuchsdatei speichern</translation>
     </message>
     <message>
+        <source>Save with the test file</source>
+        <translation>Mit der Versuchsdatei speichern</translation>
+    </message>
+    <message>
+        <source>Saved with {}.</source>
+        <translation>Mit {} gespeichert.</translation>
+    </message>
+    <message>
         <source>Saved: {}</source>
         <translation>Gespeichert: {}</translation>
     </message>
@@ -7674,6 +7718,10 @@
         <translation>Tabelle, Parquet</translation>
     </message>
     <message>
+        <source>Take away</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
         <source>Take command</source>
         <translation>Kommando nehmen</translation>
     </message>
@@ -7966,6 +8014,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Die Seite steht unter {}</translation>
     </message>
     <message>
+        <source>The page of one&apos;s own</source>
+        <translation>Die eigene Seite</translation>
+    </message>
+    <message>
         <source>The pin is &amp;turned</source>
         <translation>Der Bolzen ist &amp;gedreht</translation>
     </message>
@@ -8206,6 +8258,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Dies ist eine Wiedergabe: kein Prüfstand ist verbunden</translation>
     </message>
     <message>
+        <source>This page is yours: add tiles and plots, move them, and save them with the test file.</source>
+        <translation>Diese Seite ist Ihre: Kacheln und Diagramme hinzufügen, verschieben und mit der Versuchsdatei speichern.</translation>
+    </message>
+    <message>
+        <source>This rig does not have: {}.</source>
+        <translation>Dieser Prüfstand hat nicht: {}.</translation>
+    </message>
+    <message>
         <source>This rig runs as fast as it can: choose {} for this fault.</source>
         <translation>Dieser Prüfstand läuft so schnell er kann: für diesen Fehler {} wählen.</translation>
     </message>
@@ -8220,6 +8280,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>Thu</source>
         <translation>Do</translation>
+    </message>
+    <message>
+        <source>Tile to add</source>
+        <translation>Kachel zum Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Tiles</source>
+        <translation>Kacheln</translation>
     </message>
     <message>
         <source>Time</source>
@@ -10928,6 +10996,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>{} after the trip, by the device&apos;s clock</source>
         <translation>{} nach der Abschaltung, laut Uhr des Geräts</translation>
+    </message>
+    <message>
+        <source>{} against cycle</source>
+        <translation>{} über dem Zyklus</translation>
     </message>
     <message>
         <source>{} alarms in the test</source>
@@ -14423,6 +14495,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>{} goes on only with a reason: {}; put it right, or give the reason, which is recorded</source>
         <translation>{} wird nur mit einem Grund fortgesetzt: {}; es in Ordnung bringen oder den Grund angeben, der aufgezeichnet wird</translation>
+    </message>
+    <message>
+        <source>{} has changes that are not saved. Save or discard them in Prepare first</source>
+        <translation>{} hat Änderungen, die nicht gespeichert sind. Zuerst unter Vorbereiten speichern oder verwerfen</translation>
     </message>
     <message>
         <source>{} has had no value for {:.0f} s; its limit {:.6g} is not monitored</source>

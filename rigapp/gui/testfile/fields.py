@@ -21,7 +21,7 @@ from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.channels import BASE
 from rigapp.viewer.levels import levels_of
 
-HIDDEN = ("schema", "model.schema", "limits.rule", "run.step")
+HIDDEN = ("schema", "model.schema", "limits.rule", "run.step", "view.")
 """Keys that the form keeps as they are or shows in a table of their own."""
 
 

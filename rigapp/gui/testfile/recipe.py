@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import judged_test
-from rigapp.config.recipe import TestFile
+from rigapp.config.recipe import TestFile, ViewSection
 from rigapp.config.writing import whole_file
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.testfile.fields import (
@@ -156,6 +156,8 @@ class RecipePanel(QWidget):
         tree, errors = self.form.read()
         tree = {"schema": self._tree.get("schema", 1), **tree}
         set_path(tree, "model.schema", get_path(self._tree, "model.schema") or 1)
+        if "view" in self._tree:
+            tree["view"] = self._tree["view"]
         steps, wrong = self.sequence.read()
         if steps:
             set_path(tree, "run.step", steps)
@@ -167,6 +169,26 @@ class RecipePanel(QWidget):
         if wrong:
             errors["limits.rule"] = tr("{} of the limits cannot be used.", wrong)
         return tree, errors
+
+    def save_view(self, view: ViewSection) -> str:
+        """Write the operator's own page into the open test file, nothing else; return its name.
+
+        Raises UnusableInput where no file is open, or changes of it are not saved yet.
+        """
+        armed = self.armed
+        if armed is None:
+            raise UnusableInput("No test file is open. Open or save one in Prepare first.")
+        if self.unsaved() or armed.on_disk():
+            raise UnusableInput(
+                "{} has changes that are not saved. Save or discard them in Prepare first.",
+                armed.path.name,
+            )
+        tree = {**armed.tree, "view": {"tiles": list(view.tiles), "plots": list(view.plots)}}
+        text = edited(armed.text, tree, self._optional)
+        with whole_file(armed.path) as part:
+            part.write_text(text, encoding="utf-8", newline="")
+        self.open_file(armed.path)
+        return armed.path.name
 
     def save(self, path: Path) -> bool:
         """Write the test, comments kept; False and a sentence when that is not possible.

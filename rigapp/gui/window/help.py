@@ -42,7 +42,10 @@ KEYS: Final[tuple[tuple[Text, Text], ...]] = (
     ("F3", "Calibrate the load cell or the probes, map the pin's run-out"),
     ("F9", "Light or dark"),
     ("Alt+1 … Alt+5", "Go to a place"),
-    ("Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+N, Ctrl+R, Ctrl+U, Ctrl+W", "Go to a page"),
+    (
+        "Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+D, Ctrl+M, Ctrl+N, Ctrl+R, Ctrl+T, Ctrl+U, Ctrl+W",
+        "Go to a page",
+    ),
     ("Ctrl+,", "Settings"),
     (marked("Alt + underlined letter"), "Press a button, go to a field"),
     (

@@ -20,6 +20,7 @@ from rigapp.gui.panels.devices import device_page
 from rigapp.gui.panels.faults import fault_page
 from rigapp.gui.panels.logbook import log_page
 from rigapp.gui.panels.newrig import new_rig_page
+from rigapp.gui.panels.own import OwnPage, own_page
 from rigapp.gui.panels.queue import queue_page
 from rigapp.gui.panels.resultpage import has_result, result_page
 from rigapp.gui.panels.results import results_page
@@ -86,6 +87,7 @@ TABS = (
     Tab("wear", "Wear", "Ctrl+W", RailPlace.WATCH, wear_page),
     Tab("start", "Start", "Ctrl+0", RailPlace.WATCH, start_page, may_begin),
     Tab("result", "Result", "Ctrl+R", RailPlace.WATCH, result_page, has_result),
+    Tab("own", "My page", "Ctrl+M", RailPlace.WATCH, own_page),
     Tab("studies", "Studies", "Ctrl+D", RailPlace.RESULTS, studies_page),
     Tab("trip", "Trip", "Ctrl+T", RailPlace.RESULTS, trip_page),
     Tab("settings", "Settings", "Ctrl+,", RailPlace.SETTINGS, settings_page),
@@ -150,6 +152,7 @@ class Tabs(QTabWidget):
             shortcut = QShortcut(QKeySequence(tab.key), self)
             shortcut.activated.connect(partial(self._go_to, place))
         offer_menus(self, self.said.emit)
+        self.own.save_view = self.prepare.recipe.save_view
         self._offer_tabs()
         self.splitters = [one for one in self.findChildren(QSplitter) if one.objectName()]
         self.currentChanged.connect(self._changed)
@@ -160,6 +163,19 @@ class Tabs(QTabWidget):
         panel = self.panels["prepare"]
         assert isinstance(panel, PreparePanel)
         return panel
+
+    @property
+    def own(self) -> OwnPage:
+        """Return the page that the operator arranges."""
+        panel = self.panels["own"]
+        assert isinstance(panel, OwnPage)
+        return panel
+
+    def take_armed(self) -> None:
+        """Show the own page of the test file that is open, while no test brings one along."""
+        armed = self.prepare.recipe.armed
+        if armed is not None and armed.test is not None and self._news.recipe is None:
+            self.own.take_view(armed.test.view)
 
     @property
     def settings(self) -> SettingsPage:

@@ -747,6 +747,8 @@ class MainWindow(QMainWindow):
             chosen.connect(self._pass_by)
         self.controls.start_wanted.connect(self.start_bar.open)
         self.tabs.prepare.recipe.armed_changed.connect(self._name_armed)
+        self.tabs.prepare.recipe.armed_changed.connect(self.tabs.take_armed)
+        self.tabs.take_armed()
         self._name_armed()
         self.start_bar.started.connect(self.controls.start_test)
         self.recover.wanted.connect(self.controls.send)
