@@ -42,15 +42,16 @@ def good(sets: int, word: str) -> None:
 def planted(sets: int, word: str) -> None:
     """Print how often each mistake has its right name."""
     worst = 1.0
-    for mistake, (right, plant) in MISTAKES.items():
+    for mistake, one in MISTAKES.items():
+        right = one.right
         print(f"\n{mistake}: refused as {' or '.join(sorted(right))}")
         for name, kind in KINDS.items():
             if word not in name or not name.endswith("all"):
                 continue
-            found = outcomes(kind, plant, sets, 12)
+            found = outcomes(kind, one, sets, 12)
             share, told = rightly_named(found, right), can_be_told(mistake, name)
             worst = min(worst, share) if told else worst
-            rest = {code: one for code, one in found.most_common(4) if not {code} <= right}
+            rest = {code: count for code, count in found.most_common(4) if code not in right}
             mark = "" if told else "(too few readings to tell)"
             print(f"  {name:32} {100.0 * share:5.1f} %  {rest or ''} {mark}")
     measured("mistakes_named", 100.0 * worst)
@@ -59,8 +60,8 @@ def planted(sets: int, word: str) -> None:
 def unseen(sets: int) -> None:
     """Print what no reading can show, as the notes say."""
     print("\nevery pin angle off: no reading shows it, an angle reference must")
-    for mistake, plant in UNSEEN.items():
-        found = outcomes(KINDS["8 angles, means, all"], plant, sets, 13)
+    for mistake, one in UNSEEN.items():
+        found = outcomes(KINDS["8 angles, means, all"], one, sets, 13)
         print(f"  {mistake:32} accepted in {100.0 * found['accepted'] / sets:.0f} %")
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from rigapp.calibrating.records import budget_result, finite, problems_of
 from rigapp.calibrating.session import NumberTable, Outcome
 from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
 from rigapp.texts import joined, say
-from rigapp_calibration.load_cell.budget import LoadUncertainty, expanded_line
+from rigapp_calibration.load_cell.budget import LoadUncertainty, expanded_line, plain
 from rigapp_calibration.load_cell.calibrate import LoadCellCalibration, calibrate_load_cell
 from rigapp_calibration.load_cell.characteristics import Creep, applied_force, creep_words
 from rigapp_calibration.load_cell.force_uncertainty import too_uncertain
@@ -69,6 +69,7 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
         **budget_result(budget, "N"),
         "magnitude": budget_result(found.by_load[-1].magnitude, "N"),
         "uncertainty_by_load": [_at_load(one) for one in found.by_load],
+        "of_calibration": _of_calibration(found.at_calibration),
         "zero_expanded_uncertainty": [one.expanded for one in zero],
         "zero_standard_uncertainty": [one.combined for one in zero],
         "zero_effective_degrees_of_freedom": [finite(one.degrees) for one in zero],
@@ -85,6 +86,18 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
         "zero_drift_N": traits.drift,
         "applied_N": applied.tolist(),
         "residual_N": residual.tolist(),
+    }
+
+
+def _of_calibration(by_load: Sequence[LoadUncertainty]) -> dict[str, Any]:
+    """Return U of the calibration itself: the other keys hold that in use."""
+    last = by_load[-1]
+    return {
+        "load_N": last.load,
+        **budget_result(last.component, "N"),
+        "magnitude": budget_result(last.magnitude, "N"),
+        "uncertainty_line_N": _line(expanded_line([one.component for one in by_load])),
+        "uncertainty_by_load": [_at_load(one) for one in by_load],
     }
 
 
@@ -193,14 +206,20 @@ def fit_load_cell(rows: Rows, given: LoadCellFile, where: str) -> Outcome:
         *("    " + "  ".join(f"{value:12.5f}" for value in row) for row in matrix),
         say("Zero: {} {}.  Model: {}.", zero, unit, found.terms),
         *_weight_words(found),
-        say("Residual standard deviation: {:.3f} N.", found.fit.residual_std),
+        say("Residual standard deviation: {} N.", plain(found.fit.residual_std, 2)),
         say(
-            "Expanded uncertainty at {:g} N: {:.2f} N (k = {:.2f}); U(F) = {:.2f} N + {:.5f} F.",
-            found.budget.value,
-            found.budget.expanded,
+            "Expanded uncertainty of the calibration at {} N: {} N (k = {:.2f}).",
+            plain(found.at_calibration[-1].load),
+            plain(found.at_calibration[-1].component.expanded, 2),
+            found.at_calibration[-1].component.coverage_factor,
+        ),
+        say(
+            "Expanded uncertainty in use at {} N: {} N (k = {:.2f}); U(F) = {} N + {} F.",
+            plain(found.budget.value),
+            plain(found.budget.expanded, 2),
             found.budget.coverage_factor,
-            constant,
-            slope,
+            plain(constant, 2),
+            plain(slope, 2),
         ),
         creep_words(found.creep, settings.use.creep),
         found.classification,

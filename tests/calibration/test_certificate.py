@@ -28,10 +28,11 @@ from rigapp.config.calibration_settings import (
 from rigapp.config.errors import UnusableInput
 from rigapp.report.page.manuscript import as_html
 from rigapp.report.page.pdf import as_pdf
+from rigapp_calibration.load_cell.budget import classification
 from rigapp_calibration.records import seal, unseal
 from tests.calibration.independent_coverage import PLAIN, readings_of
 from tests.calibration.pinned import FOLDER
-from tests.calibration.simulated_cell import Cell, take
+from tests.calibration.simulated_cell import SETTINGS, Cell, take
 from tests.calibration.test_commands import as_csv
 from tests.calibration.test_verify import GIVEN
 from tests.calibration.time_domain_cell import Course, TimeCell
@@ -85,10 +86,46 @@ def test_a_whole_certificate_says_what_an_assessor_asks_for(tmp_path: Path) -> N
     html = words.replace("&#39;", "'")
     assert all(f"Note: {one}" in html for one in notes)
     # Full scale was not reached: its row of the results, of U by load, and its budget say so.
-    assert words.count(">extrapolated<") >= 3
+    assert words.count(">extrapolated") >= 3
     for what in ("a component in its worst direction", "|F|"):
         assert f"Budget of one reading of {what} at 400 N EXTRAPOLATED" in words
     assert "creep" in words
+
+
+def test_u_of_the_calibration_and_u_in_use_are_two_statements(tmp_path: Path) -> None:
+    record = made(tmp_path, WHOLE)
+    words, result = words_of(record), json.loads(record.read_bytes())["result"]
+    own = result["of_calibration"]
+    for needed in (
+        "The expanded uncertainty of the calibration, of one reading at the time",
+        "The expanded uncertainty in use is U(F) =",
+        "Calibration: Budget of one reading of |F| at 392",
+        "In use: Budget of one reading of |F| at 400 N",
+        "Expanded uncertainty of the calibration by load",
+        "Expanded uncertainty in use by load",
+        "Changes that U in use holds",
+    ):
+        assert needed in words, needed
+    assert (
+        own["magnitude"]["expanded_uncertainty_N"] < result["magnitude"]["expanded_uncertainty_N"]
+    )
+    later = {"creep", "temperature, gain", "change until the next calibration"}
+    for of, there in ((own, False), (result, True)):
+        sizes = {one["name"]: one["standard_uncertainty_N"] for one in of["magnitude"]["budget"]}
+        assert all((sizes[name] > 0.0) is there for name in later), sizes
+
+
+@pytest.mark.parametrize(("full", "step", "shown"), [(5.0, 5e-5, "0.00005 N"), (2e4, 0.2, "0.2 N")])
+def test_the_sentence_on_the_class_has_numbers_without_exponents(
+    full: float, step: float, shown: str
+) -> None:
+    sentence = classification(
+        replace(SETTINGS, cell=replace(SETTINGS.cell, full_scale=full, resolution=step)), 1e-4
+    )
+    assert shown in sentence
+    assert "e-" not in sentence
+    coarse = replace(SETTINGS.cell, full_scale=full, resolution=0.01 * full)
+    assert f"{0.2 * full:g} N upward" in classification(replace(SETTINGS, cell=coarse), 1e-4)
 
 
 def test_the_results_by_load_are_those_of_the_readings(tmp_path: Path) -> None:
@@ -108,7 +145,7 @@ def test_the_results_by_load_are_those_of_the_readings(tmp_path: Path) -> None:
         assert float(largest) < 2.0 * float(expanded)
         assert mark == ""
     assert rows["400.00"][1:6] == ("–",) * 5
-    assert rows["400.00"][7] == "extrapolated"
+    assert rows["400.00"][7] == "extrapolated, U in use"
 
 
 @pytest.mark.sampled

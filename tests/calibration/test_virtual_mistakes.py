@@ -37,9 +37,8 @@ def test_a_display_that_rounds_alike_at_every_angle_makes_no_wrong_piece() -> No
 
 @pytest.mark.parametrize(("mistake", "name"), SHORT)
 def test_a_mistake_has_its_right_name(mistake: str, name: str) -> None:
-    right, plant = MISTAKES[mistake]
-    found = outcomes(KINDS[name], plant, 3, 2)
-    assert rightly_named(found, right) == 1.0, found
+    found = outcomes(KINDS[name], MISTAKES[mistake], 3, 2)
+    assert rightly_named(found, MISTAKES[mistake].right) == 1.0, found
 
 
 @pytest.mark.soak
@@ -53,6 +52,5 @@ def test_good_calibrations_are_hardly_ever_refused() -> None:
 @pytest.mark.timeout(7200)
 @pytest.mark.parametrize(("mistake", "name"), PAIRS)
 def test_a_mistake_nearly_always_has_its_right_name(mistake: str, name: str) -> None:
-    right, plant = MISTAKES[mistake]
-    found = outcomes(KINDS[name], plant, 200, 4)
-    assert rightly_named(found, right) >= 0.95, found
+    found = outcomes(KINDS[name], MISTAKES[mistake], 200, 4)
+    assert rightly_named(found, MISTAKES[mistake].right) >= 0.95, found

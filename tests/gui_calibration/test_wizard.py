@@ -130,7 +130,7 @@ def test_whole_wizard_to_the_certificate(wizard: Any, qtbot: Any, tmp_path: Path
     page = wizard.result_page
     assert page.verdict.text() == "✓ Accepted"
     assert float(page.matrix.item(0, 0).text()) == pytest.approx(201.0, abs=0.2)
-    assert "Expanded uncertainty at 400 N" in page.words.text()
+    assert "Expanded uncertainty in use at 400 N" in page.words.text()
     assert "Not classifiable" in page.words.text()
     wizard.next()
     assert wizard.currentPage() is wizard.certificate

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from decimal import Decimal
 
 import numpy as np
 
 from rigapp.texts import say
 from rigapp_calibration.arrays import ACROSS, Array
 from rigapp_calibration.load_cell.scatter import Scatter
-from rigapp_calibration.load_cell.settings import LoadCellSettings
+from rigapp_calibration.load_cell.settings import LoadCellSettings, Use
 from rigapp_calibration.load_cell.two_axis import design
 from rigapp_calibration.load_cell.weights import relative_force_uncertainty
 from rigapp_calibration.taking.uncertainty import Budget, Contribution, at_most, combine
@@ -25,6 +26,10 @@ use that is taken at another angle has it in full."""
 LEAN_OF_A_PART = 2.0
 """The same of a cell that was loaded to a part of its scale: loops go with the square of the load
 (Rayleigh); a load of the other direction before makes one twice as long, half of it the lean."""
+SMALLEST_SHARE = 0.2
+"""Of full scale: the smallest force of which is said what a class would need, as a fifth of it."""
+BUDGET_AT = (0.0, 0.1, 0.2, 0.4, 0.6, 0.8, 1.0)
+"""Shares of full scale at which the uncertainty is told; U = a + b F bounds it between them."""
 DIRECTIONS = 16
 """Directions of the load of which the worst is stated: of eight or more angles all are alike."""
 
@@ -78,7 +83,7 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
             distribution="two-point",
             points=points,
         ),
-        *(_introduction(use.introduction * load) if use.introduction else ()),
+        *_introduction(use, load),
         at_most(say("terms that the pin angles do not show"), _unseen(parts, settings, load)),
         at_most(say("loads beyond the largest"), _beyond_largest(parts, settings, load)),
         at_most(say("temperature, zero"), use.zero_per_kelvin * use.temperature * full),
@@ -94,6 +99,21 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
         combine(load, (*along, _fit(parts, load, across=False), *both)),
         combine(load, (*turned, _fit(parts, load, across=True), *both)),
     )
+
+
+def of_calibration(parts: Scatter, settings: LoadCellSettings) -> tuple[LoadUncertainty, ...]:
+    """Return the uncertainties of the calibration itself, from no load to the largest one.
+
+    As a laboratory states them (ILAC-P14): nothing that happens later, or elsewhere, is in them.
+    """
+    largest = parts.branches.largest
+    use = replace(
+        settings.use, temperature=0.0, creep=0.0, change=0.0, angle=0.0, largest=largest,
+        other_adapter=False,
+    )  # fmt: skip
+    loads = [share * settings.cell.full_scale for share in BUDGET_AT]
+    loads = [*(load for load in loads if load * NEAR < largest), largest]
+    return tuple(uncertainty_at(parts, replace(settings, use=use), load) for load in loads)
 
 
 def _zeros(parts: Scatter, settings: LoadCellSettings) -> tuple[Contribution, ...]:
@@ -130,12 +150,13 @@ def _zero_shift(parts: Scatter, settings: LoadCellSettings) -> float:
     return loop + 0.5 * use.creep * full
 
 
-def _introduction(size: float) -> tuple[Contribution, ...]:
-    """Return the two lines of the load's introduction, half width N: each adapter has its own."""
-    return (
-        at_most(say("load introduction, in the calibration"), size),
-        at_most(say("load introduction, in use"), size),
-    )
+def _introduction(use: Use, load: float) -> tuple[Contribution, ...]:
+    """Return the lines of the load's introduction: each adapter has its own."""
+    if not use.introduction:
+        return ()
+    size = use.introduction * load
+    here = at_most(say("load introduction, in the calibration"), size)
+    return (here, at_most(say("load introduction, in use"), size)) if use.other_adapter else (here,)
 
 
 def _unseen(parts: Scatter, settings: LoadCellSettings, load: float) -> float:
@@ -301,6 +322,11 @@ def expanded_line(budgets: Sequence[Budget]) -> tuple[float, float]:
     return float(intercept) + lift, float(slope)
 
 
+def plain(value: float, digits: int = 4) -> str:
+    """Return a number of some significant digits without an exponent: 0.00005, 20000."""
+    return f"{Decimal(f'{value:.{digits}g}'):f}"
+
+
 def classification(settings: LoadCellSettings, single: float) -> str:
     """Say in words what the force standards allow, and what averaging would have to reach.
 
@@ -310,29 +336,21 @@ def classification(settings: LoadCellSettings, single: float) -> str:
     e74, iso = 400.0 * step, 500.0 * step
     if e74 <= full and iso <= full:
         return say(
-            "With a resolution of {:g} N the smallest force for ASTM E74 class A is"
-            " {:g} N and for ISO 376 class 2 {:g} N; whether a class is reached is for"
+            "With a resolution of {} N the smallest force for ASTM E74 class A is"
+            " {} N and for ISO 376 class 2 {} N; whether a class is reached is for"
             " a calibration of one axis under these standards to show. This procedure"
             " follows them, it does not comply.",
-            step,
-            e74,
-            iso,
+            *map(plain, (step, e74, iso)),
         )
-    smallest = 80.0
+    smallest = SMALLEST_SHARE * full
     class_2, class_1 = smallest / 500.0, smallest / 1000.0
     return say(
-        "Not classifiable: with a resolution of {:g} N, ASTM E74 class A needs forces"
-        " of at least {:g} N and ISO 376 class 2 of at least {:g} N, above the full"
-        " scale of {:g} N. The expanded uncertainty is stated instead of a class. For"
-        " forces from {:g} N upward, class 2 would need a resolution of {:.2f} N and"
-        " class 1 of {:.2f} N{}.",
-        step,
-        e74,
-        iso,
-        full,
-        smallest,
-        class_2,
-        class_1,
+        "Not classifiable: with a resolution of {} N, ASTM E74 class A needs forces"
+        " of at least {} N and ISO 376 class 2 of at least {} N, above the full"
+        " scale of {} N. The expanded uncertainty is stated instead of a class. For"
+        " forces from {} N upward, class 2 would need a resolution of {} N and"
+        " class 1 of {} N{}.",
+        *map(plain, (step, e74, iso, full, smallest, class_2, class_1)),
         _averaging(single, class_2),
     )
 
@@ -344,13 +362,13 @@ def _averaging(single: float, wanted: float) -> str:
     count = math.ceil((single / (wanted / math.sqrt(12.0))) ** 2)
     if count < 2:
         return say(
-            ". The readings of this calibration scatter by {:.3f} N: if they are means"
+            ". The readings of this calibration scatter by {} N: if they are means"
             " of many, such means would reach class 2; a single reading does not",
-            single,
+            plain(single, 2),
         )
     return say(
-        ". A reading scatters by {:.2f} N: the mean of about {} readings at each load"
+        ". A reading scatters by {} N: the mean of about {} readings at each load"
         " would reach class 2",
-        single,
+        plain(single, 2),
         count,
     )

@@ -10,11 +10,13 @@ import numpy as np
 from rigapp.texts import say
 from rigapp_calibration.arrays import Array
 from rigapp_calibration.load_cell.budget import (
+    BUDGET_AT,
     LoadUncertainty,
     classification,
     element_uncertainties,
     expanded_line,
     matrix_covariance,
+    of_calibration,
     pin_weight,
     uncertainty_at,
     zero_uncertainty,
@@ -55,6 +57,7 @@ STEADY_CODES = frozenset(
         "bridge_dead",
         "negative_mass",
         "mass_unit",
+        "hanger_mass",
         "overload",
         "angle_unit",
         "signal_unit",
@@ -63,8 +66,6 @@ STEADY_CODES = frozenset(
     }
 )
 """Problems without whose cure there is nothing to fit."""
-BUDGET_AT = (0.0, 0.1, 0.2, 0.4, 0.6, 0.8, 1.0)
-"""Shares of full scale at which the uncertainty is told; U = a + b F bounds it between them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,10 +73,11 @@ class LoadCellCalibration:
     """The result. force on the pin = matrix (signal - zero), pin frame; SI, signal unit as read.
 
     matrix, zero and what follows are None when nothing could be fitted. covariance: of the matrix
-    elements 11, 12, 21, 22, elements: their budgets. by_load: the uncertainty from no load to full
-    scale. zero: of the zeros of both axes, signal unit. expanded_line: a (N), b of U(F) = a + b F
-    of one reading of a component. pin_weight: as it acts where the loads hang, N. residual (n, 2):
-    N, of all readings. creep: None where it was not measured, and U has the stated one.
+    elements 11, 12, 21, 22, elements: their budgets. by_load: the uncertainty in use, from no load
+    to full scale; at_calibration: of the calibration itself, to the largest load. zero: of the
+    zeros of both axes, signal unit. expanded_line: a (N), b of U(F) = a + b F of one reading of a
+    component. pin_weight: as it acts where the loads hang, N. residual (n, 2): N, of all readings.
+    creep: None where it was not measured, and U has the stated one.
     """
 
     problems: tuple[Problem, ...]
@@ -86,6 +88,7 @@ class LoadCellCalibration:
     traits: Characteristics | None = None
     parts: Scatter | None = None
     by_load: tuple[LoadUncertainty, ...] = ()
+    at_calibration: tuple[LoadUncertainty, ...] = ()
     elements: tuple[Budget, ...] = ()
     zero: tuple[Budget, Budget] | None = None
     pin_weight: Budget | None = None
@@ -181,6 +184,7 @@ def calibrate_load_cell(
         traits=traits,
         parts=parts,
         by_load=by_load,
+        at_calibration=of_calibration(parts, settings),
         zero=zero_uncertainty(parts, settings),
         pin_weight=pin_weight(parts, settings),
         expanded_line=expanded_line([one.component for one in by_load]),

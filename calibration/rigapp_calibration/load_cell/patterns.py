@@ -18,7 +18,7 @@ from scipy import special
 from rigapp.texts import say
 from rigapp_calibration.arrays import Array, Whole
 from rigapp_calibration.load_cell.characteristics import Evidence, examine
-from rigapp_calibration.load_cell.two_axis import HUBER, Terms, cubes, design
+from rigapp_calibration.load_cell.two_axis import HUBER, Terms, cubes, squares
 from rigapp_calibration.problems import Problem
 from rigapp_calibration.taking.readings import place_of
 
@@ -40,6 +40,9 @@ RAYLEIGH_MEDIAN = 1.1774
 """Of the length of a vector whose two parts have standard deviation 1."""
 ANGLES_OF_CUBES = 7
 """So many pin angles tell terms of third degree, which good cells have, from what came later."""
+BEND_OF_CELL = 0.004
+"""Of full scale, standard deviation of terms of second and third degree: makers state linearities
+up to 0.5 %. A gain that changes from one series on looks much like them, but is larger."""
 FEWEST_DEGREES = 8
 """Fewer know the noise to no better than a quarter: nothing is told of patterns then."""
 
@@ -192,21 +195,29 @@ def _towards(cells: Averages) -> Array:
     return cells.force / np.maximum(size, 1e-9)[:, None] * (size > 0.0)[:, None]
 
 
-def _honest(cells: Averages, terms: Terms) -> Array:
-    """Return the columns (2 cells, any) of what good calibrations show as well; the last: an arch.
+def _honest(evidence: Evidence, cells: Averages, terms: Terms) -> tuple[Array, Array]:
+    """Return what good calibrations show as well: columns (2 cells, any), and how much of each, N.
 
-    The arch is half the hysteresis loop, which the mean of rising and falling readings may hold.
+    How much: a standard deviation, infinite where anything may be. The last column is an arch: half
+    the hysteresis loop, which the mean of rising and falling readings may hold.
     """
-    rows = np.column_stack((design(cells.force, terms), cells.time))
+    force = cells.force / float(np.abs(cells.force).max())
+    rows = np.column_stack((force, np.ones(len(force)), cells.time))
+    much = np.full(rows.shape[1], np.inf)
+    if terms.quadratic:
+        rows = np.column_stack((rows, squares(force)))
     if cells.angles >= ANGLES_OF_CUBES:
-        size = float(np.abs(cells.force).max())
-        rows = np.column_stack((rows, cubes(cells.force / size)))
+        rows = np.column_stack((rows, cubes(force)))
+    bent = BEND_OF_CELL * evidence.settings.cell.full_scale
+    much = np.append(much, np.full(rows.shape[1] - len(much), bent))
     both = [np.column_stack((one, 0.0 * one)) for one in rows.T]
     both += [one[:, ::-1] for one in both]
+    runs = int(cells.run.max()) + 1
+    known = np.concatenate((much, much, np.full(runs, np.inf), [abs(cells.bow)]))
     across = np.column_stack((-cells.force[:, 1], cells.force[:, 0]))
-    both += [across * (cells.run == run)[:, None] for run in range(int(cells.run.max()) + 1)]
+    both += [across * (cells.run == run)[:, None] for run in range(runs)]
     both.append(_towards(cells) * _arch(np.hypot(*cells.force.T))[:, None])
-    return np.column_stack([one.ravel() for one in both])
+    return np.column_stack([one.ravel() for one in both]), known
 
 
 # --- the search ----------------------------------------------------------------------------------
@@ -258,18 +269,21 @@ def _left(
 ) -> tuple[Array, int]:
     """Return what honest causes leave of the cells and of columns, and the degrees of freedom.
 
-    The first column is of the cells; rows (2 cells + 1) are weighted, the last is the arch's: it
-    reads 0, with half the loop as its standard deviation.
+    The first column is of the cells; rows (2 cells and more) are weighted, the last are of what is
+    known of honest causes: each reads 0, with how much there may be as its standard deviation.
     """
-    honest = _honest(cells, terms)
-    prior = np.zeros((1, honest.shape[1]))
-    prior[0, -1] = evidence.noise / max(abs(cells.bow), 0.1 * evidence.noise)
-    root = np.append(np.repeat(np.sqrt(weights), 2), 1.0)[:, None]
+    honest, much = _honest(evidence, cells, terms)
+    known = np.flatnonzero(np.isfinite(much))
+    prior = np.zeros((len(known), honest.shape[1]))
+    prior[np.arange(len(known)), known] = evidence.noise / np.maximum(
+        much[known], 0.1 * evidence.noise
+    )
+    root = np.append(np.repeat(np.sqrt(weights), 2), np.ones(len(known)))[:, None]
     rows = np.vstack((honest, prior)) * root
     basis, size, _ = np.linalg.svd(rows / np.linalg.norm(rows, axis=0), full_matrices=False)
     basis = basis[:, size > 1e-7]
     both = np.column_stack((cells.off.ravel(), columns))
-    both = np.vstack((both, np.zeros(both.shape[1]))) * root
+    both = np.vstack((both, np.zeros((len(known), both.shape[1])))) * root
     return both - basis @ (basis.T @ both), int(2.0 * weights.sum()) - basis.shape[1]
 
 
@@ -279,7 +293,7 @@ def _weights(rest: Array, weights: Array, noise: float) -> Array:
     noise: the least standard deviation that is believed, N: else cells that contradict a pattern
     would be put aside for it.
     """
-    length = np.hypot(*rest[:-1].reshape(-1, 2).T) / np.sqrt(weights)
+    length = np.hypot(*rest[: 2 * len(weights)].reshape(-1, 2).T) / np.sqrt(weights)
     scale = max(noise, float(np.median(length)) / RAYLEIGH_MEDIAN)
     return np.clip(HUBER * scale / np.maximum(length, 1e-300), 1e-3, 1.0)
 

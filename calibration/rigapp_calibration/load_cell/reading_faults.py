@@ -11,7 +11,7 @@ import numpy as np
 
 from rigapp.texts import say
 from rigapp_calibration.arrays import Array, Marks
-from rigapp_calibration.load_cell.characteristics import SURE, Evidence
+from rigapp_calibration.load_cell.characteristics import SURE, Evidence, examine
 from rigapp_calibration.load_cell.two_axis import ITERATIONS
 from rigapp_calibration.problems import Problem
 from rigapp_calibration.taking.readings import each_series, place_of
@@ -20,6 +20,12 @@ ANGLE_OFF = np.radians(0.5)
 """An angle set by eye and read from a protractor is right to a few tenths: that is scatter, which
 the uncertainty holds; five times the 0.1 degrees of an encoder is a mistake."""
 
+FAR_OFF = np.radians(2.5)
+"""A gain of one bridge that changed by so much as to turn loads so far, 9 %, is seen otherwise."""
+MOST_OFF, FEW_OFF = 0.6, 0.2
+"""Share of the runs whose angles may be off; of those that are looked for first."""
+FEWEST_LEFT = 4
+"""Pin angles; fewer do not tell what else is wrong."""
 FEWEST_SMOOTH = 6
 """Loaded readings of a run that tell a bend of it, which has two coefficients, from one of them."""
 
@@ -31,6 +37,22 @@ def single_faults(evidence: Evidence) -> Iterator[Problem]:
         yield from _few(list(check(evidence, explained)))
     yield from _not_monotonic(evidence, explained)
     yield from _scatter(evidence, explained)
+
+
+def wrong_angles(evidence: Evidence) -> tuple[list[Problem], Evidence]:
+    """Return angles that are off by far, and the evidence without their readings.
+
+    They are looked for before anything that changes from series to series: a load that is turned by
+    far looks like a changed gain.
+    """
+    explained: Marks = np.zeros(len(evidence.readings), dtype=np.bool_)
+    problems = _few(
+        [*_angle_of_one(evidence, explained), *_angle_off(evidence, explained, FAR_OFF, FEW_OFF)]
+    )
+    left = ~explained
+    if not problems or len(np.unique(evidence.loads.group[left])) < FEWEST_LEFT:
+        return [], evidence
+    return problems, examine(evidence.readings.only(left), evidence.settings)
 
 
 def _sure(evidence: Evidence) -> float:
@@ -76,8 +98,13 @@ def _smooth(evidence: Evidence, off: Array) -> Array:
 # --- angles --------------------------------------------------------------------------------------
 
 
-def _angle_off(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
-    """A pin angle at which every load seems turned by the same amount."""
+def _angle_off(
+    evidence: Evidence, explained: Marks, least: float = ANGLE_OFF, most: float = MOST_OFF
+) -> Iterator[Problem]:
+    """A pin angle at which every load seems turned by the same amount.
+
+    least: rad, that counts; most: share of the runs that may be off.
+    """
     found, readings = evidence.loads, evidence.readings
     turns: list[tuple[float, float, Marks]] = []
     for _, members in each_series(readings.series):
@@ -92,9 +119,9 @@ def _angle_off(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     off = [
         (turn - middle, block)
         for turn, sigma, block in turns
-        if abs(turn - middle) > max(SURE * sigma, ANGLE_OFF)
+        if abs(turn - middle) > max(SURE * sigma, least)
     ]
-    if not off or len(off) > 0.6 * len(turns):
+    if not off or len(off) > most * len(turns):
         return
     for _, block in off:
         explained |= block
@@ -131,7 +158,8 @@ def _turn(evidence: Evidence, members: Marks) -> tuple[float, float] | None:
     near = rest < max(SURE * evidence.noise, 3.0 * float(np.median(rest)))
     turned = np.exp(1j * (turns[near] - turn))
     turn += float(np.angle(np.sum(applied[near] ** 2 * turned)))
-    return turn, evidence.noise / np.sqrt(float(np.sum(applied[near] ** 2)))
+    scatter = max(evidence.noise, float(np.median(rest)))  # of a weight that swings
+    return turn, scatter / np.sqrt(float(np.sum(applied[near] ** 2)))
 
 
 def _angle_of_one(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
@@ -262,7 +290,8 @@ def _loose_cable(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     jump = np.abs(evidence.found.residual_signal) / scale
     far = max(4.0 * SURE * evidence.noise, 0.05 * evidence.settings.cell.full_scale)
     alone = (jump.max(axis=1) > far) & (jump.min(axis=1) < 0.25 * jump.max(axis=1)) & ~explained
-    telling = alone & (np.abs(across) > np.abs(off))
+    # A load at 45 degrees is off along it as much as across it.
+    telling = alone & (np.abs(across) > 0.5 * np.abs(off))
     empty = alone & (evidence.loads.applied == 0.0)
     axes = [axis for axis in range(2) if (telling | empty)[jump.argmax(axis=1) == axis].any()]
     bad = alone & np.isin(jump.argmax(axis=1), axes)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from rigapp_calibration.arrays import Array, Whole
+from rigapp_calibration.arrays import Array, Marks, Whole
 from rigapp_calibration.taking.readings import (
     ReadingsError,
     Rows,
@@ -50,6 +50,17 @@ class LoadCellReadings:
     def __len__(self) -> int:
         """Return the number of readings."""
         return len(self.mass)
+
+    def only(self, kept: Marks) -> LoadCellReadings:
+        """Return some of the readings."""
+        return replace(
+            self,
+            series=tuple(one for one, stays in zip(self.series, kept, strict=True) if stays),
+            step=self.step[kept],
+            mass=self.mass[kept],
+            angle=self.angle[kept],
+            signal=self.signal[kept],
+        )
 
 
 def parse_load_cell(text: str) -> LoadCellReadings:

@@ -38,7 +38,8 @@ class Use:
     of the gain until the next calibration, relative. introduction: of the load by an adapter, in
     the calibration and in use, part of the load. angle: of the pin in use, rad (an eccentric
     encoder). largest: force in use, N, None for full scale. dead_zone: part of full scale that is
-    held back of every load, by friction at the hanger. zeroed: the zero is taken before a test, so
+    held back of every load, by friction at the hanger. other_adapter: introduces the load in use.
+    zeroed: the zero is taken before a test, so
     that that of the calibration is not used. What no reading of the calibration shows, parts of
     full scale: cross_terms f1 f2 at full scale, of each bridge; bend, of the characteristic beyond
     the largest load; loop, the width of the hysteresis where no falling loads were read, or the
@@ -55,6 +56,7 @@ class Use:
     angle: float = 0.0
     largest: float | None = None
     dead_zone: float = 0.0
+    other_adapter: bool = True
     zeroed: bool = False
     cross_terms: float = 0.0125
     bend: float = 0.005

@@ -103,7 +103,7 @@ def forces(signal: Array, matrix: Array, zero: Array, quadratic: Array | None = 
     sensitivity = np.linalg.inv(matrix)
     for _ in range(8):
         x, y = force.T
-        predicted = force @ sensitivity.T + _squares(force) @ quadratic.T
+        predicted = force @ sensitivity.T + squares(force) @ quadratic.T
         d1 = quadratic[:, 0, None] * 2 * x + quadratic[:, 1, None] * y
         d2 = quadratic[:, 1, None] * x + quadratic[:, 2, None] * 2 * y
         slope = sensitivity[None] + np.stack((d1.T, d2.T), axis=-1)
@@ -115,7 +115,7 @@ def design(force: Array, terms: Terms) -> Array:
     """Return the design matrix (n, terms) of forces (n, 2) in the order taken."""
     columns = [force] if terms.own_zeros else [force, np.ones((len(force), 1))]
     if terms.quadratic:
-        columns.append(_squares(force))
+        columns.append(squares(force))
     if terms.drift:
         columns.append(np.linspace(-0.5, 0.5, len(force))[:, None])
     return np.hstack(columns)
@@ -241,7 +241,8 @@ def cubes(force: Array) -> Array:
     return np.column_stack((x**3, x * x * y, x * y * y, y**3))
 
 
-def _squares(force: Array) -> Array:
+def squares(force: Array) -> Array:
+    """Return the terms (n, 3) of second degree of forces (n, 2)."""
     x, y = force.T
     return np.column_stack((x * x, x * y, y * y))
 

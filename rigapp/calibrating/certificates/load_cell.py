@@ -27,7 +27,8 @@ from rigapp_calibration.load_cell.readings import LoadCellReadings, parse_load_c
 from rigapp_calibration.load_cell.two_axis import forces
 from rigapp_calibration.load_cell.weights import pin_force
 
-MARKED = "extrapolated"
+EXTRAPOLATED = "extrapolated"
+MARKED = "extrapolated, U in use"
 RESULTS = {
     "applied N": "{applied}",
     "readings": "{readings}",
@@ -73,11 +74,19 @@ CONDITIONS = {
     "Angle reference": "{offset}, u = {angle[standard_uncertainty_deg]:.3g}°{level}",
 }
 IN_USE = {
-    "Changes in use, contained in U": "up to {temperature_difference_K:g} K from the calibration,"
+    "Changes that U in use holds": "up to {temperature_difference_K:g} K from the calibration,"
     " gain {gain_percent_per_K:g} %/K, zero {zero_percent_of_full_scale_per_K:g} % of full"
     " scale/K; creep {crept}; gain {gain_change_percent_per_year:g} % a year"
 }
 """What U contains of a time after the calibration, each at most so much."""
+OF_CALIBRATION = (
+    "The expanded uncertainty of the calibration, of one reading at the time and in the conditions"
+    " named, is U(F) = {line} with a coverage factor k = {factor} at {load} N (about 95 %)."
+)
+IN_USE_TOO = (
+    "The expanded uncertainty in use is U(F) = {line} with k = {factor} at full scale. It holds"
+    " what may change after the calibration, too, within what the conditions name.{beyond}"
+)
 HOLDS_IN_USE = "It holds in use, too, within the changes that the conditions name."
 HOLDS_THEN = "It holds for the conditions and the time of the calibration."
 
@@ -88,13 +97,19 @@ def load_cell_parts(content: Content) -> Parts:
     loads = _loads(content, taken)
     least, most, full = loads[0]["load"], loads[-1]["load"], result["full_scale_N"]
     extrapolated = " EXTRAPOLATED beyond the calibrated range" * (full > most)
-    budgets = (
-        budget_table(f"Budget of one reading of {what} at {full:g} N{extrapolated}", one, "N", "N")
-        for what, one in (
-            ("a component in its worst direction", result),
-            ("|F|", result.get("magnitude", {})),
+    own = result.get("of_calibration")
+    budgets = [
+        budget_table(f"{title}Budget of one reading of {what} at {at:g} N{mark}", one, "N", "N")
+        for title, of, at, mark in (
+            ("Calibration: ", own, _largest(own), ""),
+            ("In use: " if own else "", result, full, extrapolated),
         )
-    )
+        if of
+        for what, one in (
+            ("a component in its worst direction", of),
+            ("|F|", of.get("magnitude", {})),
+        )
+    ]
     angles = np.unique(np.round(np.degrees(taken.angle) % 360.0, 1))
     return Parts(
         _statements(content, most),
@@ -103,7 +118,11 @@ def load_cell_parts(content: Content) -> Parts:
         calibrated=f"{_load(least, full)} N to {_load(most, full)} N, {len(loads)} loads at"
         f" {len(angles)} pin angles ({', '.join(f'{one:.0f}' for one in angles)}°).",
         conditions=_conditions(content["settings"], result.get("creep")),
-        uncertainty=[*_by_load(result, most), *(one for budget in budgets for one in budget)],
+        uncertainty=[
+            *_by_load(own or {}, most, "of the calibration"),
+            *_by_load(result, most, "in use" if own else ""),
+            *(one for budget in budgets for one in budget),
+        ],
         readings=[_readings_table(taken, result), *_hung_table(taken)],
     )
 
@@ -164,7 +183,11 @@ def _results(loads: Sequence[Content], result: Content) -> Table:
 
 
 def _uncertainty(result: Content, load: float) -> float:
-    """Return U of one reading of a component at a load, N, between the loads it is stated for."""
+    """Return U of one reading of a component at a load, N, between the loads it is stated for.
+
+    That of the calibration itself, where the record tells it.
+    """
+    result = result.get("of_calibration", result)
     stated = result.get("uncertainty_by_load")
     if not stated:
         line = result["uncertainty_line_N"]
@@ -173,8 +196,8 @@ def _uncertainty(result: Content, load: float) -> float:
     return float(np.interp(load, *np.array(told).T))
 
 
-def _by_load(result: Content, most: float) -> list[Table]:
-    """Return U of a component, of |F| and of means at each load that the record states."""
+def _by_load(result: Content, most: float, what: str) -> list[Table]:
+    """Return U of a component, of |F| and of means at each load that is stated; what: of what."""
     items = [
         {
             **{
@@ -183,11 +206,11 @@ def _by_load(result: Content, most: float) -> list[Table]:
                 else value
                 for key, value in one.items()
             },
-            "mark": MARKED if one["load_N"] > most else "",
+            "mark": EXTRAPOLATED if one["load_N"] > most + 1e-6 else "",
         }
         for one in result.get("uncertainty_by_load", ())
     ]
-    title = "Expanded uncertainty by load, N, about 95 %"
+    title = f"Expanded uncertainty {what} by load, N, about 95 %".replace("  ", " ")
     return [table(title, BY_LOAD, items)] if items else []
 
 
@@ -222,24 +245,45 @@ def _crept(use: Content, creep: Content | None) -> str:
 
 def _statements(content: Content, most: float) -> list[str]:
     result, in_use = content["result"], "use" in content["settings"]
-    line, beyond, holds = result["uncertainty_line_N"], "", HOLDS_THEN
+    beyond = ""
     if result["full_scale_N"] > most:
         above = _load(most, result["full_scale_N"], -1)
         beyond = f" Above {above} N it is extrapolated: no load was there."
-    if in_use:
-        holds = HOLDS_IN_USE
     return [
         "Method: dead weights at several angles of the pin. The procedure follows the ideas of ASTM"
         " E74 and ISO 376, which are for one axis and static forces; it does not comply with them.",
         result["classification"],
-        "The expanded uncertainty of one reading is U(F) ="
-        f" {by_uncertainty(line['constant_N'], line['constant_N'])} N +"
-        f" {by_uncertainty(line['per_N'], line['per_N'])} F with a coverage factor"
-        f" k = {result['coverage_factor']:.2f} at full scale (about 95 %). {holds}{beyond}",
+        *_uncertainties(result, HOLDS_IN_USE if in_use else HOLDS_THEN, beyond),
         _common_angle(content["settings"]["angle"]),
         "No statement of conformity is made: no decision rule applies.",
         *_creep(content),
     ]
+
+
+def _uncertainties(result: Content, holds: str, beyond: str) -> list[str]:
+    """Return both statements of U; of records of before the one, and when it ``holds``."""
+    own, line = result.get("of_calibration"), _line_words(result)
+    factor = f"{result['coverage_factor']:.2f}"
+    if own is None:
+        return [
+            f"The expanded uncertainty of one reading is U(F) = {line} with a coverage factor"
+            f" k = {factor} at full scale (about 95 %). {holds}{beyond}"
+        ]
+    told = {"line": _line_words(own), "factor": f"{own['coverage_factor']:.2f}"}
+    return [
+        OF_CALIBRATION.format(**told, load=_load(own["load_N"], result["full_scale_N"])),
+        IN_USE_TOO.format(line=line, factor=factor, beyond=beyond),
+    ]
+
+
+def _line_words(result: Content) -> str:
+    line = result["uncertainty_line_N"]
+    constant, share = (by_uncertainty(line[key], line[key]) for key in ("constant_N", "per_N"))
+    return f"{constant} N + {share} F"
+
+
+def _largest(own: Content | None) -> float:
+    return float(own["load_N"]) if own else 0.0
 
 
 def _load(load: float, full_scale: float, more: int = 0) -> str:

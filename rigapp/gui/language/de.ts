@@ -11309,10 +11309,6 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Elastische Bewegung des Bolzens mit der Kraft, nach dem Modell der neuen Buchse, abgezogen: bis {} um um ihr Mittel</translation>
     </message>
     <message>
-        <source>Expanded uncertainty at {:g} N: {:.2f} N (k = {:.2f}); U(F) = {:.2f} N + {:.5f} F</source>
-        <translation>Erweiterte Unsicherheit bei {} N: {} N (k = {}); U(F) = {} N + {} F</translation>
-    </message>
-    <message>
         <source>Force on the pin = matrix (signal - zero), pin frame; matrix in N per {}</source>
         <translation>Kraft auf den Bolzen = Matrix (Signal - Nullpunkt), Bezugssystem Bolzen; Matrix in N je {}</translation>
     </message>
@@ -11353,10 +11349,6 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Keine Antwort von {}</translation>
     </message>
     <message>
-        <source>Not classifiable: with a resolution of {:g} N, ASTM E74 class A needs forces of at least {:g} N and ISO 376 class 2 of at least {:g} N, above the full scale of {:g} N. The expanded uncertainty is stated instead of a class. For forces from {:g} N upward, class 2 would need a resolution of {:.2f} N and class 1 of {:.2f} N{}</source>
-        <translation>Nicht klassierbar: Bei einer Auflösung von {} N verlangt ASTM E74 Klasse A Kräfte von mindestens {} N und ISO 376 Klasse 2 von mindestens {} N, über der Nennkraft von {} N. Statt einer Klasse wird die erweiterte Unsicherheit angegeben. Für Kräfte ab {} N würde Klasse 2 eine Auflösung von {} N verlangen und Klasse 1 von {} N{}</translation>
-    </message>
-    <message>
         <source>Nothing has been measured or predicted for stop.{} in many revolutions.</source>
         <translation>Für stop.{} wurde seit vielen Umdrehungen nichts gemessen oder vorhergesagt.</translation>
     </message>
@@ -11387,10 +11379,6 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>Put the micrometer&apos;s target before probe {}, at right angles to it, and turn the micrometer until probe {} shows about 0 V: that is position 0. Nothing may move before the other probe</source>
         <translation>Das Ziel der Messschraube rechtwinklig vor Wegsensor {} stellen und die Messschraube drehen, bis Wegsensor {} etwa 0 V zeigt: Das ist Position 0. Vor dem anderen Wegsensor darf sich nichts bewegen</translation>
-    </message>
-    <message>
-        <source>Residual standard deviation: {:.3f} N</source>
-        <translation>Standardabweichung der Abweichungen: {} N</translation>
     </message>
     <message>
         <source>Running-in: the wear coefficient {} from {} to {}, by two thirds within {:.0f} revolutions</source>
@@ -12033,10 +12021,6 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Eine Warteschlange fasst höchstens {} Versuche; {} sind darin</translation>
     </message>
     <message>
-        <source>A reading scatters by {:.2f} N: the mean of about {} readings at each load would reach class 2</source>
-        <translation>Eine Messung streut um {} N: Das Mittel aus etwa {} Messungen je Last würde Klasse 2 erreichen</translation>
-    </message>
-    <message>
         <source>A seal cannot be read: {}</source>
         <translation>Ein Siegel ist nicht lesbar: {}</translation>
     </message>
@@ -12505,10 +12489,6 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Die Messungen des Kriechens bleiben außer Betracht, {}: Es gilt das Kriechen, das die Einstellungen angeben</translation>
     </message>
     <message>
-        <source>The readings of this calibration scatter by {:.3f} N: if they are means of many, such means would reach class 2; a single reading does not</source>
-        <translation>Die Messungen dieser Kalibrierung streuen um {} N: Sind es Mittel aus vielen, so würden solche Mittel Klasse 2 erreichen; eine einzelne Messung tut es nicht</translation>
-    </message>
-    <message>
         <source>The record {}: its result cannot be verified</source>
         <translation>Der Datensatz {}: Sein Ergebnis lässt sich nicht nachprüfen</translation>
     </message>
@@ -12659,10 +12639,6 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>With a gap of {:g} um at position 0 the target would touch the probe at {:g} um; correct gap_at_zero_um</source>
         <translation>Mit einem Spalt von {} um bei Position 0 würde das Ziel den Wegsensor bei {} um berühren; gap_at_zero_um berichtigen</translation>
-    </message>
-    <message>
-        <source>With a resolution of {:g} N the smallest force for ASTM E74 class A is {:g} N and for ISO 376 class 2 {:g} N; whether a class is reached is for a calibration of one axis under these standards to show. This procedure follows them, it does not comply</source>
-        <translation>Bei einer Auflösung von {} N ist die kleinste Kraft für ASTM E74 Klasse A {} N und für ISO 376 Klasse 2 {} N; ob eine Klasse erreicht wird, muss eine einachsige Kalibrierung nach diesen Normen zeigen. Dieses Verfahren folgt ihnen, es erfüllt sie nicht</translation>
     </message>
     <message>
         <source>a DI-{} answers, and the rig file says DI-{}; {}</source>
@@ -15229,8 +15205,36 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>{}: keine Liste von Störungen: {}</translation>
     </message>
     <message>
+        <source>A reading scatters by {} N: the mean of about {} readings at each load would reach class 2</source>
+        <translation>Eine Messung streut um {} N: Das Mittel aus etwa {} Messungen je Last würde Klasse 2 erreichen</translation>
+    </message>
+    <message>
         <source>Every load seems {}, while the zeros are right. Check hanger_mass_kg and the first piece; if something holds back a part of each load, state [use] dead_zone_percent</source>
         <translation>Jede Last scheint {}, während die Nullpunkte stimmen. hanger_mass_kg und das erste Stück prüfen; hält etwas einen Teil jeder Last zurück, [use] dead_zone_percent angeben</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty in use at {} N: {} N (k = {:.2f}); U(F) = {} N + {} F</source>
+        <translation>Erweiterte Unsicherheit im Gebrauch bei {} N: {} N (k = {}); U(F) = {} N + {} F</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty of the calibration at {} N: {} N (k = {:.2f})</source>
+        <translation>Erweiterte Unsicherheit der Kalibrierung bei {} N: {} N (k = {})</translation>
+    </message>
+    <message>
+        <source>Not classifiable: with a resolution of {} N, ASTM E74 class A needs forces of at least {} N and ISO 376 class 2 of at least {} N, above the full scale of {} N. The expanded uncertainty is stated instead of a class. For forces from {} N upward, class 2 would need a resolution of {} N and class 1 of {} N{}</source>
+        <translation>Nicht klassierbar: Bei einer Auflösung von {} N verlangt ASTM E74 Klasse A Kräfte von mindestens {} N und ISO 376 Klasse 2 von mindestens {} N, über der Nennkraft von {} N. Statt einer Klasse wird die erweiterte Unsicherheit angegeben. Für Kräfte ab {} N würde Klasse 2 eine Auflösung von {} N verlangen und Klasse 1 von {} N{}</translation>
+    </message>
+    <message>
+        <source>Residual standard deviation: {} N</source>
+        <translation>Standardabweichung der Abweichungen: {} N</translation>
+    </message>
+    <message>
+        <source>The readings of this calibration scatter by {} N: if they are means of many, such means would reach class 2; a single reading does not</source>
+        <translation>Die Messungen dieser Kalibrierung streuen um {} N: Sind es Mittel aus vielen, so würden solche Mittel Klasse 2 erreichen; eine einzelne Messung tut es nicht</translation>
+    </message>
+    <message>
+        <source>With a resolution of {} N the smallest force for ASTM E74 class A is {} N and for ISO 376 class 2 {} N; whether a class is reached is for a calibration of one axis under these standards to show. This procedure follows them, it does not comply</source>
+        <translation>Bei einer Auflösung von {} N ist die kleinste Kraft für ASTM E74 Klasse A {} N und für ISO 376 Klasse 2 {} N; ob eine Klasse erreicht wird, muss eine einachsige Kalibrierung nach diesen Normen zeigen. Dieses Verfahren folgt ihnen, es erfüllt sie nicht</translation>
     </message>
     <message>
         <source>answers come up to {:.2g} s late; set {} to {:g} or more</source>
