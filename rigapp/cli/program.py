@@ -106,6 +106,8 @@ def _report(error: Exception) -> int:
     if wrong_call is None:
         text = error_text(error, "an unexpected error; --debug shows where.")
         print(f"rigapp: {indented(text)}", file=sys.stderr)
+        for section in _sections(error):
+            print(f"    See troubleshooting.md#{section}", file=sys.stderr)
         return _status_of(error)
     if type(error).__name__ == "NoArgsIsHelpError":
         print(wrong_call())
@@ -115,6 +117,14 @@ def _report(error: Exception) -> int:
         verb = getattr(getattr(error, "ctx", None), "command_path", None) or "rigapp"
         print(f"rigapp: {said}{stop} See '{verb} --help'.", file=sys.stderr)
     return 2
+
+
+def _sections(error: Exception) -> list[str]:
+    """Return the sections of the troubleshooting guide for an error of devices, each once."""
+    module = sys.modules.get("rigapp_drivers.api")
+    if module is None or not isinstance(error, module.DeviceError):
+        return []
+    return [one for one in dict.fromkeys(map(module.help_of, error.each)) if one]
 
 
 def _status_of(error: Exception) -> int:

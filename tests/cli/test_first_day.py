@@ -140,6 +140,7 @@ def test_each_mistake_of_the_first_day_is_named_with_what_helps(
     assert "troubleshooting.md#nothing-answers" in told_absent
     done = run("run", "test.toml", "--rig", absent, "--out", "absent.h5")
     assert done.returncode == 3
+    assert done.stderr.endswith("    See troubleshooting.md#nothing-answers\n")
     assert not (rig.parent / "absent.h5").exists()
 
     with open(os.open(boxes["daq"], os.O_RDWR | os.O_NOCTTY), "rb") as held:
