@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -64,17 +65,17 @@ def files_of(test: PackagedTest, work: Path) -> Iterator[PackedFile]:
     folder = work / test.folder
     folder.mkdir()
     about = "the test as it was recorded: NeXus/HDF5, see docs/file-format.md of rigapp"
-    source = test.path
-    if not test.compressed:
-        # What is written in place has rows beyond the committed ones, which others take for data.
-        source = folder / test.path.name
-        trimmed_copy(test.path, source)
+    table = folder / "statistics.csv"
+    with ThreadPoolExecutor(1, "trimmed copy") as pool:
+        # It is compressed by other processors than the one that makes the table.
+        copied = pool.submit(_whole, test, folder)
+        report = _report(test.path)
+        _export(test.path, table)
+        source = copied.result()
     yield PackedFile(f"{test.folder}/{test.path.name}", source, about, HDF5, packed=True)
     make = partial(_made, folder)
-    report = "the report of the test, for a browser: figures, log, calibration, settings"
-    yield make("report.html", report, HTML, _report(test.path))
-    table = folder / "statistics.csv"
-    _export(test.path, table)
+    shown = "the report of the test, for a browser: figures, log, calibration, settings"
+    yield make("report.html", shown, HTML, report)
     statistics = "one line a revolution; README.txt explains the columns"
     yield PackedFile(f"{test.folder}/statistics.csv", table, statistics, CSV)
     for name, about in (("rig", "what hung on which port"), ("test", "how the test was to run")):
@@ -88,6 +89,15 @@ def files_of(test: PackagedTest, work: Path) -> Iterator[PackedFile]:
         yield make(f"{name}.json", sealed, JSON, record.encode())
     versions = test.configuration.get("versions", {})
     yield make("versions.json", "versions of what wrote the test's file", JSON, _json(versions))
+
+
+def _whole(test: PackagedTest, folder: Path) -> Path:
+    """Return the file of a test that goes into its package."""
+    if test.compressed:
+        return test.path
+    # What is written in place has rows beyond the committed ones, which others take for data.
+    trimmed_copy(test.path, folder / test.path.name)
+    return folder / test.path.name
 
 
 def text_file(work: Path, place: str, about: str, media: str, text: str) -> PackedFile:

@@ -25,8 +25,6 @@ from rigapp.report.results import result_of_open
 from rigapp.report.testreport import datasections, logsections, setupsections
 from rigapp.report.testreport.cover import cover_of, numbered, report_settings
 from rigapp.report.testreport.facts import Rows, rows_of, stated_uncertainties
-from rigapp.report.testreport.identified import identified
-from rigapp.report.testreport.identifiedsections import known_section
 from rigapp.report.testreport.model_facts import agreement_of, bursts_of, cycles_of
 from rigapp.report.testreport.setupsections import step_section
 from rigapp.report.testreport.wording import (
@@ -126,7 +124,7 @@ def _document(reader: TestReader, path: Path, settings: tuple[ReportFile, bytes]
             [one.revolution for one in reader.unfinished()],
         ),
         datasections.wear(agreement, worn_of(reader)),
-        *([] if agreement is None else [known_section(identified(reader, path))]),
+        *([] if agreement is None else [_known(reader)]),
         datasections.quality(rows),
         *setupsections.sections(reader),
         _file_section(identity, summary, reader),
@@ -208,6 +206,14 @@ def _summary(
     optional = ("Notes", "Bushing")
     shown = tuple((a, b or UNKNOWN) for a, b in lines if b or a not in optional)
     return Section("Summary", (Table("", shown),))
+
+
+def _known(reader: TestReader) -> Section:
+    # Twin and compiler, which a report without a prediction does without.
+    from rigapp.report.testreport.identified import identified
+    from rigapp.report.testreport.identifiedsections import known_section
+
+    return known_section(identified(reader, reader.path))
 
 
 def _warnings(summary: dict[str, Any], simulated: str) -> list[str]:

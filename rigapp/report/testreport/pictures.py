@@ -11,8 +11,6 @@ from rigapp.report.page.manuscript import Figure
 from rigapp.report.testreport import plots
 from rigapp.report.testreport.cover import parameters_of, scheme
 from rigapp.report.testreport.facts import ChannelFacts, Rows, rows_of, stated_uncertainties
-from rigapp.report.testreport.identified import identified
-from rigapp.report.testreport.identifiedsections import depth_figure
 from rigapp.report.testreport.model_facts import agreement_of, cycles_of
 from rigapp.report.testreport.worn import picture, worn_of
 from rigapp.schema.channels import LOAD_CELL
@@ -78,6 +76,10 @@ def _profile(reader: TestReader) -> Figure | None:
 
 
 def _prediction(reader: TestReader) -> Figure | None:
+    # Twin and compiler take 190 MB, which the other figures do without.
+    from rigapp.report.testreport.identified import identified
+    from rigapp.report.testreport.identifiedsections import depth_figure
+
     test = identified(reader, reader.path)
     return depth_figure(test, test.known) if test.known is not None else None
 

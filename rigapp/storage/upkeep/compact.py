@@ -102,7 +102,7 @@ def trimmed_copy(path: str | os.PathLike[str], to: Path) -> None:
                 reader.path,
                 damage,
             )
-        write_duplicate(reader.path, to, sizes_of(reader))
+        write_duplicate(reader.path, to, sizes_of(reader), processors=os.cpu_count() or 1)
 
 
 def settle_in_background(path: str | os.PathLike[str]) -> Child:

@@ -13,6 +13,7 @@ from rigapp.storage.structure.build import scale_label
 from rigapp.storage.structure.digest import SCALE_ATTRIBUTES
 from rigapp.storage.structure.hdf import is_bare, open_for_reading
 from rigapp.storage.structure.layout import COMPRESSED, FILE_NAME_ATTRIBUTE, FORM_ATTRIBUTE
+from rigapp.storage.upkeep.filters import GZIP_LEVEL, write_chunks
 
 CHUNK_BYTES = 1 << 18  # compresses well, and one cycle does not open many of them
 PIECE_BYTES = 1 << 24  # memory that a copy takes, whatever the file
@@ -30,12 +31,13 @@ def write_duplicate(
     target: Path,
     sizes: Mapping[str, int | Ranges],
     lost: Callable[[str], object] | None = None,
+    processors: int = 1,
 ) -> None:
     """Copy everything of ``source`` to a new file; datasets in ``sizes`` keep these rows.
 
     sizes: how many of the first rows, or ranges. lost: called with the path of what cannot be read
-    and is left out; None raises. The copy says of itself that it is called as ``source`` is: it
-    shall take its place.
+    and is left out; None raises. processors: how many may compress. The copy says of itself that it
+    is called as ``source`` is: it shall take its place.
     """
     with (
         open_for_reading(source) as old,
@@ -50,7 +52,7 @@ def write_duplicate(
                 _copy_attributes(item, new.require_group(path))
                 continue
             try:
-                _copy_dataset(item, new, path, _ranges(sizes.get(path)))
+                _copy_dataset(item, new, path, _ranges(sizes.get(path)), processors)
             except _DAMAGE:
                 if lost is None:
                     raise
@@ -103,7 +105,9 @@ def _ranges(kept: int | Ranges | None) -> Ranges | None:
     return [(0, kept)] if isinstance(kept, int) else kept
 
 
-def _copy_dataset(old: h5py.Dataset, file: h5py.File, path: str, kept: Ranges | None) -> None:
+def _copy_dataset(
+    old: h5py.Dataset, file: h5py.File, path: str, kept: Ranges | None, processors: int
+) -> None:
     rows = None if kept is None else sum(stop - first for first, stop in kept)
     if is_bare(old):
         new = file.create_dataset(path, (len(old) if rows is None else rows,), old.dtype)
@@ -112,6 +116,9 @@ def _copy_dataset(old: h5py.Dataset, file: h5py.File, path: str, kept: Ranges | 
     else:
         shape = (rows, *old.shape[1:])
         new = file.create_dataset(path, shape, old.dtype, **_compression(old, rows))
+        if rows and kept == [(0, rows)]:
+            write_chunks(new, (old[part] for part in _pieces(old, 0, rows)), processors)
+            kept = ()
         place = 0
         for first, stop in kept:
             for part in _pieces(old, first, stop):
@@ -129,7 +136,7 @@ def _compression(dataset: h5py.Dataset, rows: int) -> dict[str, Any]:
     return {
         "chunks": (chunk, *dataset.shape[1:]),
         "compression": "gzip",
-        "compression_opts": 4,
+        "compression_opts": GZIP_LEVEL,
         "shuffle": True,
         "fletcher32": True,
     }
