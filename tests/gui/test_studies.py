@@ -14,7 +14,7 @@ from study.test_folder import JOINTS, POWER_STUDY
 from rigapp.gui.panels.studies import StudiesPanel
 from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.tokens import DARK, LIGHT
-from rigapp.study.folder import IDENTITY
+from rigapp.study.folder import IDENTITY, points_done
 from rigapp.viewer.tasks import TaskWorker
 
 Opened = Callable[[Path], StudiesPanel]
@@ -135,5 +135,61 @@ def test_a_study_under_way_says_so(opened: Opened, tmp_path: Path) -> None:
 
 def test_the_window_has_the_page_among_its_results(window: MainWindow) -> None:
     window.tabs.show_page("studies")
-    assert [page.title for page in window.tabs.pages()] == ["Results", "Studies"]
+    assert [page.title for page in window.tabs.pages()] == ["Results", "Studies", "Trip"]
     assert isinstance(window.tabs.panels["studies"], StudiesPanel)
+
+
+STUDY = """
+schema = 1
+kind = "pressure"
+parameters = "parameters.toml"
+
+[run]
+force_N = 60.0
+
+[vary]
+"joint.bushing_radius_mm" = { low = 9.6, high = 9.9 }
+
+[design]
+kind = "latin-hypercube"
+points = POINTS
+seed = 1
+"""
+
+
+def study_file(folder: Path, points: int) -> Path:
+    (folder / "parameters.toml").write_text(
+        (Path(__file__).parents[2] / "examples" / "parameters.toml").read_text("utf-8"), "utf-8"
+    )
+    file = folder / "radius.toml"
+    file.write_text(STUDY.replace("POINTS", str(points)), "utf-8")
+    return file
+
+
+def test_a_study_is_computed_from_the_window(opened: Opened, tmp_path: Path, qtbot: Any) -> None:
+    panel = opened(tmp_path)
+    panel.run.begin(str(study_file(tmp_path, 4)))
+    assert panel.run.running
+    assert not panel.run.compute.isEnabled()
+    qtbot.waitUntil(lambda: not panel.run.running, timeout=PATIENCE_MS)
+    assert panel.run.told.whole.startswith("4 of 4 points are done"), panel.run.told.whole
+    opened.read(panel)  # type: ignore[attr-defined]
+    assert panel.list.texts()[0][:3] == ["radius", "pressure", "4"]
+    assert panel.run.compute.isEnabled()
+
+
+def test_an_interrupted_study_is_safe_and_a_wrong_file_is_told(
+    opened: Opened, tmp_path: Path, qtbot: Any
+) -> None:
+    panel = opened(tmp_path)
+    panel.run.begin(str(study_file(tmp_path, 5000)))
+    qtbot.waitUntil(lambda: points_done(tmp_path / "radius") > 0, timeout=PATIENCE_MS)
+    panel.run.interrupt.click()
+    assert not panel.run.running
+    assert 0 < points_done(tmp_path / "radius") < 5000
+    assert panel.run.told.whole
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text("schema = 1\n", "utf-8")
+    panel.run.begin(str(wrong))
+    qtbot.waitUntil(lambda: not panel.run.running, timeout=PATIENCE_MS)
+    assert "wrong.toml" in panel.run.told.whole

@@ -484,6 +484,14 @@
         <translation>Eine Grenze wählen.</translation>
     </message>
     <message>
+        <source>Choose a study</source>
+        <translation>Eine Studie auswählen</translation>
+    </message>
+    <message>
+        <source>Choose a study file; one that was interrupted goes on</source>
+        <translation>Eine Studiendatei auswählen; eine unterbrochene wird fortgesetzt</translation>
+    </message>
+    <message>
         <source>Choose a test</source>
         <translation>Versuchsdatei wählen</translation>
     </message>
@@ -540,6 +548,10 @@
         <translation>Schließen, Versuch geht weiter</translation>
     </message>
     <message>
+        <source>Comp&amp;ute a study…</source>
+        <translation>St&amp;udie rechnen…</translation>
+    </message>
+    <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
@@ -550,6 +562,10 @@
     <message>
         <source>Comparison of tests</source>
         <translation>Vergleich von Versuchen</translation>
+    </message>
+    <message>
+        <source>Compute a study</source>
+        <translation>Eine Studie rechnen</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -988,6 +1004,10 @@
         <translation>Wie weit innerhalb der Grenze {} ihr Alarm endet</translation>
     </message>
     <message>
+        <source>How far the study is</source>
+        <translation>Wie weit die Studie ist</translation>
+    </message>
+    <message>
         <source>How the page is</source>
         <translation>Wie es um die Seite steht</translation>
     </message>
@@ -998,6 +1018,10 @@
     <message>
         <source>Initial wear coefficient</source>
         <translation>Verschleißkoeffizient am Anfang</translation>
+    </message>
+    <message>
+        <source>Interrupt</source>
+        <translation>Unterbrechen</translation>
     </message>
     <message>
         <source>It is not sealed: that happens when the test ends</source>
@@ -1134,6 +1158,10 @@
     <message>
         <source>No stored revolution: {}</source>
         <translation>Keine gespeicherte Umdrehung: {}</translation>
+    </message>
+    <message>
+        <source>No study is in {}. Compute one from a study file, or open the folder of another.</source>
+        <translation>In {} ist keine Studie. Rechnen Sie eine aus einer Studiendatei, oder öffnen Sie den Ordner einer anderen.</translation>
     </message>
     <message>
         <source>No test is under way; limits are changed in the test file.</source>
@@ -4360,6 +4388,10 @@
         <translation>{}: Gerät</translation>
     </message>
     <message>
+        <source>{}: interrupted after {} points.</source>
+        <translation>{}: nach {} Punkten unterbrochen.</translation>
+    </message>
+    <message>
         <source>{}: no whole cycle is saved yet</source>
         <translation>{}: noch kein ganzer Zyklus gespeichert</translation>
     </message>
@@ -4370,6 +4402,10 @@
     <message>
         <source>{}: who answers</source>
         <translation>{}: wer antwortet</translation>
+    </message>
+    <message>
+        <source>{}: {} points are computed.</source>
+        <translation>{}: {} Punkte sind gerechnet.</translation>
     </message>
     <message>
         <source>{}; band 95 %</source>
@@ -6250,10 +6286,6 @@
         <translation>Keine Schritte</translation>
     </message>
     <message>
-        <source>No study is in {}. `rigapp study STUDY.toml --to FOLDER` computes one; open its folder here.</source>
-        <translation>In {} ist keine Studie. `rigapp study STUDIE.toml --to ORDNER` berechnet eine; hier ihren Ordner öffnen.</translation>
-    </message>
-    <message>
         <source>No such device</source>
         <translation>kein solches Gerät</translation>
     </message>
@@ -7678,6 +7710,10 @@
         <translation>Studien</translation>
     </message>
     <message>
+        <source>Studies (*.toml)</source>
+        <translation>Studien (*.toml)</translation>
+    </message>
+    <message>
         <source>Studies in the folder</source>
         <translation>Studien im Ordner</translation>
     </message>
@@ -8600,6 +8636,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>What happens to the rig file</source>
         <translation>Was mit der Prüfstandsdatei geschieht</translation>
+    </message>
+    <message>
+        <source>What is computed stays; the same file goes on with it</source>
+        <translation>Was gerechnet ist, bleibt; dieselbe Datei setzt es fort</translation>
     </message>
     <message>
         <source>What is known of the wear</source>

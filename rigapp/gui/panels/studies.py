@@ -3,19 +3,29 @@
 from __future__ import annotations
 
 import math
+import os
 import time
 from collections.abc import Sequence
 from itertools import groupby
 from pathlib import Path
 from typing import Final
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QProcess, Qt, QTimer, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.studyplot import StudyPlot
-from rigapp.gui.widgets.build import button, choose_paths, column, named, page, prose, split
+from rigapp.gui.widgets.build import (
+    button,
+    choose_paths,
+    column,
+    named,
+    page,
+    prose,
+    row,
+    split,
+)
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.reflow import FoldingSplitter, WrappingGrid, flowing
 from rigapp.gui.widgets.tables import PlainTable
@@ -23,13 +33,16 @@ from rigapp.presentation.numbers import axis_number, grouped
 from rigapp.presentation.times import MOMENT, dated
 from rigapp.presentation.tokens import GAP, STEP, Theme
 from rigapp.presentation.translation import Text, tr, translate
-from rigapp.study.folder import PowerRow, StudyResults, studies_in
+from rigapp.process.children import module_command
+from rigapp.study.folder import PowerRow, StudyResults, points_done, studies_in
 from rigapp.viewer.news import News, Takes
 from rigapp.viewer.tasks import TaskWorker
 
 NO_STUDIES: Final[Text] = (
-    "No study is in {}. `rigapp study STUDY.toml --to FOLDER` computes one; open its folder here."
+    "No study is in {}. Compute one from a study file, or open the folder of another."
 )
+LOOK_MS = 2000
+"""Between two looks at how far a study is."""
 ALL_DONE: Final[Text] = "{} points, each with a result."
 SOME_FAILED: Final[Text] = "{} of {} points have a result. Why the others have none stands below."
 SOME_WAIT: Final[Text] = "{} of {} points have a result; still to come: {}; without a result: {}."
@@ -51,6 +64,96 @@ MOST_FAILED = 200
 """Reasons that are listed; the column ``problem`` of the table has them all."""
 
 
+class StudyRun(QWidget):
+    """Compute a study in a process of its own, which a window that closes interrupts.
+
+    What is done is safe: the same file goes on with it. One core is left to the rig and the window.
+    """
+
+    ended = Signal(Path)
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__()
+        self._folder = folder
+        self.target = folder
+        named(self, "study_run", "Compute a study")
+        self.compute = button(
+            "study_compute",
+            "Comp&ute a study…",
+            self._choose,
+            tip="Choose a study file; one that was interrupted goes on",
+        )
+        self.interrupt = button(
+            "study_interrupt",
+            "Interrupt",
+            self.close_run,
+            tip="What is computed stays; the same file goes on with it",
+        )
+        self.told = ElidedLabel("study_run_told", "How far the study is")
+        self.told.setProperty("role", "caption")
+        row(self.compute, self.interrupt, (self.told, 1), on=self, margins=0, spacing=GAP)
+        self._process = QProcess(self)
+        self._process.finished.connect(self._finished)
+        self._look = QTimer(self, interval=LOOK_MS)
+        self._look.timeout.connect(self._show)
+        self._show()
+
+    @property
+    def running(self) -> bool:
+        """Tell whether a study is being computed."""
+        return self._process.state() is not QProcess.ProcessState.NotRunning
+
+    def begin(self, file: str) -> None:
+        """Compute the study of a file into a folder of its name; one that is there goes on."""
+        if self.running:
+            return
+        self.target = self._folder / Path(file).stem
+        workers = max(1, (os.cpu_count() or 2) - 1)
+        program, *arguments = module_command(
+            "rigapp", "study", file, "--to", self.target, "--workers", workers
+        )
+        self._process.start(program, arguments)
+        self._look.start()
+        self._show()
+
+    def close_run(self) -> None:
+        """Interrupt the study; what is done is safe."""
+        if self.running:
+            self._process.terminate()
+            if not self._process.waitForFinished(LOOK_MS):
+                self._process.kill()
+                self._process.waitForFinished(LOOK_MS)
+
+    def _choose(self) -> None:
+        choose_paths(
+            self,
+            "Choose a study",
+            lambda files: self.begin(files[0]),
+            QFileDialog.FileMode.ExistingFile,
+            "Studies (*.toml)",
+        )
+
+    def _show(self) -> None:
+        self.compute.setEnabled(not self.running)
+        self.interrupt.setEnabled(self.running)
+        if self.running:
+            done = grouped(points_done(self.target))
+            self.told.show_text(tr("{}: {} points are computed.", self.target.name, done))
+
+    def _finished(self, status: int, how: QProcess.ExitStatus) -> None:
+        self._look.stop()
+        self._show()
+        wrong = bytes(self._process.readAllStandardError().data()).decode(errors="replace").strip()
+        said = bytes(self._process.readAllStandardOutput().data()).decode(errors="replace").strip()
+        lines = (said or wrong).splitlines()
+        text = lines[0].removeprefix("rigapp: ") if lines else ""
+        if how is QProcess.ExitStatus.CrashExit:
+            done = grouped(points_done(self.target))
+            text = tr("{}: interrupted after {} points.", self.target.name, done)
+        self.told.show_text(text)
+        self.ended.emit(self.target)
+
+
 class StudiesPanel(QWidget):
     """List the studies at the left; the chosen one at the right: points, dependence, power."""
 
@@ -69,6 +172,8 @@ class StudiesPanel(QWidget):
         self.told.setProperty("role", "caption")
         self.another = button("studies_open", "Open another stud&y…", self._choose_folder)
         self.again = button("studies_again", "&Look again", self.look, tip="Read the folders again")
+        self.run = StudyRun(folder)
+        self.run.ended.connect(lambda target: self.open_folder(str(target)))
         self.list = PlainTable(
             "study_list", "List of studies", ("Study", "Computes", "Points", "Changed"), cut=(0,)
         )
@@ -100,7 +205,8 @@ class StudiesPanel(QWidget):
             (self.list, 360, TABLE_HEIGHT), (right, 960, STUDY_HEIGHT)
         )
         self.told.setMinimumWidth(TOLD_WIDTH)
-        column(flowing((self.told, 1), self.another, self.again), (both, 1), on=self, spacing=GAP)
+        head = flowing((self.told, 1), self.another, self.again)
+        column(head, self.run, (both, 1), on=self, spacing=GAP)
         self._show(None)
 
     def showEvent(self, event: QShowEvent) -> None:

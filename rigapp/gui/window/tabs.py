@@ -25,7 +25,7 @@ from rigapp.gui.panels.queue import queue_page
 from rigapp.gui.panels.resultpage import has_result, result_page
 from rigapp.gui.panels.results import results_page
 from rigapp.gui.panels.start import may_begin, start_page
-from rigapp.gui.panels.studies import studies_page
+from rigapp.gui.panels.studies import StudiesPanel, studies_page
 from rigapp.gui.panels.trends import overview_page, trend_page
 from rigapp.gui.panels.trip import trip_page
 from rigapp.gui.panels.wear import wear_page
@@ -162,6 +162,13 @@ class Tabs(QTabWidget):
         """Return the panel that prepares a test."""
         panel = self.panels["prepare"]
         assert isinstance(panel, PreparePanel)
+        return panel
+
+    @property
+    def studies(self) -> StudiesPanel:
+        """Return the page of the studies."""
+        panel = self.panels["studies"]
+        assert isinstance(panel, StudiesPanel)
         return panel
 
     @property

@@ -485,6 +485,7 @@ class MainWindow(QMainWindow):
         self.watchdog.stop()
         self._save_layout()
         self.tabs.settings.live.close_page()
+        self.tabs.studies.run.close_run()
         if self._calibration is not None:
             self._calibration.reject()  # it frees the rig over the line that is closed next
         self._connection.close()
