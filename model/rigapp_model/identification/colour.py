@@ -28,7 +28,7 @@ SIZES = 2.0 ** np.arange(-1.0, 5.0)
 """Sizes of the correlated noise, in units of the spread of groups of readings."""
 WHITE_SHARE = 0.5
 """Probability beforehand that there is no correlated noise at all."""
-COUNTS = 7.0
+COUNTS = 5.0
 """Colours less probable than the best by exp of this, by the spread within bins, are left out."""
 WILD_SHARE, WILD_RANGE = 0.01, 10.0
 """One bin in a hundred has a spread of its own, which may be anything within exp of the second."""

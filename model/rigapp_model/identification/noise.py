@@ -105,7 +105,7 @@ STRENGTH_DECAY = 4.0
 """Each next strength is less probable beforehand by exp of this: the record is believed."""
 CREEP_SHARE = 0.2
 """Probability beforehand that bushing or probes creep beside the drift that the record states."""
-LEAST_KIND = 9.0
+LEAST_KIND = 8.5
 """Kinds less probable than the best by exp of this, by the spread within bins, are left out."""
 LEAST_DRIFT = 1e-9
 """A record without drift counts as one of so little, m: the table of strengths needs a unit."""
