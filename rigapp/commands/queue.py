@@ -22,7 +22,7 @@ LOOK_EVERY_S = 0.2
 
 def add(tests: Sequence[Path], rig: Path, folder: Path) -> int:
     """Put tests at the end of a rig's queue and print it; raise UnusableInput. Exit status."""
-    from rigapp.service.queued import add_tests
+    from rigapp.service.rigqueue import add_tests
 
     return _shown(add_tests(_store(rig), read_rig(rig).record, tests, folder))
 

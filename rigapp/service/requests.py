@@ -31,8 +31,8 @@ from rigapp.schema.verbs import (
 )
 from rigapp.schema.wire import tree_of
 from rigapp.service.bounds import asked_of, refusal
-from rigapp.service.queued import add_tests
 from rigapp.service.recorded import end_whole_test, recorded_test, with_revolutions
+from rigapp.service.rigqueue import add_tests
 from rigapp.simulation.handle import SimulationFailed
 from rigapp.texts import joined, say, sentence_of_error
 from rigapp_drivers.api import DeviceError

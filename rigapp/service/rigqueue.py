@@ -1,12 +1,17 @@
-"""The queue of an engine's rig at work: it hears how tests end, and begins the next one."""
+"""The queue of a rig: what may be put into it, and at work: a test ends, the next one begins."""
 
 from __future__ import annotations
 
 import logging
+from collections.abc import Sequence
 from pathlib import Path
 
+from rigapp.checks.fit import check_fit
 from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_test
+from rigapp.config.rig import RigFile
 from rigapp.process.threads import Worker
+from rigapp.queue.items import Queue, added
 from rigapp.queue.store import QueueStore
 from rigapp.queue.worker import Hands, QueueWorker
 from rigapp.schema.notices import Finished, Notices
@@ -22,6 +27,17 @@ SILENCE_S = 150.0
 """Beginning a test may take as long as its request."""
 END_S = 20.0
 """The end of an engine waits no longer for a test that is just being begun."""
+
+
+def add_tests(store: QueueStore, rig: RigFile, tests: Sequence[Path], folder: Path) -> Queue:
+    """Put tests at the end of a queue, and return it; raise UnusableInput, none is added then.
+
+    They can be read, and the rig can do them.
+    """
+    for path in tests:
+        check_fit(rig, read_test(path))
+    paths = [str(path.resolve()) for path in tests]
+    return store.change(lambda queue: added(queue, paths, str(folder.resolve())))
 
 
 class RigQueue:

@@ -18,10 +18,10 @@ from PySide6.QtGui import QKeySequence
 
 from rigapp.gui.panel import Act
 from rigapp.gui.panels.connecting import connection_steps
-from rigapp.gui.panels.documents import KINDS, DocumentPanel
-from rigapp.gui.panels.resultcard import SHAPES, ResultCard, colour_of
 from rigapp.gui.panels.results import ResultsPanel
-from rigapp.gui.panels.resulttable import TITLES
+from rigapp.gui.results.documents import KINDS, DocumentPanel
+from rigapp.gui.results.resultcard import SHAPES, ResultCard, colour_of
+from rigapp.gui.results.resulttable import TITLES
 from rigapp.gui.results.shelf import ResultReader, ResultShelf
 from rigapp.gui.window.tabs import NUMBERS
 from rigapp.gui.window.window import MainWindow

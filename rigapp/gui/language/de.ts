@@ -5758,8 +5758,8 @@
         <translation>Diesen Winkel behalten und die Wasserwaage umdrehen</translation>
     </message>
     <message>
-        <source>Keeps every byte on the line and packs it with log, rig file and versions into one file for whoever helps you. Names, folders, addresses and keys are taken out.</source>
-        <translation>Hält jedes Byte auf der Leitung fest und packt es mit Protokoll, Prüfstandsdatei und Versionen in eine Datei für den, der hilft. Namen, Ordner, Adressen und Schlüssel werden entfernt.</translation>
+        <source>Keeps all that is said on the line and packs it with log, rig file and versions into one file for whoever helps you. Names, folders, addresses and keys are taken out.</source>
+        <translation>Hält alles fest, was auf der Leitung gesagt wird, und packt es mit Protokoll, Prüfstandsdatei und Versionen in eine Datei für den, der hilft. Namen, Ordner, Adressen und Schlüssel werden entfernt.</translation>
     </message>
     <message>
         <source>Keys</source>

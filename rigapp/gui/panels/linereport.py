@@ -23,8 +23,8 @@ TIMES: Final[dict[Text, float]] = {
     "until it is ended": 0.0,
 }
 ABOUT: Final[Text] = (
-    "Keeps every byte on the line and packs it with log, rig file and versions into one file for"
-    " whoever helps you. Names, folders, addresses and keys are taken out."
+    "Keeps all that is said on the line and packs it with log, rig file and versions into one file"
+    " for whoever helps you. Names, folders, addresses and keys are taken out."
 )
 
 

@@ -13,7 +13,7 @@ from typing import Final
 from PySide6.QtWidgets import QComboBox, QFileDialog, QFrame, QWidget
 
 from rigapp.gui.panel import Host
-from rigapp.gui.panels.documents import launch_process
+from rigapp.gui.results.documents import launch_process
 from rigapp.gui.widgets.build import (
     button,
     choice,

@@ -11,11 +11,11 @@ from PySide6.QtWidgets import QFrame, QSizePolicy, QStackedWidget, QWidget
 
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.panel import Act, Host
-from rigapp.gui.panels.documents import HTML, DocumentPanel
-from rigapp.gui.panels.resultcard import ResultCard
 from rigapp.gui.panels.results import TRIPPED, ResultsPanel, ShelfPump, show_trip
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.trend import TrendPanel
+from rigapp.gui.results.documents import HTML, DocumentPanel
+from rigapp.gui.results.resultcard import ResultCard
 from rigapp.gui.widgets.build import button, column, named, styled_label
 from rigapp.gui.widgets.labels import heading
 from rigapp.gui.widgets.reflow import flowing

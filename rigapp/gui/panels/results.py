@@ -13,10 +13,10 @@ from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 from rigapp.gui.panel import Act, Host
 from rigapp.gui.panels.compare import MOST, ComparePanel
-from rigapp.gui.panels.documents import DocumentPanel, Launch, launch_process
-from rigapp.gui.panels.resultcard import ResultCard
-from rigapp.gui.panels.resulttable import ResultTable
 from rigapp.gui.panels.trip import TripPage
+from rigapp.gui.results.documents import DocumentPanel, Launch, launch_process
+from rigapp.gui.results.resultcard import ResultCard
+from rigapp.gui.results.resulttable import ResultTable
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import (
     button,

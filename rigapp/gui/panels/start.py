@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.panel import Act, Host
 from rigapp.gui.panels.results import ShelfPump
-from rigapp.gui.panels.resulttable import ROW_HEIGHT, ResultTable
+from rigapp.gui.results.resulttable import ROW_HEIGHT, ResultTable
 from rigapp.gui.widgets.build import button, column, named, prose, row
 from rigapp.gui.widgets.labels import heading
 from rigapp.gui.widgets.reflow import WrappingGrid

@@ -46,9 +46,9 @@ from rigapp.gui.plots.readings import (
     LARGE_STEP,
     SMALL_STEP,
     CursorPair,
-    Drawn,
     ItemPoints,
     NamedCurve,
+    PlottedCurve,
     named_curves,
     readout,
 )
@@ -244,7 +244,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         """Return what stands along the axes; for the vertical one what the plot is, without it."""
         return self._axes["bottom"].text, self._axes["left"].text or self.accessibleName()
 
-    def drawn(self) -> Iterator[tuple[Drawn, LinePen | None]]:
+    def drawn(self) -> Iterator[tuple[PlottedCurve, LinePen | None]]:
         """Yield curves and points with their pens; None for a pen of pyqtgraph's own items."""
         yield from ((one, self._pens[one]) for one in self._canvas.traces)
         for item in self.getPlotItem().listDataItems():

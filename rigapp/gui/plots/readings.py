@@ -23,7 +23,7 @@ FIRST_AT, SECOND_AT = 1.0 / 3.0, 2.0 / 3.0
 """Where the cursors begin, of what is seen."""
 
 
-class Drawn(Protocol):
+class PlottedCurve(Protocol):
     """Points of a curve, (n,) each."""
 
     @property
@@ -45,11 +45,11 @@ class ItemPoints:
     y: Floats
 
 
-NamedCurve = tuple[str, Drawn]
+NamedCurve = tuple[str, PlottedCurve]
 
 
 def named_curves(
-    drawn: Iterable[tuple[Drawn, LinePen | None]], names: Sequence[CurveName]
+    drawn: Iterable[tuple[PlottedCurve, LinePen | None]], names: Sequence[CurveName]
 ) -> Iterator[NamedCurve]:
     """Yield the curves that are drawn, each with its name, or the number that it has.
 
@@ -65,7 +65,7 @@ def named_curves(
         yield nearest.text if nearest is not None else tr("curve {}", number), trace
 
 
-def value_at(curve: Drawn, at: float) -> float:
+def value_at(curve: PlottedCurve, at: float) -> float:
     """Return the value of a curve at the point nearest to a place; NaN beyond its ends."""
     known = np.flatnonzero(np.isfinite(curve.x) & np.isfinite(curve.y))
     if not known.size or not curve.x[known].min() <= at <= curve.x[known].max():

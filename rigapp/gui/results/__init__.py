@@ -1,1 +1,1 @@
-"""Recorded tests, without Qt: a folder read by another process, what a test came to in words."""
+"""Recorded tests: a folder read by another process, what a test came to, and its documents."""

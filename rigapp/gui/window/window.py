@@ -29,8 +29,8 @@ from rigapp.gui.look.dress import apply_theme, dress_part
 from rigapp.gui.look.preferences import OFF, Preference, Preferences
 from rigapp.gui.panel import Act
 from rigapp.gui.panels.alarms import AlarmPanel
-from rigapp.gui.panels.documents import launch_process
 from rigapp.gui.plots.plotmenu import offer_menus
+from rigapp.gui.results.documents import launch_process
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import GuardedButton, button, column, follow_in_tab_order, named, row
 from rigapp.gui.widgets.turns import Turns
