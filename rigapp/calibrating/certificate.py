@@ -11,7 +11,7 @@ import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from rigapp.calibrating.certificates.parts import Content, Parts, rows_of, taken_words, write_page
+from rigapp.calibrating.certificates.parts import UNSTATED, Content, Parts, taken_words, write_page
 from rigapp.calibrating.subjects import subject_of
 from rigapp.config.errors import UnusableInput
 from rigapp.report.page.manuscript import Block, Manuscript, Row, Section, Table, Text
@@ -20,12 +20,12 @@ from rigapp_calibration.records import Record, RecordError, in_future, unseal
 NEEDED = {"laboratory": "the laboratory", "serial_number": "the serial number"}
 """Keys of [paperwork] without which there is only a draft (ISO/IEC 17025, 7.8.2.1 b and g)."""
 
-SURROUNDINGS = {
-    "Temperature": "{place[temperature_degC]:g} °C",
-    "Humidity": "{place[humidity_percent]:g} %",
-    "Pressure": "{place[pressure_hPa]:g} hPa",
-}
-"""Of the settings: what was around at the calibration."""
+SURROUNDINGS = (
+    ("Temperature", "temperature", "degC", "°C"),
+    ("Humidity", "humidity", "percent", "%"),
+    ("Pressure", "pressure", "hPa", "hPa"),
+)
+"""What was around at the calibration: words, and the parts of the keys of the settings."""
 EXPANDED = (
     "U is the expanded uncertainty: the standard uncertainty u times the coverage factor k, so that"
     " the value lies within U with a probability of about 95 % (JCGM 100 and 101). Type A:"
@@ -122,7 +122,8 @@ def _joined(*texts: str) -> str:
 
 def _identity(record: Record, issued: datetime.date | None) -> Table:
     content = record.content
-    paper = {"address": "", "customer": "", **content["settings"]["paperwork"]}
+    missing = {"address": "", "customer": "", "condition_as_received": ""}  # in old records
+    paper = {**missing, **content["settings"]["paperwork"]}
     taken = content.get("taken") or {}
     day = issued.isoformat() if issued else content.get("recorded_at", content["calibrated_at"])
     rows = [
@@ -132,6 +133,7 @@ def _identity(record: Record, issued: datetime.date | None) -> Table:
         ("Customer", _joined(paper["customer"])),
         ("Item", f"{_item(content)} ({record.kind})"),
         ("Serial number", _joined(paper["serial_number"])),
+        ("Condition as received", _joined(paper["condition_as_received"])),
         ("Amplifier, cable", _joined(paper["amplifier"], paper["cable"])),
         ("Excitation, range, filter", _joined(paper["excitation"])),
         ("Date of calibration", content["calibrated_at"][:10]),
@@ -204,9 +206,19 @@ def _method(content: Content, parts: Parts) -> Iterator[Block]:
     yield from map(Text, parts.statements)
     if parts.calibrated:
         yield Text(f"Calibrated range: {parts.calibrated}", strong=True)
-    surroundings = rows_of(SURROUNDINGS, content["settings"])
-    yield Table("Conditions", (*surroundings, *parts.conditions))
+    yield Table("Conditions", (*_surroundings(content["settings"]), *parts.conditions))
     yield _standards(content["settings"])
+
+
+def _surroundings(settings: Content) -> Iterator[Row]:
+    """Yield the air at the beginning and, where it is stated, at the end."""
+    place = settings.get("place", {})
+    for words, name, unit, shown in SURROUNDINGS:
+        begin, end = (place.get(f"{name}{when}_{unit}") for when in ("", "_at_end"))
+        told = UNSTATED if begin is None else f"{begin:g} {shown}"
+        if end is not None:
+            told = f"{told} at the beginning, {end:g} {shown} at the end"
+        yield (words, told)
 
 
 def _standards(settings: Content) -> Table:

@@ -80,11 +80,14 @@ class WeightsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class SurroundingsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """[place] of a calibration without weights: the air, for the certificate."""
+    """[place] of a calibration without weights: the air, for the certificate; at_end: after it."""
 
     temperature_degC: Annotated[float | None, within(-40.0, 60.0)] = None
     humidity_percent: Annotated[float | None, within(0.0, 100.0)] = None
     pressure_hPa: Annotated[float | None, within(400.0, 1100.0)] = None
+    temperature_at_end_degC: Annotated[float | None, within(-40.0, 60.0)] = None
+    humidity_at_end_percent: Annotated[float | None, within(0.0, 100.0)] = None
+    pressure_at_end_hPa: Annotated[float | None, within(400.0, 1100.0)] = None
 
 
 class PlaceSection(SurroundingsSection, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -147,7 +150,8 @@ class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[paperwork]: what the certificate names beside the numbers.
 
     All optional; without laboratory and serial number the certificate is a draft. calibrated_on: of
-    readings that come as a table; those taken live have their own date.
+    readings that come as a table; those taken live have their own date. condition_as_received: of
+    the item, in words (ISO/IEC 17025, 7.8.2.1 g).
     """
 
     laboratory: str = ""
@@ -158,6 +162,7 @@ class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     operator: str = ""
     reviewer: str = ""
     serial_number: str = ""
+    condition_as_received: str = ""
     amplifier: str = ""
     cable: str = ""
     excitation: str = ""

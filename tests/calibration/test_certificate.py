@@ -42,11 +42,17 @@ PIECE = WeightPiece("A1", 5.0, "M-2026-0417", datetime.date(2027, 4, 30), 0.4)
 WHOLE = msgspec.structs.replace(
     GIVEN,
     weights=WeightsSection(piece=(PIECE,)),
-    place=PlaceSection(gravity_m_s2=9.8123, temperature_degC=21.4),
+    place=PlaceSection(
+        gravity_m_s2=9.8123,
+        temperature_degC=21.4,
+        temperature_at_end_degC=22.0,
+        humidity_percent=45.0,
+    ),
     standard=(Standard("spirit level", "L-77", datetime.date(2026, 1, 31), "0.02 deg"),),
     paperwork=PaperworkSection(
         laboratory="Laboratory of Tribology",
         serial_number="PLC 0007",
+        condition_as_received="clean, cable renewed",
         calibrated_on=datetime.date(2026, 3, 2),
     ),
 )
@@ -71,7 +77,9 @@ def test_a_whole_certificate_says_what_an_assessor_asks_for(tmp_path: Path) -> N
     record = made(tmp_path, WHOLE, heaviest=25.0)
     words = words_of(record)
     for needed in (
-        "Laboratory of Tribology", "PLC 0007", "2026-03-02", "21.4 °C",
+        "Laboratory of Tribology", "PLC 0007", "2026-03-02",
+        "21.4 °C at the beginning, 22 °C at the end", "45 %", "clean, cable renewed",
+        "v, reversibility (hysteresis)",
         "A1, 5 kg", "M-2026-0417", "2027-04-30", "U = 0.4 g (k = 2)", "L-77",
         "Calibrated range: 0.0 N to 245.3 N, 6 loads at 4 pin angles",
         "Results by load", "Uncertainty of the zero", "degrees of freedom", "rectangular",

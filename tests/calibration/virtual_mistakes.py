@@ -583,7 +583,7 @@ def can_be_told(mistake: str, name: str) -> bool:
     tolerance of the rated output, and U.
     """
     kind = KINDS[name]
-    if kind.angles * (1 + kind.twice) < MISTAKES[mistake].least_angles:
+    if kind.angles < MISTAKES[mistake].least_angles:
         return False
     if "gain of bridge" in mistake and name.startswith("8 angles, coarse"):
         return False  # it looks like a cell that feels push and pull a little differently

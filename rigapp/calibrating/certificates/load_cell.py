@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from decimal import Decimal
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -53,7 +55,7 @@ TRAITS = {
     "b', repeatability": "{repeatability_b_prime:.3f}",
     "fc, interpolation": "{interpolation_fc:.3f}",
     "f0, zero return": "{zero_return_f0:.3f}",
-    "v, reversibility": "{reversibility_v:.3f}",
+    "v, reversibility (hysteresis)": "{reversibility_v:.3f}",
     "c, creep": "{creep_c:.3f}",
 }
 HUNG = {
@@ -67,7 +69,7 @@ STATED_GRAVITY = "{place[gravity_m_s2]:.6g} m/s² (stated)"
 FROM_LATITUDE = "from latitude {place[latitude_deg]:g}°, height {place[height_m]:g} m"
 CONDITIONS = {
     "Air density": "{place[air_density_kg_per_m3]:g} kg/m³",
-    "Resolution": "{cell[resolution_N]:g} N, of the cell with its amplifier",
+    "Resolution": "{resolution} N, of the cell with its amplifier",
     "Weights": "{weights[mass_kind]} mass, density {weights[density_kg_per_m3]:g} kg/m³,"
     " relative u = {used:.2g}",
     "Hanger": "{weights[hanger_mass_kg]:g} kg",
@@ -76,7 +78,13 @@ CONDITIONS = {
 IN_USE = {
     "Changes that U in use holds": "up to {temperature_difference_K:g} K from the calibration,"
     " gain {gain_percent_per_K:g} %/K, zero {zero_percent_of_full_scale_per_K:g} % of full"
-    " scale/K; creep {crept}; gain {gain_change_percent_per_year:g} % a year"
+    " scale/K; creep {crept}; gain {gain_change_percent_per_year:g} % a year{more}"
+}
+SELDOM = {
+    "load_introduction_percent": "; load introduction {load_introduction_percent:g} %",
+    "angle_deg": "; pin angle {angle_deg:g}°",
+    "dead_zone_percent": "; held back {dead_zone_percent:g} % of full scale",
+    "largest_force_N": "; forces up to {largest_force_N:g} N",
 }
 """What U contains of a time after the calibration, each at most so much."""
 OF_CALIBRATION = (
@@ -101,7 +109,7 @@ def load_cell_parts(content: Content) -> Parts:
     budgets = [
         budget_table(f"{title}Budget of one reading of {what} at {at:g} N{mark}", one, "N", "N")
         for title, of, at, mark in (
-            ("Calibration: ", own, _largest(own), ""),
+            ("Calibration: ", own and _used(own), _largest(own), ""),
             ("In use: " if own else "", result, full, extrapolated),
         )
         if of
@@ -220,6 +228,7 @@ def _conditions(settings: Content, creep: Content | None) -> list[Row]:
     told = {
         **settings,
         "used": msgspec.convert(settings["weights"], WeightsSection).relative_uncertainty,
+        "resolution": f"{Decimal(str(settings['cell']['resolution_N'])).normalize():f}",
         "offset": "none was stated; offset taken as 0 degrees",
         "level": "",
     }
@@ -233,8 +242,14 @@ def _conditions(settings: Content, creep: Content | None) -> list[Row]:
     return [
         ("Local gravity", gravity),
         *rows_of(CONDITIONS, told),
-        *([] if use is None else rows_of(IN_USE, {**use, "crept": _crept(use, creep)})),
+        *([] if use is None else rows_of(IN_USE, _in_use(use, creep))),
     ]
+
+
+def _in_use(use: Content, creep: Content | None) -> dict[str, Any]:
+    """Return what changes in use, as IN_USE shows it; what is seldom stated only where it is."""
+    more = "".join(say(words, use) for key, words in SELDOM.items() if use.get(key))
+    return {**use, "crept": _crept(use, creep), "more": more}
 
 
 def _crept(use: Content, creep: Content | None) -> str:
@@ -280,6 +295,16 @@ def _line_words(result: Content) -> str:
     line = result["uncertainty_line_N"]
     constant, share = (by_uncertainty(line[key], line[key]) for key in ("constant_N", "per_N"))
     return f"{constant} N + {share} F"
+
+
+def _used(own: Content) -> Content:
+    """Return U of the calibration without the lines of its budgets that are of use only."""
+
+    def shown(budget: Sequence[Content]) -> list[Content]:
+        return [one for one in budget if one["standard_uncertainty_N"] > 0.0]
+
+    magnitude = {**own["magnitude"], "budget": shown(own["magnitude"]["budget"])}
+    return {**own, "budget": shown(own["budget"]), "magnitude": magnitude}
 
 
 def _largest(own: Content | None) -> float:
