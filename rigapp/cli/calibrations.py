@@ -219,12 +219,13 @@ def calibrate_history(
 @calibrate_verbs.command("trend")
 def calibrate_trend(
     folder: Annotated[Path, typer.Argument(help="Folder of calibration records.")] = Path(),
+    to: Annotated[Path | None, file_option("--to", "Draw the trend: .pdf or .html.")] = None,
     json: JsonOption = False,
 ) -> int:
     """Show records, oldest first, each against the one before; status 1 for a change beyond U."""
     from rigapp.commands.calibrate import show_trend
 
-    return show_trend(folder, as_json=json)
+    return show_trend(folder, to, as_json=json)
 
 
 @calibrate_verbs.command("certificate")

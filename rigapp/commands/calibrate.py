@@ -94,8 +94,8 @@ def read_record(path: Path) -> Record:
         raise UnusableInput(f"{path}: {error}.") from error
 
 
-def show_trend(folder: Path, *, as_json: bool) -> int:
-    """Print the records of a folder, oldest first, each against the one before."""
+def show_trend(folder: Path, to: Path | None, *, as_json: bool) -> int:
+    """Print the records of a folder, oldest first, each against the one before; draw them."""
     if not folder.is_dir():
         raise UnusableInput(f"{folder}: there is no such folder; check the name.")
     series: dict[tuple[str, str], list[Record]] = {}
@@ -108,6 +108,10 @@ def show_trend(folder: Path, *, as_json: bool) -> int:
     found = [(kind, item, trend(records)) for (kind, item), records in series.items()]
     if not found:
         raise UnusableInput(f"{folder}: no calibration record lies in it.")
+    if to is not None:
+        from rigapp.calibrating.certificates.trend import write_trend
+
+        write_trend(found, to)
     if as_json:
         told = [
             {

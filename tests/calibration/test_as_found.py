@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 from commandline import rigapp
 
-from rigapp_calibration.load_cell.as_found import changes
+from rigapp_calibration.load_cell.as_found import changes, outputs
+from rigapp_calibration.records import EVALUATION
+from tests.calibration.pinned import FOLDER
 from tests.calibration.simulated_cell import Cell, take
 from tests.calibration.test_commands import as_csv
 from tests.calibration.test_worksheet import SETTINGS
@@ -64,9 +66,14 @@ def test_records_of_a_folder_are_a_trend(tmp_path: Path) -> None:
     shown = rigapp("calibrate", "trend", tmp_path, "--json")
     (told,) = json.loads(shown.stdout)
     assert [bool(one["changes"]) for one in told["records"]] == [False, True]
-    done = rigapp("calibrate", "trend", tmp_path)
+    drawn = tmp_path / "trend.html"
+    done = rigapp("calibrate", "trend", tmp_path, "--to", drawn)
     assert done.returncode == 1
     assert "force at full scale" in done.stdout
+    page = drawn.read_text("utf-8")
+    assert page.count("data:image/svg+xml") == 2  # a vector chart of each bridge
+    assert "Output of bridge 1 at full scale" in page
+    assert "MORE than allowed" in page
     assert rigapp("calibrate", "trend", tmp_path / "none").returncode == 2
 
 
@@ -75,6 +82,19 @@ def test_cells_of_other_full_scales_and_probes_without_u_are_not_compared() -> N
     assert changes("load cell", cell, {**cell, "full_scale_N": 5.0}) == ()
     probe = {"sensitivity_um_per_V": 100.0}
     assert changes("probe", probe, probe) == ()
+
+
+def test_a_trend_shows_the_u_of_the_calibration_itself() -> None:
+    result = json.loads((FOLDER / str(EVALUATION) / "load_cell.json").read_text())["result"]
+    one, two = outputs("load cell", result)
+    matrix = np.linalg.inv(np.array(result["matrix_N_per_unit"]))
+    assert [one.value, two.value] == pytest.approx(np.abs(np.diag(matrix)) * 400.0, rel=1e-9)
+    last = result["of_calibration"]["uncertainty_by_load"][-1]
+    share = last["magnitude_mean_of_many_N"] / last["load_N"]
+    assert one.expanded == pytest.approx(share * one.value)
+    pair = json.loads((FOLDER / str(EVALUATION) / "probes.json").read_text())["result"]
+    assert [output.unit for output in outputs("probe pair", pair)] == ["um/V", "um/V"]
+    assert outputs("channel", {}) == ()
 
 
 def test_a_probe_is_compared_by_its_sensitivity() -> None:

@@ -64,6 +64,53 @@ class Change:
         }
 
 
+@dataclass(frozen=True, slots=True)
+class Output:
+    """A sensitivity that a record states, with its expanded uncertainty, in its unit."""
+
+    what: str
+    unit: str
+    value: float
+    expanded: float
+
+
+def outputs(kind: str, result: Result) -> tuple[Output, ...]:
+    """Return the sensitivities of a result, as a trend shows them; () of what states none."""
+    if kind == "load cell" and result.get("sensitivity_unit_per_N"):
+        full = float(result["full_scale_N"])
+        share = _own_expanded(result) / full
+        return tuple(
+            Output(
+                say("output of bridge {} at full scale", axis + 1),
+                "mV/V",
+                abs(float(result["sensitivity_unit_per_N"][axis][axis])) * full,
+                abs(float(result["sensitivity_unit_per_N"][axis][axis])) * full * share,
+            )
+            for axis in range(2)
+        )
+    each = result.get("probes", [result])
+    key = "sensitivity_relative_standard_uncertainty"
+    return tuple(
+        Output(
+            say("sensitivity of probe {}", number) if len(each) > 1 else say("sensitivity"),
+            "um/V",
+            float(one["sensitivity_um_per_V"]),
+            2.0 * float(one[key]) * abs(float(one["sensitivity_um_per_V"])),
+        )
+        for number, one in enumerate(each, 1)
+        if one.get("sensitivity_um_per_V") is not None and one.get(key) is not None
+    )
+
+
+def _own_expanded(result: Result) -> float:
+    """Return U of the calibration itself along a force at full scale, N, of a mean of many."""
+    own = result.get("of_calibration")
+    if own is None:
+        return _expanded(result, "magnitude")
+    last = own["uncertainty_by_load"][-1]
+    return float(last["magnitude_mean_of_many_N"] / last["load_N"] * result["full_scale_N"])
+
+
 def changes(kind: str, former: Result, new: Result) -> tuple[Change, ...]:
     """Return what the former of two results of a kind tells too much; () of what has no rule.
 

@@ -13353,6 +13353,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Ordnungen: 1 bis {} wählen</translation>
     </message>
     <message>
+        <source>output of bridge {} at full scale</source>
+        <translation>Ausgang der Brücke {} bei Nennkraft</translation>
+    </message>
+    <message>
         <source>paperwork.calibrated_on = {} is in the future; correct the date</source>
         <translation>paperwork.calibrated_on = {} liegt in der Zukunft; das Datum berichtigen</translation>
     </message>
