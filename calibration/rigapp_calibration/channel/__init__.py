@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
+import GTC
 import numpy as np
 
 from rigapp.texts import say
@@ -26,7 +27,13 @@ from rigapp_calibration.taking.readings import (
     series_and_steps,
     unused_columns,
 )
-from rigapp_calibration.taking.uncertainty import Budget, Contribution, at_most, combine
+from rigapp_calibration.taking.uncertainty import (
+    Budget,
+    Contribution,
+    at_most,
+    combine,
+    straight_line,
+)
 
 CHANNEL_COLUMNS = ("series", "step", "reference", "signal_V")
 FEWEST_POINTS = 3
@@ -107,11 +114,11 @@ def calibrate_channel(readings: ChannelReadings, settings: ChannelSettings) -> C
         scale = offset = None
         lines = _of_table(readings, points, place)
     else:
-        slope, intercept = np.polyfit(readings.reference, readings.signal, 1)
-        scale, offset = float(1.0 / slope), float(intercept)
+        line = straight_line(readings.reference, readings.signal)
+        scale, offset = float(1.0 / GTC.value(line[1])), float(GTC.value(line[0]))
         ends = np.array([readings.signal.min(), readings.signal.max()])
         points = np.stack([ends, scale * (ends - offset)])
-        lines = _of_line(readings, points)
+        lines = _of_line(readings, points, line)
     steepest = float(np.abs(np.diff(points[1]) / np.diff(points[0])).max())
     lines += (
         Contribution("reference", settings.reference_uncertainty),
@@ -205,12 +212,15 @@ def _no_table(points: Array, readings: int) -> Iterator[Problem]:
         )
 
 
-def _of_line(readings: ChannelReadings, points: Array) -> tuple[Contribution, ...]:
+def _of_line(
+    readings: ChannelReadings, points: Array, line: tuple[Any, Any]
+) -> tuple[Contribution, ...]:
     residual = value_at(points, readings.signal) - readings.reference
     free = len(residual) - 2
     std = math.sqrt(float(residual @ residual) / free)
-    away = np.abs(readings.reference - readings.reference.mean())
-    fit = std * math.sqrt(1.0 / len(residual) + float(away.max() ** 2 / (away @ away)))
+    ends = float(readings.reference.min()), float(readings.reference.max())
+    fit = max(float(GTC.uncertainty(line[0] + line[1] * end)) for end in ends)
+    fit /= abs(float(GTC.value(line[1])))
     return (
         Contribution(say("residual of the line"), std, free, "A"),
         Contribution(say("line, at the end of its range"), fit, free, "A"),

@@ -191,7 +191,7 @@ def _spread(found: Loads, enough: Marks, *, between_angles: bool) -> float | Non
     spreads = [
         100.0 * (max(values) - min(values)) / float(np.mean(values))
         for values in by_load.values()
-        if len(values) > 1
+        if len(values) > 1 and np.mean(values) != 0.0  # of a bridge that is dead
     ]
     return float(max(spreads)) if spreads else None
 

@@ -45,11 +45,11 @@ def check_fit(evidence: Evidence) -> Iterator[Problem]:
     if saturated:
         yield from saturated
         return
-    problems, evidence = wrong_angles(evidence)
-    yield from problems
     problem, evidence = _wandering(evidence)
     if problem is not None:
         yield problem
+    problems, evidence = wrong_angles(evidence)
+    yield from problems
     problems, evidence = check_patterns(evidence)
     yield from problems
     problem, evidence = _hysteresis(evidence)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
+import GTC
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -13,7 +14,13 @@ from rigapp_calibration.arrays import Array
 from rigapp_calibration.probes.checks import checks, falling, robust_line, unusable
 from rigapp_calibration.probes.readings import ProbeReadings, ProbeSettings
 from rigapp_calibration.problems import Problem, blocked
-from rigapp_calibration.taking.uncertainty import Budget, Contribution, at_most, combine
+from rigapp_calibration.taking.uncertainty import (
+    Budget,
+    Contribution,
+    at_most,
+    combine,
+    straight_line,
+)
 
 FEWEST_FREE = 4
 """Degrees of freedom of positions read again: fewer tell their noise worse than a curve does."""
@@ -149,20 +156,22 @@ def _result(
     readings: ProbeReadings, settings: ProbeSettings, problems: list[Problem]
 ) -> ProbeCalibration:
     count = len(readings.position)
-    slope, intercept = np.polyfit(readings.position, readings.signal, 1)
+    line = straight_line(readings.position, readings.signal)
+    intercept, slope = (float(GTC.value(one)) for one in line)
     residual = readings.signal / slope - intercept / slope - readings.position
     std = math.sqrt(float(np.sum(residual**2)) / (count - 2))
     span = float(np.ptp(readings.position))
     gain, bending = _cylinder(readings, settings)
-    spread = float(np.sqrt(np.sum((readings.position - readings.position.mean()) ** 2)))
-    relative = std / spread
+    relative = abs(float(GTC.uncertainty(line[1]) / slope))
+    away = np.array([readings.position.min(), readings.position.max()])
+    at_ends = [float(GTC.uncertainty(line[0] + line[1] * end)) for end in away]
     hysteresis = _hysteresis(readings, residual)
     parts, screw = _scatter(readings, residual), settings.micrometer_uncertainty
     lines = (
         Contribution("repeatability", parts.noise, parts.degrees, "A", averages=True),
         Contribution(
             say("line, at the end of its range"),
-            math.hypot(std / math.sqrt(count), 0.5 * span * relative),
+            max(at_ends) / abs(slope),
             float(count - 2),
             "A",
         ),
@@ -313,36 +322,29 @@ def align(
     along, across = readings
     assert along.other is not None
     assert across.other is not None
-    own_1, _ = _slope(along.position, along.signal)
-    own_2, _ = _slope(across.position, across.signal)
-    cross_1, spread_1 = _slope(across.position, across.other)
-    cross_2, spread_2 = _slope(along.position, along.other)
-    tangent = np.array([cross_1 / own_1, -cross_2 / own_2])
-    spread = np.array([spread_1 / abs(own_1), spread_2 / abs(own_2)])
-    uncertainty = np.hypot(spread, np.array(direction))
-    forward = np.array([[1.0, tangent[0]], [-tangent[1], 1.0]])
-    matrix = np.linalg.inv(forward)
-    off = np.array([[0.0, uncertainty[0]], [uncertainty[1], 0.0]])
-    # d(inverse) = -inverse d(forward) inverse, the two off-diagonal elements independent
-    variance = matrix**2 @ off**2 @ matrix**2
-    angle = np.arctan(tangent)
-    return Alignment(
-        angle=angle,
-        angle_uncertainty=uncertainty,
-        orthogonality=float(angle[1] - angle[0]),
-        orthogonality_uncertainty=float(np.hypot(*uncertainty)),
-        matrix=np.asarray(matrix, np.float64),
-        matrix_uncertainty=np.asarray(np.sqrt(variance), np.float64),
+    own = [straight_line(one.position, one.signal)[1] for one in readings]
+    other = [
+        straight_line(across.position, across.other)[1],
+        straight_line(along.position, along.other)[1],
+    ]
+    # The motions' directions are not known better than stated: they turn what the readings tell.
+    one, two = (
+        sign * seen / felt + GTC.ureal(0.0, doubt)
+        for sign, seen, felt, doubt in zip((1.0, -1.0), other, own, direction, strict=True)
     )
-
-
-def _slope(position: Array, signal: Array) -> tuple[float, float]:
-    """Return the slope of a straight line and its standard uncertainty."""
-    centred = position - position.mean()
-    square = float(centred @ centred)
-    slope = float(centred @ signal) / square
-    rest = signal - signal.mean() - slope * centred
-    return slope, math.sqrt(float(rest @ rest) / (len(rest) - 2) / square)
+    angles = [GTC.atan(tangent) for tangent in (one, two)]
+    apart = angles[1] - angles[0]
+    # The inverse of ((1, one), (-two, 1)), by which the probes see the pin.
+    area = 1.0 + one * two
+    matrix = [[1.0 / area, -one / area], [two / area, 1.0 / area]]
+    return Alignment(
+        angle=np.array([GTC.value(angle) for angle in angles]),
+        angle_uncertainty=np.array([GTC.uncertainty(angle) for angle in angles]),
+        orthogonality=float(GTC.value(apart)),
+        orthogonality_uncertainty=float(GTC.uncertainty(apart)),
+        matrix=np.array([[GTC.value(value) for value in row] for row in matrix]),
+        matrix_uncertainty=np.array([[GTC.uncertainty(value) for value in row] for row in matrix]),
+    )
 
 
 def split_pair(readings: ProbeReadings) -> tuple[ProbeReadings, ProbeReadings]:

@@ -11,13 +11,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import GTC
 import numpy as np
-from GTC import reporting
+from GTC import reporting, type_a
 from scipy import optimize
 
+from rigapp_calibration.arrays import Array
 from rigapp_calibration.coverage import COVERAGE, NORMAL_FACTOR
 
 Evaluation = Literal["A", "B"]
@@ -57,6 +58,16 @@ class Contribution:
 def at_most(name: str, size: float, evaluation: Evaluation = "B") -> Contribution:
     """Return the line of what is off by at most so much, either way."""
     return Contribution(name, size / math.sqrt(3.0), math.inf, evaluation, "rectangular")
+
+
+def straight_line(x: Array, y: Array) -> tuple[Any, Any]:
+    """Return intercept and slope of the line through points as GTC's uncertain numbers.
+
+    Their uncertainties are those of ordinary least squares, correlated, with n - 2 degrees of
+    freedom: whatever follows from them by arithmetic carries its own.
+    """
+    found = type_a.line_fit(x.tolist(), y.tolist()).a_b
+    return found.a, found.b
 
 
 @dataclass(frozen=True, slots=True)
