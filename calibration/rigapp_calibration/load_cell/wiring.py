@@ -112,8 +112,9 @@ def check_wiring(evidence: Evidence) -> Iterator[Problem]:
     pair = np.flatnonzero(~as_is)
     if len(pair) == 2 and _exchanged(sensitivity, seen, towards, pair):
         # Plugs that were moved stay so to the end, or were wrong from the start.
-        block = pair[1] == pair[0] + 1 and (pair[0] == 0 or pair[1] == len(used) - 1)
-        if not (block and fitting[1:, pair].all(axis=1).any()):
+        to_the_end = fitting[1:, pair[0] :].all(axis=1)
+        from_the_start = fitting[1:, : pair[1] + 1].all(axis=1)
+        if not (to_the_end | from_the_start).any():
             yield _exchange(evidence, [used[number] for number in pair], run)
             return
     if np.count_nonzero(~fitting.any(axis=0)) > len(used) // STRAY_RUNS or as_is.all():
