@@ -109,6 +109,15 @@ def test_a_device_card_tells_link_and_warnings_apart_and_counts_under_details(
     assert card.chip.text() == "◆ Not connected"
     assert card.chip.property("chip") == "critical"
     assert card.link.text() == error
+    panel.show_news(
+        News(
+            make_status(
+                state=RunState.CONNECTING, devices=(DeviceView("daq", "gsv8", "COM3", False, ""),)
+            )
+        )
+    )
+    assert (card.chip.text(), card.link.text()) == ("… Connecting", "being connected")
+    card = show(msgspec.structs.replace(daq, connected=False, last_error=error))
     assert card.help.isHidden()  # an engine of before names no section
     card = show(msgspec.structs.replace(daq, last_error=error, help="no-answer-or-a-late-one"))
     assert not card.help.isHidden()

@@ -9286,6 +9286,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>vor dem Start</translation>
     </message>
     <message>
+        <source>being connected</source>
+        <translation>wird verbunden</translation>
+    </message>
+    <message>
         <source>bend of the line, second and third degree</source>
         <translation>Krümmung der Geraden, zweiten und dritten Grades</translation>
     </message>
@@ -11252,6 +11256,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>µm, to the planned end; bands 95 %</source>
         <translation>µm, bis zum geplanten Ende; Bänder 95 %</translation>
+    </message>
+    <message>
+        <source>… Connecting</source>
+        <translation>… Verbinden</translation>
     </message>
     <message>
         <source>← → + − in a trend</source>

@@ -137,6 +137,8 @@ QLabel[mark="now"] {
     background: $highlight; border-color: $highlight; color: $highlighted_text;
 }
 QLabel[mark="wrong"] { background: $critical; border-color: $critical; color: $on_critical; }
+QCheckBox { border: 2px solid transparent; border-radius: 4px; padding: 2px; }
+QCheckBox:focus { border-color: $highlight; }
 QLabel[role="error"] { color: $critical; font-size: ${caption}pt; font-weight: 600; }
 QLabel[role="caution"] { color: $warning_text; font-size: ${caption}pt; }
 QLabel[role="title"] { font-weight: 600; }

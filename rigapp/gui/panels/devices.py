@@ -140,18 +140,21 @@ class DeviceCard(QFrame):
             head, self.identity, grid, self.details, on=self, margins=(MARGIN, GAP), spacing=STEP
         )
 
-    def show_device(self, device: DeviceView) -> None:
-        """Show a device as it is now."""
+    def show_device(self, device: DeviceView, *, connecting: bool = False) -> None:
+        """Show a device as it is now; connecting: the rig's devices are just being connected."""
         link, disturbed = self._link.look(device)
-        health, word = _health(device, disturbed=disturbed)
+        awaited = connecting and not device.connected and not device.last_error
+        health, word = _health(device, disturbed=disturbed, awaited=awaited)
         tell(self.chip, "chip", health)
         self.chip.setText(tr(word))
         self.identity.setText(f"{device.identity or device.driver}, {device.port}")
         if not device.connected:
-            link = translate(device.last_error) or tr("not connected")
+            link = translate(device.last_error)
+            link = link or (tr("being connected") if awaited else tr("not connected"))
         elif device.sample_rate_Hz:
             link = tr("{}, {} samples/s", link, f"{device.sample_rate_Hz:g}")
-        tell(self.link, "role", "caution" if disturbed or not device.connected else "")
+        unsound = disturbed or not (device.connected or awaited)
+        tell(self.link, "role", "caution" if unsound else "")
         self.link.setText(link)
         self.warnings.setText(translate(device.advice) or tr("no warning"))
         told = (details_of(device.last_error), details_of(device.advice), counted(device))
@@ -164,8 +167,11 @@ class DeviceCard(QFrame):
         self.help_wanted.emit(self._section)
 
 
-def _health(device: DeviceView, *, disturbed: bool) -> tuple[str, Text]:
+def _health(device: DeviceView, *, disturbed: bool, awaited: bool) -> tuple[str, Text]:
     """Return kind and words of the health of a device."""
+    if awaited:
+        finding: Text = "… Connecting"
+        return "calm", finding
     if not device.connected:
         lost: Text = "◆ Not connected"
         return "critical" if device.needed else "attention", lost
@@ -296,7 +302,8 @@ class DevicePanel(QWidget):
                 card.help_wanted.connect(self.help_wanted)
                 self.cards[device.name] = card
                 self._cards.addWidget(card)
-            self.cards[device.name].show_device(device)
+            connecting = status.engine.state is RunState.CONNECTING
+            self.cards[device.name].show_device(device, connecting=connecting)
 
     def _show_channels(self, status: Status, told: Age, sampled: Age) -> None:
         aged_channels = [
