@@ -93,14 +93,14 @@ class BugReports:
         with self._lock:
             if self._open is not None:
                 raise Refused("the lines are being recorded already; end that first")
-            self._open = ExitStack()
-            self._folder = Path(
-                self._open.enter_context(tempfile.TemporaryDirectory(prefix="rigapp-report-"))
-            )
-            self._open.enter_context(in_file(self._folder / "log.txt"))
             devices = asked.devices or known
-            self._engine.begin_report(self._folder, devices)
-            self._open.callback(self._engine.end_report)
+            with ExitStack() as opened:
+                folder = opened.enter_context(tempfile.TemporaryDirectory(prefix="rigapp-report-"))
+                self._folder = Path(folder)
+                opened.enter_context(in_file(self._folder / "log.txt"))
+                self._engine.begin_report(self._folder, devices)
+                opened.callback(self._engine.end_report)
+                self._open = opened.pop_all()
             self.shown = LineReport(str(file), devices, time.time())
         if asked.reconnect:
             try:

@@ -65,13 +65,15 @@ def test_a_report_has_the_set_up_of_the_devices_and_nothing_private(
     host: EngineHost, tmp_path: Path
 ) -> None:
     file = tmp_path / "reports" / "a.zip"
-    reply = ask(host, "report_begin", file=str(file), duration_s=0.5, reconnect=True)
+    reply = ask(host, "report_begin", file=str(file), reconnect=True)
     assert reply.ok, reply.sentence
     assert "daq, drive" in reply.sentence
     ask(host, "note", text="wilhelmine@example.org called from 192.0.2.7")
     host.engine.log("device", f"{OPERATOR} at http://hooks.example.org/T0P-S3CRET", OPERATOR)
     logs.logging.getLogger("rigapp.test").info("%s said: /home/musterfrau/labor.key", OPERATOR)
-    until(lambda: host.reports.shown and host.reports.shown.sentence, "the report is packed")
+    drive = host.reports._folder / "drive.wire"
+    until(lambda: drive.exists() and len(read_trace(drive).records) > 30, "the drive is polled")
+    assert ask(host, "report_end").ok
     found = members(file)
     assert set(found) == {
         "report.txt", "rig.toml", "status.json", "versions.json", "log.txt", "daq.wire",
@@ -125,6 +127,10 @@ def test_one_device_in_a_test_is_recorded_until_it_is_ended(
     assert OPERATOR not in said_in(file)
     assert "t.h5" not in found["status.json"].decode()
     assert not ask(host, "report_end").ok
+    timed = tmp_path / "timed.zip"
+    assert ask(host, "report_begin", file=str(timed), duration_s=0.2).ok
+    until(lambda: host.reports.shown and host.reports.shown.sentence, "its time is up")
+    assert {"daq.wire", "drive.wire"} <= set(members(timed))
 
 
 def test_what_cannot_be_written_or_is_not_there_is_refused(
