@@ -358,7 +358,7 @@ def _judge_peers(rates: dict[str, list[tuple[float, float]]]) -> None:
 
 
 def compare_checksums(folder: Path) -> None:
-    """Print what a row and a whole cycle cost the thread that appends, with and without checksums.
+    """Print what a row and a whole cycle cost until they are placed, with and without checksums.
 
     Least processor time of many rounds, which take turns: other programs of this computer only add.
     """
@@ -388,9 +388,9 @@ def compare_checksums(folder: Path) -> None:
                 begin = time.thread_time_ns()
                 for _ in range(number):
                     call()
+                writer.place()
                 spent = (time.thread_time_ns() - begin) / number / 1e3
                 least[checksums, what] = min(least[checksums, what], spent)
-                writer.place()
     for writer in writers.values():
         writer.discard()
     for what in ("row", "cycle"):

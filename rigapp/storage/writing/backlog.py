@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from rigapp.storage.filesystem.disk import Disk
@@ -12,6 +12,7 @@ from rigapp.storage.filesystem.disk import Disk
 SOFT_LIMIT = 4 << 20  # 10 s of whole cycles at 120 rpm: so long may a disk sync
 HARD_LIMIT = 64 << 20  # three minutes of it: a disk that is so late is too slow
 WAIT_S = 1e-3  # for whoever places, so that it gets the interpreter; 128 kB take 0.1 ms
+MADE_AT_ONCE = 8  # whole cycles or blocks of rows: their columns are joined to runs
 RUN_BYTES = 1 << 17  # longer ones cost no less a byte, and whoever assists waits for one
 
 
@@ -40,7 +41,9 @@ class Backlog:
         self._disk = disk
         self._runs: deque[_Run] = deque()
         self._by_end: dict[int, _Run] = {}
+        self._later: deque[tuple[int, Callable[[], object]]] = deque()
         self._lock = threading.Lock()
+        self._making = threading.Lock()
         self._placing = threading.Lock()
         self.bytes = 0
 
@@ -73,6 +76,13 @@ class Backlog:
                 self._runs.append(_Run(offset, offset + len(data), [data]))
                 self.bytes += len(data)
 
+    def put_later(self, size: int, make: Callable[[], object]) -> None:
+        """Let who places call what puts writes of so many bytes, in order; raises StorageFailed."""
+        self._disk.refuse_broken()
+        with self._lock:
+            self._later.append((size, make))
+            self.bytes += size
+
     def assist(self, share: int) -> None:
         """Place runs as the policy asks; called by each append. Raises StorageFailed."""
         if self.bytes <= SOFT_LIMIT:
@@ -84,6 +94,7 @@ class Backlog:
 
     def drain(self) -> None:
         """Return when everything put before the call is in the file. Raises StorageFailed."""
+        self._make(len(self._later))
         for _ in range(len(self._runs)):
             if not self._place_one(-1):
                 break
@@ -95,12 +106,25 @@ class Backlog:
         if not self._placing.acquire(timeout=wait_s):
             return False
         try:
+            if not self._runs:
+                self._make(MADE_AT_ONCE)
             run = self._pop()
             if run is not None:
                 self._disk.write_parts(run.parts, run.offset)
             return run is not None
         finally:
             self._placing.release()
+
+    def _make(self, most: int) -> None:
+        """Put what was to be made later; one thread at a time, so that none passes what is made."""
+        with self._making:
+            for _ in range(most):
+                with self._lock:
+                    if not self._later:
+                        return
+                    size, make = self._later.popleft()
+                    self.bytes -= size
+                make()
 
     def _pop(self) -> _Run | None:
         with self._lock:

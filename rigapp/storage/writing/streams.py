@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -151,7 +152,8 @@ class RowBuffer:
             self._fill += 1
             self.count += 1
             if self._fill == self._size:
-                self._hand_over(self._placed, self._block[self._placed - self._base :])
+                rows = self._block[self._placed - self._base :]
+                self._backlog.put_later(rows.nbytes, partial(self._hand_over, self._placed, rows))
                 self._placed = self.count
                 self._begin_block()
         self._backlog.assist(2)

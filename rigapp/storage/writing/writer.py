@@ -8,6 +8,7 @@ import threading
 import time
 import zlib
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -196,7 +197,7 @@ class TestWriter:
         """Append the samples of one whole cycle; False when there is no reserved room for it.
 
         columns: name -> (samples,) array, or an array (columns, samples) in the plan's order; they
-        must not change afterwards, as those of the file's type are not copied. why, quality: kept
+        must not change afterwards: whoever places them copies them. why, quality: kept
         where the plan has ``cycle_reason``.
         """
         kept = self._append_ragged("cycles", "samples", revolution, columns, why, quality)
@@ -228,15 +229,24 @@ class TestWriter:
         sampled = [one for one in stream.fields if one.shape]
         if number > sampled[0].shape[0]:
             return
-        samples = {one.name: np.ascontiguousarray(values[one.name], one.dtype) for one in sampled}
-        place = row | samples
-        if stream.checksum is not None:
-            crc = cycle_checksum(samples.values(), WAITING_FIELDS, row)
-            place[stream.checksum.name] = [crc]
         with self._cycle_lock:
-            self._records["waiting"].place(self._held % stream.capacity, 1, place, over=True)
+            slot = self._held % stream.capacity
             self._held += 1
+            self._backlog.put_later(_size(values), partial(self._place_held, slot, values, row))
         self._backlog.assist(2)
+
+    def _place_held(
+        self, slot: int, values: Mapping[str, NDArray[Any]], row: dict[str, ArrayLike]
+    ) -> None:
+        stream = self._streams["waiting"]
+        samples = {
+            one.name: np.ascontiguousarray(values[one.name], one.dtype)
+            for one in stream.fields
+            if one.shape
+        }
+        if stream.checksum is not None:
+            row[stream.checksum.name] = [cycle_checksum(samples.values(), WAITING_FIELDS, row)]
+        self._records["waiting"].place(slot, 1, {**row, **samples}, over=True)
 
     def forget_stale(self) -> None:
         """Take the checksums of rows after the last ones away, that a crash left uncounted.
@@ -279,27 +289,41 @@ class TestWriter:
             samples, index = self._records[samples_name], self._records[index_name]
             if not (samples.holds(first + number) and index.holds(row + 1)):
                 return False
-            stored = [
-                np.ascontiguousarray(values[one.name], one.dtype)
-                for one in self._streams[samples_name].fields
-            ]
-            samples.place(first, number, dict(zip(values, stored, strict=True)))
-            place: dict[str, ArrayLike] = {
+            place: dict[str, list[Any]] = {
                 "revolution": [revolution],
                 "first": [first],
                 "count": [number],
                 "quality": [quality],
                 "why": [why],
             }
-            stream = self._streams[index_name]
-            if stream.checksum is not None:
-                place[stream.checksum.name] = [cycle_checksum(stored, stream.fields, place)]
-            index.place(row, 1, place)
+            self._backlog.put_later(
+                _size(values),
+                partial(self._place_ragged, index_name, samples_name, row, values, place),
+            )
             with self._count_lock:
                 setattr(counts, samples_name, first + number)
                 setattr(counts, index_name, row + 1)
         self._backlog.assist(2)
         return True
+
+    def _place_ragged(
+        self,
+        index_name: str,
+        samples_name: str,
+        row: int,
+        values: Mapping[str, NDArray[Any]],
+        place: dict[str, list[Any]],
+    ) -> None:
+        stored = {
+            one.name: np.ascontiguousarray(values[one.name], one.dtype)
+            for one in self._streams[samples_name].fields
+        }
+        self._records[samples_name].place(place["first"][0], place["count"][0], stored)
+        stream = self._streams[index_name]
+        if stream.checksum is not None:
+            crc = cycle_checksum(stored.values(), stream.fields, place)
+            place[stream.checksum.name] = [crc]
+        self._records[index_name].place(row, 1, place)
 
     def append_prediction(
         self,
@@ -625,3 +649,7 @@ class TestWriter:
 
     def _offsets(self, stream: FileStream) -> dict[str, int]:
         return {one.name: self._places[stream.path(one.name)][0] for one in stream.stored}
+
+
+def _size(values: Mapping[str, NDArray[Any]]) -> int:
+    return sum(one.nbytes for one in values.values())
