@@ -86,7 +86,7 @@ def cover_of(
     """Return the first page. warnings: what must not be overlooked."""
     file, logo = settings
     parameters = parameters_of(reader)
-    wear = wear_trend(agreement, rows.gaps if rows is not None else ()) if agreement else None
+    wear = wear_trend(agreement.wear, rows.gaps if rows is not None else ()) if agreement else None
     figures = [one for one in (wear, scheme(parameters)) if one is not None]
     letterhead = (file.laboratory.name, *file.laboratory.address.splitlines())
     return Cover(

@@ -177,7 +177,7 @@ def rows_of(reader: TestReader) -> Rows | None:
         host_span=host_span,
         channels=channels,
         speed=_channel(table, SPEED, judged) if "speed_max" in table else None,
-        gaps=_gaps(table, judged),
+        gaps=_gaps(table, number, quality),
     )
 
 
@@ -305,9 +305,17 @@ def _peak(values: NDArray[Any], rows: _Judged, sign: float) -> Peak:
     return Peak(float(values[place]), int(rows.number[place]), int(rows.quality[place]))
 
 
-def _gaps(table: _Table, rows: _Judged) -> tuple[Gap, ...]:
-    number = rows.number
-    flagged = np.flatnonzero(rows.quality & int(Flag.GAP_BEFORE) != 0)
+def gaps_of(reader: TestReader) -> tuple[Gap, ...]:
+    """Return the interruptions of a test, without what else its statistics say."""
+    table = _Table(reader)
+    if table.rows == 0:
+        return ()
+    quality = table.column("quality").astype(np.int32, copy=False)
+    return _gaps(table, row_numbers(reader, "revolutions"), quality)
+
+
+def _gaps(table: _Table, number: RowNumbers, quality: NDArray[np.int32]) -> tuple[Gap, ...]:
+    flagged = np.flatnonzero(quality & int(Flag.GAP_BEFORE) != 0)
     places = np.union1d(flagged, number.breaks[1:])
     if not places.size:
         return ()

@@ -153,15 +153,21 @@ def agreement_of(reader: TestReader) -> Agreement | None:
         ),
         pairs=_pairs(reader, number),
         lines={name: envelope(number, table[name]) for name in COMPARED if name in table},
-        wear={
-            name: _wear(number, table[name], table.get(f"{name}_uncertainty"))
-            if name in table
-            else None
-            for name in WEAR
-        },
+        wear=wear_of(reader),
         joint=_assumption(reader),
         deviation=_deviation(table),
     )
+
+
+def wear_of(reader: TestReader) -> dict[str, LastDepth | None]:
+    """Return the depths that a test has, by column; None for those of which nothing is known."""
+    table, number = StoredColumns(reader, "prediction"), row_numbers(reader, "prediction")
+    return {
+        name: _wear(number, table[name], table.get(f"{name}_uncertainty"))
+        if name in table and len(number)
+        else None
+        for name in WEAR
+    }
 
 
 def _deviation(table: StoredColumns) -> str:
@@ -221,10 +227,12 @@ def _wear(number: RowNumbers, depth: NDArray[Any], doubt: NDArray[Any] | None) -
     count = int(np.count_nonzero(known))
     if not count:
         return None
-    finite = np.flatnonzero(known)
-    late, last = finite[count // 2 :], int(finite[-1])
-    uncertainty = float("nan") if doubt is None else float(doubt[last])
     whole = count == len(depth)
+    # Indices of all of a long test would take as much as its depths.
+    finite = np.arange(0) if whole else np.flatnonzero(known)
+    late = np.arange(count // 2, count) if whole else finite[count // 2 :]
+    last = int(late[-1])
+    uncertainty = float("nan") if doubt is None else float(doubt[last])
     line = envelope(number, depth) if whole else envelope(number[finite], depth[finite])
     band = None
     if doubt is not None:

@@ -10,8 +10,14 @@ from rigapp.config.errors import UnusableInput
 from rigapp.report.page.manuscript import Figure
 from rigapp.report.testreport import plots
 from rigapp.report.testreport.cover import parameters_of, scheme
-from rigapp.report.testreport.facts import ChannelFacts, Rows, rows_of, stated_uncertainties
-from rigapp.report.testreport.model_facts import agreement_of, cycles_of
+from rigapp.report.testreport.facts import (
+    ChannelFacts,
+    Rows,
+    gaps_of,
+    rows_of,
+    stated_uncertainties,
+)
+from rigapp.report.testreport.model_facts import agreement_of, cycles_of, wear_of
 from rigapp.report.testreport.worn import picture, worn_of
 from rigapp.schema.channels import LOAD_CELL
 from rigapp.storage import TestReader, open_test, trip_capture
@@ -32,8 +38,7 @@ def figure_of(path: Path, name: str = "") -> Figure:
 
 
 def _wear(reader: TestReader) -> Figure | None:
-    agreement, rows = agreement_of(reader), rows_of(reader)
-    return plots.wear_trend(agreement, rows.gaps if rows else ()) if agreement else None
+    return plots.wear_trend(wear_of(reader), gaps_of(reader))
 
 
 def _forces(reader: TestReader) -> Figure | None:
@@ -60,8 +65,8 @@ def _of_probes(rows: Rows) -> list[ChannelFacts]:
 
 
 def _agreement(reader: TestReader) -> Figure | None:
-    agreement, rows = agreement_of(reader), rows_of(reader)
-    return plots.residual_trend(agreement, rows.gaps if rows else ()) if agreement else None
+    agreement = agreement_of(reader)
+    return plots.residual_trend(agreement, gaps_of(reader)) if agreement else None
 
 
 def _cycles(reader: TestReader) -> Figure | None:

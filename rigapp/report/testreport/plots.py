@@ -29,7 +29,7 @@ from rigapp.report.page.figures import (
 from rigapp.report.page.manuscript import Figure
 from rigapp.report.testreport.envelope import envelope
 from rigapp.report.testreport.facts import ChannelFacts, Gap, Stated
-from rigapp.report.testreport.model_facts import Agreement, CyclePicture
+from rigapp.report.testreport.model_facts import Agreement, CyclePicture, LastDepth
 from rigapp.report.testreport.wording import number, quantity, symbol, title_of
 from rigapp.schema.channels import Channel
 from rigapp.storage import TripCapture
@@ -219,9 +219,9 @@ def residual_trend(agreement: Agreement, gaps: Sequence[Gap]) -> Figure:
         return saved(canvas, "Agreement with the model", words, "")
 
 
-def wear_trend(agreement: Agreement, gaps: Sequence[Gap]) -> Figure | None:
+def wear_trend(wear: Mapping[str, LastDepth | None], gaps: Sequence[Gap]) -> Figure | None:
     """Draw wear depth against revolution; None when none is known."""
-    known = [(agreement.wear[name], *how) for name, how in DEPTHS.items()]
+    known = [(wear[name], *how) for name, how in DEPTHS.items()]
     if all(found is None for found, *_ in known):
         return None
     with canvas_of(2.1) as canvas:
