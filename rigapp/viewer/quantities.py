@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Final
 
 from rigapp.presentation.numbers import unit_text
 from rigapp.presentation.translation import Text, marked, tr
-from rigapp.schema.channels import AVERAGES, BASE, Channel, ChannelTable, Kind
+from rigapp.schema.channels import (
+    AVERAGES,
+    BASE,
+    LOAD_CELL,
+    PROBES,
+    Channel,
+    ChannelTable,
+    Kind,
+)
 from rigapp.schema.columns import prediction_columns
 from rigapp.viewer.channels import SIZE, axis_of, span_of, title_of
 
@@ -171,6 +180,27 @@ def compared_columns(table: ChannelTable) -> dict[str, str]:
         for line in (*quantity.measured, *quantity.predicted):
             found[line.column] = f"{quantity.title}, {line.text} ({quantity.unit})"
     return found
+
+
+def grouped_quantities(names: Iterable[str], table: ChannelTable) -> list[tuple[str, ...]]:
+    """Return names of columns or quantities in groups: forces, probes, free channels, the others.
+
+    A group without names is left out; within one they keep their order.
+    """
+    kinds = (LOAD_CELL, PROBES, "")
+
+    def group(name: str) -> int:
+        owner = max(
+            (one for one in table.channels if name == one.name or name.startswith(f"{one.name}_")),
+            key=lambda one: len(one.name),
+            default=None,
+        )
+        return kinds.index(owner.instrument) if owner is not None else len(kinds)
+
+    found: dict[int, list[str]] = {}
+    for name in names:
+        found.setdefault(group(name), []).append(name)
+    return [tuple(found[at]) for at in sorted(found)]
 
 
 def scale_of(column: str) -> float:

@@ -110,3 +110,17 @@ def test_what_a_rig_does_not_have_is_named(page: OwnPage) -> None:
     page.take_view(ViewSection(("oil_pressure_max", "force_max"), ("oil_pressure",)))
     assert "oil_pressure, oil_pressure_max" in page.told.text()
     assert list(page._made) == ["force_max"]
+
+
+def test_lists_of_quantities_are_searched_and_grouped(page: OwnPage, qtbot: Any) -> None:
+    box = page.tile
+    names = [box.itemData(at) for at in range(box.count())]
+    first_probe = next(at for at, name in enumerate(names) if name and name.startswith("probe_"))
+    assert names[first_probe - 1] is None, "a line parts the groups"
+    assert all(name.startswith("force") for name in names[: first_probe - 1])
+    box.completer().setCompletionPrefix("wear coeff")
+    assert box.completer().completionCount() == 1, "typed words may stand anywhere"
+    before = box.currentText()
+    box.setEditText("no such thing")
+    box.lineEdit().editingFinished.emit()
+    assert box.currentText() == before

@@ -86,6 +86,20 @@ def test_the_date_of_the_document_is_that_of_the_test(folder: Path, document: Pd
     assert document.metadata is not None
     assert document.metadata.creation_date == ended.replace(microsecond=0)
     assert document.trailer["/Root"]["/Lang"] == "en"
+    assert document.trailer["/Root"]["/ViewerPreferences"]["/DisplayDocTitle"]
+
+
+def test_no_text_is_smaller_than_8_points(document: PdfReader) -> None:
+    sizes: set[float] = set()
+
+    def note(text: str, _: object, matrix: list[float], font: object, size: float) -> None:
+        if text.strip():
+            sizes.add(round(size * abs(matrix[3]), 1))
+
+    for page in document.pages:
+        page.extract_text(visitor_text=note)
+    assert min(sizes) >= 7.5, "figures have ticks of 7.5"
+    assert 8.0 in sizes
 
 
 def test_figures_and_tables_are_numbered_without_a_hole(document: PdfReader) -> None:

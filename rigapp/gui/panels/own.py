@@ -19,7 +19,7 @@ from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.plotmenu import offer_menus
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.trendview import TrendView
-from rigapp.gui.widgets.build import button, choice, column, named, prose, row
+from rigapp.gui.widgets.build import add_group, button, choice, column, named, prose, row, searched
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
 from rigapp.gui.widgets.reflow import WrappingGrid, flowing
 from rigapp.presentation.numbers import COEFFICIENT_SCALE, COEFFICIENT_UNIT, UNKNOWN
@@ -29,7 +29,12 @@ from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.schema.details import error_text
 from rigapp.viewer.knownwear import COEFFICIENT, REMAINING, newest_wear
 from rigapp.viewer.news import News, Takes
-from rigapp.viewer.quantities import compared_columns, scale_of, trend_quantities
+from rigapp.viewer.quantities import (
+    compared_columns,
+    grouped_quantities,
+    scale_of,
+    trend_quantities,
+)
 from rigapp.viewer.series import LiveData
 
 CYCLE: Final = "cycle"
@@ -97,8 +102,8 @@ class OwnPage(QWidget):
         self._trends = TrendView()
         self._made: dict[str, OwnPart] = {}
         named(self, "own_page", "My page")
-        self.tile = choice("own_tile", "Tile to add", ())
-        self.plot = choice("own_plot", "Plot to add", ())
+        self.tile = searched(choice("own_tile", "Tile to add", ()))
+        self.plot = searched(choice("own_plot", "Plot to add", ()))
         self.add_tile = button("own_add_tile", "Add tile", self._add_tile)
         self.add_plot = button("own_add_plot", "Add plot", self._add_plot)
         self.save = button("own_save", "Save with the test file", self._save, rank="primary")
@@ -153,8 +158,8 @@ class OwnPage(QWidget):
         ):
             chosen = box.currentData()
             box.clear()
-            for name, text in items.items():
-                box.addItem(text, name)
+            for names in grouped_quantities(items, self._table):
+                add_group(box, {name: items[name] for name in names})
             box.setCurrentIndex(max(box.findData(chosen), 0))
 
     def _titles(self) -> dict[str, str]:
@@ -213,7 +218,7 @@ class OwnPage(QWidget):
         inside: QWidget
         if name == f"plot {CYCLE}":
             title, inside = tr("Force over the crank angle"), OverlayPanel("own", self._theme)
-            inside.residual_plot.hide()
+            inside.show_force_alone()
         elif name.startswith("plot "):
             title = self._titles()[quantity]
             inside = TrendPanel(

@@ -87,7 +87,7 @@ class EndPage(QWidget):
         self._pump = ShelfPump(host.results, lambda: None, self)
         wear = host.add("result_wear", TrendPanel("result_wear", theme, "wear", leads=False))
         self.trip = host.add("result_trip", OverlayPanel("result", theme))
-        self.trip.residual_plot.hide()
+        self.trip.show_force_alone()
         # They take the room that is left, and do not ask for more.
         for one in (wear.plot, self.trip.plot):
             one.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)

@@ -147,15 +147,22 @@ class OverlayPanel(PlotPanel):
             checkable=True,
         )
         self.readout = detail(f"{prefix}_cursor", "Values at the cursor")
+        self._difference = plot_heading("Measured − model")
         column(
             flowing(plot_heading("Force"), (self.title, 1), self.freeze, self.frame_box),
             (self.plot, 5),
-            flowing(plot_heading("Measured − model"), (self.readout, 1)),
+            flowing(self._difference, (self.readout, 1)),
             (self.residual_plot, 2),
             on=self,
         )
         self._offer_follower_frame()
         self._read_out()
+
+    def show_force_alone(self) -> None:
+        """Leave out the strip of the difference, where there is room for one plot."""
+        for part in (self._difference, self.residual_plot):
+            part.hide()
+        self.plot.show_crank_angle()
 
     def set_mechanism(self, crank_over_follower: float | None) -> None:
         """Take crank radius / follower length of the test; None: the follower frame is closed."""

@@ -22,7 +22,7 @@ from rigapp.gui.plots.plotting import (
     detail,
 )
 from rigapp.gui.plots.trendview import FOLLOWED, FREE, LAST, WHOLE, TrendView
-from rigapp.gui.widgets.build import button, choice, column, row
+from rigapp.gui.widgets.build import add_group, button, choice, column, row
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.times import duration
@@ -33,7 +33,12 @@ from rigapp.viewer.channels import SIZE
 from rigapp.viewer.judged import Drawn, Flagged, View, banded, drawn
 from rigapp.viewer.moments import moments
 from rigapp.viewer.news import News, Takes
-from rigapp.viewer.quantities import TrendLine, TrendQuantity, trend_quantities
+from rigapp.viewer.quantities import (
+    TrendLine,
+    TrendQuantity,
+    grouped_quantities,
+    trend_quantities,
+)
 from rigapp.viewer.ranges import SteadyRange
 from rigapp.viewer.series import LiveData, SeriesTable
 
@@ -114,11 +119,8 @@ class TrendPanel(PlotPanel):
         self._make_curves()
 
     def _build(self, prefix: str, *, leads: bool) -> None:
-        self.choice = choice(
-            f"{prefix}_trend_quantity",
-            "Quantity of the trend",
-            [(quantity.title, name) for name, quantity in self._quantities.items()],
-        )
+        self.choice = choice(f"{prefix}_trend_quantity", "Quantity of the trend", ())
+        self._list_quantities()
         self.choice.setCurrentIndex(self.choice.findData(self._name))
         self.choice.currentIndexChanged.connect(self._quantity_chosen)
         self.modes: dict[str, QPushButton] = {}
@@ -242,11 +244,15 @@ class TrendPanel(PlotPanel):
         chosen = self._name if self._name in self._quantities else SIZE
         self.choice.blockSignals(True)
         self.choice.clear()
-        for name, quantity in self._quantities.items():
-            self.choice.addItem(quantity.title, name)
+        self._list_quantities()
         self.choice.setCurrentIndex(self.choice.findData(chosen))
         self.choice.blockSignals(False)
         self._quantity_chosen()
+
+    def _list_quantities(self) -> None:
+        titles = {name: one.title for name, one in self._quantities.items()}
+        for names in grouped_quantities(titles, self._channels):
+            add_group(self.choice, {name: titles[name] for name in names})
 
     def _value(self, table: SeriesTable, column: str) -> float:
         cursor = self.view.cursor

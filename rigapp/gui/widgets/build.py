@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, TypeVar
 
@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QBoxLayout,
     QComboBox,
+    QCompleter,
     QFileDialog,
     QHBoxLayout,
     QLabel,
@@ -191,6 +192,31 @@ def choice(
     if chosen is not None:
         made.currentIndexChanged.connect(chosen)
     return made
+
+
+def searched(box: QComboBox) -> QComboBox:
+    """Let a box of many items be searched: what is typed may stand anywhere in an item's words."""
+    box.setEditable(True)
+    box.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
+    line, found = box.lineEdit(), box.completer()
+    assert line is not None  # an editable box has both
+    assert found is not None
+    line.setObjectName(f"{box.objectName()}_search")
+    line.setAccessibleName(box.accessibleName())
+    found.setFilterMode(Qt.MatchFlag.MatchContains)
+    found.setCompletionMode(QCompleter.CompletionMode.PopupCompletion)
+    found.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+    # What names no item is no choice: the one that holds comes back.
+    line.editingFinished.connect(lambda: box.setEditText(box.itemText(box.currentIndex())))
+    return box
+
+
+def add_group(box: QComboBox, items: Mapping[str, str]) -> None:
+    """Add items, names and words, to a box; a line parts them from those before."""
+    if box.count() and items:
+        box.insertSeparator(box.count())
+    for name, text in items.items():
+        box.addItem(text, name)
 
 
 def whole_number(name: str, spoken: Text, low: int, high: int) -> QSpinBox:

@@ -51,10 +51,10 @@ PLAIN, BOLD, FIXED = "DejaVuSans", "DejaVuSans-Bold", "DejaVuSansMono"
 MARGIN = 16 * mm
 FRAME_PADDING = 6.0  # of reportlab, on each side of what is set
 WIDTH = 178 * mm
-CELL_SIZE = 7.0
+CELL_SIZE = 8.0
 CELL_PADDING = 8.0
 NAME_WIDTH = 55 * mm
-LISTING_COLUMNS = 112
+LISTING_COLUMNS = 100
 HEADING_ROOM = 45 * mm
 ORANGE = colors.HexColor("#D55E00")
 MARK_SIZE = 9.0
@@ -122,6 +122,7 @@ def _finished(data: bytes, drawings: Sequence[_Drawing], made_at: float) -> byte
     from pypdf import PdfReader, PdfWriter
     from pypdf.generic import (
         ArrayObject,
+        BooleanObject,
         DictionaryObject,
         NameObject,
         StreamObject,
@@ -156,6 +157,9 @@ def _finished(data: bytes, drawings: Sequence[_Drawing], made_at: float) -> byte
         made = f"D:{datetime.fromtimestamp(made_at, UTC):%Y%m%d%H%M%S}Z"
         facts |= {"/CreationDate": made, "/ModDate": made}
     writer.add_metadata(facts)
+    # A reader, and a screen reader, begin with the title in place of the file's name.
+    preferences = DictionaryObject({NameObject("/DisplayDocTitle"): BooleanObject(True)})
+    writer.root_object[NameObject("/ViewerPreferences")] = preferences
     stream_out = io.BytesIO()
     writer.write(stream_out)
     return stream_out.getvalue()
@@ -183,7 +187,7 @@ def _build(document: Manuscript, pages: int, drawings: Mapping[int, _Drawing]) -
 
 def _footer(document: Manuscript, pages: int) -> Callable[[Canvas, Any], None]:
     number_width = 40 * mm
-    text = _shortened(document.footer, PLAIN, 7.5, WIDTH - number_width)
+    text = _shortened(document.footer, PLAIN, 8.0, WIDTH - number_width)
     mark = _shortened(document.mark, BOLD, MARK_SIZE, WIDTH)
 
     def draw(canvas: Canvas, template: Any) -> None:
@@ -192,7 +196,7 @@ def _footer(document: Manuscript, pages: int) -> Callable[[Canvas, Any], None]:
             canvas.setFillColor(ORANGE)
             canvas.drawCentredString(105 * mm, 286 * mm, mark)
             canvas.setFillColor(colors.black)
-        canvas.setFont(PLAIN, 7.5)
+        canvas.setFont(PLAIN, 8.0)
         canvas.drawString(MARGIN, 10 * mm, text)
         canvas.drawRightString(MARGIN + WIDTH, 10 * mm, f"page {template.page} of {pages}")
 
@@ -221,11 +225,11 @@ CELL = _style("cell", CELL_SIZE)
 NUMBER = _style("number", CELL_SIZE, alignment=2)
 HEAD = _style("head", CELL_SIZE, bold=True)
 HEAD_NUMBER = _style("head number", CELL_SIZE, bold=True, alignment=2)
-SMALL = _style("small", 7.0, textColor=colors.HexColor("#444444"))
+SMALL = _style("small", 8.0, textColor=colors.HexColor("#444444"))
 TITLE = _style("title", 15, bold=True, spaceAfter=8)
 HEADING = _style("heading", 11, bold=True, spaceBefore=11, spaceAfter=4)
 CAPTION = _style("caption", 8.5, bold=True, spaceBefore=6, spaceAfter=2)
-FIXED_STYLE = ParagraphStyle("fixed", fontName=FIXED, fontSize=6.5, leading=8.2)
+FIXED_STYLE = ParagraphStyle("fixed", fontName=FIXED, fontSize=8.0, leading=10.0)
 
 
 COVER_TITLE = _style("cover title", 17, bold=True, spaceAfter=3)

@@ -226,9 +226,9 @@ def scheme(parameters: Parameters | None) -> Figure | None:
             axes.plot(zig, 0.28 * unit * np.array([0, 0, *[1, -1] * 4, 0, 0]), color=INK, lw=1.0)
             axes.plot([wall, wall], [-0.6 * unit, 0.6 * unit], color=INK, lw=1.5)
             text = f"{mechanism.spring.stiffness:.4g} N/m"
-            axes.text((right + wall) / 2, 0.65 * unit, text, ha="center", fontsize=7, color=MUTED)
+            axes.text((right + wall) / 2, 0.65 * unit, text, ha="center", fontsize=7.5, color=MUTED)
             right = wall
-        small = {"fontsize": 7, "color": MUTED}
+        small = {"fontsize": 7.5, "color": MUTED}
         left = pin / 2 + np.array([-0.25, 0.1]) * unit
         axes.text(*left, f"{1e3 * crank:.4g} mm", ha="right", **small)
         middle = (pin + slider) / 2 + np.array([0.0, 0.35]) * unit
@@ -238,7 +238,7 @@ def scheme(parameters: Parameters | None) -> Figure | None:
         sizes = f"joint: pin {2e3 * joint.pin_radius:.4g}, bushing {2e3 * joint.bushing_radius:.4g}"
         sizes += f" × {1e3 * joint.bushing_width:.4g} mm"
         above = pin + np.array([0.0, 0.7]) * unit
-        axes.text(*above, sizes, ha="left", fontsize=7, color=MODEL)
+        axes.text(*above, sizes, ha="left", fontsize=7.5, color=MODEL)
         axes.set_xlim(-1.6 * unit, right + 1.2 * unit)
         axes.set_ylim(-1.6 * unit, pin[1] + 1.5 * unit)
     plane = "vertical" if any(mechanism.gravity) else "horizontal"

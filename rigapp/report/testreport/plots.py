@@ -441,4 +441,4 @@ def _probe_panel(axes: Any, picture: CyclePicture) -> None:
         mean = float(np.mean(values))
         means.append(number(mean, "um"))
         _curve(axes, picture, values - mean, color=COLOURS[name], label=SHORT[name])
-    axes.set_title(f"means {', '.join(means)} µm", fontsize=7.0, loc="right", pad=2.0)
+    axes.set_title(f"means {', '.join(means)} µm", fontsize=7.5, loc="right", pad=2.0)
