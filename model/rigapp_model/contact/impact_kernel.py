@@ -63,6 +63,9 @@ HOPELESS, HOPELESS_SHRINK = 1e30, 0.1
 """An error that is no number any more says nothing of the step that would do."""
 FLAWLESS = 1e-12
 """Of the tolerance: an error of 0 does not make an endless step."""
+NEAR_PEAK = 1.1
+"""A maximum between the stages of a step is above them by less than this factor: the widest gap
+between two is a fifth of a step, in which a contact swings by less than a radian."""
 PEAK_ROUNDS, PEAK_PARTS = 3, 8
 """A greatest force is sought so often on so many parts: to 1/256 of a step, 1e-5 of a maximum."""
 SAME_TIME = 1e-13
@@ -213,23 +216,36 @@ def first_crossing(p, table, options, time, h, states, dense, point, sign):  # t
 
 @njit(
     float64(
-        VECTOR, TABLE, int64[::1], float64, float64, ROWS, ROWS, ROWS, ROW, ROW, float64, boolean
+        VECTOR,
+        TABLE,
+        int64[::1],
+        float64,
+        float64,
+        ROWS,
+        ROWS,
+        ROWS,
+        ROW,
+        ROW,
+        float64,
+        boolean,
+        float64,
     ),
     cache=True,
 )
 def greatest_force(  # type: ignore[no-untyped-def]
-    p, table, options, time, h, k, states, dense, point, slope, impact_speed, ready
+    p, table, options, time, h, k, states, dense, point, slope, impact_speed, ready, known
 ):
     """Return the greatest size of the joint's force within a step in contact, N.
 
     The stages of the step tell whether it lies between the ends; then it is sought on the
     interpolant, which ``ready`` says to be in ``dense`` already. slope: room for a derivative.
+    known: the greatest before; where the stages stay well below it, none is sought.
     """
     most = max(k[0, FORCE], k[STAGES, FORCE])
     between = 0.0
     for i in range(1, STAGES):
         between = max(between, k[i, FORCE])
-    if between <= most:
+    if between <= most or NEAR_PEAK * between < known:
         return most
     if not ready:
         prepare_dense(p, table, options, time, h, k, states, impact_speed, True, dense)
@@ -364,6 +380,7 @@ def integrate(p, table, options, y, course, control, times, most_steps, samples,
                     slope,
                     impact_speed,
                     ready,
+                    impacts[present, IMPACT_PEAK] if present >= 0 else tally[GREATEST],
                 )
                 tally[GREATEST] = max(tally[GREATEST], most)
                 if present >= 0:

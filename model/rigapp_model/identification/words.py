@@ -18,6 +18,8 @@ from rigapp_model.identification.statements import CHANGE, CONSTANT, RUNNING_IN
 
 TOLD = 20.0
 """Odds above which a statement counts as told: one error in twenty, as for limits of 95 %."""
+MAY_SWING = 0.2
+"""Probability of a swing that nobody can have seen yet, above which it is said."""
 TOO_WIDE = 2.0
 """Limits further apart than this factor tell no coefficient."""
 MM3_PER_M2 = 1e9
@@ -27,13 +29,27 @@ MM3_PER_M2 = 1e9
 def sentence(known: Identification, departure: Departure | None = None) -> str:
     """Return in plain words how the joint wears, or why that cannot be told, and what disturbs."""
     found = joined("; ", [_disturbance(one) for one in known.disturbances])
-    if not known.disturbances:
-        return _wear(known, departure)
-    return say(
-        "{} The probes are disturbed, which the limits allow for: {}.",
-        _wear(known, departure),
-        found,
+    said = _wear(known, departure)
+    if known.disturbances:
+        said = say("{} The probes are disturbed, which the limits allow for: {}.", said, found)
+    if _may_swing(known):
+        said = say(
+            "{} A slow swing of the probes, as by the room's temperature, cannot be excluded yet."
+            " The limits hold it; a channel room_temperature would tell it.",
+            said,
+        )
+    return said
+
+
+def _may_swing(known: Identification) -> bool:
+    """Tell whether a swing of which less than a period has passed makes the limits wide."""
+    if known.readings.warm_zero is not None:
+        return False
+    unseen = sum(
+        v.weight * float(v.nodes.weight @ (v.nodes.kinds.period > known.revolution))
+        for v in known.verdicts
     )
+    return unseen > MAY_SWING
 
 
 def _disturbance(one: Disturbance) -> str:

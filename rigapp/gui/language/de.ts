@@ -14393,6 +14393,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>{} = {} liegt außerhalb von {}{}</translation>
     </message>
     <message>
+        <source>{} A slow swing of the probes, as by the room&apos;s temperature, cannot be excluded yet. The limits hold it; a channel room_temperature would tell it</source>
+        <translation>{} Ein langsames Schwanken der Wegsensoren, etwa mit der Raumtemperatur, ist noch nicht auszuschließen. Die Grenzen enthalten es; ein Kanal room_temperature würde es zeigen</translation>
+    </message>
+    <message>
         <source>{} Are the signals volts of an amplifier, counts, or N?</source>
         <translation>{} Sind die Signale Volt eines Verstärkers, Zählschritte oder N?</translation>
     </message>
@@ -14406,7 +14410,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     </message>
     <message>
         <source>{} The probes are disturbed, which the limits allow for: {}</source>
-        <translation>{} Die Wegaufnehmer sind gestört, was die Grenzen berücksichtigen: {}</translation>
+        <translation>{} Die Wegsensoren sind gestört, was die Grenzen berücksichtigen: {}</translation>
     </message>
     <message>
         <source>{} The recording is not played</source>
