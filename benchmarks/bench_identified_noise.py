@@ -5,9 +5,10 @@ tests are those of ``tests/model/identification/rig_noise.py``, which disturbs t
 estimator does not suppose; sensitivity, zero and scatter are drawn as they are stated to it. A row
 for each disturbance, of rigs that measure the temperature (T) and of others: how often 95 % limits
 of the wear coefficient and of what remains hold the truth at 10, 30 and 60 % of life, the
-coefficient's mean error and half width, how many tests of 21,377 revolutions raise a false alarm,
-and by how many scatters of a reading the depth grows until a doubled coefficient is told (median,
-and share that is never told).
+coefficient's mean error and half width, how often limits of a pairing of eight specimens hold its
+median and each specimen, how many tests of 21,377 revolutions raise a false alarm, and by how many
+scatters of a reading the depth grows until a doubled coefficient is told (median, and share that is
+never told).
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ import multiprocessing
 import os
 import sys
 import time
+from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import cache
@@ -34,14 +36,19 @@ from rigapp_model.identification import (
     CannotBeTold,
     Consistency,
     DepthLife,
+    Estimate,
     Prior,
     ProbeErrors,
     depth_life,
+    estimate_of,
     identify,
+    pairing_of,
     remaining,
 )
 
 PARTS = (0.1, 0.3, 0.6)
+GROUP = 8
+"""Specimens of a pairing that are taken together."""
 CHANNEL = " T"
 """What the name of a kind ends with where the rig measures the temperature."""
 KINDS = (*(one + CHANNEL for one in rig.KINDS), "white", "daily", "hourly")
@@ -83,13 +90,18 @@ def warmth(one: rig.Recorded, kind: str) -> np.ndarray:
     return 21.0 + one.room if kind.endswith(CHANNEL) else np.full(one.room.size, np.nan)
 
 
-def covered(work: tuple[str, int]) -> list[tuple[float, float, float, float]]:
+Row = tuple[float, float, float, float]
+
+
+def covered(work: tuple[str, int]) -> tuple[list[Row], list[tuple[Estimate, float] | None]]:
     """Return of one test at each part: coefficient held, life held, error and half width of ln K.
 
-    NaN where nothing is stated.
+    NaN where nothing is stated. And what a pairing is told of each, with the true coefficient.
     """
     kind, seed = work
-    one, life, rows = recorded(kind, seed), told_life(), []
+    one, life = recorded(kind, seed), told_life()
+    rows: list[Row] = []
+    told: list[tuple[Estimate, float] | None] = []
     end = float(one.clean[-1])
     reached = int(np.argmax(one.clean >= end)) + 1
     for bins in gathered(one, kind):
@@ -97,6 +109,7 @@ def covered(work: tuple[str, int]) -> list[tuple[float, float, float, float]]:
             known = identify(bins, life, stated(kind), PRIOR)
         except CannotBeTold:
             rows.append((np.nan,) * 4)
+            told.append(None)
             continue
         limits = known.coefficient
         truth = one.ratio * rig.COEFFICIENT
@@ -111,7 +124,31 @@ def covered(work: tuple[str, int]) -> list[tuple[float, float, float, float]]:
                 0.5 * float(np.log(limits.high / limits.low)),
             )
         )
-    return rows
+        try:
+            told.append((estimate_of(known, f"{seed}"), truth))
+        except CannotBeTold:
+            told.append(None)
+    return rows, told
+
+
+def pooled(told: Sequence[Sequence[tuple[Estimate, float] | None]]) -> str:
+    """Return of groups of specimens at each part how many medians and specimens are held, %."""
+    found = []
+    for part in range(len(PARTS)):
+        known = [one[part] for one in told]
+        some = [one for one in known if one is not None]
+        medians, specimens = [], []
+        for begin in range(0, len(some) - GROUP + 1, GROUP):
+            group = some[begin : begin + GROUP]
+            pairing = pairing_of([estimate for estimate, _ in group], "a group")
+            medians.append(pairing.coefficient.low <= rig.COEFFICIENT <= pairing.coefficient.high)
+            specimens += [
+                limits.low <= truth <= limits.high
+                for limits, (_, truth) in zip(pairing.each, group, strict=True)
+            ]
+        if medians:
+            found.append(f"{100.0 * np.mean(medians):.0f} {100.0 * np.mean(specimens):.0f}")
+    return "/".join(found)
 
 
 def recorded(kind: str, seed: int, doubled_at: int | None = None) -> rig.Recorded:
@@ -168,19 +205,22 @@ def main() -> None:
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
     missed = 0
     print(
-        "kind        K held, %     error, %         half, %          life held, %  alarms  growth"
+        "kind         K held, %     error, %         half, %          life held, %  "
+        "pooled, held, %       alarms  growth"
     )
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(given.processes, mp_context=spawn) as pool:
         for kind in given.kinds.split(","):
             start = time.perf_counter()
             work = [(kind, given.seed + number) for number in range(given.tests)]
-            rows = np.array(list(pool.map(covered, work)))
+            tests = list(pool.map(covered, work))
+            rows = np.array([one for one, _ in tests])
             held = 100.0 * np.nanmean(rows, axis=0)
             stated = 1.0 - np.isnan(rows[..., 0]).mean()
             text = (
                 f"{kind:<10}  {shown(held[:, 0], '3.0f'):<12}  {shown(held[:, 2], '+.1f'):<15}  "
                 f"{shown(held[:, 3], '.1f'):<15}  {shown(held[:, 1], '3.0f'):<12}"
+                f"  {pooled([one for _, one in tests]):<20}"
             )
             good = bool((held[:, 0] >= 100.0 * COVERED[0]).all())
             if watched_tests:
