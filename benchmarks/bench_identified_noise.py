@@ -53,7 +53,7 @@ CHANNEL = " T"
 """What the name of a kind ends with where the rig measures the temperature."""
 KINDS = (*(one + CHANNEL for one in rig.KINDS), "white", "daily", "hourly")
 ERRORS = ProbeErrors(0.01, 1e-6, 0.3e-6, 0.4e-6)
-STATED = {"clearance": replace(ERRORS, geometry=0.05), "gain": replace(ERRORS, load=0.02)}
+STATED = {"clearance": replace(ERRORS, geometry=0.04), "gain": replace(ERRORS, load=0.02)}
 """What is stated of rows whose joint or load cell is not as the estimator believes."""
 PRIOR = Prior(rig.COEFFICIENT)
 COVERED = (0.93, 0.97)

@@ -160,7 +160,7 @@ def test_clearance_and_width_are_in_the_budget_of_the_coefficient() -> None:
     joint = PARAMETERS.joint
     identifier = Identifier(PARAMETERS, SOUGHT, reference=1e-6)
     usual = identifier.errors().geometry
-    assert usual == pytest.approx(np.hypot(25e-6 / joint.clearance, 1e-4 / joint.bushing_width))
+    assert usual == pytest.approx(np.hypot(20e-6 / joint.clearance, 1e-4 / joint.bushing_width))
     narrow = replace(joint, bushing_width=0.2 * joint.bushing_width)
     identifier.parameters = replace(PARAMETERS, joint=narrow)
     assert identifier.errors().geometry > 1.2 * usual
