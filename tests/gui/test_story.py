@@ -55,6 +55,13 @@ def display(tmp_path: Path) -> Iterator[dict[str, str]]:
         "QT_QPA_PLATFORM": "xcb",
         "XDG_CONFIG_HOME": str(tmp_path / "config"),
     }
+    place = ["xdotool", "getmouselocation"]  # the number is known a moment before it is served
+
+    def served() -> bool:
+        done = subprocess.run(place, env=environment, capture_output=True, check=False)
+        return done.returncode == 0
+
+    wait_for(served, "a display")
     manager = subprocess.Popen(["openbox"], env=environment, stderr=subprocess.DEVNULL)
     yield environment
     for process in (manager, server):
