@@ -637,7 +637,7 @@ def test_every_trend_draws_what_it_names(
     trend = window.tabs.panels["upper_trend"]
     choices = range(trend.choice.count())
     quantities = [one for one in choices if trend.choice.itemData(one) is not None]
-    for index in quantities:  # headings of groups stand between them, and cannot be chosen
+    for index in quantities:  # lines part the groups, and cannot be chosen
         trend.choice.setCurrentIndex(index)
         window.draw_now()
         assert trend._curves
