@@ -138,6 +138,8 @@ class Supervisor:
         now = time.monotonic()
         if self._slow_since is None:
             self._slow_since = now
+        elif not connection.control.answering:
+            return  # its silence is the cause, and is told by its own watch
         elif now - self._slow_since > SPEED_LOST_S * connection.rig.slow():
             core.act_on(make_alarm("speed_lost", speed_rpm=rpm, target_rpm=test.target_rpm))
 

@@ -214,10 +214,16 @@ def test_margins_follow_the_limits_in_force() -> None:
 
 
 def test_the_window_shows_margin_of_a_recorded_test(
-    player: tuple[MainWindow, ReplayClient],
+    player: tuple[MainWindow, ReplayClient], qtbot: Any
 ) -> None:
     window, _ = player
-    assert window.header.tiles["force"].detail.whole == "drive off above 380 N, 75 % left"
+    detail = window.header.tiles["force"].detail
+
+    def told() -> bool:  # the status of the replay may come a tick after its rows
+        window.tick()
+        return detail.whole == "drive off above 380 N, 75 % left"
+
+    qtbot.waitUntil(told, timeout=PATIENCE_MS)
     assert window._connection.status is not None
     assert window._connection.status.engine.state is RunState.STOPPED
 
