@@ -195,8 +195,8 @@ def revolution_ms(folder: Path) -> Followed:
     for name, calls in (
         ("first walk through the pages", walk),
         ("second walk", walk),
-        ("what to calibrate", [window.calibrate]),
-        ("a calibration opens", [partial(window.calibrate_what, "load cell")]),
+        ("what to calibrate", [window.guide.open]),
+        ("a calibration opens", [partial(window.guide.choose, "load cell")]),
         ("two new themes", [window.switch_theme, window.switch_theme]),
     ):
         stalls[name] = max(stall_of(call) for call in calls)

@@ -79,6 +79,19 @@ class Act(enum.StrEnum):
     TRIP = "trip"
 
 
+class Panels(dict[str, "Panel"]):
+    """The panels that are made so far, by name; who asks for another has its page made."""
+
+    make: Callable[[str], None] | None = None
+
+    def __missing__(self, name: str) -> Panel:
+        if self.make is not None:
+            self.make(name)
+        if name not in self:
+            raise KeyError(f"no page has a panel {name}")
+        return self[name]
+
+
 @dataclass(frozen=True, slots=True)
 class Host:
     """The window, as the makers of pages see it.
@@ -104,7 +117,7 @@ class Host:
     wear: WearReader
     rig: Path | None = None
     keys: tuple[tuple[Text, Text], ...] = ()
-    panels: dict[str, Panel] = field(default_factory=dict)
+    panels: Panels = field(default_factory=Panels)
 
     @property
     def results_folder(self) -> Path:

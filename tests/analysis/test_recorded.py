@@ -37,6 +37,7 @@ def compressed(ended: Path) -> Path:
     return path
 
 
+@pytest.mark.long
 @pytest.mark.sampled
 @pytest.mark.parametrize("chunks", [None, 100])
 @pytest.mark.parametrize("form", ["ended", "compressed"])

@@ -118,6 +118,7 @@ def run(words: list[str], folder: Path) -> Any:
     return app(args=words, prog_name="rigapp", standalone_mode=False)
 
 
+@pytest.mark.long
 @pytest.mark.sampled
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)
 def test_the_commands_of_the_page_do_what_it_says(page: Path, folder: Path) -> None:

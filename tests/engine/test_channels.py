@@ -486,6 +486,7 @@ def test_the_file_keeps_them_and_goes_on_with_them(tmp_path: Path) -> None:
         assert set(even) == {"angle", *(one.name for one in reader.plan.table.curves)}
 
 
+@pytest.mark.long
 def test_a_rig_that_lost_a_channel_cannot_go_on(tmp_path: Path) -> None:
     rig = ChannelRig(open_store=open_file)
     rig.__post_init__()

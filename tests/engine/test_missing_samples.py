@@ -166,7 +166,7 @@ def test_a_silence_beyond_the_limit_ends_the_test_and_is_the_reason(
 
 
 @pytest.mark.parametrize(
-    "turns", [0.1, *(pytest.param(one, marks=pytest.mark.long) for one in (0.3, 0.7, 1.2))]
+    "turns", [pytest.param(one, marks=pytest.mark.long) for one in (0.1, 0.3, 0.7, 1.2)]
 )
 def test_a_short_gap_has_its_length_and_the_encoder_is_not_blamed(
     tmp_path: Path, turns: float

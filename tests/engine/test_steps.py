@@ -129,6 +129,7 @@ def test_a_rest_stands_at_the_safe_angle_notes_the_creep_and_goes_on_by_itself(
     assert stood[1] > stood[0]
 
 
+@pytest.mark.long
 def test_a_pause_of_the_operator_in_a_rest_lasts_until_somebody_goes_on(rig: MemoryRig) -> None:
     rig.start(sequence(505, RunStep(revolutions=5, rest_s=1e6), RunStep(revolutions=500)))
     rig.engine.wait((RunState.PAUSED,), 60.0)
@@ -252,6 +253,7 @@ def test_a_drive_that_does_not_reach_the_speed_of_a_step_ends_the_test() -> None
     assert rig.stands
 
 
+@pytest.mark.long
 def test_rests_of_steps_that_are_over_while_the_crank_slows_down_are_one(rig: MemoryRig) -> None:
     watched = rig.engine.watch()
     outcome = run(rig, sequence(9, RunStep(revolutions=1, rest_s=PACE)))

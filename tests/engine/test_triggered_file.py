@@ -194,6 +194,7 @@ def test_a_jam_beyond_the_range_is_told_alike_by_file_result_report_and_replay(
     assert shown.peak == largest
 
 
+@pytest.mark.long
 def test_a_jam_in_the_first_revolution_is_all_that_there_is(
     rig: MemoryRig, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -263,6 +264,7 @@ def test_a_trip_by_a_rule_is_of_the_whole_revolution_that_was_judged(
     assert trip.before.revolution == trip.revolution - 1
 
 
+@pytest.mark.long
 def test_a_resumed_test_keeps_what_was_cut_off(rig: MemoryRig, tmp_path: Path) -> None:
     path = tmp_path / "test.h5"
     rig.engine.connect()
@@ -286,6 +288,7 @@ def test_a_resumed_test_keeps_what_was_cut_off(rig: MemoryRig, tmp_path: Path) -
         assert reader.summary()["cycles_saved"] == len(whys(reader))
 
 
+@pytest.mark.long
 def test_a_used_up_room_is_told_once(rig: MemoryRig, tmp_path: Path) -> None:
     path = tmp_path / "test.h5"
     rig.engine.connect()
@@ -316,6 +319,7 @@ def test_the_plan_counts_what_triggers_keep() -> None:
     assert size > 110 * RATE / 2 * 50
 
 
+@pytest.mark.long
 def test_samples_beyond_a_part_are_not_those_of_the_part(rig: MemoryRig, tmp_path: Path) -> None:
     """The part ends where the crank stands, not where the memory behind it ends."""
     path = tmp_path / "test.h5"

@@ -43,10 +43,10 @@ def hang_weights(window: MainWindow) -> None:
     until(
         lambda: connection.status.engine.state in (RunState.READY, RunState.STOPPED), "the devices"
     )
-    window.calibrate()
+    window.guide.open()
     window.stage.findChild(QPushButton, "choose_load_cell").click()
-    until(lambda: window._calibration is not None, "the wizard", window.controls.answer.text)
-    wizard = window._calibration
+    until(lambda: window.guide.wizard is not None, "the wizard", window.controls.answer.text)
+    wizard = window.guide.wizard
     until(wizard.plan.isVisible, "the plan")
     wizard.next()
     wizard.live.lend_a_hand()

@@ -145,6 +145,7 @@ def test_a_viewer_can_only_stop_and_acknowledge_and_reads_why(
     until(lambda: one.header.state.value.whole == "Running")
     one.controls.command_line.act()
     until(lambda: other.viewer_bar.isVisible())
+    other.tabs.make_all(at_once=True)  # what is made later is forbidden too
     guarded = other.findChildren(GuardedButton)
     names = {button.objectName() for button in guarded}
     assert {"start", "pause", "resume", "connect", "add_note", "zero", "reconnect"} <= names

@@ -126,9 +126,9 @@ def test_an_open_guide_keeps_the_rig_still_in_both_windows(
         assert first.status.recovery.verb == ""
         assert first.host.engine.state is RunState.STOPPED
         press(second, Qt.Key.Key_F3)
-        assert second.window._calibration is None
+        assert second.window.guide.wizard is None
         # It is closed in the middle, with a weight on the pin: the hands of the training go too.
-        first.window._calibration.reject()
+        first.window.guide.wizard.reject()
         turns(second)
         assert second.window.notice.end.isHidden()
         hang_weights(first.window)
@@ -156,7 +156,7 @@ def test_a_killed_window_leaves_it_until_somebody_ends_it(
             assert other.stdout.readline().strip() == "weights hang"
             other.send_signal(signal.SIGKILL)
         refuses(one)
-        notice, asked = one.window.notice, one.window.end_calibration
+        notice, asked = one.window.notice, one.window.guide.end_bar
         one.click(notice.end)
         assert "load cell, by Ada" in asked.text.text()
         assert "Look at the pin" in asked.text.text()

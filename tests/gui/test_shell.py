@@ -105,11 +105,11 @@ def test_a_calibration_stands_in_the_window_and_is_left_and_come_back_to(
 
     def opened() -> bool:
         window.tick()
-        return window._calibration is not None
+        return window.guide.wizard is not None
 
     qtbot.waitUntil(opened, timeout=PATIENCE_MS)
     engine.reply = Reply(ok=False, sentence="There are no signals.")
-    wizard = window._calibration
+    wizard = window.guide.wizard
     assert wizard is not None
     qtbot.waitUntil(wizard.isVisible, timeout=PATIENCE_MS)
     stop = window.controls.buttons["stop"]
@@ -128,7 +128,7 @@ def test_a_calibration_stands_in_the_window_and_is_left_and_come_back_to(
     qtbot.keyClick(window, Qt.Key.Key_F3)
     qtbot.keyClick(wizard, Qt.Key.Key_Escape)
     assert not window.stage.guiding
-    assert window._calibration is None
+    assert window.guide.wizard is None
     window.dress(LIGHT)
 
 

@@ -178,6 +178,7 @@ def test_a_study_is_computed_from_the_window(opened: Opened, tmp_path: Path, qtb
     assert panel.run.compute.isEnabled()
 
 
+@pytest.mark.long
 def test_an_interrupted_study_is_safe_and_a_wrong_file_is_told(
     opened: Opened, tmp_path: Path, qtbot: Any
 ) -> None:

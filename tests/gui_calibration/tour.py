@@ -40,11 +40,11 @@ def make_wizard(window: Any, folder: Path, line: Any, which: str, **more: Any) -
         subject=choice.subject, fields=choice.fields, **more,
     )  # fmt: skip
     wizard.live._timer.stop()
-    window._calibration = wizard
-    wizard.finished.connect(window._end_calibration)
+    window.guide.wizard = wizard
+    wizard.finished.connect(window.guide.end)
     window.stage.take(wizard)
     window.stage.dress(window.theme)
-    window._guide(wizard)
+    window.guide.show(wizard)
     wizard.live.tick()
     return wizard
 
@@ -158,9 +158,9 @@ def run_out(make: Made, folder: Path) -> Iterator[str]:
 
 def tour_of_choices(window: Any) -> Iterator[tuple[str, CalibrationChooser]]:
     """Yield what is asked before a wizard opens."""
-    window.calibrate()
+    window.guide.open()
     yield "choices", window.findChild(CalibrationChooser)
-    window._end_calibration()
+    window.guide.end()
 
 
 SUBJECTS = {"load cell": load_cell, "daily": daily, "probes": probes, "run-out": run_out}
@@ -169,4 +169,4 @@ SUBJECTS = {"load cell": load_cell, "daily": daily, "probes": probes, "run-out":
 def tour(window: Any, folder: Path, subject: str) -> Iterator[tuple[str, CalibrationWizard]]:
     """Yield the name of each page of a subject as it is seen in a window, and the wizard."""
     for name in SUBJECTS[subject](partial(make_wizard, window, folder), folder):
-        yield name, window._calibration
+        yield name, window.guide.wizard

@@ -110,6 +110,7 @@ def test_channels_are_recorded_limited_and_exported(
     assert all(one in report for one in ("bushing_temperature", "sled_position", "motor_current"))
 
 
+@pytest.mark.long
 def test_a_cause_raises_an_alarm_that_the_file_keeps(
     changed: Path, ended: subprocess.CompletedProcess[str]
 ) -> None:
@@ -121,6 +122,7 @@ def test_a_cause_raises_an_alarm_that_the_file_keeps(
     )
 
 
+@pytest.mark.long
 def test_a_subject_is_fitted_kept_and_certified(changed: Path) -> None:
     (changed / "settings.toml").write_text('schema = 1\n[thermometer]\nname = "T 1"\n', "utf-8")
     calibrate = ("-m", "rigapp", "calibrate")
@@ -149,6 +151,7 @@ def test_a_column_is_stored_with_its_unit_and_sentence(
         np.testing.assert_allclose(counted[1:committed], 1.0, rtol=0.01)
 
 
+@pytest.mark.long
 def test_a_panel_is_a_tab_and_told_the_news(
     changed: Path, ended: subprocess.CompletedProcess[str]
 ) -> None:
@@ -181,6 +184,7 @@ window.close()
 """
 
 
+@pytest.mark.long
 def test_a_verb_is_carried_out_for_who_may(changed: Path) -> None:
     said = run(
         changed,

@@ -123,6 +123,7 @@ def test_the_settings_are_as_recorded_and_the_records_hold(unpacked: Path) -> No
     assert "rigapp" in json.loads((folder / "versions.json").read_text())
 
 
+@pytest.mark.long
 def test_it_can_be_cited(clean_file: Path, folder: Path) -> None:
     to = package(clean_file, to=folder / "p.zip", authors=(ADA, 'Laboratory "North": wear'))
     with zipfile.ZipFile(to) as archive:
@@ -158,6 +159,7 @@ def test_it_is_a_crate_whose_files_are_all_there(unpacked: Path) -> None:
     assert unquote(run["result"].id) == "ptfe 1/ptfe 1.h5"
 
 
+@pytest.mark.long
 def test_the_licence_is_named_and_linked(clean_file: Path, folder: Path) -> None:
     to = package(clean_file, to=folder / "p.zip", licence="cc0-1.0")
     with zipfile.ZipFile(to) as archive:
@@ -236,6 +238,7 @@ def test_a_running_test_is_refused(folder: Path) -> None:
     assert not (folder / "p.zip").exists()
 
 
+@pytest.mark.long
 def test_an_interrupted_test_is_packaged(folder: Path) -> None:
     path = recorded(folder / "cut.h5", closed=False)
     to = folder / "p.zip"
@@ -305,6 +308,7 @@ def test_bytes_that_change_between_two_looks_are_told(folder: Path) -> None:
         write_archive(folder / "p.zip", [piece], {"test.h5": "of the old"}, lambda _: None)
 
 
+@pytest.mark.long
 def test_a_test_without_operator_needs_an_author(folder: Path) -> None:
     path = recorded(folder / "t.h5", operator="")
     with pytest.raises(UnusableInput, match="No author is known"):
@@ -332,6 +336,7 @@ def test_a_file_that_is_no_test_is_refused(folder: Path) -> None:
         package(path, to=folder / "p.zip")
 
 
+@pytest.mark.long
 def test_an_event_by_the_program_needs_no_author(folder: Path) -> None:
     by_program = [
         event("device", "daq", "a cable is loose"),

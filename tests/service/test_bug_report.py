@@ -100,6 +100,7 @@ def test_a_report_has_the_set_up_of_the_devices_and_nothing_private(
     check_trace(tmp_path / "drive.wire")
 
 
+@pytest.mark.long
 def test_one_device_in_a_test_is_recorded_until_it_is_ended(
     host: EngineHost, tmp_path: Path
 ) -> None:

@@ -21,6 +21,8 @@ from rigapp.storage.structure.hdf import is_bare
 
 RULE = '\n[[limits.rule]]\nquantity = "force_max"\nwarning_above = 1.0\n'
 ENGINES = ("h5netcdf", "netcdf4")
+pytestmark = pytest.mark.long  # one whole rig; what a file holds is tested without one
+
 FORMS = (pytest.param("interrupted", marks=pytest.mark.long), "stopped", "compact")
 """Of one test: as a kill leaves it, ended, and made smaller afterwards."""
 
@@ -87,13 +89,11 @@ def assert_opens(path: Path) -> None:
         assert "force_max" in root["/entry/revolutions"].variables
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("form", FORMS)
 def test_every_group_opens_by_both_engines(tests: dict[str, Path], form: str) -> None:
     assert_opens(tests[form])
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("form", FORMS)
 def test_values_times_and_flags_are_those_of_the_reader(tests: dict[str, Path], form: str) -> None:
     path = tests[form]

@@ -163,6 +163,7 @@ def test_its_holder_alone_turns_the_spindle_as_fast_as_the_step_needs(
     assert ada.request("calibration_end", {"key": key}).ok
 
 
+@pytest.mark.long
 def test_the_queue_waits_and_fails_no_test(
     viewer: Callable[[str], Client], tmp_path: Path, host: EngineHost
 ) -> None:

@@ -213,6 +213,7 @@ def test_faults_come_through_the_handle(start: Callable[..., SimulatedRig]) -> N
     assert rig.alive()
 
 
+@pytest.mark.long
 def test_fault_file_and_mechanism_of_a_test(
     rig_file: Path, tmp_path: Path, parameters: ParameterFile
 ) -> None:
@@ -227,6 +228,7 @@ def test_fault_file_and_mechanism_of_a_test(
     assert not rig.alive()
 
 
+@pytest.mark.long
 def test_sockets_in_place_of_ptys(rig_file: Path) -> None:
     process = subprocess.Popen(
         command(rig_file, "--sockets", "--exit-with-parent"),

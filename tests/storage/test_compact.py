@@ -160,6 +160,7 @@ def test_killed_on_the_way_the_file_is_whole(quick_folder: Path, step: str, mome
     assert {one.name for one in quick_folder.iterdir()} - {"test.h5.seal.json"} == {"test.h5"}
 
 
+@pytest.mark.long
 def test_background_process_does_it_while_a_reader_has_the_file_open(quick_folder: Path) -> None:
     path = ended(quick_folder)
     with open_test(path) as old:

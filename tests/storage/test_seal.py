@@ -118,6 +118,7 @@ def test_a_seal_made_anew_differs_from_the_one_beside(quick_folder: Path) -> Non
     assert faults(path) == [], "without the seal beside and a key nobody can tell"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("where", ['"leaves":["', '"public_key":"'])
 def test_a_seal_with_a_digit_that_is_none_is_damaged(quick_folder: Path, where: str) -> None:
     path = sealed(quick_folder)

@@ -98,6 +98,7 @@ def test_a_checkpoint_of_before_opens_and_the_identification_begins_there() -> N
     assert twin.identifier.progress == pytest.approx(REVOLUTIONS, rel=0.03)
 
 
+@pytest.mark.long
 def test_a_checkpoint_recorded_before_the_ends_were_kept_goes_on_with_the_same_coefficient() -> (
     None
 ):

@@ -26,11 +26,17 @@ TRUE = 5.05e-4
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a folder with two tests whose probes have a record, and one whose have none."""
+    """Return a folder with a test whose probes have a record, and one whose have none."""
     folder = tmp_path_factory.mktemp("kept")
     record(folder / "first.h5", 1.1, RECORDED)
-    record(folder / "second.h5", 0.8, RECORDED, 100)
     record(folder / "bare.h5", 1.1, Sought(planned=400.0), 10)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def two(folder: Path) -> Path:
+    """Return the folder with a test of a second specimen whose probes have a record."""
+    record(folder / "second.h5", 0.8, RECORDED, 100)
     return folder
 
 
@@ -99,7 +105,8 @@ def test_a_second_test_of_a_specimen_has_the_readings_of_the_first(tmp_path: Pat
 
 
 @pytest.mark.long
-def test_two_specimens_tell_their_scatter_and_the_next_ones_limits(folder: Path) -> None:
+def test_two_specimens_tell_their_scatter_and_the_next_ones_limits(two: Path) -> None:
+    folder = two
     found = identified_tests([folder / "first.h5", folder / "second.h5", folder / "bare.h5"])
     assert found.pairing is not None
     assert [one.path.name for one in found.counted] == ["first.h5", "second.h5"]
@@ -114,9 +121,9 @@ def test_two_specimens_tell_their_scatter_and_the_next_ones_limits(folder: Path)
 
 @pytest.mark.long
 def test_the_printed_prior_makes_the_limits_of_the_next_test_narrower(
-    folder: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path
+    two: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    files = [folder / "first.h5", folder / "second.h5"]
+    files = [two / "first.h5", two / "second.h5"]
     assert identify_tests(files, None, as_json=False) == 0
     said = capsys.readouterr().out
     lines = said[said.index("[prediction.prior]") :]
@@ -156,7 +163,7 @@ def test_a_file_whose_probes_have_no_record_is_refused_in_words(
 
 def test_the_promised_keys_hold_value_limits_and_level(folder: Path, tmp_path: Path) -> None:
     to = tmp_path / "wear.json"
-    files = [folder / "first.h5", folder / "second.h5"]
+    files = [two / "first.h5", two / "second.h5"]
     assert identify_tests(files[:1], to, as_json=False) == 0
     tree = json.loads(to.read_bytes())
     for each in (tree, tree["tests"][0]):
@@ -177,15 +184,13 @@ def test_the_promised_keys_hold_value_limits_and_level(folder: Path, tmp_path: P
     assert tree["reason"]
 
 
-@pytest.mark.sampled
-@pytest.mark.parametrize(
-    "ending", [".csv", ".json", ".html", pytest.param(".pdf", marks=pytest.mark.long)]
-)
+@pytest.mark.long
+@pytest.mark.parametrize("ending", [".csv", ".json", ".html", ".pdf"])
 def test_it_is_written_in_each_form(
-    folder: Path, tmp_path: Path, ending: str, capsys: pytest.CaptureFixture[str]
+    two: Path, tmp_path: Path, ending: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     to = tmp_path / f"wear{ending}"
-    files = [folder / "first.h5", folder / "second.h5"]
+    files = [two / "first.h5", two / "second.h5"]
     assert identify_tests(files, to, as_json=False) == 0
     said = capsys.readouterr().out
     assert "Scatter between specimens: a factor of" in said

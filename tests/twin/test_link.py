@@ -75,6 +75,7 @@ def link(tmp_path: Path, inbox: Inbox, reports: list[str]) -> Iterator[TwinLink]
     assert link.worker_pid == 0
 
 
+@pytest.mark.long
 def test_a_worker_is_reached_through_a_port_where_the_folder_has_a_long_name(
     tmp_path: Path, inbox: Inbox
 ) -> None:

@@ -82,9 +82,9 @@ class RecipePanel(QWidget):
         self.pages = named(QStackedWidget(), "step_pages", "The open step")
         self.pages.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
         self.pages.setMinimumHeight(LEAST_HEIGHT)
-        self._built = False
+        self._filled = False
         self._build()
-        self._built = True
+        self._filled = True
         self._judge()
 
     @property
@@ -142,9 +142,14 @@ class RecipePanel(QWidget):
         self.armed_changed.emit()
 
     def _fill(self, tree: Any) -> None:
-        self.form.fill(tree)
-        self.rules.fill(tables_in(get_path(tree, "limits.rule")))
-        self.sequence.fill(tables_in(get_path(tree, "run.step")))
+        """Show a test; whoever calls judges it once it is whole."""
+        self._filled = False
+        try:
+            self.form.fill(tree)
+            self.rules.fill(tables_in(get_path(tree, "limits.rule")))
+            self.sequence.fill(tables_in(get_path(tree, "run.step")))
+        finally:
+            self._filled = True
 
     @property
     def _tree(self) -> dict[str, Any]:
@@ -299,23 +304,21 @@ class RecipePanel(QWidget):
         self.unfold = button(
             "model_unfold", "", inside.setVisible, "Show mechanism and materials", checkable=True
         )
-        self.unfold.toggled.connect(
-            lambda on: self.unfold.setText(
-                ("▾ " if on else "▸ ") + tr("Mechanism, joint and materials")
-            )
-        )
-        bold = QFontMetrics(sized(self.unfold.font(), BODY_PT, QFont.Weight.DemiBold))
         title = tr("Mechanism, joint and materials")
+        self.unfold.toggled.connect(
+            lambda on: self.unfold.setText(f"▾ {title}" if on else f"▸ {title}")
+        )
+        self.unfold.setText(f"▸ {title}")
+        inside.hide()
+        bold = QFontMetrics(sized(self.unfold.font(), BODY_PT, QFont.Weight.DemiBold))
         self.unfold.setMinimumWidth(bold.horizontalAdvance(f"▾ {title}") + 4 * STEP)
-        self.unfold.setChecked(True)
-        self.unfold.setChecked(False)
         head = QWidget()
         row(self.unfold, None, on=head, margins=0)
         return [*shown, head, inside]
 
     def _judge(self) -> None:
         """Check the whole form; every mistake stands at its field, the verdict counts them."""
-        if not self._built:
+        if not self._filled:
             return
         tree, errors = self._read()
         self.test, wrong = judged_test(tree if not errors else self._with_the_file_s(tree, errors))

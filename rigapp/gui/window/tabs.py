@@ -1,4 +1,7 @@
-"""The tabs of the window, as one table; each panel draws only while it can be seen."""
+"""The tabs of the window, as one table; a page is made when it is first wanted.
+
+Each panel draws only while it can be seen.
+"""
 
 from __future__ import annotations
 
@@ -7,8 +10,8 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtCore import QSettings, Qt, Signal
+from PySide6.QtGui import QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
 
 from rigapp.gui.look.dress import dress_part
@@ -34,7 +37,7 @@ from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.settings.page import SettingsPage, settings_page
 from rigapp.gui.testfile.prepare import PreparePanel, prepare_page
-from rigapp.gui.widgets.build import named
+from rigapp.gui.widgets.build import follow_in_tab_order, named
 from rigapp.gui.widgets.turns import Turns
 from rigapp.gui.window.help import window_keys
 from rigapp.gui.window.places import PageName, RailPlace
@@ -98,12 +101,17 @@ NUMBERS = {tab.name: number for number, tab in enumerate(TABS)}
 
 
 class Tabs(QTabWidget):
-    """Own every page; ``panels`` are all panels on them, by name.
+    """Own every page; ``panels`` are the panels on them, by name.
 
-    ``wanted`` carries requests to the engine, ``said`` sentences, ``asked`` what the window is to
-    do, ``help_wanted`` a section of docs/troubleshooting.md.
+    A page is made when it is shown or a panel of it is asked for, and all of them once the window
+    is on the screen (``make_all``): a window is there in less than half the time.
+
+    ``made`` tells of a page that was made, ``wanted`` carries requests to the engine, ``said``
+    sentences, ``asked`` what the window is to do, ``help_wanted`` a section of
+    docs/troubleshooting.md.
     """
 
+    made = Signal(QWidget)
     wanted = Signal(str, dict)
     said = Signal(str, bool)
     asked = Signal(Act)
@@ -121,9 +129,10 @@ class Tabs(QTabWidget):
     ) -> None:
         super().__init__()
         self._test = test
-        self._turns = Turns(self)
-        self._news = News()
-        host = Host(
+        self._turns, self._rest = Turns(self), Turns(self)
+        self._news, self._theme = News(), theme
+        self._layout: QSettings | None = None
+        self._host = host = Host(
             theme,
             results,
             worker,
@@ -139,23 +148,97 @@ class Tabs(QTabWidget):
             window_keys(),
         )
         self.panels = host.panels
+        self.panels.make = self._make_for
+        self._unmade = dict(enumerate(TABS))
         self._last_page = {tab.place: number for number, tab in reversed(list(enumerate(TABS)))}
         named(self, "tabs", "Panels")
         self.tabBar().hide()
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setDocumentMode(True)
         for place, tab in enumerate(TABS):
-            page = tab.make(host)
-            page.setAutoFillBackground(True)
-            self.addTab(_scrolling(page, tab), f"{tab.key[-1]} {tr(tab.title)}")
+            self.addTab(_scrolling(tab), f"{tab.key[-1]} {tr(tab.title)}")
             self.setTabToolTip(place, f"{tr(tab.title)} ({tab.key})")
             shortcut = QShortcut(QKeySequence(tab.key), self)
             shortcut.activated.connect(partial(self._go_to, place))
-        offer_menus(self, self.said.emit)
-        self.own.save_view = self.prepare.recipe.save_view
         self._offer_tabs()
-        self.splitters = [one for one in self.findChildren(QSplitter) if one.objectName()]
         self.currentChanged.connect(self._changed)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Make the page that is seen first."""
+        self._make(self.currentIndex())
+        super().showEvent(event)
+
+    def make_all(self, *, at_once: bool = False) -> None:
+        """Make the pages that nobody has wanted yet, each in a turn of its own."""
+        calls = [partial(self._make, number) for number in self._unmade]
+        if at_once:
+            for call in calls:
+                call()
+        else:
+            self._rest.then(calls)
+
+    def _make_for(self, name: str) -> None:
+        """Make pages until one of them has a panel of that name."""
+        likely = NUMBERS.get(name)
+        for number in [*([] if likely is None else [likely]), *self._unmade]:
+            if name in self.panels:
+                return
+            self._make(number)
+
+    def _make(self, number: int) -> None:
+        tab = self._unmade.pop(number, None)
+        if tab is None:
+            return
+        before = set(self.panels)
+        page = tab.make(self._host)
+        page.setAutoFillBackground(True)
+        area, chain = self._area(number), _tab_chain(page)
+        area.setWidget(page)
+        # Else Tab visits a late page after everything else; Qt puts nothing after a part without
+        # focus, which the area is again then.
+        area.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        follow_in_tab_order(area, *chain)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        offer_menus(page, self.said.emit)
+        panels = [panel for name, panel in self.panels.items() if name not in before]
+        for part in self._parts(number):
+            dress_part(part, self._theme)
+        for panel in panels:
+            if isinstance(panel, Dressed):
+                panel.dress(self._theme)
+        self._restore(area)
+        if tab.name == "own":
+            self.own.save_view = self.prepare.recipe.save_view
+            self.take_armed()
+        for panel in panels:
+            if Takes.STATUS in panel.takes and self._news.status is not None:
+                panel.show_news(self._news)
+        self.made.emit(area)
+
+    def close_pages(self) -> None:
+        """End what pages have begun: the page for browsers, a study."""
+        if "settings" in self.panels:
+            self.settings.live.close_page()
+        if "studies" in self.panels:
+            self.studies.run.close_run()
+
+    @property
+    def splitters(self) -> list[QSplitter]:
+        """Return the splitters whose places are kept, of the pages that are made."""
+        return [one for one in self.findChildren(QSplitter) if one.objectName()]
+
+    def restore_layout(self, settings: QSettings) -> None:
+        """Divide pages as they were left; those that are not made yet when they are."""
+        self._layout = settings
+        self._restore(self)
+
+    def _restore(self, part: QWidget) -> None:
+        if self._layout is None:
+            return
+        for splitter in part.findChildren(QSplitter):
+            state = self._layout.value(f"splitter/{splitter.objectName()}")
+            if splitter.objectName() and state is not None:
+                splitter.restoreState(state)
 
     @property
     def prepare(self) -> PreparePanel:
@@ -181,6 +264,8 @@ class Tabs(QTabWidget):
     def take_armed(self) -> None:
         """Show the own page of the test file that is open, while no test brings one along."""
         armed = self.prepare.recipe.armed
+        if "own" not in self.panels:
+            return
         if armed is not None and armed.test is not None and self._news.recipe is None:
             self.own.take_view(armed.test.view)
 
@@ -218,6 +303,7 @@ class Tabs(QTabWidget):
 
     def dress_calls(self, theme: Theme) -> list[Callable[[], object]]:
         """Return what puts the pages in a theme, a part each, what is seen first."""
+        self._theme = theme
         parts = [part for number in range(self.count()) for part in self._parts(number)]
         dressed = [panel for panel in self.panels.values() if isinstance(panel, Dressed)]
         calls = [(part.isVisible(), partial(dress_part, part, theme)) for part in parts]
@@ -225,17 +311,21 @@ class Tabs(QTabWidget):
         return [call for _, call in sorted(calls, key=lambda one: not one[0])]
 
     def _parts(self, number: int) -> list[QWidget]:
-        area = self.widget(number)
-        assert isinstance(area, QScrollArea)
+        area = self._area(number)
         inside = area.widget()
         if not isinstance(inside, InParts):
             return [area]
         return [*inside.parts(), area.verticalScrollBar(), area.horizontalScrollBar()]
 
+    def _area(self, number: int) -> QScrollArea:
+        area = self.widget(number)
+        assert isinstance(area, QScrollArea)
+        return area
+
     def take(self, news: News) -> None:
         """Take what every new status means, for panels that are seen or not."""
         before, self._news = self._news, news
-        for panel in self.panels.values():
+        for panel in list(self.panels.values()):
             if Takes.STATUS in panel.takes:
                 panel.show_news(news)
         self._lead(before, news)
@@ -259,7 +349,7 @@ class Tabs(QTabWidget):
             panel.show_news(self._news)
 
     def _seen(self, what: Takes) -> Iterable[Panel]:
-        return (one for one in self.panels.values() if what in one.takes and one.isVisible())
+        return (one for one in list(self.panels.values()) if what in one.takes and one.isVisible())
 
     def _offer_tabs(self) -> None:
         for place, tab in enumerate(TABS):
@@ -282,6 +372,7 @@ class Tabs(QTabWidget):
             self.setCurrentIndex(place)
 
     def _changed(self) -> None:
+        self._make(self.currentIndex())
         self._last_page[self.place] = self.currentIndex()
         self.draw_fast(self._news)
         calls: list[Callable[[], object]] = []
@@ -292,11 +383,21 @@ class Tabs(QTabWidget):
         self._turns.then(calls)
 
 
-def _scrolling(page: QWidget, tab: Tab) -> QScrollArea:
-    """Return a page that scrolls on a screen too small for it; state and buttons stay in sight."""
+def _tab_chain(page: QWidget) -> list[QWidget]:
+    """Return what the key Tab visits on a page that stands alone, in its order."""
+    chain: list[QWidget] = []
+    widget = page.nextInFocusChain()
+    while widget is not None and widget is not page:
+        if widget.focusPolicy() & Qt.FocusPolicy.TabFocus:
+            chain.append(widget)
+        widget = widget.nextInFocusChain()
+    return chain
+
+
+def _scrolling(tab: Tab) -> QScrollArea:
+    """Return the room of a page, which scrolls on a small screen; state and buttons stay."""
     area = named(QScrollArea(), f"page_{tab.name}", tab.title)
     area.setWidgetResizable(True)
     area.setFrameShape(QScrollArea.Shape.NoFrame)
     area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # it scrolls to what has the focus
-    area.setWidget(page)
     return area

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
-from getpass import getuser
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, QSettings, QTimer
 from PySide6.QtGui import (
@@ -26,14 +24,14 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.gui.look.dress import apply_theme, dress_part
-from rigapp.gui.look.preferences import OFF, Preference, Preferences
+from rigapp.gui.look.preferences import Preference, Preferences
 from rigapp.gui.panel import Act
 from rigapp.gui.panels.alarms import AlarmPanel
-from rigapp.gui.plots.plotmenu import offer_menus
 from rigapp.gui.results.documents import launch_process
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import GuardedButton, button, column, follow_in_tab_order, named, row
 from rigapp.gui.widgets.turns import Turns
+from rigapp.gui.window.calibrating import CalibrationGuide
 from rigapp.gui.window.command import KEY as COMMAND_KEY
 from rigapp.gui.window.command import ViewerBar, why_forbidden
 from rigapp.gui.window.controls import STARTABLE, ControlRow
@@ -41,9 +39,8 @@ from rigapp.gui.window.header import Header
 from rigapp.gui.window.headline import headline, measured, rig_words
 from rigapp.gui.window.help import HelpWindow
 from rigapp.gui.window.messageline import MessageLine
-from rigapp.gui.window.notice import NoticeBar
+from rigapp.gui.window.notice import CloseBar, NoticeBar
 from rigapp.gui.window.places import PageBar, Rail, RailPlace
-from rigapp.gui.window.questions import CloseBar, EndCalibrationBar
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.gui.window.recover import RecoverPanel
 from rigapp.gui.window.replaybar import ReplayBar, ReplayFrame
@@ -54,18 +51,13 @@ from rigapp.gui.window.tabs import Tabs
 from rigapp.gui.window.watchdog import IDLE_PERIOD_S, PERIOD_S, Watchdog
 from rigapp.presentation.states import occupied_text
 from rigapp.presentation.tokens import GAP, MARGIN, STEP, TIGHT_HEIGHT, TIGHT_WIDTH, Theme
-from rigapp.presentation.translation import Text, tr, translate
-from rigapp.process.memory import begin_to_load, end_of_loading
-from rigapp.schema.details import error_text
-from rigapp.schema.messages import NO_TEST, Reply, RunState, Snapshot, Status
+from rigapp.presentation.translation import Text, tr
+from rigapp.schema.messages import NO_TEST, RunState, Snapshot
 from rigapp.schema.states import ACTIVE
 from rigapp.viewer.connection import ConnectionState, EngineConnection
 from rigapp.viewer.news import News
 from rigapp.viewer.showntest import ShownTest
 from rigapp.viewer.tasks import TaskWorker
-
-if TYPE_CHECKING:
-    from rigapp.gui.wizard.wizard import CalibrationWizard
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,19 +138,13 @@ class MainWindow(QMainWindow):
         self._closing = ""
         self._discard = False
         self._tight = self._narrow = self._passed_by = False
-        self._results_folder = results_folder
         self._rig_file = rig
-        self._calibration: CalibrationWizard | None = None
-        self._make_wizard: type[CalibrationWizard] | None = None
-        self._calibrate_next = ""
-        self._calibrating_since, self._occupies = 0.0, False
         self.theme = theme
         self.watchdog = Watchdog(self)
         named(self, "main_window", "Rig control").setWindowTitle(PROGRAM)
         self.header = Header(theme)
         self.controls = ControlRow(connection.request, theme)
         self.close_bar = CloseBar()
-        self.end_calibration = EndCalibrationBar()
         self.notice = NoticeBar(theme)
         self.recover = RecoverPanel(theme)
         self.viewer_bar = ViewerBar(theme)
@@ -171,18 +157,29 @@ class MainWindow(QMainWindow):
             test, theme, self._results, self._reader, self.watchdog, self.preferences, rig
         )
         self.stage = Stage(self.tabs)
+        self.guide = CalibrationGuide(
+            connection,
+            self._reader,
+            self.stage,
+            self.tabs,
+            self.notice,
+            self.preferences,
+            self,
+            files=(rig, results_folder),
+            theme=lambda: self.theme,
+        )
         self.start_bar = StartBar(self.tabs.prepare.recipe, tests, results_folder)
         self.side = SideColumn(theme, self.recover)
         self.tabs.panels["side"] = self.side
         self.rail = Rail(theme, self.show_help)
-        bars = (self.viewer_bar, self.close_bar, self.end_calibration, self.notice)
+        bars = (self.viewer_bar, self.close_bar, self.guide.end_bar, self.notice)
         self.messages = MessageLine(bars, self.controls.answer_place, theme)
         if rig is not None:
             self.tabs.prepare.set_rig(rig)
         if tests:
             self.tabs.prepare.recipe.open_file(tests[0])
         self._build()
-        self.dressing, self._turns = Turns(self), Turns(self)
+        self.dressing = Turns(self)
         for call in self._dress_calls():
             call()
         self._connect()
@@ -201,6 +198,7 @@ class MainWindow(QMainWindow):
         self._timer.start()
         self._part_timer.start()
         self.watchdog.start()
+        self.tabs.make_all()
 
     def tick(self) -> None:
         """Pull what is new and draw what is visible."""
@@ -342,125 +340,6 @@ class MainWindow(QMainWindow):
         if self._help is not None:
             self._help.show_section(section)
 
-    def calibrate(self) -> None:
-        """Ask what to calibrate, or go back to the calibration under way; refused during a test."""
-        from rigapp.gui.wizard.chooser import CalibrationChooser
-
-        if self._calibration is not None:
-            self._guide(self._calibration)
-            return
-        if self._may_calibrate() is None:
-            return
-        chooser = CalibrationChooser(self)
-        chooser.chosen.connect(self.calibrate_what)
-        chooser.rejected.connect(self._end_calibration)
-        self.stage.take(chooser)
-        self.stage.dress(self.theme)
-        # Fits and statistics are loaded while somebody chooses, not before, and not here.
-        if self._make_wizard is None:
-            self._reader.submit(_load_wizards, self._take_wizards, self._tell_problem)
-        self._guide(chooser)
-
-    def calibrate_what(self, which: str) -> None:
-        """Open the wizard for the load cell, a probe or both (see ``chooser.CHOICES``)."""
-        from rigapp.gui.wizard.chooser import CHOICES
-
-        if self._may_calibrate() is None:
-            self._end_calibration()
-            return
-        self._calibrate_next = which
-        if self._make_wizard is None:
-            self._say("The calibration is being opened.")
-            return
-        from rigapp.calibrating.subjects import SUBJECTS
-
-        self._calibrate_next, choice = "", CHOICES[which]
-        fastest = SUBJECTS[choice.subject].fastest_rpm
-        asked = {"what": choice.what, "fastest_rpm": fastest}
-        self._connection.request("calibration_begin", asked, partial(self._occupied, which))
-
-    def _occupied(self, which: str, reply: Reply) -> None:
-        """Open the wizard once the rig is this calibration's; say why where it is not."""
-        from rigapp.calibrating.session import Rig
-        from rigapp.gui.wizard.chooser import CHOICES
-
-        status = self._connection.status
-        if not reply.ok or status is None:
-            self._end_calibration()
-            self.controls.show_answer(translate(reply.sentence), good=False)
-            return
-        begun = reply.result or {}
-        self.controls.show_answer("", good=True)
-        self._calibrating_since, self._occupies = begun.get("since", 0.0), False
-        self.notice.own_calibration = self._calibrating_since
-        chosen = self.preferences.get(Preference.OPERATOR)
-        operator = chosen or status.engine.operator or getuser()
-        test = self.tabs.prepare.recipe.path
-        rig = Rig(status.rig.name, status.rig.simulated, operator, self._rig_file, test)
-        line, folder = self._connection.request, self._results_folder
-        choice = CHOICES[which]
-        assert self._make_wizard is not None
-        self._calibration = self._make_wizard(
-            line,
-            rig,
-            self.theme,
-            folder,
-            parent=self,
-            subject=choice.subject,
-            fields=choice.fields,
-            key=begun.get("key", ""),
-        )
-        trains = self.preferences.get(Preference.HANDS) != OFF
-        self._calibration.live.hands_offered = trains
-        self._calibration.finished.connect(self._end_calibration)
-        self._turns.then((self._take_calibration,))
-
-    def _take_wizards(self, make: type[CalibrationWizard]) -> None:
-        self._make_wizard = make
-        if self._calibrate_next:
-            self.calibrate_what(self._calibrate_next)
-
-    def _tell_problem(self, error: Exception) -> None:
-        self.controls.show_answer(error_text(error, "That did not work."), good=False)
-
-    def _take_calibration(self) -> None:
-        if self._calibration is not None:
-            self.stage.take(self._calibration)
-            offer_menus(self._calibration, self._say_answer)
-            self._turns.then((*self.stage.dress_calls(self.theme), self._show_calibration))
-
-    def _show_calibration(self) -> None:
-        if self._calibration is not None:
-            self._guide(self._calibration)
-
-    def _guide(self, guide: QWidget) -> None:
-        """Show a guide in the place of the rig's pages; strip, Stop and notes stay."""
-        self.tabs.show_place(RailPlace.RIG)
-        self.stage.guide(guide)
-        self._show_place()
-
-    def _show_pages(self) -> None:
-        """Go from a guide to the pages; it can be come back to."""
-        self.stage.show_pages()
-        self._show_place()
-
-    def _end_calibration(self) -> None:
-        self._calibration, self._calibrate_next = None, ""
-        self._calibrating_since, self._occupies = 0.0, False
-        self.stage.end()
-        self._show_place()
-
-    def _may_calibrate(self) -> Status | None:
-        status = self._connection.status
-        if self._connection.is_replay or status is None or status.engine.state in ACTIVE:
-            why: Text = "Calibrating needs a running engine and no test under way."
-            self.controls.show_answer(why, good=False)
-            return None
-        if status.engine.calibration is not None:
-            self.controls.tell_occupied()
-            return None
-        return status
-
     def _front(self, dialog: QWidget) -> None:
         dialog.show()
         dialog.raise_()
@@ -484,10 +363,8 @@ class MainWindow(QMainWindow):
         self._part_timer.stop()
         self.watchdog.stop()
         self._save_layout()
-        self.tabs.settings.live.close_page()
-        self.tabs.studies.run.close_run()
-        if self._calibration is not None:
-            self._calibration.reject()  # it frees the rig over the line that is closed next
+        self.tabs.close_pages()
+        self.guide.close()  # it frees the rig over the line that is closed next
         self._connection.close()
         self._test.close()
         self._results.close()
@@ -520,7 +397,9 @@ class MainWindow(QMainWindow):
         self._keep(IN_TEST if busy else IDLE)
         self.recover.take_status(None if self._connection.is_replay else status)
         self.notice.take_status(status, replay=self._connection.is_replay)
-        self._take_occupied(status)
+        self.guide.take_status(status)
+        found = status.engine.calibration
+        self.start_bar.show_occupied(occupied_text(status) if found is not None else "")
         self._test.take(snapshot)
         self.tabs.take(self.news)
         self._show_place()
@@ -533,22 +412,6 @@ class MainWindow(QMainWindow):
             title = tr("Viewing only: {}", title)
         if self.windowTitle() != title:
             self.setWindowTitle(title)
-
-    def _take_occupied(self, status: Status) -> None:
-        """Take which calibration occupies the rig; close ours when somebody else has ended it."""
-        found = status.engine.calibration
-        self.end_calibration.take_status(status)
-        self.start_bar.show_occupied(occupied_text(status) if found is not None else "")
-        ours = found is not None and found.since == self._calibrating_since
-        if self._occupies and not ours and self._calibration is not None:
-            self._calibration.reject()
-            why: Text = "The calibration was ended elsewhere. All readings are kept."
-            self.controls.show_answer(why, good=False)
-        self._occupies = ours and self._calibration is not None
-
-    def _ask_end_calibration(self) -> None:
-        if self._connection.status is not None:
-            self.end_calibration.ask(self._connection.status)
 
     def _next_step(self) -> None:
         """Do the next step that the message line names; there is none in a calibration."""
@@ -575,8 +438,11 @@ class MainWindow(QMainWindow):
             why = tr("This is a replay: no rig is connected")
         if why != self._forbidden:
             self._forbidden = why
-            for guarded in self.findChildren(GuardedButton):
-                guarded.forbid(why)
+            self._forbid_buttons(self)
+
+    def _forbid_buttons(self, part: QWidget) -> None:
+        for guarded in part.findChildren(GuardedButton):
+            guarded.forbid(self._forbidden)
 
     def _leave(self) -> None:
         self._closing = "now"
@@ -596,7 +462,7 @@ class MainWindow(QMainWindow):
         if act is Act.TRY:
             self._try_simulated()
         elif act is Act.CALIBRATE:
-            self.calibrate()
+            self.guide.open()
         elif act is Act.AGAIN:
             self._open_again()
         else:
@@ -631,7 +497,7 @@ class MainWindow(QMainWindow):
         self.calibrate_button = button(
             "calibrate_button",
             "Calibrate…  F3",
-            self.calibrate,
+            self.guide.open,
             "Calibrate",
             guarded=True,
         )
@@ -743,7 +609,7 @@ class MainWindow(QMainWindow):
         self.rail.chosen.connect(self.tabs.show_place)
         self.page_bar.chosen.connect(self.tabs.setCurrentIndex)
         for chosen in (self.rail.chosen, self.page_bar.chosen, self.tabs.currentChanged):
-            chosen.connect(self._show_pages)
+            chosen.connect(self.guide.leave)
         for chosen in (self.rail.chosen, self.page_bar.chosen):
             chosen.connect(self._pass_by)
         self.controls.start_wanted.connect(self.start_bar.open)
@@ -757,8 +623,10 @@ class MainWindow(QMainWindow):
         self.recover.start_wanted.connect(self.start_bar.open)
         self.controls.answered.connect(self.recover.answered)
         self.controls.refused.connect(lambda refused: self.messages.give_room(refused=refused))
-        self.notice.end_wanted.connect(self._ask_end_calibration)
-        self.end_calibration.wanted.connect(self.controls.send)
+        self.guide.moved.connect(self._show_place)
+        self.guide.said.connect(self._say_answer)
+        self.guide.occupied.connect(self.controls.tell_occupied)
+        self.guide.end_bar.wanted.connect(self.controls.send)
         self.close_bar.leave.connect(self._leave)
         self.close_bar.stop_first.connect(self._stop_and_close)
         self.replay_bar.wanted.connect(self.controls.send)
@@ -768,6 +636,7 @@ class MainWindow(QMainWindow):
         self.tabs.wanted.connect(self.controls.send)
         self.tabs.said.connect(self._say_answer)
         self.tabs.asked.connect(self._do)
+        self.tabs.made.connect(self._forbid_buttons)
         self.tabs.help_wanted.connect(self.help_with)
         self.preferences.changed.connect(self._take_choice)
         self._connection.sign_as(self.preferences.get(Preference.OPERATOR))
@@ -776,7 +645,7 @@ class MainWindow(QMainWindow):
             (COMMAND_KEY, self.controls.command_line.act),
             (RECOVER_KEY, self._next_step),
             ("F9", self.switch_theme),
-            ("F3", self.calibrate),
+            ("F3", self.guide.open),
         ):
             QShortcut(QKeySequence(key), self, call)
         # On the bar of commands, which a replay has not: there F7 plays.
@@ -798,10 +667,7 @@ class MainWindow(QMainWindow):
         geometry = self._settings.value("geometry")
         if geometry is not None:
             self.restoreGeometry(geometry)
-        for splitter in self.tabs.splitters:
-            state = self._settings.value(f"splitter/{splitter.objectName()}")
-            if state is not None:
-                splitter.restoreState(state)
+        self.tabs.restore_layout(self._settings)
         number = int(str(self._settings.value("tab", 0)))
         if self.tabs.isTabVisible(number):
             self.tabs.setCurrentIndex(number)
@@ -813,13 +679,3 @@ class MainWindow(QMainWindow):
         for splitter in self.tabs.splitters:
             self._settings.setValue(f"splitter/{splitter.objectName()}", splitter.saveState())
         self._settings.setValue("tab", self.tabs.currentIndex())
-
-
-def _load_wizards() -> type[CalibrationWizard]:
-    """Load what calibrates; on a worker, where a search for garbage would hold the window up."""
-    begin_to_load()
-    try:
-        from rigapp.gui.wizard.wizard import CalibrationWizard
-    finally:
-        end_of_loading()
-    return CalibrationWizard

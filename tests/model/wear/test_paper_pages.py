@@ -30,6 +30,9 @@ NAMES = (
 )
 
 
+pytestmark = pytest.mark.long  # all pages are made; their numbers are tested with the model
+
+
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder with everything that make_paper writes."""
@@ -47,7 +50,6 @@ def columns(folder: Path, name: str) -> dict[str, np.ndarray]:
     return dict(zip(header, np.loadtxt(path, delimiter=",", skiprows=1).T, strict=True))
 
 
-@pytest.mark.long
 def test_every_comparison_has_table_and_picture(folder: Path) -> None:
     files = {path.name for path in folder.iterdir()}
     assert files == {f"{n}{end}" for n in NAMES for end in (".csv", ".png")} | {
@@ -155,7 +157,6 @@ def test_profile_of_the_simulations(folder: Path) -> None:
     assert table["angle_deg"][np.argmax(table["depth_simulation_mm"])] == pytest.approx(0.0, abs=1)
 
 
-@pytest.mark.long
 def test_time_that_runs_out_leaves_pages_of_what_was_made(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
