@@ -20,7 +20,7 @@ from rigapp.texts import SentenceError, say
 SCHEMA = 1
 BESIDE = ("digest", "number", "signature")
 """Keys of a record that are not of its content."""
-EVALUATION = 5
+EVALUATION = 6
 """Of the fits, checks and budgets: raised when the same readings give another result than before.
 
 A record of another evaluation is compared only in what every evaluation must give alike.

@@ -8,7 +8,7 @@ import math
 import time
 from collections.abc import Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import takewhile
 from pathlib import Path
 from typing import Any
@@ -101,6 +101,7 @@ def entry_of(
         "zero_1_N": float(check.zero[0]),
         "zero_2_N": float(check.zero[1]),
         "zero_allowed_N": check.zero_allowed,
+        "turned_deg": math.degrees(check.turned),
         "sentence": check.sentence,
         "largest_N": check.largest,
         "allowed_N": check.allowed,
@@ -165,7 +166,9 @@ def _charts(entries: Sequence[Mapping[str, Any]]) -> dict[str, Chart]:
             # A zero follows the temperature: no limits of its history.
             charts[name] = Chart(np.array(values), one.promised, last["zero_allowed_N"])
         else:
-            charts[name] = chart(values, one.promised, last["expanded_uncertainty_ratio"])
+            found = chart(values, one.promised, last["expanded_uncertainty_ratio"])
+            # A level that is off shows in all of them: the check itself says so, the cell is right.
+            charts[name] = replace(found, findings=()) if last.get("turned_deg") else found
     return charts
 
 

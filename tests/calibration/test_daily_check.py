@@ -77,6 +77,24 @@ def test_changes_that_cancel_in_the_mean_are_judged(
     assert "in control" not in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("degrees", [-2.0, 1.0, 6.0])
+def test_a_level_that_is_off_is_suspected_not_the_weight_or_the_cell(
+    tmp_path: Path, degrees: float
+) -> None:
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    check = checked((c, -s, s, c))
+    assert not check.passed
+    assert check.turned == pytest.approx(np.radians(degrees), abs=1e-3)
+    append_check(tmp_path / "daily-checks.jsonl", entry(check, 1))
+    found = read_history(tmp_path / "daily-checks.jsonl")
+    assert not found.in_control
+    words = " ".join(verdict_lines(found))
+    assert f"turned by {degrees:+.2f} degrees" in words
+    assert "angle reference" in words
+    assert "alibrate" not in words
+    assert "Check the weight" not in words
+
+
 def test_a_small_change_of_two_elements_is_seen_in_their_charts(tmp_path: Path) -> None:
     store = tmp_path / "daily-checks.jsonl"
     for number in range(10):

@@ -18,7 +18,11 @@ from rigapp_calibration.arrays import Array
 from rigapp_calibration.load_cell.characteristics import SURE, Evidence, examine, hysteresis_by_load
 from rigapp_calibration.load_cell.patterns import check_patterns
 from rigapp_calibration.load_cell.reading_checks import coarse
-from rigapp_calibration.load_cell.reading_faults import single_faults, wrong_angles
+from rigapp_calibration.load_cell.reading_faults import (
+    single_faults,
+    swinging_series,
+    wrong_angles,
+)
 from rigapp_calibration.load_cell.two_axis import Terms, huber_fit
 from rigapp_calibration.load_cell.wiring import check_wiring
 from rigapp_calibration.problems import Problem, note
@@ -49,6 +53,8 @@ def check_fit(evidence: Evidence) -> Iterator[Problem]:
     if problem is not None:
         yield problem
     problems, evidence = wrong_angles(evidence)
+    yield from problems
+    problems, evidence = swinging_series(evidence)
     yield from problems
     problems, evidence = check_patterns(evidence)
     yield from problems

@@ -38,6 +38,7 @@ class DailyCheck:
     share felt across. zero: (2,) mean zero less the calibration's, N. largest: the largest
     deviation, N. allowed, zero_allowed: N. weight: the heaviest that hung, N. expanded: U of what
     is judged, N: along the weight, across it, of the zero. rule: by which it is judged, in words.
+    turned: rad, by which all forces seem turned where nothing else is off; 0 else.
     """
 
     passed: bool
@@ -53,6 +54,7 @@ class DailyCheck:
     weight: float
     expanded: tuple[float, float, float]
     rule: str
+    turned: float = 0.0
 
 
 def daily_check(
@@ -98,6 +100,7 @@ def daily_check(
     expanded = _expanded(scatter, rest, settings, float(size.max()))
     guard = np.array(expanded if settings.cell.guarded else (0.0, 0.0, 0.0))
     told = bool(np.all(np.abs(deviation) <= allowed - guard[:2]))
+    turned = _turned(elements, deviation, size, allowed) if largest > allowed else 0.0
     at_rest = bool(np.abs(zero).max() <= zero_allowed - guard[2])
     return DailyCheck(
         passed=told and at_rest,
@@ -109,11 +112,25 @@ def daily_check(
         largest=largest,
         allowed=allowed,
         zero_allowed=zero_allowed,
-        sentence=_sentence(elements, largest, allowed, told, zero, zero_allowed, at_rest),
+        sentence=_sentence(elements, largest, allowed, turned, told, zero, zero_allowed, at_rest),
         weight=float(size.max()),
         expanded=expanded,
         rule=_rule(allowed, zero_allowed, expanded, guarded=settings.cell.guarded),
+        turned=turned,
     )
+
+
+def _turned(elements: Array, deviation: Array, size: Array, allowed: float) -> float:
+    """Return the angle (rad) by which all forces are turned, 0 where that is not all.
+
+    deviation (n, 2): along and across loads of size (n,), N. A cell changes its gains or its
+    cross-talk; a level that is off turns each force alike and leaves nothing else.
+    """
+    turn = math.atan2(elements[1, 0] - elements[0, 1], elements[0, 0] + elements[1, 1])
+    c, s = math.cos(turn), math.sin(turn)
+    back = (deviation + np.stack((size, 0.0 * size), axis=-1)) @ np.array([[c, -s], [s, c]])
+    left = np.abs(back - np.stack((size, 0.0 * size), axis=-1)).max()
+    return turn if left <= allowed else 0.0
 
 
 def _expanded(
@@ -172,6 +189,7 @@ def _sentence(
     elements: Array,
     largest: float,
     allowed: float,
+    turned: float,
     told: bool,
     zero: Array,
     zero_allowed: float,
@@ -181,7 +199,16 @@ def _sentence(
     words: str = say(
         "The cell tells the weight within {:.2f} N ({:.2f} N are allowed).", largest, allowed
     )
-    if largest > allowed:
+    if turned:
+        words = say(
+            "The cell is off by {:.2f} N, {:.2f} N are allowed: every force seems turned by {:+.2f}"
+            " degrees, and nothing else is off. Suspect the pin angle: check level and encoder,"
+            " take the angle reference again, and repeat the check.",
+            largest,
+            allowed,
+            math.degrees(turned),
+        )
+    elif largest > allowed:
         off = elements - np.eye(2)
         row, of = divmod(int(np.abs(off).argmax()), 2)
         words = say(

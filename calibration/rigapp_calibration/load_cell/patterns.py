@@ -28,6 +28,11 @@ GAIN_CHANGE = 0.005
 """Relative: a bridge and its amplifier keep their gain ten times better through an afternoon."""
 MASS_SHARE = 0.003
 """Of full scale: what good cells show of hysteresis and bend, so that less is no piece for sure."""
+FRICTION = 0.0085
+"""Of full scale: what friction or slack at a hanger holds back is less, what a hanger weighs more.
+"""
+LIKE_THE_HANGER = 0.25
+"""Part of hanger_mass_kg within which a missing mass is the hanger itself: readings tell it so."""
 HELD_BACK = 1.5
 """Times the stated dead zone that the readings may show of it: they tell it to a third."""
 MOST_AT_ONCE = 3
@@ -329,15 +334,7 @@ def _named(evidence: Evidence, cells: Averages, found: Found) -> Problem:
     )
     mass = float(cells.loads[pattern.place]) / evidence.newton_per_kg
     if pattern.place == 1 and not pattern.only:
-        return Problem(
-            "hanger_mass",
-            say(
-                "Every load seems {}, while the zeros are right. Check hanger_mass_kg and the"
-                " first piece; if something holds back a part of each load, state [use]"
-                " dead_zone_percent.",
-                words,
-            ),
-        )
+        return _of_every_load(evidence, size, words)
     which = (
         say("At {:.3g} kg the load", mass)
         if pattern.only
@@ -346,6 +343,34 @@ def _named(evidence: Evidence, cells: Averages, found: Found) -> Problem:
     return Problem(
         "wrong_piece",
         say("{} seems {}, at every pin angle: weigh the piece that joins there.", which, words),
+    )
+
+
+def _of_every_load(evidence: Evidence, size: float, words: str) -> Problem:
+    """Name what makes every load heavier (kg) alike.
+
+    A dead zone and a hanger that is counted but does not hang leave the same readings: they are
+    told apart by how much it is, and by the hanger that is stated.
+    """
+    hanger = evidence.settings.weights.hanger_mass
+    share = -size * evidence.newton_per_kg / evidence.settings.cell.full_scale
+    if share < 0.0:
+        heavier = say(
+            "Every load seems {}, while the zeros are right: check hanger_mass_kg and the first"
+            " piece.",
+            words,
+        )
+        return Problem("hanger_mass", heavier)
+    itself = hanger > 0.0 and abs(size + hanger) < LIKE_THE_HANGER * hanger
+    return Problem(
+        "hanger_mass" if itself or share > FRICTION else "dead_zone",
+        say(
+            "Every load seems {}, while the zeros are right: a dead zone (friction or slack at the"
+            " hanger), or a hanger or first piece that is not as written. Weigh both; if they are"
+            " right, free the hanger or state [use] dead_zone_percent = {:.2g}.",
+            words,
+            100.0 * share,
+        ),
     )
 
 

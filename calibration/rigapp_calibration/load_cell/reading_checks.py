@@ -173,8 +173,9 @@ def _dead_or_stuck(readings: LoadCellReadings, settings: LoadCellSettings) -> It
     signal = readings.signal
     if len(signal) < 4 or not np.isfinite(signal).all():
         return
+    still = np.ptp(signal, axis=0) == 0.0
     for axis in range(2):
-        if np.ptp(signal[:, axis]) == 0.0:
+        if still[axis]:
             yield Problem(
                 "bridge_dead",
                 say(
@@ -183,7 +184,8 @@ def _dead_or_stuck(readings: LoadCellReadings, settings: LoadCellSettings) -> It
                     signal[0, axis],
                 ),
             )
-    yield from _copied(readings)
+    if not still.any():  # one signal alone repeats a series by chance
+        yield from _copied(readings)
     yield from _duplicated(readings)
 
 

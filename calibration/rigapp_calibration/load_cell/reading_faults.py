@@ -26,6 +26,10 @@ MOST_OFF, FEW_OFF = 0.6, 0.2
 """Share of the runs whose angles may be off; of those that are looked for first."""
 FEWEST_LEFT = 4
 """Pin angles; fewer do not tell what else is wrong."""
+SWINGS = 3.0
+"""Times the noise of all readings, which single wrong ones do not raise."""
+NORMAL_MEDIAN = 0.6745
+"""Of the size of what has standard deviation 1."""
 FEWEST_SMOOTH = 6
 """Loaded readings of a run that tell a bend of it, which has two coefficients, from one of them."""
 
@@ -55,6 +59,35 @@ def wrong_angles(evidence: Evidence) -> tuple[list[Problem], Evidence]:
     return problems, examine(evidence.readings.only(left), evidence.settings)
 
 
+def swinging_series(evidence: Evidence) -> tuple[list[Problem], Evidence]:
+    """Return series whose weight swung all the time, and the evidence without them.
+
+    They are off to and fro about their own line, along and across: looked for before anything that
+    changes from series to series, since chance makes a changed gain of them.
+    """
+    found, swung = evidence.loads, np.zeros(len(evidence.readings), dtype=np.bool_)
+    problems, least = [], max(1.5 * _allowed(evidence), SWINGS * evidence.noise)
+    for name, members in each_series(evidence.readings.series):
+        loaded = members & (found.applied > 0.0)
+        if np.count_nonzero(loaded) < FEWEST_SMOOTH:
+            continue
+        share = found.applied[loaded] / found.applied.max()
+        rows = np.column_stack((np.ones_like(share), share))
+        rest = np.column_stack(
+            [
+                one - rows @ _huber_line(rows, one, evidence.noise)[0]
+                for one in (found.along[loaded], found.across[loaded])
+            ]
+        )
+        if np.median(np.abs(rest), axis=0).min() / NORMAL_MEDIAN > least:
+            swung |= members
+            spread = float(np.sqrt(np.mean(rest**2)))
+            problems.append(Problem("scatter", _scatter_words(name, spread)))
+    if not problems or len(np.unique(found.group[~swung])) < FEWEST_LEFT:
+        return [], evidence
+    return _few(problems), examine(evidence.readings.only(~swung), evidence.settings)
+
+
 def _sure(evidence: Evidence) -> float:
     """Return the difference (N) from which on a reading does not fit."""
     return max(SURE * evidence.noise, 0.005 * float(evidence.loads.applied.max()))
@@ -69,30 +102,42 @@ def _along_only(evidence: Evidence) -> Marks:
     """Tell which readings are off along their load, and little across it.
 
     A cell of third degree bends every load of its run, which is no wrong one: a reading must be off
-    beside its run as well.
+    beside the rest of its run as well.
     """
     (off, across), sure = _off(evidence), _sure(evidence)
-    beside = np.abs(off - _smooth(evidence, off)) > 0.5 * sure
-    return beside & (np.abs(off) > sure) & (np.abs(across) < np.maximum(sure, 0.5 * np.abs(off)))
+    wrong = (np.abs(off) > sure) & (np.abs(across) < np.maximum(sure, 0.5 * np.abs(off)))
+    return wrong & (np.abs(_beside(evidence, off, wrong)) > 0.5 * sure)
 
 
-def _smooth(evidence: Evidence, off: Array) -> Array:
-    """Return what each run is off by smoothly, (n,) N: a gain and a bend of its loads, by Huber."""
-    found, runs = np.zeros_like(off), evidence.loads.runs()
+def _beside(evidence: Evidence, off: Array, asked: Marks) -> Array:
+    """Return what readings are off beside the rest of their run, (n,) N; ``off`` of all others.
+
+    The rest tells a gain and a bend, by Huber. What it tells of the heaviest load is less sure: it
+    counts in the scatter of a reading whose place it knows well.
+    """
+    beside, runs = off.copy(), evidence.loads.runs()
     share = evidence.loads.applied / evidence.loads.applied.max()
     rows = np.column_stack((share, share**3))
-    for number in range(int(runs.max()) + 1):
-        members = (runs == number) & (share > 0.0)
-        if np.count_nonzero(members) < FEWEST_SMOOTH:
+    for index in np.flatnonzero(asked):
+        rest = (runs == runs[index]) & (share > 0.0)
+        rest[index] = False
+        if np.count_nonzero(rest) + 1 < FEWEST_SMOOTH:
             continue
-        root = np.ones(np.count_nonzero(members))
-        for _ in range(ITERATIONS):
-            weighted = rows[members] * root[:, None]
-            solved = np.linalg.lstsq(weighted, off[members] * root, rcond=None)[0]
-            rest = np.abs(off[members] - rows[members] @ solved)
-            root = np.minimum(1.0, evidence.noise / np.maximum(rest, 1e-300))
-        found[members] = rows[members] @ solved
-    return found
+        solved, spread = _huber_line(rows[rest], off[rest], evidence.noise)
+        doubt = float(rows[index] @ spread @ rows[index])
+        beside[index] = (off[index] - rows[index] @ solved) / np.sqrt(1.0 + doubt)
+    return beside
+
+
+def _huber_line(rows: Array, values: Array, noise: float) -> tuple[Array, Array]:
+    """Return a solution by Huber's weights, and its covariance in squares of the noise."""
+    root = np.ones(len(values))
+    for _ in range(ITERATIONS):
+        weighted = rows * root[:, None]
+        solved = np.linalg.lstsq(weighted, values * root, rcond=None)[0]
+        rest = np.abs(values - rows @ solved)
+        root = np.minimum(1.0, noise / np.maximum(rest, 1e-300))
+    return np.asarray(solved), np.asarray(np.linalg.pinv(weighted.T @ weighted))
 
 
 # --- angles --------------------------------------------------------------------------------------

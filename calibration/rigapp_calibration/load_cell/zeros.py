@@ -118,13 +118,16 @@ def _alike(rest: Array) -> float:
 
     rest (k, 2): of the zeros about their fit, in the order of time. An amplifier that warms up
     leaves no white noise: with a correlation r of neighbours, as of an autoregressive series of
-    first order, a slow wave in the zeros is known (1 + r) / (1 - r) times worse.
+    first order, a slow wave in the zeros is known (1 + r) / (1 - r) times worse. Of few residuals
+    about a line r comes out too small by (2 + 4 r) / k (Kendall 1954).
     """
     size = float(np.sum(rest**2))
     if len(rest) < FEWEST_ALIKE or size == 0.0:
         return 1.0
     alike = float(np.sum(rest[1:] * rest[:-1])) / size
-    alike = min(max(alike, 0.0), MOST_ALIKE)
+    if alike <= 0.0:
+        return 1.0
+    alike = min(alike + (2.0 + 4.0 * alike) / len(rest), MOST_ALIKE)
     return (1.0 + alike) / (1.0 - alike)
 
 

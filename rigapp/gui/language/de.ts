@@ -816,22 +816,6 @@
         <translation>Steuerung zu langsam</translation>
     </message>
     <message>
-        <source>Enter records at this position (or type the micrometer&apos;s own um), r rejects, q closes</source>
-        <translation>Enter nimmt an dieser Position auf (oder die um der Messschraube eingeben), r verwirft, q schließt</translation>
-    </message>
-    <message>
-        <source>Enter records, r rejects, q closes</source>
-        <translation>Enter nimmt auf, r verwirft, q schließt</translation>
-    </message>
-    <message>
-        <source>Enter, a position in um, r or q</source>
-        <translation>Enter, eine Position in um, r oder q</translation>
-    </message>
-    <message>
-        <source>Enter, r or q</source>
-        <translation>Enter, r oder q</translation>
-    </message>
-    <message>
         <source>Esc</source>
         <translation>Esc</translation>
     </message>
@@ -1048,6 +1032,10 @@
         <translation>Verlauf der Alarme</translation>
     </message>
     <message>
+        <source>Keep the words beside the readings; the certificate has them</source>
+        <translation>Den Text bei den Messwerten festhalten; der Kalibrierschein nennt ihn</translation>
+    </message>
+    <message>
         <source>Keep this revolution in grey behind the next ones</source>
         <translation>Diese Umdrehung grau hinter den nächsten behalten</translation>
     </message>
@@ -1206,6 +1194,10 @@
     <message>
         <source>One speed only: what inertia adds to it is not known. A second, other speed tells</source>
         <translation>Nur eine Drehzahl: Was die Trägheit beiträgt, ist nicht bekannt. Eine zweite, andere Drehzahl sagt es</translation>
+    </message>
+    <message>
+        <source>One step &amp;back</source>
+        <translation>Einen Schritt &amp;zurück</translation>
     </message>
     <message>
         <source>Only the first {} are compared.</source>
@@ -5362,6 +5354,14 @@
         <translation>Steuerung</translation>
     </message>
     <message>
+        <source>Enter, a position in um, b, r, n or q</source>
+        <translation>Eingabetaste, eine Position in um, b, r, n oder q</translation>
+    </message>
+    <message>
+        <source>Enter, b, r, n or q</source>
+        <translation>Eingabetaste, b, r, n oder q</translation>
+    </message>
+    <message>
         <source>Every reading is saved at once. You can close the wizard at any time and take the calibration up again.</source>
         <translation>Jede Messung ist sofort gespeichert. Der Assistent kann jederzeit geschlossen und die Kalibrierung später fortgesetzt werden.</translation>
     </message>
@@ -6894,10 +6894,6 @@
         <translation>Grund des Nullens</translation>
     </message>
     <message>
-        <source>Reason of the rejection</source>
-        <translation>Grund des Verwerfens</translation>
-    </message>
-    <message>
         <source>Reason or note</source>
         <translation>Grund oder Notiz</translation>
     </message>
@@ -7792,6 +7788,10 @@
     <message>
         <source>Take the cursors away</source>
         <translation>Die Cursor entfernen</translation>
+    </message>
+    <message>
+        <source>Take the newest reading again; the others of its series stand</source>
+        <translation>Den neuesten Messwert wiederholen; die anderen seiner Reihe bleiben gültig</translation>
     </message>
     <message>
         <source>Take the present signals as zero force: the crank stands, the pin carries nothing. Old and new zero are logged; the calibration is not touched.</source>
@@ -9054,6 +9054,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>eine Position wird übersprungen</translation>
     </message>
     <message>
+        <source>a reading is taken again with a reason; write one</source>
+        <translation>ein Messwert wird mit einem Grund wiederholt; einen angeben</translation>
+    </message>
+    <message>
         <source>a request holds at most 15 parameter bytes</source>
         <translation>eine Anfrage fasst höchstens 15 Parameterbytes</translation>
     </message>
@@ -9276,6 +9280,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>at speed</source>
         <translation>auf Drehzahl</translation>
+    </message>
+    <message>
+        <source>b takes the last one again, r rejects a series, n notes, q closes</source>
+        <translation>b wiederholt den letzten, r verwirft eine Reihe, n notiert, q schließt</translation>
     </message>
     <message>
         <source>bars</source>
@@ -10242,6 +10250,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Grund, kommt ins Protokoll</translation>
     </message>
     <message>
+        <source>reason, or a note for the record</source>
+        <translation>Grund, oder Notiz für den Datensatz</translation>
+    </message>
+    <message>
         <source>reconnect</source>
         <translation>neu verbinden</translation>
     </message>
@@ -10630,6 +10642,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>die Notiz ist leer</translation>
     </message>
     <message>
+        <source>the note is empty; write what was noticed</source>
+        <translation>die Notiz ist leer; angeben, was aufgefallen ist</translation>
+    </message>
+    <message>
         <source>the number of its safe revolutions</source>
         <translation>die Zahl ihrer gesicherten Umdrehungen</translation>
     </message>
@@ -10772,6 +10788,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>the worn profiles</source>
         <translation>die Verschleißprofile</translation>
+    </message>
+    <message>
+        <source>there is no reading just before; reject one of the table</source>
+        <translation>unmittelbar davor steht kein Messwert; einen in der Tabelle verwerfen</translation>
     </message>
     <message>
         <source>these are no measurements</source>
@@ -10952,10 +10972,6 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>what the calibration says</source>
         <translation>was die Kalibrierung sagt</translation>
-    </message>
-    <message>
-        <source>why the selected reading does not count</source>
-        <translation>warum die gewählte Messung nicht zählt</translation>
     </message>
     <message>
         <source>with a micrometer across the follower</source>
@@ -12197,6 +12213,22 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Acht Prüfungen in Folge liegen {} dem Mittel: Der Kraftsensor hat sich verschoben; eine neue Kalibrierung planen</translation>
     </message>
     <message>
+        <source>Enter records at this position (or type the micrometer&apos;s own um), {}</source>
+        <translation>Eingabetaste nimmt an dieser Position auf (oder die um der Mikrometerschraube eintippen), {}</translation>
+    </message>
+    <message>
+        <source>Enter records, {}</source>
+        <translation>Eingabetaste nimmt auf, {}</translation>
+    </message>
+    <message>
+        <source>Every load seems {}, while the zeros are right: a dead zone (friction or slack at the hanger), or a hanger or first piece that is not as written. Weigh both; if they are right, free the hanger or state [use] dead_zone_percent = {:.2g}</source>
+        <translation>Jede Last scheint {}, während die Nullpunkte stimmen: eine Totzone (Reibung oder Spiel am Gehänge), oder Gehänge oder erstes Stück sind nicht wie angegeben. Beide wiegen; stimmen sie, das Gehänge freilegen oder [use] dead_zone_percent = {} angeben</translation>
+    </message>
+    <message>
+        <source>Every load seems {}, while the zeros are right: check hanger_mass_kg and the first piece</source>
+        <translation>Jede Last scheint {}, während die Nullpunkte stimmen: hanger_mass_kg und das erste Stück prüfen</translation>
+    </message>
+    <message>
         <source>Expanded uncertainty of a value {:.3g} {} (k = {:.2f})</source>
         <translation>Erweiterte Unsicherheit eines Werts {} {} (k = {})</translation>
     </message>
@@ -12395,6 +12427,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>The axes stand as if every pin angle were {:.1f} degrees off. It can be the cell&apos;s own cross-talk; only the angle reference step can tell</source>
         <translation>Die Achsen stehen, als wäre jeder Bolzenwinkel um {} Grad falsch. Es kann das eigene Übersprechen des Kraftsensors sein; nur der Schritt des Winkelbezugs kann es zeigen</translation>
+    </message>
+    <message>
+        <source>The cell is off by {:.2f} N, {:.2f} N are allowed: every force seems turned by {:+.2f} degrees, and nothing else is off. Suspect the pin angle: check level and encoder, take the angle reference again, and repeat the check</source>
+        <translation>Der Kraftsensor weicht um {} N ab, {} N sind zulässig: Jede Kraft scheint um {} Grad gedreht, und sonst weicht nichts ab. Der Bolzenwinkel ist verdächtig: Wasserwaage und Drehgeber prüfen, den Winkelbezug neu nehmen und die Prüfung wiederholen</translation>
     </message>
     <message>
         <source>The cell tells the weight within {:.2f} N, {:.2f} N are allowed, but U of the check leaves it open whether it is within. Repeat the check, with a heavier weight or a better angle</source>
@@ -12679,10 +12715,6 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>Wear law {}: {}; {}</source>
         <translation>Verschleißgesetz {}: {}; {}</translation>
-    </message>
-    <message>
-        <source>Weight that turns with the pin: {:.3g} N, U = {:.2g} N</source>
-        <translation>Mit dem Bolzen drehendes Gewicht: {:.3g} N, U = {:.2g} N</translation>
     </message>
     <message>
         <source>With a gap of {:g} um at position 0 the target would touch the probe at {:g} um; correct gap_at_zero_um</source>
@@ -14157,8 +14189,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Gewichte: {} ist keine Masse; zum Beispiel 5x8, 2, 2, 1, 0.5 schreiben (acht Stücke von 5 kg und vier andere)</translation>
     </message>
     <message>
-        <source>weights: {}: give 1 to 64 pieces of up to 50 kg</source>
-        <translation>Gewichte: {}: 1 bis 64 Stücke bis 50 kg angeben</translation>
+        <source>weights: {}: give 1 to 64 pieces of up to {:g} kg</source>
+        <translation>Gewichte: {}: 1 bis 64 Stücke bis {} kg angeben</translation>
     </message>
     <message>
         <source>what answers is no RoboClaw at address {}: {}</source>
@@ -15265,10 +15297,6 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Eine Messung streut um {} N: Das Mittel aus etwa {} Messungen je Last würde Klasse 2 erreichen</translation>
     </message>
     <message>
-        <source>Every load seems {}, while the zeros are right. Check hanger_mass_kg and the first piece; if something holds back a part of each load, state [use] dead_zone_percent</source>
-        <translation>Jede Last scheint {}, während die Nullpunkte stimmen. hanger_mass_kg und das erste Stück prüfen; hält etwas einen Teil jeder Last zurück, [use] dead_zone_percent angeben</translation>
-    </message>
-    <message>
         <source>Expanded uncertainty in use at {} N: {} N (k = {:.2f}); U(F) = {} N + {} F</source>
         <translation>Erweiterte Unsicherheit im Gebrauch bei {} N: {} N (k = {}); U(F) = {} N + {} F</translation>
     </message>
@@ -15287,6 +15315,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>The readings of this calibration scatter by {} N: if they are means of many, such means would reach class 2; a single reading does not</source>
         <translation>Die Messungen dieser Kalibrierung streuen um {} N: Sind es Mittel aus vielen, so würden solche Mittel Klasse 2 erreichen; eine einzelne Messung tut es nicht</translation>
+    </message>
+    <message>
+        <source>Weight that turns with the pin: {} N, U = {} N</source>
+        <translation>Gewicht, das mit dem Bolzen dreht: {} N, U = {} N</translation>
     </message>
     <message>
         <source>With a resolution of {} N the smallest force for ASTM E74 class A is {} N and for ISO 376 class 2 {} N; whether a class is reached is for a calibration of one axis under these standards to show. This procedure follows them, it does not comply</source>
