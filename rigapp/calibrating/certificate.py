@@ -182,6 +182,9 @@ def _notes(record: Record, unverified: Sequence[str]) -> Iterator[Text]:
         yield Text(f"Note: {problem['sentence']}", strong=True)
     if remarks := content["settings"]["paperwork"]["notes"]:
         yield Text(f"Deviations, remarks: {remarks}")
+    for event in (content.get("taken") or {}).get("events", ()):
+        if event["event"] == "note":
+            yield Text(f"Noted while it was taken: {event['text']}")
 
 
 def _untraced(content: Content) -> Iterator[str]:

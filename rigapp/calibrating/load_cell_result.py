@@ -12,6 +12,7 @@ from rigapp.calibrating.records import budget_result, finite, problems_of
 from rigapp.calibrating.session import NumberTable, Outcome
 from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
 from rigapp.texts import joined, say
+from rigapp_calibration.coverage import by_uncertainty
 from rigapp_calibration.load_cell.budget import LoadUncertainty, expanded_line, plain
 from rigapp_calibration.load_cell.calibrate import LoadCellCalibration, calibrate_load_cell
 from rigapp_calibration.load_cell.characteristics import Creep, applied_force, creep_words
@@ -165,11 +166,8 @@ def _line(line: tuple[float, float]) -> dict[str, float]:
 def _weight_words(found: LoadCellCalibration) -> Iterator[str]:
     weight = found.pin_weight
     if weight is not None:
-        yield say(
-            "Weight that turns with the pin: {:.3g} N, U = {:.2g} N.",
-            weight.value,
-            weight.expanded,
-        )
+        told = (by_uncertainty(one, weight.expanded) for one in (weight.value, weight.expanded))
+        yield say("Weight that turns with the pin: {} N, U = {} N.", *told)
 
 
 def applied_by_former(rows: Rows, given: LoadCellFile, drift: bool | None) -> dict[str, Any]:

@@ -62,6 +62,8 @@ from rigapp_calibration.taking.signals import Readiness
 PLANS = {"daily": PlanKind.DAILY, "routine": PlanKind.ROUTINE, "full": PlanKind.FULL}
 SHARE_OF_FULL_SCALE = 0.99
 """Of what the cell bears the heaviest load is left a hundredth below, for the pieces' tolerance."""
+HEAVIEST_PIECE_KG = 2000.0
+"""A single disc of a deadweight machine for 20 kN."""
 LARGEST_OFFSET = math.radians(20.0)
 """Further off than a coupling is set by eye: another flat, or a wrong index."""
 FEWEST_FOR_RESIDUALS = 4
@@ -90,9 +92,11 @@ def parse_pieces(text: str) -> tuple[float, ...]:
                 " pieces of 5 kg and four others).",
                 repr(part.strip()),
             ) from error
-        if not (1 <= many <= 64 and 0.0 < value <= 50.0):
+        if not (1 <= many <= 64 and 0.0 < value <= HEAVIEST_PIECE_KG):
             raise UnusableInput(
-                "weights: {}: give 1 to 64 pieces of up to 50 kg.", repr(part.strip())
+                "weights: {}: give 1 to 64 pieces of up to {:g} kg.",
+                repr(part.strip()),
+                HEAVIEST_PIECE_KG,
             )
         pieces += [value] * many
     if not pieces:

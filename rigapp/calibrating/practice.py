@@ -167,7 +167,7 @@ def _with_mistake(procedure: Procedure[Any], mistake: MicrometerMistake, since: 
     """Return where a micrometer is set, um."""
     step, here = procedure.step, procedure.position
     wanted, size = 1e6 * step.value, 1e6 * float(procedure.plan.step_size)
-    if mistake is MicrometerMistake.WRONG_POSITION and here == since:
+    if mistake is MicrometerMistake.WRONG_POSITION and _first_time(procedure, since):
         return wanted + 0.3 * size
     if mistake is MicrometerMistake.SKIPPED:
         return wanted + (-size if step.falling else size)
@@ -180,6 +180,14 @@ def _with_mistake(procedure: Procedure[Any], mistake: MicrometerMistake, since: 
     if mistake is MicrometerMistake.DRIFT:
         return wanted + DRIFT_UM * (here - since)
     return wanted
+
+
+def _first_time(procedure: Procedure[Any], since: int) -> bool:
+    """Tell whether the step is the first reading from ``since`` on, and is not taken again."""
+    readings = (i for i, one in enumerate(procedure.steps) if one.kind is StepKind.READING)
+    first = next((index for index in readings if index >= since), -1)
+    taken = any(one.step == first for one in procedure.taken)
+    return procedure.position == first and not taken
 
 
 PROBE_PRACTICE = Practice(

@@ -16,6 +16,7 @@ from rigapp.calibrating.records_in_use import PROBES as PROBE_RECORDS
 from rigapp.calibrating.records_in_use import former_record
 from rigapp.calibrating.session import (
     NO_CURVES,
+    OTHER_KEYS,
     LiveSession,
     Outcome,
     ResidualsSoFar,
@@ -88,9 +89,7 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
     method = MEASURING
     columns = (*PROBE_COLUMNS, OTHER_COLUMN)
     practice = PROBE_PRACTICE
-    prompt = say(
-        "Enter records at this position (or type the micrometer's own um), r rejects, q closes: "
-    )
+    prompt = say("Enter records at this position (or type the micrometer's own um), {}", OTHER_KEYS)
 
     def former(self) -> Record | None:
         """Return the record of this probe, or of the pair, that the rig file names."""
@@ -119,7 +118,7 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
         try:
             return 1e-6 * float(answer.removesuffix("um").replace(",", "."))
         except ValueError as error:
-            raise ProcedureError("Enter, a position in um, r or q.") from error
+            raise ProcedureError("Enter, a position in um, b, r, n or q.") from error
 
     def expected(self) -> float:
         """Return the position (m) to which the present step leads."""

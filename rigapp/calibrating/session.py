@@ -127,6 +127,7 @@ class ResidualsSoFar:
     words: str
 
 
+OTHER_KEYS = say("b takes the last one again, r rejects a series, n notes, q closes: ")
 NO_CURVES = ((np.empty(0), np.empty(0)), (np.empty(0), np.empty(0)))
 
 WindowType = TypeVar("WindowType", bound=SignalWindow)
@@ -140,7 +141,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
     method: ClassVar[Method[Any]]
     columns: ClassVar[tuple[str, ...]]
     practice: ClassVar[Practice]
-    prompt: ClassVar[str] = say("Enter records, r rejects, q closes: ")
+    prompt: ClassVar[str] = say("Enter records, {}", OTHER_KEYS)
     refused: ClassVar[str] = say(
         "Nothing is saved. Go back, select a reading of the series that is wrong,"
         " reject it with the reason, and take that series again. All readings so far"
@@ -258,7 +259,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
     def typed(self, answer: str) -> float | None:
         """Return what the operator read off, SI; raise ProcedureError for what is no answer."""
         if answer:
-            raise ProcedureError("Enter, r or q.")
+            raise ProcedureError("Enter, b, r, n or q.")
         return None
 
     @property
@@ -354,6 +355,14 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
     def reject(self, index: int, reason: str) -> None:
         """Reject a reading (from 0) with a reason; its series is taken again."""
         self.adopt(self.procedure.reject(index, reason))
+
+    def back(self, reason: str) -> None:
+        """Go one step back: the newest reading is taken again."""
+        self.adopt(self.procedure.back(reason))
+
+    def note(self, text: str) -> None:
+        """Keep a remark beside the readings; record and certificate have it."""
+        self.adopt(self.procedure.note(text))
 
     def adopt(self, after: Procedure[PlanType]) -> None:
         """Go on to the state after an event, once the event is in the journal."""

@@ -45,7 +45,7 @@ class WeightPiece(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[[weights.piece]]: one weight and its certificate; the uncertainty is expanded, k = 2."""
 
     name: str
-    mass_kg: Annotated[float, within(1e-6, 100.0)]
+    mass_kg: Annotated[float, within(1e-6, 2000.0)]
     certificate: str
     due: datetime.date
     expanded_uncertainty_g: Annotated[float, within(1e-6, 1000.0)]
@@ -62,7 +62,7 @@ class WeightsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     density_kg_per_m3: Annotated[float, WITH_THE_READINGS] = 8000.0
     density_standard_uncertainty_kg_per_m3: Annotated[float, within(0.0, 3000.0)] = 100.0
     relative_standard_uncertainty: Annotated[float | None, within(0.0, 0.01)] = None
-    hanger_mass_kg: Annotated[float, within(0.0, 100.0)] = 0.0
+    hanger_mass_kg: Annotated[float, within(0.0, 1000.0)] = 0.0
     hanger_at_zero_kg: Annotated[float, within(0.0, 100.0)] = 0.0
     piece: tuple[WeightPiece, ...] = ()
 

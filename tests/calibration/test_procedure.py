@@ -264,3 +264,35 @@ def test_swinging_and_creeping_are_told_apart() -> None:
     spoilt = noise.copy()
     spoilt[3, 0] = np.nan
     assert not judge(t, spoilt, 5e-3, 1e-3).steady
+
+
+def test_one_step_back_takes_the_newest_reading_again_and_a_note_changes_nothing() -> None:
+    procedure, rng = begin(WEIGHING, LoadCellPlan(PlanKind.ROUTINE, 40.0, SET)), rng_of(3)
+    with pytest.raises(ProcedureError, match="no reading just before"):
+        procedure.back("a slip")
+    while len(procedure.taken) < 3:
+        procedure = hand(procedure, Cell(), rng)
+    at = procedure.position
+    noted = procedure.note(" a door \n slammed ")
+    assert (noted.position, noted.events[-1]["text"]) == (at, "a door slammed")
+    again = noted.back("a wrong piece hung")
+    assert again.position == at - 1
+    assert [one.rejected for one in again.taken] == ["", "", "a wrong piece hung"]
+    twice = again.back("and the one before")
+    assert twice.position == at - 2
+    for empty in (procedure.back, procedure.note):
+        with pytest.raises(ProcedureError):
+            empty("  ")
+    finished = finish(twice)
+    assert len(load_cell_readings(finished)) == 110
+    assert take_up(WEIGHING, journal(finished)) == finished
+    # What hung before a set-up is gone: the other series is no step back.
+    new = twice
+    while new.under_way != "2":
+        new = hand(new, Cell(), rng)
+    with pytest.raises(ProcedureError, match="reject one of the table"):
+        new.back("late").back("too late")
+
+
+def rng_of(seed: int) -> np.random.Generator:
+    return np.random.default_rng(seed)

@@ -82,6 +82,26 @@ def test_planted_mistake_is_named_and_nothing_is_saved(
     assert not (tmp_path / "c.json").exists()
 
 
+def test_the_terminal_goes_one_step_back_and_notes(
+    scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path
+) -> None:
+    session, said = begin(tmp_path / "c.journal", settings_file, simulated), []
+    hands, more = SimulatedHands(session, scripted.ask), ["b", "a wrong piece", "n", "door open"]
+
+    def read(prompt: str) -> str:
+        if len(session.procedure.taken) == 2 and more:
+            return more.pop(0)
+        if len(session.procedure.taken) > 2:
+            return "q"
+        hands.do(session)
+        return "s" if "end for end" in prompt else ""
+
+    assert not Terminal(session, scripted.ask, read, said.append).run()
+    assert [one.rejected for one in session.procedure.taken] == ["", "a wrong piece", ""]
+    assert session.procedure.told("note")["text"] == "door open"
+    assert "# rejected (a wrong piece)" in session.readings_csv()
+
+
 def test_exchanged_plugs_are_told_at_the_first_preload(
     scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path
 ) -> None:
@@ -271,7 +291,7 @@ def test_terminal_rejects_with_a_reason(
     answers = iter(script)
     Terminal(session, scripted.ask, lambda _: next(answers), said.append).run()
     assert [one.rejected for one in session.procedure.taken] == ["bumped"]
-    assert any("Enter, r or q" in text for text in said)
+    assert any("Enter, b, r, n or q" in text for text in said)
 
 
 def test_engine_that_refuses_is_said(
@@ -283,7 +303,7 @@ def test_engine_that_refuses_is_said(
         Terminal(session, scripted.ask, lambda _: "", lambda _: None).run()
 
 
-@pytest.mark.parametrize("text", ["", "abc", "5x0", "99", "5x8, zwei", "0"])
+@pytest.mark.parametrize("text", ["", "abc", "5x0", "9900", "5x8, zwei", "0"])
 def test_weights_that_cannot_be_are_refused(text: str) -> None:
     with pytest.raises(UnusableInput, match="weights"):
         parse_pieces(text)

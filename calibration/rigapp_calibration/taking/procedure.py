@@ -312,6 +312,32 @@ class Procedure(Generic[PlanType]):
         event = {"event": "reject", "index": index, "reason": words}
         return replace(self, position=start, taken=taken, events=(*self.events, event))
 
+    def back(self, reason: str) -> Self:
+        """Take the newest reading that stands again, with a reason; the others of its series stay.
+
+        One more call goes one more step back. Not past a set-up: what hung before it is gone.
+        """
+        words = " ".join(reason.split())
+        if not words:
+            raise ProcedureError("a reading is taken again with a reason; write one")
+        before = next(one["event"] for one in reversed(self.events) if one["event"] != "note")
+        index = next((i for i, one in reversed([*enumerate(self.taken)]) if not one.rejected), -1)
+        last, newest = (self.taken[i].step if self.taken else 0 for i in (index, -1))
+        alike = self.steps[last].series == self.steps[newest].series
+        if index < 0 or before not in ("record", "back") or not alike:
+            raise ProcedureError("there is no reading just before; reject one of the table")
+        again = replace(self.taken[index], rejected=words)
+        taken = (*self.taken[:index], again, *self.taken[index + 1 :])
+        event = {"event": "back", "reason": words}
+        return replace(self, position=last, taken=taken, events=(*self.events, event))
+
+    def note(self, text: str) -> Self:
+        """Keep a remark of the operator beside the readings; it changes no step."""
+        words = " ".join(text.split())
+        if not words:
+            raise ProcedureError("the note is empty; write what was noticed")
+        return replace(self, events=(*self.events, {"event": "note", "text": words}))
+
     def _rejected(self, series: str, words: str) -> Self:
         """Return the state in which no reading of a series stands."""
         taken = tuple(
@@ -407,6 +433,10 @@ def _after(procedure: Procedure[PlanType], event: Event) -> Procedure[PlanType]:
         return procedure.exercised(event.get("time"))
     if kind == "again":
         return procedure.again(event["reason"])
+    if kind == "back":
+        return procedure.back(event["reason"])
+    if kind == "note":
+        return procedure.note(event["text"])
     if kind == "left out":
         return procedure.leave_out()
     if kind == "record":

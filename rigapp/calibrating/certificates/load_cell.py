@@ -15,7 +15,6 @@ from rigapp.calibrating.certificates.parts import (
     Content,
     Parts,
     budget_table,
-    by_uncertainty,
     plot,
     rows_of,
     say,
@@ -24,6 +23,7 @@ from rigapp.calibrating.certificates.parts import (
 from rigapp.config.calibration_settings import WeightsSection
 from rigapp.report.page.manuscript import Figure, Row, Table
 from rigapp_calibration.arrays import ACROSS
+from rigapp_calibration.coverage import by_uncertainty
 from rigapp_calibration.load_cell.characteristics import Creep, creep_words
 from rigapp_calibration.load_cell.readings import LoadCellReadings, parse_load_cell
 from rigapp_calibration.load_cell.two_axis import forces
@@ -42,7 +42,7 @@ RESULTS = {
     "": "{mark}",
 }
 BY_LOAD = {
-    "load N": "{load_N:g}",
+    "load N": "{load}",
     "component, one reading": "{component_one_reading_N}",
     "component, mean of many": "{component_mean_of_many_N}",
     "|F|, one reading": "{magnitude_one_reading_N}",
@@ -71,7 +71,7 @@ CONDITIONS = {
     "Air density": "{place[air_density_kg_per_m3]:g} kg/m³",
     "Resolution": "{resolution} N, of the cell with its amplifier",
     "Weights": "{weights[mass_kind]} mass, density {weights[density_kg_per_m3]:g} kg/m³,"
-    " relative u = {used:.2g}",
+    " relative u = {used:.2g} %",
     "Hanger": "{weights[hanger_mass_kg]:g} kg",
     "Angle reference": "{offset}, u = {angle[standard_uncertainty_deg]:.3g}°{level}",
 }
@@ -107,7 +107,9 @@ def load_cell_parts(content: Content) -> Parts:
     extrapolated = " EXTRAPOLATED beyond the calibrated range" * (full > most)
     own = result.get("of_calibration")
     budgets = [
-        budget_table(f"{title}Budget of one reading of {what} at {at:g} N{mark}", one, "N", "N")
+        budget_table(
+            f"{title}Budget of one reading of {what} at {_short(at, full)} N{mark}", one, "N", "N"
+        )
         for title, of, at, mark in (
             ("Calibration: ", own and _used(own), _largest(own), ""),
             ("In use: " if own else "", result, full, extrapolated),
@@ -127,8 +129,8 @@ def load_cell_parts(content: Content) -> Parts:
         f" {len(angles)} pin angles ({', '.join(f'{one:.0f}' for one in angles)}°).",
         conditions=_conditions(content["settings"], result.get("creep")),
         uncertainty=[
-            *_by_load(own or {}, most, "of the calibration"),
-            *_by_load(result, most, "in use" if own else ""),
+            *_by_load(own or {}, most, full, "of the calibration"),
+            *_by_load(result, most, full, "in use" if own else ""),
             *(one for budget in budgets for one in budget),
         ],
         readings=[_readings_table(taken, result), *_hung_table(taken)],
@@ -166,9 +168,9 @@ def _loads(content: Content, taken: LoadCellReadings) -> list[Content]:
                 "load": load,
                 "applied": by_uncertainty(load, expanded, 1),
                 "readings": int(here.sum()),
-                "indicated": by_uncertainty(shown, expanded, 1),
-                "error": by_uncertainty(shown - load, expanded, 1),
-                "across": by_uncertainty(side, expanded, 1),
+                "indicated": by_uncertainty(shown, expanded),
+                "error": by_uncertainty(shown - load, expanded),
+                "across": by_uncertainty(side, expanded),
                 "largest": by_uncertainty(float(off[here].max()), expanded),
                 "expanded": by_uncertainty(expanded, expanded),
                 "mark": "",
@@ -204,7 +206,7 @@ def _uncertainty(result: Content, load: float) -> float:
     return float(np.interp(load, *np.array(told).T))
 
 
-def _by_load(result: Content, most: float, what: str) -> list[Table]:
+def _by_load(result: Content, most: float, full: float, what: str) -> list[Table]:
     """Return U of a component, of |F| and of means at each load that is stated; what: of what."""
     items = [
         {
@@ -214,6 +216,7 @@ def _by_load(result: Content, most: float, what: str) -> list[Table]:
                 else value
                 for key, value in one.items()
             },
+            "load": _short(one["load_N"], full),
             "mark": EXTRAPOLATED if one["load_N"] > most + 1e-6 else "",
         }
         for one in result.get("uncertainty_by_load", ())
@@ -227,7 +230,7 @@ def _conditions(settings: Content, creep: Content | None) -> list[Row]:
     offset, level = angle["offset_deg"], angle.get("level_readings_deg", ())
     told = {
         **settings,
-        "used": msgspec.convert(settings["weights"], WeightsSection).relative_uncertainty,
+        "used": 100.0 * msgspec.convert(settings["weights"], WeightsSection).relative_uncertainty,
         "resolution": f"{Decimal(str(settings['cell']['resolution_N'])).normalize():f}",
         "offset": "none was stated; offset taken as 0 degrees",
         "level": "",
@@ -314,6 +317,11 @@ def _largest(own: Content | None) -> float:
 def _load(load: float, full_scale: float, more: int = 0) -> str:
     """Return a load in words: as exact as a thousandth of full scale."""
     return by_uncertainty(load, 0.01 * full_scale, more)
+
+
+def _short(load: float, full_scale: float) -> str:
+    """Return a load as ``_load`` does, without zeros at its end."""
+    return f"{float(_load(load, full_scale)):g}"
 
 
 def _common_angle(angle: Content) -> str:
@@ -413,8 +421,8 @@ def _quadratic(result: Content, unit: str) -> list[Table]:
         (f"signal {axis}", *(f"{value:.4e}" for value in row))
         for axis, row in enumerate(quadratic, 1)
     ]
-    title = f"Quadratic terms: signal - zero = inverse(K) f + Q (f1^2, f1 f2, f2^2); {unit} per N^2"
-    return [Table(title, tuple(rows), ("", "f1^2", "f1 f2", "f2^2"))]
+    title = f"Quadratic terms: signal - zero = inverse(K) f + Q (f1², f1 f2, f2²); {unit} per N²"
+    return [Table(title, tuple(rows), ("", "f1²", "f1 f2", "f2²"))]
 
 
 def _readings_table(taken: LoadCellReadings, result: Content) -> Table:

@@ -49,18 +49,6 @@ def say(template: str, one: Content, otherwise: str = UNSTATED) -> str:
         return otherwise
 
 
-def by_uncertainty(value: float, expanded: float, more: int = 0) -> str:
-    """Return a value with the decimals of U, which has two significant figures (JCGM 100, 7.2.6).
-
-    more: decimals beyond these, for what is known better. A U of 100 and more is one of tens.
-    """
-    if not (math.isfinite(expanded) and expanded > 0.0):
-        return f"{value:.6g}"
-    # The exponent of the rounded U: 0.0996 is 0.10, one place less.
-    places = 1 - int(f"{expanded:.1e}".partition("e")[2]) + more
-    return f"{round(value, places) + 0.0:.{max(0, places)}f}"
-
-
 def rows_of(lines: Mapping[str, str], one: Content, otherwise: str = UNSTATED) -> list[Row]:
     """Return rows of a name and what a record says of it; lines: name -> template."""
     return [(name, say(line, one, otherwise)) for name, line in lines.items()]
@@ -139,6 +127,8 @@ def taken_words(content: Content) -> str:
     events = [event["event"] for event in taken.get("events", ())]
     rejected = events.count("reject")
     words += f"; {rejected} series rejected and repeated" if rejected else "; nothing rejected"
+    again = events.count("back")
+    words += f"; {again} single readings taken again" * bool(again)
     words += "; the creep was left out" * ("left out" in events)
     return words + ("; SIMULATED rig, for practice" if taken.get("simulated") else "")
 

@@ -99,8 +99,9 @@ class Terminal:
             answer = self._read(prompt).strip().lower()
             if answer == "q":
                 return False
-            if answer == "r":
-                self._reject()
+            other = {"r": self._reject, "b": self._back, "n": self._note}.get(answer)
+            if other is not None:
+                other()
                 return True
             if answer == "s" and optional:
                 session.leave_out()
@@ -138,6 +139,15 @@ class Terminal:
         if not word.isdigit():
             raise ProcedureError("That is not a number; nothing was rejected.")
         session.reject(int(word) - 1, self._read("  reason: "))
+
+    def _back(self) -> None:
+        """Take the newest reading again, with the reason."""
+        self._session.back(self._read("  reason: "))
+
+    def _note(self) -> None:
+        """Keep a remark for record and certificate."""
+        self._session.note(self._read("  note: "))
+        self._say("  noted.")
 
     def _wait_ready(self) -> Any:
         """Return a window that is ready; raise ProcedureError when none comes in time."""

@@ -112,7 +112,7 @@ class LiveCalibration(QObject):
         self.outcome: Outcome | None = None
         self.mistake: StrEnum = next(iter(self.practice.mistakes))
         self.goes_ahead = False
-        self._since = 0
+        self._since, self._acted_at = 0, -1
         self._asked = False
         self._done_for = NOWHERE
         self._hands = HandsQueue(line, self._acted, self._failed)
@@ -136,7 +136,7 @@ class LiveCalibration(QObject):
             given, self.rig, journal, plan, keep_waiting_times=not self.trains
         )
         self.outcome = None
-        self._done_for = NOWHERE
+        self._since, self._acted_at, self._done_for = 0, -1, NOWHERE
         self.moved.emit()
 
     def close_session(self) -> None:
@@ -238,10 +238,11 @@ class LiveCalibration(QObject):
         return self._hands.busy
 
     def plant(self, mistake: StrEnum) -> None:
-        """Let the simulated hands make a mistake from the step under way on."""
+        """Let the simulated hands make a mistake from what they do next on."""
         self.mistake = mistake
         if self.session is not None:
-            self._since = self.session.procedure.position
+            position = self.session.procedure.position
+            self._since = position + (self._acted_at == position)
         if self._hands.prepared:
             self._hands.add(self.practice.plant(mistake))
 
@@ -249,6 +250,7 @@ class LiveCalibration(QObject):
         """Let the simulated hands do what the step asks."""
         if self.session is None or self.session.procedure.done:
             return
+        self._acted_at = self.session.procedure.position
         self._hands.prepare((*self.practice.prepare, *self.practice.plant(self.mistake)))
         self._hands.add(self.practice.act(self.session, self.mistake, self._since))
 

@@ -94,14 +94,15 @@ class TakingPage(GuidePage):
         self.leave_out = button(f"{prefix}leave_out", LEAVE_OUT, self._leave_out)
         self.problem = sentence(f"{prefix}reading_problem", "What stands against it")
         self.table = _readings_table(f"{prefix}readings_table", words.columns)
-        spoken, hint = (
-            marked("Reason of the rejection"),
-            marked("why the selected reading does not count"),
-        )
+        spoken, hint = (marked("Reason or note"), marked("reason, or a note for the record"))
         self.reason = edit(f"{prefix}reject_reason", spoken, self._enable, hint=hint)
         fit_hint(self.reason)
         text: Text = "Re&ject and repeat its series"
         self.reject_button = button(f"{prefix}reject", text, self._reject, words.reject)
+        again: Text = "Take the newest reading again; the others of its series stand"
+        self.back = button(f"{prefix}back", "One step &back", self._back, again)
+        noting: Text = "Keep the words beside the readings; the certificate has them"
+        self.note = button(f"{prefix}note", "&Note", self._note, noting)
         position: Text = "Position that the micrometer shows"
         self.shown = number(f"{prefix}shown", position, -20000.0, 20000.0, 1, 1.0, "µm")
         self._entered = labelled("Micrometer &shows", self.shown) if words.read_off else None
@@ -111,7 +112,7 @@ class TakingPage(GuidePage):
         look = self.beside(TWO, (self.picture, 5), (now, 4))
         how_far = row((self.left, 1), (self.progress, 2))
         left = filled(QVBoxLayout(), (self.instruction, (look, 1), how_far))
-        why = flowing(words.reason, (self.reason, 1), self.reject_button)
+        why = flowing(words.reason, (self.reason, 1), self.back, self.note, self.reject_button)
         taken = taking_what_is_left(self.table, 6 * self.table.fontMetrics().height())
         right = filled(QVBoxLayout(), ((self.plot, 3), (taken, 4), why))
         for one in (left, right, now):
@@ -255,9 +256,23 @@ class TakingPage(GuidePage):
             self.reason.clear()
             self.table.clearSelection()
 
+    def _back(self) -> None:
+        self._said(lambda session, words: session.back(words))
+
+    def _note(self) -> None:
+        self._said(lambda session, words: session.note(words))
+
+    def _said(self, act: Callable[[Any, str], object]) -> None:
+        """Do something for which words were typed, which are used up then."""
+        if self.live_calibration.attempt(lambda session: act(session, self.reason.text())):
+            self.reason.clear()
+
     def _enable(self) -> None:
+        typed = bool(self.reason.text().strip())
+        self.back.setEnabled(typed and self.table.rowCount() > 0)
+        self.note.setEnabled(typed)
         selected = self.table.currentRow() >= 0 and bool(self.table.selectedItems())
-        self.reject_button.setEnabled(selected and bool(self.reason.text().strip()))
+        self.reject_button.setEnabled(selected and typed)
 
 
 def _readings_table(name: str, columns: tuple[str, ...]) -> QTableWidget:
