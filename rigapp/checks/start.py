@@ -21,7 +21,7 @@ from rigapp.presentation.numbers import grouped
 from rigapp.presentation.states import calibration_text
 from rigapp.schema.channels import BASE
 from rigapp.schema.messages import DeviceView, RunState, Severity, Status
-from rigapp.texts import joined, say
+from rigapp.texts import Sentence, joined, say
 
 STALE_S = 2.0  # devices send ten times a second or more
 NEAR_THE_END = 0.95
@@ -176,8 +176,9 @@ def record_checks(records: RigRecords) -> Iterator[Check]:
             )
 
 
-def _words(section: str) -> str:
-    return section.replace("_", " ")
+def _words(section: str) -> Sentence:
+    """Return the name of a section as a sentence: the catalogues have it."""
+    return Sentence(section.replace("_", " "))
 
 
 def _of_engine(status: Status) -> Iterator[Check]:
@@ -256,7 +257,8 @@ def _of_channels(status: Status, rig: RigFile | None) -> Iterator[Check]:
     ranges = {one.name: one for one in table.sampled}
     for channel in status.rig.channels:
         known = ranges.get(channel.name)
-        if known is not None and abs(channel.raw) > NEAR_THE_END * known.signal_range:
+        # Without the rig file no range is known (0): its end cannot be near.
+        if known and 0.0 < NEAR_THE_END * known.signal_range < abs(channel.raw):
             yield Check(
                 say("Channel {}", channel.name),
                 BLOCKS if known.instrument else ATTENTION,

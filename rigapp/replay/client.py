@@ -36,7 +36,7 @@ from rigapp.schema.messages import (
 )
 from rigapp.schema.rownumbers import RowNumbers
 from rigapp.service.client import merged
-from rigapp.storage import TestReader, open_test, row_numbers
+from rigapp.storage import TestReader, as_said, open_test, row_numbers
 from rigapp.texts import say, sentence_of_error
 
 PERIOD_S = 0.1  # as often as the screen draws trends
@@ -264,7 +264,7 @@ class ReplayClient:
 
 def read_recording(test: TestReader) -> Recording:
     """Read what a replay needs of a recorded test."""
-    metadata, summary = test.metadata(), test.summary()
+    metadata, summary, events = test.metadata(), test.summary(), test.events()
     recipe = recipe_of(test)
     columns = BASE.units | test.column_units()
     rows = row_numbers(test, "revolutions")
@@ -272,7 +272,7 @@ def read_recording(test: TestReader) -> Recording:
     status = Status(
         EngineStatus(
             RunState.RUNNING,
-            summary["reason"] or summary["status"],
+            as_said(summary["reason"], events) or summary["status"],
             operator=metadata["operator"],
         ),
         TestStatus(
@@ -285,6 +285,6 @@ def read_recording(test: TestReader) -> Recording:
         RigStatus(metadata["rig"], metadata["simulated"]),
     )
     predictions = row_numbers(test, "prediction")
-    alarms = RecordedAlarms(test.events(), recipe.limits if recipe is not None else None)
+    alarms = RecordedAlarms(events, recipe.limits if recipe is not None else None)
     cycles = test.cycle_revolutions()
     return Recording(columns, rows, predictions, cycles, rpm, status, test.profiles(), alarms)

@@ -23,11 +23,12 @@ from rigapp.process.children import write_frame
 from rigapp.process.priority import give_way
 from rigapp.schema.details import error_text
 from rigapp.schema.loglines import alarm_change, severity_of
-from rigapp.schema.messages import NOT_STEADY, Severity
+from rigapp.schema.messages import NOT_STEADY, Event, Severity
 from rigapp.schema.results import TestResult
 from rigapp.schema.wire import encode
 from rigapp.storage import (
     TestReader,
+    as_said,
     believed_until,
     blocks,
     largest_force,
@@ -185,15 +186,19 @@ def _looked_at_closely(found: TestResult, test: TestReader) -> TestResult:
     doubt = float("nan")
     if stated is not None and np.isfinite(found.force_max_N):
         doubt = float(stated.at(found.force_max_N, of_magnitude=True))
-    reason = "" if found.coefficient > 0.0 else _why_no_coefficient(test)
+    reason, events = "" if found.coefficient > 0.0 else _why_no_coefficient(test), test.events()
     return msgspec.structs.replace(
-        found, force_uncertainty_N=doubt, alarms=_alarms(test), coefficient_reason=reason
+        found,
+        reason=as_said(found.reason, events),
+        force_uncertainty_N=doubt,
+        alarms=_alarms(events),
+        coefficient_reason=reason,
     )
 
 
-def _alarms(test: TestReader) -> tuple[str, ...]:
+def _alarms(events: list[Event]) -> tuple[str, ...]:
     """Return the titles of all alarms that were raised, critical ones first."""
-    changes = [(one, alarm_change(one)) for one in test.events()]
+    changes = [(one, alarm_change(one)) for one in events]
     raised = [(one, it.title) for one, it in changes if it is not None and it.what == "raised"]
     raised.sort(key=lambda one: severity_of(one[0]) is not Severity.CRITICAL)
     return tuple(title for _, title in raised)

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from typing import Literal, TypeVar
+from typing import Final, Literal, TypeVar
 
 import msgspec
 
 from rigapp.schema.alarms import recorded_text
 from rigapp.schema.messages import Alarm, Ends, Event, Severity
 from rigapp.schema.wire import tree_of
+from rigapp.texts import Sentence, say
 
 ALARM = "alarm"
 LIMIT_CHANGED = "limit_changed"
@@ -22,6 +23,12 @@ SPECIMEN = "specimen"
 REST = "rest"
 """Kind of the event that holds the signals at rest before a start."""
 
+WORDS: Final[dict[str, Sentence]] = {
+    "cleared": say("cleared"),
+    "acknowledged": say("acknowledged"),
+    "reset": say("reset"),
+    "unshelved": say("no longer shelved"),
+}
 What = Literal["raised", "cleared", "acknowledged", "shelved", "unshelved", "reset"]
 
 
@@ -51,10 +58,10 @@ class AlarmChange(msgspec.Struct, frozen=True, omit_defaults=True):
     def words(self) -> str:
         """Return what happened in words."""
         if self.what == "raised":
-            return "raised, first out" if self.first_out else "raised"
+            return say("raised, first out") if self.first_out else say("raised")
         if self.what == "shelved":
-            return f"shelved for {self.seconds:g} s: {self.reason}"
-        return "no longer shelved" if self.what == "unshelved" else self.what
+            return say("shelved for {:g} s: {}", self.seconds, self.reason)
+        return WORDS[self.what]
 
 
 class LimitChange(msgspec.Struct, frozen=True):
@@ -107,7 +114,7 @@ Record = TypeVar("Record", AlarmChange, LimitChange, RestSignals, SpecimenWear)
 
 def alarm_line(time: float, revolution: int, who: str, alarm: Alarm, change: AlarmChange) -> Event:
     """Return the line about an alarm; ``alarm`` is as it is after the change."""
-    text = f"{alarm.title}: {change.words}. {alarm.cause}"
+    text = say("{}: {}. {}", alarm.title, change.words, alarm.cause)
     return Event(
         time, revolution, ALARM, who, text, after=alarm.state,
         key=alarm.key, level=alarm.severity.value, data=tree_of(change),

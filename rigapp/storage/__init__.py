@@ -39,6 +39,7 @@ from rigapp.storage.reading.trip import (
     trip_of,
 )
 from rigapp.storage.reading.verify import NEWEST_BYTES, damage_of, found_damage
+from rigapp.storage.structure.events import as_said
 from rigapp.storage.structure.hdf import open_for_reading
 from rigapp.storage.structure.layout import (
     CALIBRATION,
@@ -81,6 +82,7 @@ __all__ = [
     "Trip",
     "TripCapture",
     "TripPiece",
+    "as_said",
     "believed_until",
     "blocks",
     "broken_seals",

@@ -329,6 +329,21 @@ def test_rig_and_test_are_held_against_each_other(make_status: Any) -> None:
     assert found["Channel probe_1"] is CheckVerdict.BLOCKS
 
 
+@pytest.mark.parametrize(("raw", "verdict"), [(0.09, None), (3.4, CheckVerdict.BLOCKS)])
+def test_the_end_of_a_range_is_judged_only_where_the_range_is_known(
+    make_status: Any, raw: float, verdict: CheckVerdict | None
+) -> None:
+    test = read_test(EXAMPLES / "quick.toml").record
+    rig = with_records(read_rig(EXAMPLES / "simulated.toml"))
+    status = ready(make_status)
+    cell = msgspec.structs.replace(status.rig.channels[0], raw=raw, raw_unit="mV/V")
+    status = Status.of_flat(status.flat() | {"channels": (cell,)})
+    known = {check.name: check.verdict for check in preflight(test, rig, None, status)}
+    before = {check.name for check in preflight(test, None, None, status)}
+    assert known.get("Channel force_1") is verdict
+    assert "Channel force_1" not in before  # the rig file is still being read
+
+
 def test_too_little_room_and_a_missing_folder_block(tmp_path: Path) -> None:
     test = read_test(EXAMPLES / "paper.toml").record
     missing = preflight(test, None, disk_facts(test, 960.0, tmp_path / "nowhere"), None)

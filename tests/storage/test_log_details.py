@@ -21,9 +21,29 @@ from rigapp.schema.loglines import (
     rest_signals,
 )
 from rigapp.schema.messages import Alarm, Event, Severity
-from rigapp.storage import open_test, reopen_test
+from rigapp.storage import as_said, open_test, reopen_test
+from rigapp.texts import Sentence, say
 
 DETAILED = replace(PLAN, event_details=True)
+
+
+def test_sentences_of_a_log_keep_their_templates_for_other_languages(tmp_path: Path) -> None:
+    cause = say("{} N at {:.0f} deg", 391, 223.4)
+    stopped = say("Overload: {}. The drive is off.", cause)
+    typed = Event(2.0, 2, "note", "Ada", "Overload: seen. The drive is off.")
+    with new_test(tmp_path, DETAILED) as writer:
+        writer.append_event(Event(1.0, 1, "state", "engine", stopped, data={"cause": cause}))
+        writer.append_event(typed)
+    with open_test(tmp_path / "test.h5") as test:
+        first, second = test.events()
+    assert isinstance(first.text, Sentence)
+    assert (first.text, first.text.template) == (stopped, stopped.template)
+    assert isinstance(first.data["cause"], Sentence)
+    assert first.data["cause"].values == {"0": 391, "1": 223.4}
+    assert second == typed
+    assert type(second.text) is str
+    assert as_said(str(stopped), [first, second]) is first.text
+    assert as_said("never logged", [first, second]) == "never logged"
 
 
 def lines() -> list[Event]:

@@ -641,7 +641,7 @@
     </message>
     <message>
         <source>Data age</source>
-        <translation>Alter der Daten</translation>
+        <translation>Datenalter</translation>
     </message>
     <message>
         <source>Dec</source>
@@ -4739,7 +4739,7 @@
     </message>
     <message>
         <source>Age of the data</source>
-        <translation>Alter der Daten</translation>
+        <translation>Datenalter</translation>
     </message>
     <message>
         <source>Alarm logged</source>
@@ -9182,6 +9182,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Dichte der Luft</translation>
     </message>
     <message>
+        <source>alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
         <source>all devices</source>
         <translation>alle Geräte</translation>
     </message>
@@ -9326,6 +9330,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Kalibrieren</translation>
     </message>
     <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
         <source>calibration begin</source>
         <translation>Kalibrierung beginnen</translation>
     </message>
@@ -9348,6 +9356,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>clearance</source>
         <translation>Spiel</translation>
+    </message>
+    <message>
+        <source>cleared</source>
+        <translation>nicht mehr vorhanden</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>Befehl</translation>
     </message>
     <message>
         <source>commanded at once, before the alarm was logged</source>
@@ -9454,12 +9470,20 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Unsicherheit der Abweichung</translation>
     </message>
     <message>
+        <source>device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
         <source>diamond</source>
         <translation>Raute</translation>
     </message>
     <message>
         <source>differences between positions beyond those of the micrometer</source>
         <translation>Unterschiede zwischen Stellungen über die der Messschraube hinaus</translation>
+    </message>
+    <message>
+        <source>disk</source>
+        <translation>Platte</translation>
     </message>
     <message>
         <source>disturbed: {} samples lost, {} errors in the last minute</source>
@@ -9524,6 +9548,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>ends {}, in {}</source>
         <translation>Ende {}, in {}</translation>
+    </message>
+    <message>
+        <source>engine</source>
+        <translation>Steuerung</translation>
     </message>
     <message>
         <source>examine file</source>
@@ -9898,8 +9926,20 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>leichter</translation>
     </message>
     <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>limit changed</source>
+        <translation>Grenze geändert</translation>
+    </message>
+    <message>
         <source>limit of the history</source>
         <translation>Grenze aus der Vorgeschichte</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>Grenzen</translation>
     </message>
     <message>
         <source>limits are changed in the test file while no test is under way</source>
@@ -9952,6 +9992,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>measured wear depth uncertainty</source>
         <translation>Unsicherheit der gemessenen Verschleißtiefe</translation>
+    </message>
+    <message>
+        <source>message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>messages</source>
+        <translation>Meldungen</translation>
     </message>
     <message>
         <source>metres per second squared</source>
@@ -10016,6 +10064,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>no line is being recorded for a report</source>
         <translation>es wird keine Leitung für einen Bericht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>no longer shelved</source>
+        <translation>nicht mehr zurückgestellt</translation>
     </message>
     <message>
         <source>no prediction</source>
@@ -10116,6 +10168,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>only a part was written</source>
         <translation>nur ein Teil wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>Bediener</translation>
     </message>
     <message>
         <source>or</source>
@@ -10222,6 +10278,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Radien</translation>
     </message>
     <message>
+        <source>raised</source>
+        <translation>ausgelöst</translation>
+    </message>
+    <message>
+        <source>raised, first out</source>
+        <translation>ausgelöst, als erster</translation>
+    </message>
+    <message>
         <source>reaction to its silence</source>
         <translation>Reaktion auf sein Schweigen</translation>
     </message>
@@ -10292,6 +10356,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>residual 2</source>
         <translation>Abweichung 2</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>Ruhe</translation>
     </message>
     <message>
         <source>restitution</source>
@@ -10450,6 +10518,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>etwas sendet Daten, antwortet aber auf stop nicht wie ein Gerät von DATAQ; den Anschluss in der Prüfstandsdatei prüfen und das Gerät aus- und einschalten</translation>
     </message>
     <message>
+        <source>specimen</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
         <source>speed unit, limits or heartbeat</source>
         <translation>Drehzahleinheit, Grenzen oder Heartbeat</translation>
     </message>
@@ -10482,12 +10554,20 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Anlauf</translation>
     </message>
     <message>
+        <source>state</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
         <source>status</source>
         <translation>Stand</translation>
     </message>
     <message>
         <source>stay awake</source>
         <translation>wach bleiben</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Stufe</translation>
     </message>
     <message>
         <source>step {} of {}</source>
@@ -10516,6 +10596,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>supply voltage</source>
         <translation>Versorgungsspannung</translation>
+    </message>
+    <message>
+        <source>suspended</source>
+        <translation>angehalten</translation>
     </message>
     <message>
         <source>take command</source>
@@ -10850,6 +10934,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>ausgelöst</translation>
     </message>
     <message>
+        <source>twin</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
         <source>two senders use one identifier</source>
         <translation>zwei Sender benutzen dieselbe Kennung</translation>
     </message>
@@ -10904,6 +10992,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>value error of unknown kind</source>
         <translation>Messwertfehler unbekannter Art</translation>
+    </message>
+    <message>
+        <source>viewer</source>
+        <translation>Fenster</translation>
     </message>
     <message>
         <source>voltage</source>
@@ -11083,7 +11175,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     </message>
     <message>
         <source>{} good, {} for attention, {} block</source>
-        <translation>{} gut, {} zu beachten, {} sperren</translation>
+        <translation>{} gut, {} zu beachten, {} sperrend</translation>
     </message>
     <message>
         <source>{} in short</source>
@@ -12645,6 +12737,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Die Spannung erreicht {} V bei {} um, das Ende des Bereichs; den Wegsensor verschieben oder einen größeren Bereich wählen</translation>
     </message>
     <message>
+        <source>The wear coefficient cannot be told, because {}</source>
+        <translation>Der Verschleißkoeffizient ist nicht bestimmbar: {}</translation>
+    </message>
+    <message>
         <source>The wear depth is not to be trusted, so stop.{} does not end the test.</source>
         <translation>Der Verschleißtiefe ist nicht zu trauen, deshalb beendet stop.{} den Versuch nicht.</translation>
     </message>
@@ -13627,6 +13723,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>settings: {}</source>
         <translation>Einstellungen: {}</translation>
+    </message>
+    <message>
+        <source>shelved for {:g} s: {}</source>
+        <translation>zurückgestellt für {:g} s: {}</translation>
     </message>
     <message>
         <source>signal {}</source>

@@ -13,14 +13,14 @@ from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName, Spot
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import PlotPanel, QuietPlot
-from rigapp.gui.widgets.build import choice, column
+from rigapp.gui.widgets.build import add_group, choice, column, searched
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.presentation.tokens import STEP, Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import BASE
 from rigapp.viewer.judged import EVERYTHING, Drawn, Flagged, drawn
-from rigapp.viewer.quantities import compared_columns, scale_of
+from rigapp.viewer.quantities import compared_columns, grouped_quantities, scale_of
 from rigapp.viewer.ranges import SteadyRange
 from rigapp.viewer.recording import StoredTest, load_history
 from rigapp.viewer.series import LiveData
@@ -96,12 +96,12 @@ class ComparePanel(PlotPanel):
         self._worker = worker
         self._runs: list[ComparedTest] = []
         self._wanted: list[Path] = []
+        self._offered: list[str] = []
         self.plot = QuietPlot("compare_plot", "Comparison of tests", theme)
         self.plot.setMouseEnabled(x=True, y=False)
         self._curves: list[Any] = [self.plot.curve(LinePen("text")) for _ in range(MOST)]
-        self.quantity = choice(
-            "compare_quantity", "Quantity to compare", _items(compared_columns(BASE)), self._draw
-        )
+        self.quantity = searched(choice("compare_quantity", "Quantity to compare", (), self._draw))
+        self._offer()
         self.axis = choice("compare_axis", "Axis to compare on", _items(AXES), self._draw)
         self.message = ElidedLabel("compare_message", "State of the comparison")
         self.message.show_text(CHOOSE)
@@ -146,14 +146,21 @@ class ComparePanel(PlotPanel):
 
     def _offer(self) -> None:
         """Offer what any of the tests has."""
-        columns = {
-            name: text
-            for run in self._runs
-            for name, text in compared_columns(run.data.channels).items()
-        }
-        for name, text in columns.items():
-            if self.quantity.findData(name) < 0:
-                self.quantity.addItem(text, name)
+        tables = [run.data.channels for run in self._runs] or [BASE]
+        columns = {name: text for table in tables for name, text in compared_columns(table).items()}
+        if list(columns) == self._offered:
+            return
+        self._offered = list(columns)
+        chosen = self.quantity.currentData()
+        self.quantity.blockSignals(True)
+        self.quantity.clear()
+        most = max(tables, key=lambda table: len(table.channels))
+        for names in grouped_quantities(columns, most):
+            add_group(self.quantity, {name: columns[name] for name in names})
+        self.quantity.setCurrentIndex(
+            0 if chosen is None else max(self.quantity.findData(chosen), 0)
+        )
+        self.quantity.blockSignals(False)
 
     def _failed(self, path: Path, error: Exception) -> None:
         self.message.show_text(tr("{} cannot be read: {}", path.name, error))

@@ -27,6 +27,8 @@ from rigapp.viewer.news import News, Takes
 
 REVOLUTIONS = "revolutions"
 VALUE_WIDTH = 10 * STEP
+TABLE_HEIGHT = 18 * STEP
+"""Its heading and three limits, of which German ones take two lines each."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +75,7 @@ class LimitPanel(QGroupBox):
         self._channels = BASE
         named(self, "limit_panel", "Limits of the running test")
         self.table = PlainTable("limit_table", "Limits", ("Limit", "Now"), stretch=(0,))
+        self.table.setMinimumHeight(TABLE_HEIGHT)
         self.table.itemSelectionChanged.connect(self._chosen)
         self.value = edit("limit_value", "New value of the chosen limit", self._enable)
         self.reason = edit(

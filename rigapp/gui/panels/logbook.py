@@ -6,20 +6,25 @@ import time
 from collections.abc import Sequence
 from typing import Final
 
-from PySide6.QtWidgets import QFrame, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from rigapp.gui.panel import Host
-from rigapp.gui.widgets.build import column, edit, filled, named, row, styled_label
+from rigapp.gui.widgets.build import column, edit, named, row, styled_label
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.presentation.times import dated
 from rigapp.presentation.tokens import GAP, STEP
-from rigapp.presentation.translation import Text, tr
-from rigapp.schema.details import sentence_of
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.loglines import ALARM
 from rigapp.schema.messages import Event
 from rigapp.viewer.news import News, Takes
 
 HEADINGS: Final[tuple[Text, ...]] = ("Time", "Cycle", "What", "Who", "Before", "After", "Text")
+CODES: Final[tuple[Text, ...]] = (
+    "alarm", "calibrating", "calibration", "command", "device", "disk", "limit", "limit changed",
+    "message", "note", "rest", "specimen", "state", "step", "stopped", "suspended", "twin",
+    "viewer", "zero", "engine", "limits", "messages", "operator", "drive",
+)  # fmt: skip
+"""What the log calls what happened, and who did it; names of devices and people stay."""
 LOG_LINES, JOURNAL_LINES = 2000, 500
 """Newest lines shown; all of them are in the file."""
 
@@ -38,7 +43,7 @@ class LogPanel(QWidget):
         self.count = named(QLabel(tr("The log is empty.")), "log_count", "Lines of the log")
         self.table = PlainTable("log_table", "Log of the test, newest first", HEADINGS)
         top = row("F&ind", (self.filter, 1), (self.count, 1))
-        filled(QVBoxLayout(self), (top, (self.table, 1)))
+        column(top, (self.table, 1), on=self)
 
     def show_news(self, news: News) -> None:
         """Show the log as it was read last."""
@@ -55,11 +60,11 @@ class LogPanel(QWidget):
             texts = (
                 time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(event.time)),
                 str(event.revolution),
-                event.kind,
-                event.source,
-                event.before,
-                event.after,
-                event.text,
+                tr(event.kind.replace("_", " ")),
+                tr(event.source),
+                tr(event.before),
+                tr(event.after),
+                translate(event.text),
             )
             if not wanted or any(wanted in text.lower() for text in texts):
                 rows.append(texts)
@@ -98,8 +103,8 @@ class AlarmJournal(QFrame):
                 (
                     dated("%d %b %H:%M:%S", time.localtime(one.time)),
                     str(one.revolution),
-                    sentence_of(one.text),
-                    one.source,
+                    translate(one.text),
+                    tr(one.source),
                 )
                 for one in lines
             ]

@@ -160,7 +160,8 @@ class OwnPage(QWidget):
             box.clear()
             for names in grouped_quantities(items, self._table):
                 add_group(box, {name: items[name] for name in names})
-            box.setCurrentIndex(max(box.findData(chosen), 0))
+            # Lines between groups have no data: nothing chosen yet must not find one of them.
+            box.setCurrentIndex(0 if chosen is None else max(box.findData(chosen), 0))
 
     def _titles(self) -> dict[str, str]:
         return {name: tr("{} against cycle", one.title) for name, one in self._quantities.items()}

@@ -13,7 +13,7 @@ from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.panel import Act, Host
 from rigapp.gui.panels.results import ShelfPump
 from rigapp.gui.results.resulttable import ROW_HEIGHT, ResultTable
-from rigapp.gui.widgets.build import button, column, named, prose, row
+from rigapp.gui.widgets.build import button, column, key_text, named, prose, row
 from rigapp.gui.widgets.labels import heading
 from rigapp.gui.widgets.reflow import WrappingGrid
 from rigapp.presentation.numbers import grouped
@@ -84,12 +84,12 @@ class WayCard(QFrame):
             tr(word),
             partial(self.chosen.emit, act),
             title,
-            tip=f"{tr(title)} ({key})",
+            tip=f"{tr(title)} ({key_text(key)})",
             rank="primary" if act is Act.TRY else "",
             guarded=act in (Act.TRY, Act.CALIBRATE),
         )
         self.button.setFixedHeight(5 * STEP)
-        self.shortcut = prose(f"way_key_{act.value}", title, key, role="secondary")
+        self.shortcut = prose(f"way_key_{act.value}", title, key_text(key), role="secondary")
         column(
             row((self.sign, 1), self.shortcut),
             head,

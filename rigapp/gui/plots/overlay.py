@@ -14,7 +14,6 @@ from rigapp.gui.plots.limitlines import alarm_token, limit_lines
 from rigapp.gui.plots.marks import CurveName, Spot
 from rigapp.gui.plots.palette import MODEL, STALE_CURVE, LinePen
 from rigapp.gui.plots.plotting import (
-    STRIP_HEIGHT,
     CursorPlot,
     NameRoom,
     PlotPanel,
@@ -117,7 +116,6 @@ class OverlayPanel(PlotPanel):
             )
         )
         self.plot.setMinimumHeight(FORCE_HEIGHT)
-        self.residual_plot.setMinimumHeight(STRIP_HEIGHT)
         self.plot.show_crank_angle(label=False)
         self.plot.steady = SteadyRange(10.0)
         self.residual_plot.show_crank_angle()

@@ -62,8 +62,6 @@ from rigapp.viewer.series import LiveData
 
 LEAST_HEIGHT = 20 * STEP
 """Of what is shown as a plot, with its axis: a page too low for it scrolls."""
-STRIP_HEIGHT = 11 * STEP
-"""The same of a strip below a plot, which has its axis."""
 LEAST_ROOM = 2 * STEP
 """Beside a plot without names: half of the last tick's text stands there."""
 QUARTERS = range(0, 361, 90)

@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Any, TypeVar
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtGui import QFont, QFontMetrics, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QBoxLayout,
@@ -36,6 +37,8 @@ Field = TypeVar("Field", bound=QComboBox | QAbstractSpinBox)
 Item = QWidget | QLayout | Text | None
 Margins = int | tuple[int, int] | tuple[int, int, int, int]
 
+BUTTON_FRAME = 26
+"""Left and right of a button's words: edges and padding, see ``look.sheet``."""
 HINT_FRAME = 4 * STEP
 """Around the hint of a line: its edges, and the sign that empties it."""
 Called = Callable[..., Any]
@@ -119,6 +122,11 @@ def named(widget: Made, name: str, spoken: Text, tip: Text = "", *, role: str = 
     return widget
 
 
+def key_text(key: str) -> str:
+    """Return a key as keyboards of the window's language bear it: "Strg+5" in German."""
+    return QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
+
+
 def tell(widget: QWidget, name: str, value: object) -> None:
     """Tell a widget what it is now (see ``look.sheet``); it is styled anew where that changed."""
     if widget.property(name) != value:
@@ -154,6 +162,11 @@ def button(
         made.setProperty("rank", rank)
     if checkable:
         made.setCheckable(True)
+        # Chosen, its words are bold (``look.sheet``): it keeps the room for them.
+        bold = made.font()
+        bold.setWeight(QFont.Weight.DemiBold)
+        words = QFontMetrics(bold).size(Qt.TextFlag.TextShowMnemonic, text).width()
+        made.setMinimumWidth(words + BUTTON_FRAME)
         if call is not None:
             made.toggled.connect(call)
     elif call is not None:

@@ -13,7 +13,15 @@ from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QPushButton, QToolBu
 
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.icons import Icon, icon
-from rigapp.gui.widgets.build import button, choice, column, follow_in_tab_order, named, row
+from rigapp.gui.widgets.build import (
+    button,
+    choice,
+    column,
+    follow_in_tab_order,
+    key_text,
+    named,
+    row,
+)
 from rigapp.presentation.tokens import CAPTION_PT, GAP, STEP, Theme
 from rigapp.presentation.translation import Text, marked, tr
 
@@ -229,7 +237,7 @@ class PageBar(QWidget):
 
     def _button(self, page: PageName) -> QPushButton:
         made = button(f"page_button_{page.number}", page.title, spoken=page.title, checkable=True)
-        made.setToolTip(f"{tr(page.title)} ({page.key})")
+        made.setToolTip(f"{tr(page.title)} ({key_text(page.key)})")
         made.clicked.connect(partial(self._choose, page.number))
         return made
 

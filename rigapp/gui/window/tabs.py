@@ -37,7 +37,7 @@ from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.settings.page import SettingsPage, settings_page
 from rigapp.gui.testfile.prepare import PreparePanel, prepare_page
-from rigapp.gui.widgets.build import follow_in_tab_order, named
+from rigapp.gui.widgets.build import follow_in_tab_order, key_text, named
 from rigapp.gui.widgets.turns import Turns
 from rigapp.gui.window.help import window_keys
 from rigapp.gui.window.places import PageName, RailPlace
@@ -157,7 +157,7 @@ class Tabs(QTabWidget):
         self.setDocumentMode(True)
         for place, tab in enumerate(TABS):
             self.addTab(_scrolling(tab), f"{tab.key[-1]} {tr(tab.title)}")
-            self.setTabToolTip(place, f"{tr(tab.title)} ({tab.key})")
+            self.setTabToolTip(place, f"{tr(tab.title)} ({key_text(tab.key)})")
             shortcut = QShortcut(QKeySequence(tab.key), self)
             shortcut.activated.connect(partial(self._go_to, place))
         self._offer_tabs()

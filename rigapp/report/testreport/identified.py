@@ -25,7 +25,7 @@ from rigapp.storage import (
     open_test,
     rows_up_to,
 )
-from rigapp.texts import say
+from rigapp.texts import as_written, say, sentence_of_error
 from rigapp.twin.identifying import LEAST_REFERENCE
 from rigapp.twin.kept import NO_BIN, kept_of, life_of
 from rigapp_model.identification import (
@@ -145,7 +145,8 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
 
         known = known_at(len(moments) - 1)
     except CannotBeTold as error:
-        words = f"The wear coefficient cannot be told, because {str(error).rstrip('.')}."
+        reason = as_written(sentence_of_error(error)).rstrip(".")
+        words = say("The wear coefficient cannot be told, because {}.", reason)
         return IdentifiedTest(**plain, record=record, said=words)
     depth, departure = kept.sought.depth, kept.consistency.departure
     if departure is not None and after is not None and departure.revolution > after + before:

@@ -20,6 +20,7 @@ from rigapp.schema.loglines import alarm_change, severity_of
 from rigapp.schema.messages import Event, FinishReason, Flag, Severity
 from rigapp.storage.reading.blocks import blocks, rows_up_to
 from rigapp.storage.reading.reader import StoredCycle, TestReader
+from rigapp.storage.structure.events import as_said
 
 OVERLOAD, BEYOND_RANGE, NO_FORCE = "overload", "overload:beyond_range", "saturated"
 RESUMED, STOOD = "resumed", "stopped"
@@ -206,7 +207,7 @@ def trip_capture(test: TestReader) -> TripCapture | None:
         found,
         pieces,
         _currents(test, cycle.table, zero, pieces[0].time_s[0]),
-        str(test.summary()["reason"]),
+        as_said(str(test.summary()["reason"]), events),
         happened,
         stood[0] - happened if stood else math.nan,
         _turned_s(found, cycle, zero),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import struct
 from collections.abc import Iterable, Mapping, Sequence
@@ -14,6 +15,7 @@ from numpy.typing import NDArray
 from rigapp.schema.messages import Event
 from rigapp.schema.wire import json_bytes
 from rigapp.storage.structure.layout import FileColumn
+from rigapp.texts import Sentence, braces
 
 CODES = ("kind", "source", "key", "level")
 """Texts of one row; one that is too long is cut."""
@@ -24,6 +26,8 @@ TEXTS = ("text", "before", "after", "data")
 _HASHED = ("kind", "source", "text", "before", "after", "key", "level", "data")
 
 
+SAID = "said"
+"""Key of ``data``: templates and values of the sentences of a line, for other languages."""
 ASKED_KINDS = frozenset({"note", "command", "limit_changed", "zero", "viewer"})
 OWN_ALARMS = "engine"
 """The source of an alarm that nobody asked for."""
@@ -40,7 +44,7 @@ def rows_of(event: Event, digest: bytes, fields: Sequence[FileColumn]) -> list[d
     digest: hexadecimal digest of the row before, of the file's identifier for the first row.
     """
     width = {one.name: int(one.dtype[1:]) for one in fields if one.dtype.startswith("S")}
-    texts = {**msgspec.structs.asdict(event), "data": _encoded(event.data)}
+    texts = {**msgspec.structs.asdict(event), "data": _encoded(event)}
     parts = {name: _parts(texts[name], width[name]) for name in TEXTS if name in width}
     codes = {name: _parts(texts[name], width[name])[0] for name in CODES if name in width}
     number = max(map(len, parts.values()))
@@ -87,9 +91,17 @@ def events_of(columns: Mapping[str, NDArray[Any]]) -> list[Event]:
         codes = {name: row[name] for name in CODES if name in row}
         texts = {k: v.decode(errors="replace") for k, v in (codes | open_texts).items()}
         data = _decoded(texts.pop("data"))
+        said = _sentences(data.pop(SAID, ()))
+        texts["text"] = said.get(texts["text"], texts["text"])
+        data = {key: said.get(v, v) if isinstance(v, str) else v for key, v in data.items()}
         found.append(Event(row["time"], row["revolution"], data=data, **texts))
         open_texts = {}
     return found
+
+
+def as_said(text: str, events: Iterable[Event]) -> str:
+    """Return a text of a file as the sentence that its log has of it; as it is without one."""
+    return next((one.text for one in reversed([*events]) if one.text == text), text)
 
 
 def first_broken_link(columns: Mapping[str, NDArray[Any]], identifier: str) -> int | None:
@@ -115,8 +127,45 @@ def columns_of(
     return {one.name: np.array([row[one.name] for row in rows], one.dtype) for one in fields}
 
 
-def _encoded(data: Mapping[str, Any]) -> str:
+def _encoded(event: Event) -> str:
+    said = [_structure(one) for one in (event.text, *event.data.values()) if _has_words(one)]
+    data = {**event.data, SAID: said} if said else event.data
     return json_bytes(data).decode() if data else ""
+
+
+def _has_words(text: object) -> bool:
+    """Tell whether a text is a sentence that a catalogue may have."""
+    if not isinstance(text, Sentence):
+        return False
+    literals = "".join(literal for literal, _, _ in braces(text.template))
+    return any(map(str.isalpha, literals)) or any(map(_has_words, text.values.values()))
+
+
+def _structure(sentence: Sentence) -> list[Any]:
+    values = {
+        name: _structure(value) if isinstance(value, Sentence) else value
+        for name, value in sentence.values.items()
+    }
+    return [sentence.template, values] if values else [sentence.template]
+
+
+def _sentence(structure: Any) -> Sentence:
+    """Return a sentence of its structure; raise ValueError or TypeError where it is none."""
+    template, values = (*structure, {})[:2]
+    if not isinstance(template, str):
+        raise TypeError(template)
+    made = {k: _sentence(v) if isinstance(v, list) else v for k, v in values.items()}
+    return Sentence.of(template, made)
+
+
+def _sentences(structures: Any) -> dict[str, Sentence]:
+    """Return sentences by their English texts; what is none, is left out."""
+    found: dict[str, Sentence] = {}
+    for one in structures if isinstance(structures, list) else ():
+        with contextlib.suppress(ValueError, TypeError, KeyError, AttributeError, RecursionError):
+            sentence = _sentence(one)
+            found[str(sentence)] = sentence
+    return found
 
 
 def _decoded(text: str) -> dict[str, Any]:
