@@ -1,8 +1,9 @@
 """Run every benchmark in a process of its own: ``python -m benchmarks [WORD ...] [--json FILE]``.
 
 The last table has one line for each budget: what, figure, peer with its ratio, budget, kept or
-missed; what was skipped stands below it. Status 1 when a benchmark failed, not when a budget is
-missed: a figure of a busy machine says nothing.
+missed; what was skipped stands below it. Status 1 when a benchmark failed, or when a ratio to a
+peer that was measured beside it fell by more than a third of the stored one (``ratios.json``); not
+when a budget is missed: a figure of a busy machine says nothing, a ratio of one run says more.
 """
 
 from __future__ import annotations
@@ -19,6 +20,34 @@ from typing import Any
 from benchmarks.budgets import BUDGETS, COLLECTED
 
 HERE = Path(__file__).parent
+RATIOS = HERE / "ratios.json"
+"""Ratio to its peer of each figure that has one, as ``--keep-ratios`` stored it."""
+COSTS = frozenset({"help", "reduce"})
+"""Figures whose ratio says how many times the peer's time they take; of the others, how many times
+faster than the peer they are."""
+LEAST_SHARE = 2.0 / 3.0
+"""Of the stored ratio: what falls below it is not the machine, whose load both sides share."""
+
+
+def fallen(rows: list[dict[str, Any]], stored: dict[str, float]) -> list[str]:
+    """Return a sentence for each ratio that fell by more than a third of the stored one."""
+    found = []
+    for row in rows:
+        name, now = row.get("name", ""), row.get("ratio")
+        if name not in stored or not now:
+            continue
+        share = stored[name] / now if name in COSTS else now / stored[name]
+        if share < LEAST_SHARE:
+            found.append(
+                f"{row['what']}: {now:,.4g} x {row['peer']}, {stored[name]:,.4g} x stored:"
+                f" {100 * share:.0f} % of it is left"
+            )
+    return found
+
+
+def ratios_of(rows: list[dict[str, Any]]) -> dict[str, float]:
+    """Return the ratios of a run by the names of their figures, to four digits."""
+    return {row["name"]: float(f"{row['ratio']:.4g}") for row in rows if row.get("ratio")}
 
 
 def table(figures: list[dict[str, Any]]) -> list[dict[str, Any]]:
@@ -51,6 +80,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("words", nargs="*", help="only benchmarks whose name contains one of them")
     parser.add_argument("--json", type=Path, help="write the last table to this file too")
+    parser.add_argument("--keep-ratios", action="store_true", help=f"store them in {RATIOS.name}")
     options = parser.parse_args()
     failed, figures = [], []
     with tempfile.TemporaryDirectory() as folder:
@@ -74,9 +104,16 @@ def main() -> int:
     print("\n".join(map(line, rows)))
     if options.json:
         options.json.write_text(json.dumps(rows, indent=1) + "\n", "utf-8")
+    stored: dict[str, float] = json.loads(RATIOS.read_text("utf-8"))
+    worse = fallen(rows, stored)
+    if options.keep_ratios:
+        worse, kept = [], stored | ratios_of(rows)
+        RATIOS.write_text(json.dumps(kept, indent=1, sort_keys=True) + "\n", "utf-8")
     if failed:
         print(f"failed: {', '.join(failed)}", file=sys.stderr)
-    return 1 if failed else 0
+    for one in worse:
+        print(f"fallen: {one}", file=sys.stderr)
+    return 1 if failed or worse else 0
 
 
 if __name__ == "__main__":

@@ -85,11 +85,14 @@ def report(
         Path | None,
         file_option("--settings", "Laboratory, customer, number; else report.toml beside FILE."),
     ] = None,
+    language: Annotated[
+        str, option("--language", "en or de; else report.language of the settings.")
+    ] = "",
 ) -> int:
     """Write the report of a test, the same bytes each time."""
     from rigapp.commands.files import write_report
 
-    return write_report(file, to, as_json=json, settings=settings)
+    return write_report(file, to, as_json=json, settings=settings, language=language)
 
 
 @verbs.command()

@@ -79,24 +79,36 @@ ENDINGS = (".html", ".pdf")
 
 
 def write_report(
-    path: Path, to: Path | None, *, as_json: bool = False, settings: Path | None = None
+    path: Path,
+    to: Path | None,
+    *,
+    as_json: bool = False,
+    settings: Path | None = None,
+    language: str = "",
 ) -> int:
     """Write the report of a test file; an earlier report of that name is replaced as a whole.
 
     as_json: print its texts and tables, in place of the sentence. settings: a report.toml, else the
-    one beside the test or of the user. Returns the exit status. Raises
+    one beside the test or of the user. language: its code, else the one of the settings. Returns
+    the exit status. Raises
     UnusableInput for another ending, a file that is not a test, a target that cannot be written,
     and where nothing is asked for.
     """
     if to is None and not as_json:
         raise UnusableInput("Name the report to write, --to REPORT.html or .pdf, or ask for --json")
     ending = _checked_ending(to) if to is not None else ""
+    from rigapp.presentation.catalogue import LANGUAGES, spoken
     from rigapp.report.page.manuscript import plain
-    from rigapp.report.testreport import report_of
+    from rigapp.report.testreport import report_of, report_settings
 
-    document = report_of(path, settings)
-    if to is not None:
-        _write(document, to, ending)
+    if language and language not in LANGUAGES:
+        raise UnusableInput(
+            "--language {}: reports speak {}; name one.", language, " and ".join(LANGUAGES)
+        )
+    with spoken(language or report_settings(path, settings)[0].report.language):
+        document = report_of(path, settings)
+        if to is not None:
+            _write(document, to, ending)
     if as_json:
         print(json.dumps(plain(document), indent=2, ensure_ascii=False))
     else:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Final
+from typing import Final, Literal
 
 import msgspec
 
@@ -24,12 +24,14 @@ class LaboratorySection(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
 class ReportSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[report]: number, customer, the statement at the foot and who signs.
 
-    number: a pattern with {file}, {title}, {specimen} and {date} of the test's begin.
+    number: a pattern with {file}, {title}, {specimen} and {date} of the test's begin. language: by
+    ISO 639.
     """
 
     number: str = ""
     customer: str = ""
     statement: str = ""
+    language: Literal["en", "de"] = "en"
     signatures: tuple[str, ...] = ("Operator, date", "Reviewer, date")
 
 

@@ -21,14 +21,27 @@ class _Spoken:
     """The language of this process: its texts by the English ones, None for English."""
 
     translations: Mapping[str, str] | None = None
+    language = "en"
 
 
 _SPOKEN = _Spoken()
 
 
-def speak(translations: Mapping[str, str] | None) -> None:
-    """Say all texts as a table of them says from now on; None: in English, as they stand."""
+ENGLISH: Final = "en"
+
+
+def speak(translations: Mapping[str, str] | None, code: str = "") -> None:
+    """Say all texts as a table of them says from now on; None: in English, as they stand.
+
+    code: of the language, by ISO 639.
+    """
     _SPOKEN.translations = translations
+    _SPOKEN.language = code or ENGLISH
+
+
+def language() -> str:
+    """Return the code of the language that is spoken."""
+    return _SPOKEN.language
 
 
 def speaks_english() -> bool:

@@ -227,7 +227,7 @@ class ReplayClient:
             replace(
                 status.engine,
                 state=self._state,
-                reason=self._reason or f"replay × {self._speed:g}",
+                reason=self._reason or say("replay × {:g}", self._speed),
                 host_time=now,
             ),
             replace(

@@ -23,8 +23,8 @@ def bins(depth: float) -> list[Bin]:
 @pytest.mark.parametrize("depth", [15.1e-6, 9.0e-6])
 def test_a_depth_outside_the_band_is_said(depth: float) -> None:
     said = beyond_band(EARLY, bins(depth))
-    assert f"{1e6 * depth:.1f} um are measured at revolution 450" in said
-    assert "after revolution 50 11.6 um were predicted there, 10.2 to 13.0 um" in said
+    assert f"{1e6 * depth:.1f} µm are measured at revolution 450" in said
+    assert "after revolution 50 11.6 µm were predicted there, 10.2 to 13.0 µm" in said
 
 
 def test_a_depth_within_the_band_needs_no_word() -> None:

@@ -21,6 +21,7 @@ import PySide6
 
 from rigapp import viewer
 from rigapp.checks.check import CheckVerdict
+from rigapp.config.report import ReportSection
 from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, SENTENCES, WINDOW, catalogue_file
 from rigapp.gui.language.keys import column_texts, key_texts
 from rigapp.gui.language.sentences import all_sentences, all_templates, has_words
@@ -38,6 +39,11 @@ SOURCES: Final = (
     Path(translation.__file__).parent,
 )
 """The window, what it knows of a test, and the words that it shares with others."""
+REPORT: Final = (
+    *(Path(__file__).parents[2] / "report" / one for one in ("page", "testreport")),
+    Path(translation.__file__).parent,
+)
+"""The report, whose functions have other names for texts than the window's."""
 
 MARK: Final = "Text"
 SHOWN_AS_IT_IS: Final = frozenset(
@@ -83,6 +89,9 @@ class _Marks:
         for tree in modules.values():
             for node in tree.body:
                 match node:
+                    case ast.ImportFrom(names=names):  # import Text as Words
+                        renamed = [one.asname for one in names if one.asname and one.name == MARK]
+                        self.aliases |= dict.fromkeys(renamed, ast.Name(MARK))
                     case ast.Assign(targets=[ast.Name(id=name)], value=value) if _names(
                         value, MARK
                     ):
@@ -261,6 +270,7 @@ def texts_of_tables() -> list[Text]:
     words += [one.value for one in HowEnded]
     words += [one.value for one in (*CheckVerdict, *Severity)] + ["overload", "overspeed"]
     words += [one.title for one in CRITERIA.values()] + [*WEAR_MODELS, "True", "False"]
+    words += ReportSection().signatures
     words += [*key_texts(), *column_texts()]
     return [*words, *calendar.day_abbr, *calendar.month_abbr]
 
@@ -268,7 +278,9 @@ def texts_of_tables() -> list[Text]:
 def all_texts() -> list[Text]:
     """Return every text that the window says as it is, each once, in a fixed order."""
     plain = {one for one in all_sentences() if "{" not in one}
-    return sorted({*texts_of().found, *plain, *filter(has_words, texts_of_tables())})
+    return sorted(
+        {*texts_of().found, *texts_of(*REPORT).found, *plain, *filter(has_words, texts_of_tables())}
+    )
 
 
 def update(languages: Sequence[str] = tuple(LANGUAGES)) -> None:

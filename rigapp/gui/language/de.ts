@@ -4340,6 +4340,10 @@
         <translation>{} bis {} Umdrehungen (95 %)</translation>
     </message>
     <message>
+        <source>{} until {:.4g} µm{}</source>
+        <translation>{} bis {:.4g} µm{}</translation>
+    </message>
+    <message>
         <source>{} was changed by another program since it was opened. Save it as another file, or open it again, which loses what was changed here.</source>
         <translation>{} wurde seit dem Öffnen von einem anderen Programm geändert. Als andere Datei speichern oder neu öffnen; dabei geht verloren, was hier geändert wurde.</translation>
     </message>
@@ -4352,12 +4356,28 @@
         <translation>{} bei {} unter</translation>
     </message>
     <message>
+        <source>{} {} at the end</source>
+        <translation>{} {} am Ende</translation>
+    </message>
+    <message>
         <source>{} {} in {}</source>
         <translation>{} {} in {}</translation>
     </message>
     <message>
+        <source>{}, SHA-256 {}.</source>
+        <translation>{}, SHA-256 {}.</translation>
+    </message>
+    <message>
         <source>{}, by {}, since {}</source>
         <translation>{}, durch {}, seit {}</translation>
+    </message>
+    <message>
+        <source>{}, first {}</source>
+        <translation>{}, erste {}</translation>
+    </message>
+    <message>
+        <source>{}, last {}</source>
+        <translation>{}, letzte {}</translation>
     </message>
     <message>
         <source>{}, mean {}</source>
@@ -4372,8 +4392,32 @@
         <translation>{}, überschritten</translation>
     </message>
     <message>
+        <source>{}, spread of ln K {:.3g}</source>
+        <translation>{}, Streuung von ln K {:.3g}</translation>
+    </message>
+    <message>
+        <source>{}, test {}.</source>
+        <translation>{}, Versuch {}.</translation>
+    </message>
+    <message>
+        <source>{}, the digest of the record holds</source>
+        <translation>{}, die Prüfsumme des Datensatzes stimmt</translation>
+    </message>
+    <message>
+        <source>{}, while the test was running: a later report will say more.</source>
+        <translation>{}, während der Versuch lief: ein späterer Bericht enthält mehr.</translation>
+    </message>
+    <message>
         <source>{}, {:.0f} % left</source>
         <translation>{}, noch {:.0f} %</translation>
+    </message>
+    <message>
+        <source>{}, {} not recorded</source>
+        <translation>{}, {} nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>{}, {} without data in all.</source>
+        <translation>{}, insgesamt {} ohne Daten.</translation>
     </message>
     <message>
         <source>{}: device</source>
@@ -4386,6 +4430,10 @@
     <message>
         <source>{}: no whole cycle is saved yet</source>
         <translation>{}: noch kein ganzer Zyklus gespeichert</translation>
+    </message>
+    <message>
+        <source>{}: not in the file.</source>
+        <translation>{}: nicht in der Datei.</translation>
     </message>
     <message>
         <source>{}: port</source>
@@ -4404,8 +4452,20 @@
         <translation>{}; Band 95 %</translation>
     </message>
     <message>
+        <source>{}; recorded: {}.</source>
+        <translation>{}; aufgezeichnet: {}.</translation>
+    </message>
+    <message>
+        <source>{}; {}; {} revolutions with a quality flag</source>
+        <translation>{}; {}; {} Umdrehungen mit Qualitätsvermerk</translation>
+    </message>
+    <message>
         <source>|F|, any sample</source>
         <translation>|F|, jeder Messwert</translation>
+    </message>
+    <message>
+        <source>± is an expanded uncertainty with k = 2, about 95 %, as stated by the records in the file for the point of use. A value without ± has no such record.</source>
+        <translation>± ist eine erweiterte Messunsicherheit mit k = 2, etwa 95 %, wie sie die Kalibrierdatensätze der Datei für den Einsatz angeben. Ein Wert ohne ± hat keinen solchen Datensatz.</translation>
     </message>
     <message>
         <source>µm per 1000 rev</source>
@@ -4558,6 +4618,62 @@
         <translation>Den Winkel des Drehgebers nehmen, wie er &amp;jetzt ist</translation>
     </message>
     <message>
+        <source> (simulated)</source>
+        <translation> (simuliert)</translation>
+    </message>
+    <message>
+        <source> A run-out of {} µm was taken out.</source>
+        <translation> Ein Rundlauffehler von {} µm wurde herausgerechnet.</translation>
+    </message>
+    <message>
+        <source> By the model the elastic approach has changed by {} µm; {}.</source>
+        <translation> Nach dem Modell hat sich die elastische Annäherung um {} µm geändert; {}.</translation>
+    </message>
+    <message>
+        <source> It was seen at rest {:.2f} s after the alarm.</source>
+        <translation> Sie stand {:.2f} s nach dem Alarm still.</translation>
+    </message>
+    <message>
+        <source> Revolutions in which the speed changed may lie outside the scale.</source>
+        <translation> Umdrehungen mit Drehzahländerung können außerhalb der Achse liegen.</translation>
+    </message>
+    <message>
+        <source> The crank turned for {:.2f} s more, by the device&apos;s clock.</source>
+        <translation> Die Kurbel drehte nach der Uhr des Geräts noch {:.2f} s.</translation>
+    </message>
+    <message>
+        <source> The mean residual of |F| is {:.1f} % of the RMS force.</source>
+        <translation> Die mittlere Abweichung von |F| beträgt {:.1f} % der effektiven Kraft.</translation>
+    </message>
+    <message>
+        <source> The model: {}.</source>
+        <translation> Das Modell: {}.</translation>
+    </message>
+    <message>
+        <source> The probes&apos; zero is not at the bushing&apos;s centre, so that the direction comes from the forces: the flanks are less certain.</source>
+        <translation> Der Nullpunkt der Wegsensoren liegt nicht in der Buchsenmitte, die Richtung kommt daher aus den Kräften: Die Flanken sind weniger sicher.</translation>
+    </message>
+    <message>
+        <source> and by the model (dashed).</source>
+        <translation> und nach dem Modell (gestrichelt).</translation>
+    </message>
+    <message>
+        <source> at {} rpm</source>
+        <translation> mit {} rpm</translation>
+    </message>
+    <message>
+        <source> forces (dash-dotted); shaded: the expanded uncertainty of the measured depth.</source>
+        <translation> Kräften (strichpunktiert); getönt: die erweiterte Unsicherheit der gemessenen Tiefe.</translation>
+    </message>
+    <message>
+        <source> in revolution {}</source>
+        <translation> in Umdrehung {}</translation>
+    </message>
+    <message>
+        <source> of every revolution, measured (solid)</source>
+        <translation> jeder Umdrehung, gemessen (durchgezogen)</translation>
+    </message>
+    <message>
         <source>&amp;Guide</source>
         <translation>&amp;Anleitung</translation>
     </message>
@@ -4578,12 +4694,36 @@
         <translation>&amp;Ja, eintragen</translation>
     </message>
     <message>
+        <source>* The revolution carries a quality flag. {}.</source>
+        <translation>* Die Umdrehung hat einen Qualitätsvermerk. {}.</translation>
+    </message>
+    <message>
+        <source>, between {} and {} rpm</source>
+        <translation>, zwischen {} und {} rpm</translation>
+    </message>
+    <message>
         <source>, in step {}</source>
         <translation>, in Schritt {}</translation>
     </message>
     <message>
+        <source>, largest residual {}</source>
+        <translation>, größte Abweichung {}</translation>
+    </message>
+    <message>
         <source>, tripped</source>
         <translation>, Auslösung</translation>
+    </message>
+    <message>
+        <source>, which the end of the test cut off</source>
+        <translation>, die das Versuchsende abschnitt</translation>
+    </message>
+    <message>
+        <source>, {} at the last set speed</source>
+        <translation>, {} bei der letzten Solldrehzahl</translation>
+    </message>
+    <message>
+        <source>, {} not recorded</source>
+        <translation>, {} nicht aufgezeichnet</translation>
     </message>
     <message>
         <source>/dev/serial/by-id/..., can0</source>
@@ -4618,8 +4758,18 @@
         <translation>5-V-Versorgung zu niedrig</translation>
     </message>
     <message>
+        <source>95 % band
+from {} on</source>
+        <translation>95-%-Band
+ab {}</translation>
+    </message>
+    <message>
         <source>; and {} more</source>
         <translation>; und {} weitere</translation>
+    </message>
+    <message>
+        <source>; grey: revolution {}, before it</source>
+        <translation>; grau: Umdrehung {} davor</translation>
     </message>
     <message>
         <source>= {} s simulated, at × {}</source>
@@ -4702,6 +4852,10 @@
         <translation>Den ausführlich gezeigten Alarm quittieren; die Alarme zeigen, wo keiner zu sehen ist</translation>
     </message>
     <message>
+        <source>Acquisition</source>
+        <translation>Messwerterfassung</translation>
+    </message>
+    <message>
         <source>Action critical</source>
         <translation>Aktion, kritisch</translation>
     </message>
@@ -4742,8 +4896,20 @@
         <translation>Datenalter</translation>
     </message>
     <message>
+        <source>Agreement with the model</source>
+        <translation>Übereinstimmung mit dem Modell</translation>
+    </message>
+    <message>
+        <source>Agreement with the model: </source>
+        <translation>Übereinstimmung mit dem Modell: </translation>
+    </message>
+    <message>
         <source>Alarm logged</source>
         <translation>Alarm protokolliert</translation>
+    </message>
+    <message>
+        <source>Alarms: {} raised</source>
+        <translation>Alarme: {} ausgelöst</translation>
     </message>
     <message>
         <source>All</source>
@@ -4830,6 +4996,14 @@
         <translation>Fragt jedes USB-Gerät, wer es ist. Ein Anschluss hinter einem USB-Adapter wird aufgeführt, nicht befragt.</translation>
     </message>
     <message>
+        <source>Assumed beforehand</source>
+        <translation>Vorab angenommen</translation>
+    </message>
+    <message>
+        <source>BROKEN at line {}: the log was changed after it was written</source>
+        <translation>UNTERBROCHEN in Zeile {}: Das Protokoll wurde nachträglich geändert</translation>
+    </message>
+    <message>
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
@@ -4864,6 +5038,10 @@
     <message>
         <source>Begin the next test, or go on with the one that stopped</source>
         <translation>Den nächsten Versuch beginnen oder den stehen gebliebenen fortsetzen</translation>
+    </message>
+    <message>
+        <source>Begun</source>
+        <translation>Begonnen</translation>
     </message>
     <message>
         <source>Bit rate of the CAN bus</source>
@@ -4978,6 +5156,18 @@
         <translation>Kalibrierung: {}</translation>
     </message>
     <message>
+        <source>Calibration record of {}</source>
+        <translation>Kalibrierdatensatz: {}</translation>
+    </message>
+    <message>
+        <source>Calibration used</source>
+        <translation>Verwendete Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Calibrations valid until</source>
+        <translation>Kalibrierungen gültig bis</translation>
+    </message>
+    <message>
         <source>Cannot assign requested address</source>
         <translation>Adresse nicht zuteilbar</translation>
     </message>
@@ -4992,6 +5182,10 @@
     <message>
         <source>Certificate</source>
         <translation>Kalibrierschein</translation>
+    </message>
+    <message>
+        <source>Chain of the log</source>
+        <translation>Kette des Protokolls</translation>
     </message>
     <message>
         <source>Changed</source>
@@ -5024,6 +5218,10 @@
     <message>
         <source>Check the drive&apos;s supply, then reconnect.</source>
         <translation>Die Versorgung des Antriebs prüfen, dann neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Checksums</source>
+        <translation>Prüfsummen</translation>
     </message>
     <message>
         <source>Choose a settings file</source>
@@ -5098,6 +5296,10 @@
         <translation>Berechnet</translation>
     </message>
     <message>
+        <source>Configuration</source>
+        <translation>Konfiguration</translation>
+    </message>
+    <message>
         <source>Connected</source>
         <translation>Verbunden</translation>
     </message>
@@ -5138,12 +5340,24 @@
         <translation>Schritte des Drehgebers für eine Einheit des Zählerwerts; 1 ist angenommen, bis eine Umdrehung von Hand es bestätigt hat</translation>
     </message>
     <message>
+        <source>Course of the test</source>
+        <translation>Verlauf des Versuchs</translation>
+    </message>
+    <message>
         <source>Crank angle (degrees)</source>
         <translation>Kurbelwinkel (Grad)</translation>
     </message>
     <message>
+        <source>Crank encoder</source>
+        <translation>Kurbelgeber</translation>
+    </message>
+    <message>
         <source>Crank turns by itself</source>
         <translation>Kurbel dreht von selbst</translation>
+    </message>
+    <message>
+        <source>Crank {:.4g} kg, follower {:.4g} kg; {} plane.</source>
+        <translation>Kurbel {:.4g} kg, Koppel {:.4g} kg; Ebene {}.</translation>
     </message>
     <message>
         <source>Critical above</source>
@@ -5174,8 +5388,20 @@
         <translation>Kurve</translation>
     </message>
     <message>
+        <source>Customer</source>
+        <translation>Auftraggeber</translation>
+    </message>
+    <message>
+        <source>Cut off by the end of the test, and kept apart: revolution {}.</source>
+        <translation>Vom Versuchsende abgeschnitten und getrennt aufbewahrt: Umdrehung {}.</translation>
+    </message>
+    <message>
         <source>Cycles</source>
         <translation>Zyklen</translation>
+    </message>
+    <message>
+        <source>DAMAGED: </source>
+        <translation>BESCHÄDIGT: </translation>
     </message>
     <message>
         <source>DATAQ DI-2108 or DI-4108 data acquisition</source>
@@ -5194,6 +5420,10 @@
         <translation>Dunkel</translation>
     </message>
     <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
         <source>Data acquisition</source>
         <translation>Messwerterfassung</translation>
     </message>
@@ -5202,12 +5432,20 @@
         <translation>Daten fehlen oder sind zweifelhaft</translation>
     </message>
     <message>
+        <source>Data.</source>
+        <translation>Daten.</translation>
+    </message>
+    <message>
         <source>Delay</source>
         <translation>Verzögerung</translation>
     </message>
     <message>
         <source>Depends most on {}. Shares of the variance, with 95 % limits:</source>
         <translation>Hängt am meisten von {} ab. Anteile an der Varianz, mit 95-%-Grenzen:</translation>
+    </message>
+    <message>
+        <source>Depth measured up to revolution {}, and the bands in which it was predicted to lie.</source>
+        <translation>Gemessene Tiefe bis Umdrehung {} und die Bänder, in denen sie vorhergesagt war.</translation>
     </message>
     <message>
         <source>Depth, µm</source>
@@ -5224,6 +5462,10 @@
     <message>
         <source>Device or resource busy</source>
         <translation>Gerät oder Mittel belegt</translation>
+    </message>
+    <message>
+        <source>Device {}, as read back</source>
+        <translation>Gerät {}, wie zurückgelesen</translation>
     </message>
     <message>
         <source>Devices to record</source>
@@ -5252,6 +5494,14 @@
     <message>
         <source>Disk quota exceeded</source>
         <translation>Plattenkontingent überschritten</translation>
+    </message>
+    <message>
+        <source>Displacement and speed against revolution</source>
+        <translation>Weg und Drehzahl über der Umdrehung</translation>
+    </message>
+    <message>
+        <source>Displacement probes</source>
+        <translation>Wegsensoren</translation>
     </message>
     <message>
         <source>Do and record all further steps</source>
@@ -5330,6 +5580,10 @@
         <translation>Kalibrierung beenden…</translation>
     </message>
     <message>
+        <source>End of the test</source>
+        <translation>Ende des Versuchs</translation>
+    </message>
+    <message>
         <source>End the calibration</source>
         <translation>Die Kalibrierung beenden</translation>
     </message>
@@ -5366,6 +5620,10 @@
         <translation>Jede Messung ist sofort gespeichert. Der Assistent kann jederzeit geschlossen und die Kalibrierung später fortgesetzt werden.</translation>
     </message>
     <message>
+        <source>Expanded uncertainty of a value: {}.</source>
+        <translation>Erweiterte Unsicherheit eines Werts: {}.</translation>
+    </message>
+    <message>
         <source>Expected &apos;=&apos; after a key in a key/value pair</source>
         <translation>nach einem Schlüssel wird &apos;=&apos; erwartet</translation>
     </message>
@@ -5384,6 +5642,10 @@
     <message>
         <source>External bridge amplifiers: their output in V for 1 mV/V of the bridge, by input, for example analog_1 = 2.5</source>
         <translation>Externe Brückenverstärker: ihr Ausgang in V je 1 mV/V der Brücke, nach Eingang, zum Beispiel analog_1 = 2.5</translation>
+    </message>
+    <message>
+        <source>Extremes and RMS of every channel</source>
+        <translation>Extremwerte und Effektivwert jedes Kanals</translation>
     </message>
     <message>
         <source>F on the follower, across the crank, counter-clockwise (the cell: the opposite)</source>
@@ -5416,6 +5678,14 @@
     <message>
         <source>Felt / applied force</source>
         <translation>Gefühlte / aufgebrachte Kraft</translation>
+    </message>
+    <message>
+        <source>Figure {}</source>
+        <translation>Bild {}</translation>
+    </message>
+    <message>
+        <source>File and versions</source>
+        <translation>Datei und Versionen</translation>
     </message>
     <message>
         <source>File exists</source>
@@ -5454,12 +5724,28 @@
         <translation>Fertig</translation>
     </message>
     <message>
+        <source>First and last {} of {} entries</source>
+        <translation>Erste und letzte {} von {} Einträgen</translation>
+    </message>
+    <message>
+        <source>First and last {}: mean over the first and last {} revolutions without a quality flag.</source>
+        <translation>Erste und letzte {}: Mittel über die ersten und letzten {} Umdrehungen ohne Qualitätsvermerk.</translation>
+    </message>
+    <message>
+        <source>First out, the alarm that ended the test: {}. {}</source>
+        <translation>Erster Alarm, der den Versuch beendete: {}. {}</translation>
+    </message>
+    <message>
         <source>First samples</source>
         <translation>Erste Messwerte</translation>
     </message>
     <message>
         <source>First {:+.2f} degrees, now {:+.2f} degrees with the level turned: mean {:+.2f} +- {:.3f} degrees; the level itself is off by {:+.2f} degrees.</source>
         <translation>Zuerst {:+.2f} Grad, jetzt {:+.2f} Grad mit umgedrehter Wasserwaage: Mittel {:+.2f} +- {:.3f} Grad; die Wasserwaage selbst weicht um {:+.2f} Grad ab.</translation>
+    </message>
+    <message>
+        <source>First {} of {} lines</source>
+        <translation>Erste {} von {} Zeilen</translation>
     </message>
     <message>
         <source>Folder</source>
@@ -5478,6 +5764,10 @@
         <translation>Kraft mit Unsicherheit</translation>
     </message>
     <message>
+        <source>Forces against revolution</source>
+        <translation>Kräfte über der Umdrehung</translation>
+    </message>
+    <message>
         <source>Fourier orders of the map</source>
         <translation>Fourier-Ordnungen der Karte</translation>
     </message>
@@ -5492,6 +5782,10 @@
     <message>
         <source>From the eighth check on the history has limits of its own</source>
         <translation>Ab der achten Prüfung hat der Verlauf eigene Grenzen</translation>
+    </message>
+    <message>
+        <source>From the probes (solid), by the model (dashed), by the model from the measured</source>
+        <translation>Von den Wegsensoren (durchgezogen), nach dem Modell (gestrichelt), nach dem Modell aus den gemessenen</translation>
     </message>
     <message>
         <source>From the start</source>
@@ -5516,6 +5810,10 @@
     <message>
         <source>Gain of axis 2</source>
         <translation>Empfindlichkeit von Achse 2</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>Lücken</translation>
     </message>
     <message>
         <source>Go a&amp;head</source>
@@ -5722,6 +6020,14 @@
         <translation>Gelenkkraft über dem Kurbelwinkel</translation>
     </message>
     <message>
+        <source>Joint force of {}.</source>
+        <translation>Gelenkkraft von {}.</translation>
+    </message>
+    <message>
+        <source>Judged are revolutions at a steady speed, between the ramps and without a pause.</source>
+        <translation>Bewertet sind Umdrehungen bei gleichmäßiger Drehzahl, zwischen den Rampen und ohne Pause.</translation>
+    </message>
+    <message>
         <source>Jul</source>
         <translation>Jul</translation>
     </message>
@@ -5772,6 +6078,10 @@
     <message>
         <source>Largest force</source>
         <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>Largest joint force</source>
+        <translation>Größte Gelenkkraft</translation>
     </message>
     <message>
         <source>Largest position</source>
@@ -5830,12 +6140,20 @@
         <translation>Grenzen</translation>
     </message>
     <message>
+        <source>Limits and alarms</source>
+        <translation>Grenzen und Alarme</translation>
+    </message>
+    <message>
         <source>Limits of the running test</source>
         <translation>Grenzen des laufenden Versuchs</translation>
     </message>
     <message>
         <source>Limits of this test</source>
         <translation>Grenzen dieses Versuchs</translation>
+    </message>
+    <message>
+        <source>Limits that act by a line in the log only: {}.</source>
+        <translation>Grenzen, die nur eine Zeile im Protokoll bewirken: {}.</translation>
     </message>
     <message>
         <source>Limits watched</source>
@@ -5978,6 +6296,14 @@
         <translation>MEHR als zulässig</translation>
     </message>
     <message>
+        <source>Made from {}, test {}</source>
+        <translation>Erstellt aus {}, Versuch {}</translation>
+    </message>
+    <message>
+        <source>Made from {}.</source>
+        <translation>Erstellt aus {}.</translation>
+    </message>
+    <message>
         <source>Make room, or bring the folder back. Do not end the program before.</source>
         <translation>Platz schaffen oder den Ordner zurückbringen. Das Programm vorher nicht beenden.</translation>
     </message>
@@ -6010,12 +6336,44 @@
         <translation>Matrix und Nullpunkt</translation>
     </message>
     <message>
+        <source>Maximum, RMS and minimum</source>
+        <translation>Maximum, Effektivwert und Minimum</translation>
+    </message>
+    <message>
         <source>May</source>
         <translation>Mai</translation>
     </message>
     <message>
         <source>May stay empty until the port is known; the check of the rig names it.</source>
         <translation>Darf leer bleiben, bis der Anschluss bekannt ist; die Prüfung des Prüfstands nennt ihn.</translation>
+    </message>
+    <message>
+        <source>Mean of the statistics over the compared revolutions, N</source>
+        <translation>Mittel der Kennwerte über die verglichenen Umdrehungen, N</translation>
+    </message>
+    <message>
+        <source>Means of bins of revolutions (points), and where the depth was predicted to lie with 95 % probability, from the readings until then.</source>
+        <translation>Mittel von Gruppen von Umdrehungen (Punkte), und wo die Tiefe nach den Werten bis dahin mit 95 % Wahrscheinlichkeit liegen sollte.</translation>
+    </message>
+    <message>
+        <source>Measured (solid) and by the model (dashed).</source>
+        <translation>Gemessen (durchgezogen) und nach dem Modell (gestrichelt).</translation>
+    </message>
+    <message>
+        <source>Measured (solid) with its uncertainty (shaded, k = 2), by the model (dashed), by the model from the measured forces (dash-dotted); grey: measured earlier, after the revolution named.</source>
+        <translation>Gemessen (durchgezogen) mit Unsicherheit (getönt, k = 2), nach dem Modell (gestrichelt), nach dem Modell aus den gemessenen Kräften (strichpunktiert); grau: früher gemessen, nach der genannten Umdrehung.</translation>
+    </message>
+    <message>
+        <source>Measured (solid). No prediction is saved for these cycles.</source>
+        <translation>Gemessen (durchgezogen). Zu diesen Zyklen ist keine Vorhersage gespeichert.</translation>
+    </message>
+    <message>
+        <source>Measured from the pin&apos;s places over {} {}: the envelope of the pin&apos;s circle, against the same bushing when it was new. The uncertainty (k = 2) holds noise, wear before the reference and elastic indentation, not that of the probes&apos; calibration. Angles that the pin never reached are unknown and not drawn. Depth, area and mass cover what was reached. 0° is the initial contact point, in the follower&apos;s frame.</source>
+        <translation>Aus den Lagen des Bolzens über {} {} gemessen: die Hüllkurve des Bolzenkreises gegen dieselbe Buchse im Neuzustand. Die Unsicherheit (k = 2) enthält Rauschen, Verschleiß vor der Referenz und elastische Eindrückung, nicht die der Kalibrierung der Wegsensoren. Winkel, die der Bolzen nie erreichte, sind nicht bekannt und nicht gezeichnet. Tiefe, Fläche und Masse umfassen, was erreicht wurde. 0° ist der anfängliche Berührpunkt, im Bezugssystem der Koppel.</translation>
+    </message>
+    <message>
+        <source>Measured minus model</source>
+        <translation>Messung − Modell</translation>
     </message>
     <message>
         <source>Measured minus model against crank angle</source>
@@ -6032,6 +6390,14 @@
     <message>
         <source>Mechanism, joint and materials</source>
         <translation>Getriebe, Gelenk und Werkstoffe</translation>
+    </message>
+    <message>
+        <source>Median and 95 % limits; the last two by all specimens together.</source>
+        <translation>Median und 95-%-Grenzen; die letzten beiden aus allen Proben zusammen.</translation>
+    </message>
+    <message>
+        <source>Median specimen</source>
+        <translation>Mittlere Probe</translation>
     </message>
     <message>
         <source>Messages</source>
@@ -6214,8 +6580,16 @@
         <translation>Weiter</translation>
     </message>
     <message>
+        <source>Next specimen</source>
+        <translation>Nächste Probe</translation>
+    </message>
+    <message>
         <source>Next step</source>
         <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>No alarm was raised.</source>
+        <translation>Kein Alarm wurde ausgelöst.</translation>
     </message>
     <message>
         <source>No alarms</source>
@@ -6250,6 +6624,10 @@
         <translation>Keine Last wurde sowohl aufwärts als auch abwärts gelesen, sodass die Hysterese unbekannt ist; eine fallende Reihe hinzufügen</translation>
     </message>
     <message>
+        <source>No notes were written and nothing was changed during the test.</source>
+        <translation>Während des Versuchs wurden keine Notizen geschrieben und nichts geändert.</translation>
+    </message>
+    <message>
         <source>No other test of the queue begins.</source>
         <translation>Kein weiterer Versuch der Warteschlange beginnt.</translation>
     </message>
@@ -6262,8 +6640,16 @@
         <translation>Keine Position wurde sowohl auf dem Hinweg als auch auf dem Rückweg gelesen; das Umkehrspiel ist unbekannt</translation>
     </message>
     <message>
+        <source>No prediction is recorded in the file.</source>
+        <translation>In der Datei ist keine Vorhersage aufgezeichnet.</translation>
+    </message>
+    <message>
         <source>No results yet</source>
         <translation>Noch keine Ergebnisse</translation>
+    </message>
+    <message>
+        <source>No revolution is recorded.</source>
+        <translation>Keine Umdrehung ist aufgezeichnet.</translation>
     </message>
     <message>
         <source>No revolution measured yet: the wear depth with its forecast is drawn here.</source>
@@ -6318,6 +6704,14 @@
         <translation>Kein abgeschalteter Versuch ist gewählt. Einen unter Ergebnisse wählen, dann Abschaltung drücken.</translation>
     </message>
     <message>
+        <source>No whole cycle is saved.</source>
+        <translation>Kein ganzer Zyklus ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>No worn profile is recorded in the file.</source>
+        <translation>In der Datei ist kein verschlissenes Profil aufgezeichnet.</translation>
+    </message>
+    <message>
         <source>Nobody has a PIN yet: nobody can change limits of a running test.</source>
         <translation>Noch hat niemand eine PIN: niemand kann Grenzwerte eines laufenden Versuchs ändern.</translation>
     </message>
@@ -6346,6 +6740,10 @@
         <translation>Noch keine: Eine Grenze sagt, wann sich das Gelenk ändert.</translation>
     </message>
     <message>
+        <source>None: every revolution follows the one before.</source>
+        <translation>Keine: Jede Umdrehung folgt auf die vorige.</translation>
+    </message>
+    <message>
         <source>None: the test runs at one speed from its first revolution to its last.</source>
         <translation>Keine: der Versuch läuft von der ersten bis zur letzten Umdrehung mit einer Drehzahl.</translation>
     </message>
@@ -6356,6 +6754,10 @@
     <message>
         <source>Not closed</source>
         <translation>Nicht abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Not counted: {}</source>
+        <translation>Nicht gezählt: {}</translation>
     </message>
     <message>
         <source>Not saved before {}: {}</source>
@@ -6380,6 +6782,10 @@
     <message>
         <source>Note: </source>
         <translation>Hinweis: </translation>
+    </message>
+    <message>
+        <source>Notes and changes</source>
+        <translation>Notizen und Änderungen</translation>
     </message>
     <message>
         <source>Nothing hangs on the pin: end the calibration</source>
@@ -6438,6 +6844,10 @@
         <translation>Zahlen und Unsicherheit</translation>
     </message>
     <message>
+        <source>Numbers of the revolutions</source>
+        <translation>Nummern der Umdrehungen</translation>
+    </message>
+    <message>
         <source>Objects to use: &quot;auto&quot; takes the EPOS4&apos;s own when the maker is maxon</source>
         <translation>Zu verwendende Objekte: &quot;auto&quot; nimmt die des EPOS4, wenn der Hersteller maxon ist</translation>
     </message>
@@ -6448,6 +6858,10 @@
     <message>
         <source>Of</source>
         <translation>Von</translation>
+    </message>
+    <message>
+        <source>Oldest value at the end of a revolution: {}.</source>
+        <translation>Ältester Wert am Ende einer Umdrehung: {}.</translation>
     </message>
     <message>
         <source>One revolution</source>
@@ -6502,12 +6916,24 @@
         <translation>Vorgang nicht erlaubt</translation>
     </message>
     <message>
+        <source>Operator, date</source>
+        <translation>Bediener, Datum</translation>
+    </message>
+    <message>
         <source>Or the pin angle counts the wrong way</source>
         <translation>Oder der Bolzenwinkel zählt falsch herum</translation>
     </message>
     <message>
         <source>Or&amp;ders of the map</source>
         <translation>&amp;Ordnungen der Karte</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Over the whole test</source>
+        <translation>Über den ganzen Versuch</translation>
     </message>
     <message>
         <source>Overload</source>
@@ -6564,6 +6990,10 @@
     <message>
         <source>Parameter to draw it against</source>
         <translation>Parameter, gegen den gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Parameters of the model</source>
+        <translation>Parameter des Modells</translation>
     </message>
     <message>
         <source>Parity of the line</source>
@@ -6694,6 +7124,10 @@
         <translation>Not-Halt drücken. Den Prüfstand nicht berühren, bevor die Kurbel steht.</translation>
     </message>
     <message>
+        <source>Prior for the next test</source>
+        <translation>Vorwissen für den nächsten Versuch</translation>
+    </message>
+    <message>
         <source>Probe 1 (V)</source>
         <translation>Wegsensor 1 (V)</translation>
     </message>
@@ -6752,6 +7186,10 @@
     <message>
         <source>Put the notice away</source>
         <translation>Die Meldung wegräumen</translation>
+    </message>
+    <message>
+        <source>Quality of the data</source>
+        <translation>Qualität der Daten</translation>
     </message>
     <message>
         <source>Quality of the link</source>
@@ -6870,6 +7308,10 @@
         <translation>Messungen</translation>
     </message>
     <message>
+        <source>Readings up to revolution</source>
+        <translation>Werte bis Umdrehung</translation>
+    </message>
+    <message>
         <source>Ready</source>
         <translation>Bereit</translation>
     </message>
@@ -6880,6 +7322,10 @@
     <message>
         <source>Real or simulated seconds</source>
         <translation>Echte oder simulierte Sekunden</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
     </message>
     <message>
         <source>Reason for shelving</source>
@@ -6912,6 +7358,10 @@
     <message>
         <source>Record for a bug report</source>
         <translation>Für einen Fehlerbericht aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Record of the probes</source>
+        <translation>Datensatz der Wegsensoren</translation>
     </message>
     <message>
         <source>Record the digital lines D0 to D6 as another row (an encoder index, say)</source>
@@ -7010,6 +7460,10 @@
         <translation>Wiedergabe von Anfang an</translation>
     </message>
     <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
         <source>Reset</source>
         <translation>Zurücksetzen</translation>
     </message>
@@ -7090,12 +7544,24 @@
         <translation>Versuch fortsetzen</translation>
     </message>
     <message>
+        <source>Reviewer, date</source>
+        <translation>Prüfer, Datum</translation>
+    </message>
+    <message>
         <source>Revolution</source>
         <translation>Umdrehung</translation>
     </message>
     <message>
+        <source>Revolution {}: |F| between {} and </source>
+        <translation>Umdrehung {}: |F| zwischen {} und </translation>
+    </message>
+    <message>
         <source>Revolutions cannot be cut at the index, so the test was stopped.</source>
         <translation>Umdrehungen können nicht am Index getrennt werden; der Versuch wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>Revolutions without a quality flag</source>
+        <translation>Umdrehungen ohne Qualitätsvermerk</translation>
     </message>
     <message>
         <source>Revolutions, 0: as in the test</source>
@@ -7108,6 +7574,10 @@
     <message>
         <source>Rig control</source>
         <translation>Bedienung des Prüfstands</translation>
+    </message>
+    <message>
+        <source>Rig file, as given</source>
+        <translation>Prüfstandsdatei, wie gegeben</translation>
     </message>
     <message>
         <source>Rig, speed and file of the test</source>
@@ -7160,6 +7630,10 @@
     <message>
         <source>S&amp;top</source>
         <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
     </message>
     <message>
         <source>SIMULATED</source>
@@ -7246,8 +7720,16 @@
         <translation>Abtastungen je Sekunde der internen Uhr: 60e6 / (srate dec deca). Mit dem Takt des Drehgebers die Nennrate: Striche des Drehgebers mal übliche Umdrehungen je Sekunde</translation>
     </message>
     <message>
+        <source>Scatter between specimens</source>
+        <translation>Streuung zwischen Proben</translation>
+    </message>
+    <message>
         <source>Schema</source>
         <translation>Schema</translation>
+    </message>
+    <message>
+        <source>Schema, form</source>
+        <translation>Schema, Form</translation>
     </message>
     <message>
         <source>Searching …</source>
@@ -7336,6 +7818,14 @@
     <message>
         <source>Severity</source>
         <translation>Schwere</translation>
+    </message>
+    <message>
+        <source>Shaded: the expanded uncertainty of a force by the calibration.</source>
+        <translation>Getönt: die erweiterte Unsicherheit einer Kraft nach der Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>Shaded: the expanded uncertainty of a value by the calibration.</source>
+        <translation>Getönt: die erweiterte Unsicherheit eines Werts nach der Kalibrierung.</translation>
     </message>
     <message>
         <source>Shape of the state</source>
@@ -7438,6 +7928,18 @@
         <translation>Seit wann</translation>
     </message>
     <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Slider-crank, crank {:.4g} mm, follower {:.4g} mm; {}.</source>
+        <translation>Schubkurbel, Kurbel {:.4g} mm, Koppel {:.4g} mm; {}.</translation>
+    </message>
+    <message>
+        <source>Slow channels, one value a revolution</source>
+        <translation>Langsame Kanäle, ein Wert je Umdrehung</translation>
+    </message>
+    <message>
         <source>Slow rolls</source>
         <translation>Langsame Umläufe</translation>
     </message>
@@ -7456,6 +7958,14 @@
     <message>
         <source>Specimen, cycles and times</source>
         <translation>Probe, Zyklen und Zeiten</translation>
+    </message>
+    <message>
+        <source>Specimens of one pairing</source>
+        <translation>Proben einer Paarung</translation>
+    </message>
+    <message>
+        <source>Specimens together</source>
+        <translation>Proben zusammen</translation>
     </message>
     <message>
         <source>Spee&amp;d</source>
@@ -7514,6 +8024,10 @@
         <translation>Standard&amp;unsicherheit der Wasserwaage</translation>
     </message>
     <message>
+        <source>Standard uncertainties in the limits</source>
+        <translation>Standardunsicherheiten in den Grenzen</translation>
+    </message>
+    <message>
         <source>Standard uncertainty of the level</source>
         <translation>Standardunsicherheit der Wasserwaage</translation>
     </message>
@@ -7546,6 +8060,10 @@
         <translation>&amp;Jetzt starten</translation>
     </message>
     <message>
+        <source>Started</source>
+        <translation>Begonnen</translation>
+    </message>
+    <message>
         <source>Starting</source>
         <translation>Anlauf</translation>
     </message>
@@ -7576,6 +8094,10 @@
     <message>
         <source>Statistics of the revolution shown, in N</source>
         <translation>Kennwerte der gezeigten Umdrehung in N</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
     </message>
     <message>
         <source>Stay</source>
@@ -7718,6 +8240,10 @@
         <translation>Studie</translation>
     </message>
     <message>
+        <source>Summary</source>
+        <translation>Zusammenfassung</translation>
+    </message>
+    <message>
         <source>Sun</source>
         <translation>So</translation>
     </message>
@@ -7740,6 +8266,10 @@
     <message>
         <source>THE SPINDLE MAY STILL TURN.</source>
         <translation>DIE SPINDEL DREHT SICH VIELLEICHT NOCH.</translation>
+    </message>
+    <message>
+        <source>Table {}</source>
+        <translation>Tabelle {}</translation>
     </message>
     <message>
         <source>Table, CSV</source>
@@ -7828,6 +8358,18 @@
     <message>
         <source>Test file that is edited</source>
         <translation>Versuchsdatei, die bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>Test file, as given</source>
+        <translation>Versuchsdatei, wie gegeben</translation>
+    </message>
+    <message>
+        <source>Test report: {}</source>
+        <translation>Prüfbericht: {}</translation>
+    </message>
+    <message>
+        <source>Test report: {} ({})</source>
+        <translation>Prüfbericht: {} ({})</translation>
     </message>
     <message>
         <source>Test {} did not end as planned, and the queue stopped there. Start the queue to go on with it in its own file, or remove it.</source>
@@ -7974,6 +8516,14 @@
         <translation>Die Fehler des simulierten Prüfstands sind nicht bekannt: {}</translation>
     </message>
     <message>
+        <source>The file does not tell the limits of the test.</source>
+        <translation>Die Datei nennt die Grenzen des Versuchs nicht.</translation>
+    </message>
+    <message>
+        <source>The file holds no calibration.</source>
+        <translation>Die Datei enthält keine Kalibrierung.</translation>
+    </message>
+    <message>
         <source>The files are in {}. Open the rig, then check it.</source>
         <translation>Die Dateien sind in {}. Den Prüfstand öffnen, dann prüfen.</translation>
     </message>
@@ -8018,6 +8568,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Der Indexpuls ist low, nicht high</translation>
     </message>
     <message>
+        <source>The joint force over the test</source>
+        <translation>Die Gelenkkraft über den Versuch</translation>
+    </message>
+    <message>
         <source>The joint wears otherwise than before</source>
         <translation>Das Gelenk verschleißt anders als zuvor</translation>
     </message>
@@ -8030,8 +8584,24 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Die Lasten unterscheiden die beiden Achsen nicht; mehr Bolzenwinkel und Lasten nehmen</translation>
     </message>
     <message>
+        <source>The log has no entries.</source>
+        <translation>Das Protokoll hat keine Einträge.</translation>
+    </message>
+    <message>
+        <source>The log was full: {} could not be kept.</source>
+        <translation>Das Protokoll war voll: {} konnten nicht aufbewahrt werden.</translation>
+    </message>
+    <message>
+        <source>The mechanism</source>
+        <translation>Das Getriebe</translation>
+    </message>
+    <message>
         <source>The motor has no power; the test was ended.</source>
         <translation>Der Motor ist stromlos; der Versuch wurde beendet.</translation>
+    </message>
+    <message>
+        <source>The newest value at the end</source>
+        <translation>Der neueste Wert am Ende</translation>
     </message>
     <message>
         <source>The open step</source>
@@ -8086,6 +8656,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Die Warteschlange arbeitet: der nächste Versuch beginnt von selbst; {} zu erledigen.</translation>
     </message>
     <message>
+        <source>The rate is that of a straight line through the last half. The uncertainty of the measured depth (k = 2) holds noise, the wear before the reference and the change of the elastic approach, not the probes&apos; calibration. Figure 1 shows the depth.</source>
+        <translation>Die Rate ist die einer Geraden durch die letzte Hälfte. Die Unsicherheit der gemessenen Tiefe (k = 2) enthält Rauschen, den Verschleiß vor der Referenz und die Änderung der elastischen Annäherung, nicht die Kalibrierung der Wegsensoren. Bild 1 zeigt die Tiefe.</translation>
+    </message>
+    <message>
         <source>The record counts when {} names it: section [{}], {} = {}</source>
         <translation>Der Datensatz gilt, wenn {} ihn nennt: Abschnitt [{}], {} = {}</translation>
     </message>
@@ -8096,6 +8670,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>The report could not be written</source>
         <translation>Der Bericht konnte nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>The revolution in which the test tripped</source>
+        <translation>Die Umdrehung der Abschaltung</translation>
     </message>
     <message>
         <source>The revolutions concerned are flagged as gaps.</source>
@@ -8112,6 +8690,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>The rig</source>
         <translation>Der Prüfstand</translation>
+    </message>
+    <message>
+        <source>The rig was</source>
+        <translation>Der Prüfstand war</translation>
     </message>
     <message>
         <source>The running check failed: the turning cell does not show the known inertia</source>
@@ -8144,6 +8726,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>The spindle turns. Keep your hands away.</source>
         <translation>Die Spindel dreht sich. Hände weg.</translation>
+    </message>
+    <message>
+        <source>The status of the test is {}.</source>
+        <translation>Der Status des Versuchs ist {}.</translation>
     </message>
     <message>
         <source>The stop was commanded, but the drive could not be asked</source>
@@ -8214,12 +8800,24 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Der Versuch wurde beendet; der Antrieb hat sich stromlos geschaltet oder die Versorgung verloren.</translation>
     </message>
     <message>
+        <source>The test was interrupted.</source>
+        <translation>Der Versuch wurde unterbrochen.</translation>
+    </message>
+    <message>
         <source>The test was not started: the devices are not ready.</source>
         <translation>Der Versuch wurde nicht gestartet: Die Geräte sind nicht bereit.</translation>
     </message>
     <message>
+        <source>The test was still running when this report was made.</source>
+        <translation>Der Versuch lief noch, als dieser Bericht erstellt wurde.</translation>
+    </message>
+    <message>
         <source>The test was stopped</source>
         <translation>Der Versuch wurde gestoppt</translation>
+    </message>
+    <message>
+        <source>The test was stopped before the planned end.</source>
+        <translation>Der Versuch wurde vor dem geplanten Ende gestoppt.</translation>
     </message>
     <message>
         <source>The test was stopped, as its test file says.</source>
@@ -8252,6 +8850,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>The voltage does not follow the reference; is the channel connected?</source>
         <translation>Die Spannung folgt dem Referenzwert nicht; ist der Kanal angeschlossen?</translation>
+    </message>
+    <message>
+        <source>The wear coefficient was known within {:.3g} and {:.3g} at revolution {}, within {:.3g} and {:.3g} at the end.</source>
+        <translation>Der Verschleißkoeffizient lag bei Umdrehung {2} zwischen {0:.3g} und {1:.3g}, am Ende zwischen {3:.3g} und {4:.3g}.</translation>
     </message>
     <message>
         <source>The wear depth with its forecast is drawn here.</source>
@@ -8336,6 +8938,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>Time of the samples that are handed over together</source>
         <translation>Dauer der Messwerte, die zusammen übergeben werden</translation>
+    </message>
+    <message>
+        <source>Time of the test</source>
+        <translation>Dauer des Versuchs</translation>
     </message>
     <message>
         <source>Time to record</source>
@@ -8430,6 +9036,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Unsicherheit</translation>
     </message>
     <message>
+        <source>Uncertainty of a force</source>
+        <translation>Unsicherheit einer Kraft</translation>
+    </message>
+    <message>
         <source>Unclosed array</source>
         <translation>nicht geschlossene Liste</translation>
     </message>
@@ -8498,6 +9108,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Urteil</translation>
     </message>
     <message>
+        <source>Versions that wrote the file</source>
+        <translation>Versionen, die die Datei schrieben</translation>
+    </message>
+    <message>
         <source>Viewing only</source>
         <translation>Nur zusehen</translation>
     </message>
@@ -8542,6 +9156,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Warten: Die Spindel wird zum Stehen gebracht und die Datei abgeschlossen</translation>
     </message>
     <message>
+        <source>Waiting for the cause to go</source>
+        <translation>Warten, bis die Ursache behoben ist</translation>
+    </message>
+    <message>
         <source>Warning above</source>
         <translation>Warnung über</translation>
     </message>
@@ -8578,12 +9196,32 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Verschleißkoeffizient</translation>
     </message>
     <message>
+        <source>Wear coefficient against revolution</source>
+        <translation>Verschleißkoeffizient über der Umdrehung</translation>
+    </message>
+    <message>
         <source>Wear coefficient by earlier tests: rigapp identify prints it</source>
         <translation>Verschleißkoeffizient aus früheren Versuchen: rigapp identify gibt ihn aus</translation>
     </message>
     <message>
+        <source>Wear coefficients of the specimens</source>
+        <translation>Verschleißkoeffizienten der Proben</translation>
+    </message>
+    <message>
+        <source>Wear coefficients with 95 % limits of {}.</source>
+        <translation>Verschleißkoeffizienten mit 95-%-Grenzen von {}.</translation>
+    </message>
+    <message>
         <source>Wear depth</source>
         <translation>Verschleißtiefe</translation>
+    </message>
+    <message>
+        <source>Wear depth against revolution: {}.</source>
+        <translation>Verschleißtiefe über der Umdrehung: {}.</translation>
+    </message>
+    <message>
+        <source>Wear depth and its prediction</source>
+        <translation>Verschleißtiefe und ihre Vorhersage</translation>
     </message>
     <message>
         <source>Wear depth by the probes, with its expanded uncertainty (k = 2)</source>
@@ -8686,6 +9324,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Was das Gerät abtasten lässt: die eigene Uhr oder jeder Puls des Drehgebers an Eingang D6</translation>
     </message>
     <message>
+        <source>What may be true of the coefficient, {}</source>
+        <translation>Was für den Koeffizienten gelten kann, {}</translation>
+    </message>
+    <message>
         <source>What remains</source>
         <translation>Was verbleibt</translation>
     </message>
@@ -8706,6 +9348,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Was die Datei enthält</translation>
     </message>
     <message>
+        <source>What the log says</source>
+        <translation>Was das Protokoll sagt</translation>
+    </message>
+    <message>
         <source>What the name is for</source>
         <translation>Wozu der Name dient</translation>
     </message>
@@ -8716,6 +9362,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>What the queue does</source>
         <translation>Was die Warteschlange tut</translation>
+    </message>
+    <message>
+        <source>What the readings until then tell: median and 95 % credible limits.</source>
+        <translation>Was die Werte bis dahin ergeben: Median und 95-%-Grenzen.</translation>
     </message>
     <message>
         <source>What the result depends on</source>
@@ -8778,6 +9428,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Was auf der Leitung gezählt wurde</translation>
     </message>
     <message>
+        <source>What was done.</source>
+        <translation>Was geschah.</translation>
+    </message>
+    <message>
         <source>What was found</source>
         <translation>Was gefunden wurde</translation>
     </message>
@@ -8796,6 +9450,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>Where a new way leads</source>
         <translation>Wohin ein neuer Weg führt</translation>
+    </message>
+    <message>
+        <source>Where data are missing</source>
+        <translation>Wo Daten fehlen</translation>
     </message>
     <message>
         <source>Where the certificate is</source>
@@ -8850,12 +9508,32 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Wer benachrichtigt wird</translation>
     </message>
     <message>
+        <source>Whole cycles</source>
+        <translation>Ganze Zyklen</translation>
+    </message>
+    <message>
+        <source>Whole cycles kept around alarms, limits and notes</source>
+        <translation>Ganze Zyklen um Alarme, Grenzen und Notizen</translation>
+    </message>
+    <message>
         <source>Whole cycles not kept</source>
         <translation>Ganze Zyklen nicht aufbewahrt</translation>
     </message>
     <message>
+        <source>Whole cycles of {}</source>
+        <translation>Ganze Zyklen von {}</translation>
+    </message>
+    <message>
+        <source>Whole cycles saved</source>
+        <translation>Gespeicherte ganze Zyklen</translation>
+    </message>
+    <message>
         <source>Whole cycles to keep</source>
         <translation>Ganze Zyklen, die bleiben</translation>
+    </message>
+    <message>
+        <source>Whole cycles, {}</source>
+        <translation>Ganze Zyklen, {}</translation>
     </message>
     <message>
         <source>Why the fault cannot be caused</source>
@@ -8900,6 +9578,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>With friction the force ripples with a frequency that depends on how Coulomb&apos;s law is smoothed; it is no measurement of the real joint</source>
         <translation>Mit Reibung schwankt die Kraft mit einer Frequenz, die davon abhängt, wie das Coulombsche Gesetz geglättet ist; sie ist keine Messung am wirklichen Gelenk</translation>
+    </message>
+    <message>
+        <source>Worn profile after revolution {}</source>
+        <translation>Verschlissenes Profil nach Umdrehung {}</translation>
+    </message>
+    <message>
+        <source>Worn profile: </source>
+        <translation>Verschlissenes Profil: </translation>
     </message>
     <message>
         <source>Write</source>
@@ -9018,6 +9704,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>ein Datensatz liegt hinter ihrem Ende</translation>
     </message>
     <message>
+        <source>a factor of {:.2f} (95 %: {:.2f} to {:.2f}) for one standard deviation</source>
+        <translation>ein Faktor von {:.2f} (95 %: {:.2f} bis {:.2f}) für eine Standardabweichung</translation>
+    </message>
+    <message>
         <source>a fault of which it gives no code</source>
         <translation>eine Störung ohne Fehlernummer</translation>
     </message>
@@ -9050,6 +9740,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>ein Passwort fehlt; das Gerät mit dem Programm des Herstellers freigeben</translation>
     </message>
     <message>
+        <source>a pause in the revolution</source>
+        <translation>eine Pause in der Umdrehung</translation>
+    </message>
+    <message>
         <source>a position is skipped</source>
         <translation>eine Position wird übersprungen</translation>
     </message>
@@ -9064,6 +9758,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>a revolution needs a crank that turns</source>
         <translation>eine Umdrehung braucht eine Kurbel, die dreht</translation>
+    </message>
+    <message>
+        <source>a sensor or its cable was broken</source>
+        <translation>ein Sensor oder sein Kabel war defekt</translation>
     </message>
     <message>
         <source>a share of 1</source>
@@ -9158,8 +9856,24 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>bestätigt, aber nicht wirksam</translation>
     </message>
     <message>
+        <source>action</source>
+        <translation>Wirkung</translation>
+    </message>
+    <message>
         <source>additional modules or sensors</source>
         <translation>Zusatzmodule oder Sensoren</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
+    <message>
+        <source>after revolution</source>
+        <translation>nach Umdrehung</translation>
+    </message>
+    <message>
+        <source>after revolution {}</source>
+        <translation>nach Umdrehung {}</translation>
     </message>
     <message>
         <source>after the devices</source>
@@ -9186,8 +9900,16 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Alarm</translation>
     </message>
     <message>
+        <source>alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
         <source>all devices</source>
         <translation>alle Geräte</translation>
+    </message>
+    <message>
+        <source>all planned revolutions were made</source>
+        <translation>alle geplanten Umdrehungen sind gelaufen</translation>
     </message>
     <message>
         <source>all {} cycles are in the file</source>
@@ -9200,6 +9922,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>an element has no area; the profile is too deep for the mesh</source>
         <translation>ein Element hat keine Fläche; das Profil ist zu tief für das Netz</translation>
+    </message>
+    <message>
+        <source>an input at the end of its range</source>
+        <translation>ein Eingang am Ende seines Bereichs</translation>
     </message>
     <message>
         <source>an internal limit of the drive is active</source>
@@ -9226,6 +9952,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>und</translation>
     </message>
     <message>
+        <source>angle from the initial contact point (°), follower frame</source>
+        <translation>Winkel vom anfänglichen Berührpunkt (°), Bezugssystem Koppel</translation>
+    </message>
+    <message>
         <source>angle history</source>
         <translation>Winkelverlauf</translation>
     </message>
@@ -9248,6 +9978,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>applied force (mass, gravity, buoyancy)</source>
         <translation>aufgebrachte Kraft (Masse, Schwere, Auftrieb)</translation>
+    </message>
+    <message>
+        <source>area, mm²</source>
+        <translation>Fläche, mm²</translation>
     </message>
     <message>
         <source>arithmetic fault in the device</source>
@@ -9282,8 +10016,24 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>mindestens ein Versuch</translation>
     </message>
     <message>
+        <source>at revolution</source>
+        <translation>bei Umdrehung</translation>
+    </message>
+    <message>
         <source>at speed</source>
         <translation>auf Drehzahl</translation>
+    </message>
+    <message>
+        <source>at the end</source>
+        <translation>am Ende</translation>
+    </message>
+    <message>
+        <source>at the start</source>
+        <translation>am Anfang</translation>
+    </message>
+    <message>
+        <source>at, °</source>
+        <translation>bei, °</translation>
     </message>
     <message>
         <source>b takes the last one again, r rejects a series, n notes, q closes</source>
@@ -9292,6 +10042,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>bars</source>
         <translation>Balken</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>before revolution</source>
+        <translation>vor Umdrehung</translation>
     </message>
     <message>
         <source>before the start</source>
@@ -9318,12 +10076,24 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>gebrochen</translation>
     </message>
     <message>
+        <source>by</source>
+        <translation>von</translation>
+    </message>
+    <message>
         <source>by slow rolls of the spindle</source>
         <translation>durch langsame Umläufe der Spindel</translation>
     </message>
     <message>
         <source>by the probes, k = 2</source>
         <translation>von den Wegsensoren, k = 2</translation>
+    </message>
+    <message>
+        <source>by {}</source>
+        <translation>von {}</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation>kalibriert</translation>
     </message>
     <message>
         <source>calibrating</source>
@@ -9346,8 +10116,28 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Kalibrierung freigeben</translation>
     </message>
     <message>
+        <source>cannot be read: {}</source>
+        <translation>nicht lesbar: {}</translation>
+    </message>
+    <message>
+        <source>cause</source>
+        <translation>Ursache</translation>
+    </message>
+    <message>
+        <source>cell</source>
+        <translation>Kraftsensor</translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
         <source>circle</source>
         <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>classification</source>
+        <translation>Klasse</translation>
     </message>
     <message>
         <source>clear fault</source>
@@ -9360,6 +10150,18 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>cleared</source>
         <translation>nicht mehr vorhanden</translation>
+    </message>
+    <message>
+        <source>cleared, UTC</source>
+        <translation>beendet, UTC</translation>
+    </message>
+    <message>
+        <source>coefficient now</source>
+        <translation>Koeffizient jetzt</translation>
+    </message>
+    <message>
+        <source>coefficient, {}</source>
+        <translation>Koeffizient, {}</translation>
     </message>
     <message>
         <source>command</source>
@@ -9378,6 +10180,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>vollständig</translation>
     </message>
     <message>
+        <source>compressed, as after the test</source>
+        <translation>komprimiert, wie nach dem Versuch</translation>
+    </message>
+    <message>
         <source>connect</source>
         <translation>verbinden</translation>
     </message>
@@ -9392,6 +10198,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>crank</source>
         <translation>Kurbel</translation>
+    </message>
+    <message>
+        <source>crank angle (°)</source>
+        <translation>Kurbelwinkel (°)</translation>
     </message>
     <message>
         <source>crank angle at the index</source>
@@ -9422,12 +10232,24 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Zyklus {} bei {:.0f}°</translation>
     </message>
     <message>
+        <source>cycles</source>
+        <translation>Zyklen</translation>
+    </message>
+    <message>
         <source>daily summary</source>
         <translation>Tagesbericht</translation>
     </message>
     <message>
         <source>data acquisition</source>
         <translation>Messwerterfassung</translation>
+    </message>
+    <message>
+        <source>data missing</source>
+        <translation>Daten fehlen</translation>
+    </message>
+    <message>
+        <source>data missing before the revolution</source>
+        <translation>vor der Umdrehung fehlen Daten</translation>
     </message>
     <message>
         <source>days</source>
@@ -9454,6 +10276,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Dichte</translation>
     </message>
     <message>
+        <source>depth of wear (µm)</source>
+        <translation>Verschleißtiefe (µm)</translation>
+    </message>
+    <message>
+        <source>depth, µm</source>
+        <translation>Tiefe, µm</translation>
+    </message>
+    <message>
         <source>deviation</source>
         <translation>Abweichung</translation>
     </message>
@@ -9474,8 +10304,16 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Gerät</translation>
     </message>
     <message>
+        <source>device time and host time parted</source>
+        <translation>Uhren von Gerät und Rechner liefen auseinander</translation>
+    </message>
+    <message>
         <source>diamond</source>
         <translation>Raute</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
     </message>
     <message>
         <source>differences between positions beyond those of the micrometer</source>
@@ -9514,6 +10352,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Verschleißtiefe aus der gemessenen Kraft</translation>
     </message>
     <message>
+        <source>due</source>
+        <translation>fällig</translation>
+    </message>
+    <message>
         <source>elastic approach of pin and bushing</source>
         <translation>elastische Annäherung von Bolzen und Buchse</translation>
     </message>
@@ -9534,12 +10376,22 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Not-Halt, verriegelnd (Voreinstellung)</translation>
     </message>
     <message>
+        <source>encoder count at the index differs from a whole turn</source>
+        <translation>Zählerstand am Index weicht von einer ganzen Drehung ab</translation>
+    </message>
+    <message>
         <source>end is near</source>
         <translation>Ende naht</translation>
     </message>
     <message>
         <source>end of a test</source>
         <translation>Versuchsende</translation>
+    </message>
+    <message>
+        <source>end of the
+test</source>
+        <translation>Ende des
+Versuchs</translation>
     </message>
     <message>
         <source>ends {}</source>
@@ -9554,8 +10406,20 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Steuerung</translation>
     </message>
     <message>
+        <source>event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
         <source>examine file</source>
         <translation>Datei prüfen</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty</source>
+        <translation>erweiterte Unsicherheit</translation>
     </message>
     <message>
         <source>exponent</source>
@@ -9582,6 +10446,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>fiel</translation>
     </message>
     <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
         <source>find, e.g. cable, spikes, daq</source>
         <translation>suchen, z. B. cable, spikes, daq</translation>
     </message>
@@ -9592,6 +10460,22 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>first</source>
         <translation>zuerst</translation>
+    </message>
+    <message>
+        <source>first and last</source>
+        <translation>erster und letzter</translation>
+    </message>
+    <message>
+        <source>first, middle and last</source>
+        <translation>erster, mittlerer und letzter</translation>
+    </message>
+    <message>
+        <source>flag {}</source>
+        <translation>Vermerk {}</translation>
+    </message>
+    <message>
+        <source>flags that this version does not know</source>
+        <translation>Vermerke, die diese Version nicht kennt</translation>
     </message>
     <message>
         <source>flores</source>
@@ -9610,12 +10494,32 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Drehgeschwindigkeit der Koppel</translation>
     </message>
     <message>
+        <source>force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+    <message>
         <source>force across it</source>
         <translation>Kraft quer dazu</translation>
     </message>
     <message>
+        <source>force across the crank, force_2</source>
+        <translation>Kraft quer zur Kurbel, force_2</translation>
+    </message>
+    <message>
+        <source>force along the crank, force_1</source>
+        <translation>Kraft längs der Kurbel, force_1</translation>
+    </message>
+    <message>
         <source>force at full scale</source>
         <translation>Kraft beim Endwert</translation>
+    </message>
+    <message>
+        <source>force_1</source>
+        <translation>force_1</translation>
+    </message>
+    <message>
+        <source>force_2</source>
+        <translation>force_2</translation>
     </message>
     <message>
         <source>forecast, 95 %</source>
@@ -9638,12 +10542,24 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>aus der Kalibrierung in der Datei</translation>
     </message>
     <message>
+        <source>from, °</source>
+        <translation>von, °</translation>
+    </message>
+    <message>
         <source>full disk</source>
         <translation>volle Platte</translation>
     </message>
     <message>
         <source>gain of the load cell</source>
         <translation>Verstärkung des Kraftsensors</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>gaps</source>
+        <translation>Lücken</translation>
     </message>
     <message>
         <source>give increasing cycles above 0</source>
@@ -9706,6 +10622,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>höchste Drehzahl</translation>
     </message>
     <message>
+        <source>horizontal</source>
+        <translation>waagrecht</translation>
+    </message>
+    <message>
         <source>how the test ended</source>
         <translation>das Ende des Versuchs</translation>
     </message>
@@ -9716,6 +10636,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>impact speed floor</source>
         <translation>Mindestgeschwindigkeit eines Stoßes</translation>
+    </message>
+    <message>
+        <source>in place, as during the test</source>
+        <translation>am Platz, wie während des Versuchs</translation>
+    </message>
+    <message>
+        <source>in revolution</source>
+        <translation>in Umdrehung</translation>
     </message>
     <message>
         <source>in step {} only</source>
@@ -9732,6 +10660,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>interrupted</source>
         <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>interrupted: the program ended without closing the test</source>
+        <translation>unterbrochen: Das Programm endete, ohne den Versuch zu schließen</translation>
     </message>
     <message>
         <source>is a list of lists</source>
@@ -9810,6 +10742,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>beim Nullsetzen</translation>
     </message>
     <message>
+        <source>item</source>
+        <translation>Gegenstand</translation>
+    </message>
+    <message>
         <source>its U</source>
         <translation>seine U</translation>
     </message>
@@ -9878,6 +10814,26 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>ihr Baum</translation>
     </message>
     <message>
+        <source>joint force |F|</source>
+        <translation>Gelenkkraft |F|</translation>
+    </message>
+    <message>
+        <source>joint: pin {:.4g}, bushing {:.4g}</source>
+        <translation>Gelenk: Bolzen {:.4g}, Buchse {:.4g}</translation>
+    </message>
+    <message>
+        <source>judged</source>
+        <translation>bewertet</translation>
+    </message>
+    <message>
+        <source>k unknown</source>
+        <translation>k nicht bekannt</translation>
+    </message>
+    <message>
+        <source>kept from</source>
+        <translation>aufbewahrt von</translation>
+    </message>
+    <message>
         <source>kilograms</source>
         <translation>Kilogramm</translation>
     </message>
@@ -9886,8 +10842,16 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>lankarani-nikravesh</translation>
     </message>
     <message>
+        <source>largest</source>
+        <translation>größter</translation>
+    </message>
+    <message>
         <source>largest contact pressure</source>
         <translation>größter Kontaktdruck</translation>
+    </message>
+    <message>
+        <source>largest depth, µm</source>
+        <translation>größte Tiefe, µm</translation>
     </message>
     <message>
         <source>largest magnitude of the drive&apos;s torque</source>
@@ -9896,6 +10860,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>largest |F| of the joint</source>
         <translation>größtes |F| des Gelenks</translation>
+    </message>
+    <message>
+        <source>largest |F|, N</source>
+        <translation>größtes |F|, N</translation>
+    </message>
+    <message>
+        <source>last</source>
+        <translation>letzter</translation>
     </message>
     <message>
         <source>last saved</source>
@@ -9946,6 +10918,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>ohne laufenden Versuch werden Grenzen in der Versuchsdatei geändert</translation>
     </message>
     <message>
+        <source>line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
         <source>liu</source>
         <translation>liu</translation>
     </message>
@@ -9978,12 +10958,48 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Anschlüsse werden angelegt</translation>
     </message>
     <message>
+        <source>mass, mg</source>
+        <translation>Masse, mg</translation>
+    </message>
+    <message>
+        <source>maximum, minimum and RMS of each, {} whole</source>
+        <translation>von jeder Maximum, Minimum und Effektivwert, {} ganz</translation>
+    </message>
+    <message>
+        <source>mean RMS of |F|, N</source>
+        <translation>mittlerer Effektivwert von |F|, N</translation>
+    </message>
+    <message>
         <source>mean force over the slip at the end</source>
         <translation>mittlere Kraft über den Gleitweg am Ende</translation>
     </message>
     <message>
+        <source>mean of the maxima of |F|, N</source>
+        <translation>Mittel der Maxima von |F|, N</translation>
+    </message>
+    <message>
+        <source>mean residual, RMS, N</source>
+        <translation>mittlere Abweichung, Effektivwert, N</translation>
+    </message>
+    <message>
+        <source>mean {} rpm</source>
+        <translation>Mittel {} rpm</translation>
+    </message>
+    <message>
+        <source>means {} µm</source>
+        <translation>Mittel {} µm</translation>
+    </message>
+    <message>
+        <source>measured (probes)</source>
+        <translation>gemessen (Wegsensoren)</translation>
+    </message>
+    <message>
         <source>measured by the probes, k = 2</source>
         <translation>von den Wegsensoren, k = 2</translation>
+    </message>
+    <message>
+        <source>measured minus model, RMS over a revolution</source>
+        <translation>Messung − Modell, Effektivwert einer Umdrehung</translation>
     </message>
     <message>
         <source>measured wear depth</source>
@@ -9992,6 +11008,16 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>measured wear depth uncertainty</source>
         <translation>Unsicherheit der gemessenen Verschleißtiefe</translation>
+    </message>
+    <message>
+        <source>measured −
+model (N)</source>
+        <translation>Messung −
+Modell (N)</translation>
+    </message>
+    <message>
+        <source>median specimen</source>
+        <translation>mittlere Probe</translation>
     </message>
     <message>
         <source>message</source>
@@ -10014,8 +11040,28 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>beachten</translation>
     </message>
     <message>
+        <source>model by
+measured
+forces</source>
+        <translation>Modell aus
+gemessenen
+Kräften</translation>
+    </message>
+    <message>
+        <source>model driven by the measured forces</source>
+        <translation>Modell mit den gemessenen Kräften</translation>
+    </message>
+    <message>
         <source>more</source>
         <translation>mehr</translation>
+    </message>
+    <message>
+        <source>more trigger</source>
+        <translation>weiterer Auslöser</translation>
+    </message>
+    <message>
+        <source>more triggers</source>
+        <translation>weitere Auslöser</translation>
     </message>
     <message>
         <source>motor current</source>
@@ -10032,6 +11078,18 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>next</source>
         <translation>als Nächstes</translation>
+    </message>
+    <message>
+        <source>next specimen</source>
+        <translation>nächste Probe</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>no alarm</source>
+        <translation>kein Alarm</translation>
     </message>
     <message>
         <source>no answer</source>
@@ -10058,8 +11116,20 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>keine Störung</translation>
     </message>
     <message>
+        <source>no flag, good</source>
+        <translation>kein Vermerk, gut</translation>
+    </message>
+    <message>
         <source>no force was recorded</source>
         <translation>keine Kraft aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>no gap</source>
+        <translation>keine Lücke</translation>
+    </message>
+    <message>
+        <source>no index pulse</source>
+        <translation>kein Indexpuls</translation>
     </message>
     <message>
         <source>no line is being recorded for a report</source>
@@ -10072,6 +11142,18 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>no prediction</source>
         <translation>keine Vorhersage</translation>
+    </message>
+    <message>
+        <source>no prediction is saved for revolution {}</source>
+        <translation>zu Umdrehung {} ist keine Vorhersage gespeichert</translation>
+    </message>
+    <message>
+        <source>no records in the file</source>
+        <translation>keine Datensätze in der Datei</translation>
+    </message>
+    <message>
+        <source>no revolution is recorded</source>
+        <translation>keine Umdrehung ist aufgezeichnet</translation>
     </message>
     <message>
         <source>no signals from the engine</source>
@@ -10098,8 +11180,20 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Knotenabstand</translation>
     </message>
     <message>
+        <source>none given</source>
+        <translation>keiner genannt</translation>
+    </message>
+    <message>
+        <source>none, the file is of an older version</source>
+        <translation>keine, die Datei ist von einer älteren Version</translation>
+    </message>
+    <message>
         <source>none: the fields below are enough</source>
         <translation>keine: die Felder unten genügen</translation>
+    </message>
+    <message>
+        <source>not asked for: the test has no stop.wear_depth_um</source>
+        <translation>nicht verlangt: Der Versuch hat kein stop.wear_depth_um</translation>
     </message>
     <message>
         <source>not computed yet</source>
@@ -10112,6 +11206,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>not connected yet</source>
         <translation>noch nicht verbunden</translation>
+    </message>
+    <message>
+        <source>not in the log</source>
+        <translation>nicht im Protokoll</translation>
     </message>
     <message>
         <source>not in time</source>
@@ -10138,6 +11236,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>nicht lesbar</translation>
     </message>
     <message>
+        <source>not stated, the test is running and the file changes</source>
+        <translation>nicht angegeben, der Versuch läuft und die Datei ändert sich</translation>
+    </message>
+    <message>
+        <source>not stated: no calibration record of the load cell in the file</source>
+        <translation>nicht angegeben: kein Kalibrierdatensatz des Kraftsensors in der Datei</translation>
+    </message>
+    <message>
         <source>not there</source>
         <translation>nicht vorhanden</translation>
     </message>
@@ -10162,8 +11268,16 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>jetzt</translation>
     </message>
     <message>
+        <source>number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
         <source>number of inputs in the frame</source>
         <translation>Anzahl der Eingänge im Rahmen</translation>
+    </message>
+    <message>
+        <source>one specimen</source>
+        <translation>eine Probe</translation>
     </message>
     <message>
         <source>only a part was written</source>
@@ -10202,6 +11316,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Eigengewicht des Bolzens</translation>
     </message>
     <message>
+        <source>page {} of {}</source>
+        <translation>Seite {} von {}</translation>
+    </message>
+    <message>
         <source>pause</source>
         <translation>Pause</translation>
     </message>
@@ -10222,8 +11340,34 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>pereira</translation>
     </message>
     <message>
+        <source>phase shift (°)</source>
+        <translation>Phasenverschiebung (°)</translation>
+    </message>
+    <message>
+        <source>phase shift of |F|</source>
+        <translation>Phasenverschiebung von |F|</translation>
+    </message>
+    <message>
+        <source>pin across the follower, probe_2</source>
+        <translation>Bolzen quer zur Koppel, probe_2</translation>
+    </message>
+    <message>
+        <source>pin along the follower, probe_1</source>
+        <translation>Bolzen längs der Koppel, probe_1</translation>
+    </message>
+    <message>
+        <source>pin, less its
+mean (µm)</source>
+        <translation>Bolzen ohne
+Mittel (µm)</translation>
+    </message>
+    <message>
         <source>poissons ratio</source>
         <translation>Querdehnzahl</translation>
+    </message>
+    <message>
+        <source>predicted (model)</source>
+        <translation>vorhergesagt (Modell)</translation>
     </message>
     <message>
         <source>predictive band</source>
@@ -10232,6 +11376,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>present</source>
         <translation>vorhanden</translation>
+    </message>
+    <message>
+        <source>probability</source>
+        <translation>Wahrscheinlichkeit</translation>
     </message>
     <message>
         <source>probe 1</source>
@@ -10246,8 +11394,20 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Fehler der Wegsensoren</translation>
     </message>
     <message>
+        <source>probe_1</source>
+        <translation>probe_1</translation>
+    </message>
+    <message>
+        <source>probe_2</source>
+        <translation>probe_2</translation>
+    </message>
+    <message>
         <source>probes</source>
         <translation>Wegsensoren</translation>
+    </message>
+    <message>
+        <source>probes {:.2g} %, zero {:.2g} µm, force {:.2g} %, clearance and width {:.2g} %, modulus</source>
+        <translation>Wegsensoren {:.2g} %, Nullpunkt {:.2g} µm, Kraft {:.2g} %, Spiel und Breite {:.2g} %, E-Modul</translation>
     </message>
     <message>
         <source>probes, k = 2</source>
@@ -10256,6 +11416,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>profile velocity mode</source>
         <translation>Betriebsart Profile Velocity</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>queue add</source>
@@ -10282,8 +11446,20 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>ausgelöst</translation>
     </message>
     <message>
+        <source>raised, UTC</source>
+        <translation>ausgelöst, UTC</translation>
+    </message>
+    <message>
         <source>raised, first out</source>
         <translation>ausgelöst, als erster</translation>
+    </message>
+    <message>
+        <source>rate, µm per 1000 revolutions</source>
+        <translation>Rate, µm je 1000 Umdrehungen</translation>
+    </message>
+    <message>
+        <source>reached</source>
+        <translation>erreicht</translation>
     </message>
     <message>
         <source>reaction to its silence</source>
@@ -10322,6 +11498,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>neu verbinden</translation>
     </message>
     <message>
+        <source>record</source>
+        <translation>Datensatz</translation>
+    </message>
+    <message>
         <source>rejected: {}</source>
         <translation>verworfen: {}</translation>
     </message>
@@ -10358,6 +11538,26 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Abweichung 2</translation>
     </message>
     <message>
+        <source>residual RMS (N)</source>
+        <translation>Abweichung, Effektivwert (N)</translation>
+    </message>
+    <message>
+        <source>residual of force_1, RMS</source>
+        <translation>Abweichung von force_1, Effektivwert</translation>
+    </message>
+    <message>
+        <source>residual of force_2, RMS</source>
+        <translation>Abweichung von force_2, Effektivwert</translation>
+    </message>
+    <message>
+        <source>residual of |F|, RMS</source>
+        <translation>Abweichung von |F|, Effektivwert</translation>
+    </message>
+    <message>
+        <source>residual standard deviation</source>
+        <translation>Reststandardabweichung</translation>
+    </message>
+    <message>
         <source>rest</source>
         <translation>Ruhe</translation>
     </message>
@@ -10378,12 +11578,32 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>zurückgekehrt</translation>
     </message>
     <message>
+        <source>revolution</source>
+        <translation>Umdrehung</translation>
+    </message>
+    <message>
         <source>revolution from which the limits leave out the model&apos;s coefficient, to the end; none where they do not</source>
         <translation>Umdrehung, von der an die Grenzen den Koeffizienten des Modells bis zum Ende ausschließen; keine, wo sie es nicht tun</translation>
     </message>
     <message>
+        <source>revolution {}</source>
+        <translation>Umdrehung {}</translation>
+    </message>
+    <message>
+        <source>revolution {} is compared with the prediction for {}</source>
+        <translation>Umdrehung {} ist mit der Vorhersage für {} verglichen</translation>
+    </message>
+    <message>
+        <source>revolution {}: {}</source>
+        <translation>Umdrehung {}: {}</translation>
+    </message>
+    <message>
         <source>revolutions</source>
         <translation>Umdrehungen</translation>
+    </message>
+    <message>
+        <source>revolutions not recorded</source>
+        <translation>Umdrehungen nicht aufgezeichnet</translation>
     </message>
     <message>
         <source>revolutions to the depth of the end</source>
@@ -10406,6 +11626,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>stieg</translation>
     </message>
     <message>
+        <source>rows, cycles and settings as written</source>
+        <translation>Zeilen, Zyklen und Einstellungen wie geschrieben</translation>
+    </message>
+    <message>
         <source>run-out of the pin</source>
         <translation>Rundlauf des Bolzens</translation>
     </message>
@@ -10422,6 +11646,18 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Umdrehungen des Einlaufs</translation>
     </message>
     <message>
+        <source>running while the report was made</source>
+        <translation>lief, als der Bericht erstellt wurde</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>Messwert</translation>
+    </message>
+    <message>
+        <source>samples lost in or just before the revolution</source>
+        <translation>Messwerte in oder kurz vor der Umdrehung verloren</translation>
+    </message>
+    <message>
         <source>sectors</source>
         <translation>Sektoren</translation>
     </message>
@@ -10430,12 +11666,20 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Empfindlichkeit</translation>
     </message>
     <message>
+        <source>serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
         <source>serial port</source>
         <translation>serieller Anschluss</translation>
     </message>
     <message>
         <source>set limit</source>
         <translation>Grenze setzen</translation>
+    </message>
+    <message>
+        <source>set speed, rpm</source>
+        <translation>Solldrehzahl, rpm</translation>
     </message>
     <message>
         <source>settings of another channel&apos;s calibration</source>
@@ -10460,6 +11704,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>shelved</source>
         <translation>zurückgestellt</translation>
+    </message>
+    <message>
+        <source>shift of the measured |F| against the model</source>
+        <translation>Verschiebung des gemessenen |F| gegen das Modell</translation>
     </message>
     <message>
         <source>shutdown</source>
@@ -10506,6 +11754,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>langsamer</translation>
     </message>
     <message>
+        <source>smallest</source>
+        <translation>kleinster</translation>
+    </message>
+    <message>
         <source>smallest |F| of the joint</source>
         <translation>kleinstes |F| des Gelenks</translation>
     </message>
@@ -10522,8 +11774,20 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Probe</translation>
     </message>
     <message>
+        <source>speed (rpm)</source>
+        <translation>Drehzahl (rpm)</translation>
+    </message>
+    <message>
+        <source>speed of the crank</source>
+        <translation>Drehzahl der Kurbel</translation>
+    </message>
+    <message>
         <source>speed unit, limits or heartbeat</source>
         <translation>Drehzahleinheit, Grenzen oder Heartbeat</translation>
+    </message>
+    <message>
+        <source>speed, rpm</source>
+        <translation>Drehzahl, rpm</translation>
     </message>
     <message>
         <source>spring stiffness</source>
@@ -10558,6 +11822,14 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Zustand</translation>
     </message>
     <message>
+        <source>statement</source>
+        <translation>Aussage</translation>
+    </message>
+    <message>
+        <source>statistic</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
         <source>status</source>
         <translation>Stand</translation>
     </message>
@@ -10586,8 +11858,32 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>gestoppt</translation>
     </message>
     <message>
+        <source>stopped because a device failed</source>
+        <translation>gestoppt, weil ein Gerät ausfiel</translation>
+    </message>
+    <message>
+        <source>stopped because a part of the program failed</source>
+        <translation>gestoppt, weil ein Teil des Programms ausfiel</translation>
+    </message>
+    <message>
+        <source>stopped because the file could not be written</source>
+        <translation>gestoppt, weil die Datei nicht geschrieben werden konnte</translation>
+    </message>
+    <message>
+        <source>stopped before the planned end</source>
+        <translation>vor dem geplanten Ende gestoppt</translation>
+    </message>
+    <message>
+        <source>stopped by a limit</source>
+        <translation>durch eine Grenze gestoppt</translation>
+    </message>
+    <message>
         <source>stopped by operator</source>
         <translation>vom Bediener angehalten</translation>
+    </message>
+    <message>
+        <source>stopped by the operator</source>
+        <translation>vom Bediener gestoppt</translation>
     </message>
     <message>
         <source>stopping</source>
@@ -10618,6 +11914,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Terme, die die Bolzenwinkel nicht zeigen</translation>
     </message>
     <message>
+        <source>test extended</source>
+        <translation>Versuch verlängert</translation>
+    </message>
+    <message>
         <source>text</source>
         <translation>Text</translation>
     </message>
@@ -10644,6 +11944,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>the connection to the devices is broken; connect first</source>
         <translation>die Verbindung zu den Geräten ist unterbrochen; erst verbinden</translation>
+    </message>
+    <message>
+        <source>the crank turned backwards</source>
+        <translation>die Kurbel drehte rückwärts</translation>
     </message>
     <message>
         <source>the critical alarm that came first since the last reset: look there first</source>
@@ -10738,6 +12042,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>die Zahl der Umdrehungen wird geändert, während ein Versuch läuft oder in Pause ist</translation>
     </message>
     <message>
+        <source>the only one</source>
+        <translation>der einzige</translation>
+    </message>
+    <message>
         <source>the operator</source>
         <translation>der Bediener</translation>
     </message>
@@ -10798,6 +12106,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>die Anfrage kam beschädigt an</translation>
     </message>
     <message>
+        <source>the revolution is not whole</source>
+        <translation>die Umdrehung ist nicht vollständig</translation>
+    </message>
+    <message>
         <source>the revolutions</source>
         <translation>die Umdrehungen</translation>
     </message>
@@ -10834,12 +12146,20 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>die Solldrehzahl</translation>
     </message>
     <message>
+        <source>the speed was being changed</source>
+        <translation>die Drehzahl wurde geändert</translation>
+    </message>
+    <message>
         <source>the spindle turns for the calibration; stop it first</source>
         <translation>die Spindel dreht für die Kalibrierung; sie erst anhalten</translation>
     </message>
     <message>
         <source>the tare is set</source>
         <translation>der Nullpunkt ist gesetzt</translation>
+    </message>
+    <message>
+        <source>the test is running</source>
+        <translation>der Versuch läuft</translation>
     </message>
     <message>
         <source>the twin cannot be reached</source>
@@ -10902,8 +12222,24 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>dieser Datensatz</translation>
     </message>
     <message>
+        <source>this was left in</source>
+        <translation>dies ist darin geblieben</translation>
+    </message>
+    <message>
+        <source>this was taken out</source>
+        <translation>dies wurde herausgerechnet</translation>
+    </message>
+    <message>
         <source>though the power-off had no effect</source>
         <translation>obwohl das Abschalten ohne Wirkung blieb</translation>
+    </message>
+    <message>
+        <source>time from the trip (s)</source>
+        <translation>Zeit ab der Abschaltung (s)</translation>
+    </message>
+    <message>
+        <source>time, UTC</source>
+        <translation>Zeit, UTC</translation>
     </message>
     <message>
         <source>timed out</source>
@@ -10914,8 +12250,16 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Zeiten</translation>
     </message>
     <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
         <source>to do</source>
         <translation>zu tun</translation>
+    </message>
+    <message>
+        <source>to, °</source>
+        <translation>bis, °</translation>
     </message>
     <message>
         <source>tolerance</source>
@@ -10924,6 +12268,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>triangle</source>
         <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>trigger in revolution</source>
+        <translation>Auslöser in Umdrehung</translation>
     </message>
     <message>
         <source>trip at {:.1f} N</source>
@@ -10958,8 +12306,16 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>unquittiert</translation>
     </message>
     <message>
+        <source>unbroken: every line follows from the one before</source>
+        <translation>lückenlos: Jede Zeile folgt aus der vorigen</translation>
+    </message>
+    <message>
         <source>under-voltage</source>
         <translation>Unterspannung</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -10968,6 +12324,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>unknown error</source>
         <translation>unbekannter Fehler</translation>
+    </message>
+    <message>
+        <source>unknown, the test was not closed</source>
+        <translation>nicht bekannt, der Versuch wurde nicht geschlossen</translation>
     </message>
     <message>
         <source>until ended</source>
@@ -10990,8 +12350,16 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Kalibrierung verwenden</translation>
     </message>
     <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
         <source>value error of unknown kind</source>
         <translation>Messwertfehler unbekannter Art</translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <translation>senkrecht</translation>
     </message>
     <message>
         <source>viewer</source>
@@ -11054,6 +12422,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Verschleißkoeffizient, Median</translation>
     </message>
     <message>
+        <source>wear depth (µm)</source>
+        <translation>Verschleißtiefe (µm)</translation>
+    </message>
+    <message>
         <source>wear depth at the end</source>
         <translation>Verschleißtiefe am Ende</translation>
     </message>
@@ -11062,8 +12434,28 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Gewicht des Bolzens am Kraftsensor</translation>
     </message>
     <message>
+        <source>what</source>
+        <translation>was</translation>
+    </message>
+    <message>
+        <source>what became of the prediction</source>
+        <translation>was aus der Vorhersage wurde</translation>
+    </message>
+    <message>
         <source>what the calibration says</source>
         <translation>was die Kalibrierung sagt</translation>
+    </message>
+    <message>
+        <source>what the model computes</source>
+        <translation>was das Modell berechnet</translation>
+    </message>
+    <message>
+        <source>whole cycle</source>
+        <translation>ganzer Zyklus</translation>
+    </message>
+    <message>
+        <source>whole cycles</source>
+        <translation>ganze Zyklen</translation>
     </message>
     <message>
         <source>with a micrometer across the follower</source>
@@ -11082,6 +12474,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>mit Gewichten, bei mehreren Bolzenwinkeln</translation>
     </message>
     <message>
+        <source>without data</source>
+        <translation>ohne Daten</translation>
+    </message>
+    <message>
         <source>without power, and its watchdog has had the time to stop it</source>
         <translation>ohne Leistung, und seine Überwachung hatte die Zeit, sie anzuhalten</translation>
     </message>
@@ -11092,6 +12488,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>worn mass at the end</source>
         <translation>verschlissene Masse am Ende</translation>
+    </message>
+    <message>
+        <source>worn profile</source>
+        <translation>verschlissenes Profil</translation>
     </message>
     <message>
         <source>writing</source>
@@ -11108,6 +12508,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>zero of the calibration</source>
         <translation>Nullpunkt der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>zero taken</source>
+        <translation>Nullpunkt genommen</translation>
     </message>
     <message>
         <source>zeros over the pin angle</source>
@@ -11142,6 +12546,18 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>{} % ({} bis {})</translation>
     </message>
     <message>
+        <source>{} (95 %: {} to {}) revolutions</source>
+        <translation>{} (95 %: {} bis {}) Umdrehungen</translation>
+    </message>
+    <message>
+        <source>{} (first out)</source>
+        <translation>{} (als erster)</translation>
+    </message>
+    <message>
+        <source>{} (the last revolution).</source>
+        <translation>{} (die letzte Umdrehung).</translation>
+    </message>
+    <message>
         <source>{} after the alarm, by the log</source>
         <translation>{} nach dem Alarm, laut Protokoll</translation>
     </message>
@@ -11154,8 +12570,24 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>{} über dem Zyklus</translation>
     </message>
     <message>
+        <source>{} against revolution</source>
+        <translation>{} über der Umdrehung</translation>
+    </message>
+    <message>
         <source>{} alarms in the test</source>
         <translation>{} Alarme im Versuch</translation>
+    </message>
+    <message>
+        <source>{} at most {} at {}°.</source>
+        <translation>{}: höchstens {} bei {}°.</translation>
+    </message>
+    <message>
+        <source>{} by the device&apos;s clock</source>
+        <translation>{} nach der Uhr des Geräts</translation>
+    </message>
+    <message>
+        <source>{} bytes</source>
+        <translation>{} Byte</translation>
     </message>
     <message>
         <source>{} cannot be read: {}</source>
@@ -11176,6 +12608,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>{} good, {} for attention, {} block</source>
         <translation>{} gut, {} zu beachten, {} sperrend</translation>
+    </message>
+    <message>
+        <source>{} had no room in the file and could not be kept.</source>
+        <translation>{} hatten keinen Platz in der Datei und wurden nicht aufbewahrt.</translation>
     </message>
     <message>
         <source>{} in short</source>
@@ -11222,6 +12658,18 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>{} ist simuliert: nichts Echtes dreht sich.</translation>
     </message>
     <message>
+        <source>{} left out here; the cycles are in the file.</source>
+        <translation>{} hier weggelassen; die Zyklen sind in der Datei.</translation>
+    </message>
+    <message>
+        <source>{} lost in all; a revolution has about {} samples. A revolution can carry several flags.</source>
+        <translation>{} insgesamt verloren; eine Umdrehung hat etwa {} Messwerte. Eine Umdrehung kann mehrere Vermerke haben.</translation>
+    </message>
+    <message>
+        <source>{} more are left out here; they are in the file.</source>
+        <translation>{} weitere sind hier weggelassen; sie sind in der Datei.</translation>
+    </message>
+    <message>
         <source>{} must be a number, not {}.</source>
         <translation>{} muss eine Zahl sein, nicht {}.</translation>
     </message>
@@ -11238,8 +12686,20 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>{} von {}</translation>
     </message>
     <message>
+        <source>{} of {} compared.</source>
+        <translation>{} von {} verglichen.</translation>
+    </message>
+    <message>
         <source>{} of {} cycles</source>
         <translation>{} von {} Zyklen</translation>
+    </message>
+    <message>
+        <source>{} of {} planned</source>
+        <translation>{} von {} geplanten</translation>
+    </message>
+    <message>
+        <source>{} of {} planned revolutions</source>
+        <translation>{} von {} geplanten Umdrehungen</translation>
     </message>
     <message>
         <source>{} of {} points have a result. Why the others have none stands below.</source>
@@ -11256,6 +12716,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>{} on {}</source>
         <translation>{} an {}</translation>
+    </message>
+    <message>
+        <source>{} over the test</source>
+        <translation>{} über den Versuch</translation>
     </message>
     <message>
         <source>{} pieces, {:g} kg in all. The heaviest load is {:g} kg; {}</source>
@@ -11280,6 +12744,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>{} saved</source>
         <translation>{} sicher</translation>
+    </message>
+    <message>
+        <source>{} simulated: these are not measurements.</source>
+        <translation>{} simuliert: Dies sind keine Messungen.</translation>
     </message>
     <message>
         <source>{} still to be read; {}</source>
@@ -11376,6 +12844,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>← → in a force plot</source>
         <translation>← → in einem Kraftdiagramm</translation>
+    </message>
+    <message>
+        <source>−RMS</source>
+        <translation>−RMS</translation>
     </message>
     <message>
         <source>▲ Attention</source>
@@ -12189,6 +13661,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>„{}“{} quittieren: bestätigen, dass es gesehen wurde</translation>
     </message>
     <message>
+        <source>After revolution {} the measured wear depth is not to be trusted</source>
+        <translation>Nach Umdrehung {} ist die gemessene Verschleißtiefe nicht verlässlich</translation>
+    </message>
+    <message>
         <source>As found, the record {} of {} told too much: {}</source>
         <translation>Vorgefunden: Der Kalibrierdatensatz {} vom {} zeigte zu viel an: {}</translation>
     </message>
@@ -12467,6 +13943,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>Replay of {}</source>
         <translation>Wiedergabe von {}</translation>
+    </message>
+    <message>
+        <source>Revolutions are counted from the new bushing, {} before this test</source>
+        <translation>Umdrehungen zählen ab der neuen Buchse, {} vor diesem Versuch</translation>
     </message>
     <message>
         <source>Samples of {} were lost; how many is not known</source>
@@ -13585,6 +15065,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>das Paket {} neu installieren oder aktualisieren</translation>
     </message>
     <message>
+        <source>replay × {:g}</source>
+        <translation>Wiedergabe × {:g}</translation>
+    </message>
+    <message>
         <source>report.number = {} names something else than {}; correct the pattern</source>
         <translation>report.number = {} nennt etwas anderes als {}; das Muster berichtigen</translation>
     </message>
@@ -14289,10 +15773,6 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Gewichte: {} ist keine Masse; zum Beispiel 5x8, 2, 2, 1, 0.5 schreiben (acht Stücke von 5 kg und vier andere)</translation>
     </message>
     <message>
-        <source>weights: {}: give 1 to 64 pieces of up to {:g} kg</source>
-        <translation>Gewichte: {}: 1 bis 64 Stücke bis {} kg angeben</translation>
-    </message>
-    <message>
         <source>what answers is no RoboClaw at address {}: {}</source>
         <translation>was an Adresse {} antwortet, ist kein RoboClaw: {}</translation>
     </message>
@@ -14347,6 +15827,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>{:.1f} to {:.1f} deg</source>
         <translation>{} bis {} deg</translation>
+    </message>
+    <message>
+        <source>{:.1f} µm are measured at revolution {:.0f}; after revolution {} {:.1f} µm were predicted there, {:.1f} to {:.1f} µm with 95 %. The joint wears otherwise than the model and its first readings let expect</source>
+        <translation>{:.1f} µm sind bei Umdrehung {:.0f} gemessen; nach Umdrehung {} waren dort {:.1f} µm vorhergesagt, {:.1f} bis {:.1f} µm mit 95 %. Das Gelenk verschleißt anders, als Modell und erste Werte erwarten ließen</translation>
     </message>
     <message>
         <source>{:.2f} N off, {:.2f} N are allowed</source>
@@ -14885,6 +16369,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>{} hat {:.2f} s lang keine Messwerte gesendet; ihre Zahl ist nicht bekannt</translation>
     </message>
     <message>
+        <source>{} specimens</source>
+        <translation>{} Proben</translation>
+    </message>
+    <message>
         <source>{} steps, {} revolutions</source>
         <translation>{} Schritte, {} Umdrehungen</translation>
     </message>
@@ -15337,6 +16825,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>{}: Der Dateikopf ist beschädigt, oder es ist keine HDF5-Datei; nehmen Sie eine andere Kopie</translation>
     </message>
     <message>
+        <source>{}: its readings are among those of {}</source>
+        <translation>{}: Seine Werte sind unter denen von {}</translation>
+    </message>
+    <message>
         <source>{}: its readings do not give this number</source>
         <translation>{}: Seine Messungen ergeben diese Zahl nicht</translation>
     </message>
@@ -15431,6 +16923,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>the drive cannot be used: it has nothing for {}</source>
         <translation>der Antrieb ist nicht verwendbar: er hat nichts für {}</translation>
+    </message>
+    <message>
+        <source>weights: {}: give 1 to 64 pieces of up to {:g} kg</source>
+        <translation>Gewichte: {}: 1 bis 64 Stücke bis {} kg angeben</translation>
     </message>
     <message>
         <source>{}: not as it was sealed</source>

@@ -13,6 +13,7 @@ from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.panel import Act, Host
 from rigapp.gui.panels.results import TRIPPED, ResultsPanel, ShelfPump, show_trip
 from rigapp.gui.plots.overlay import OverlayPanel
+from rigapp.gui.plots.plotting import LEAST_HEIGHT
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.results.documents import HTML, DocumentPanel
 from rigapp.gui.results.resultcard import ResultCard
@@ -91,7 +92,7 @@ class EndPage(QWidget):
         # They take the room that is left, and do not ask for more.
         for one in (wear.plot, self.trip.plot):
             one.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
-            one.setMinimumHeight(15 * STEP)
+            one.setMinimumHeight(LEAST_HEIGHT)
         self.plots = QStackedWidget()
         for plot in (wear, self.trip):
             self.plots.addWidget(plot)

@@ -295,4 +295,4 @@ def identity(status: Status) -> tuple[str, str]:
         parts.append(status.engine.operator)
     if test.file:
         parts.append(PurePath(test.file).name)
-    return test.title or tr("No test yet"), ", ".join(parts)
+    return translate(test.title) or tr("No test yet"), ", ".join(parts)

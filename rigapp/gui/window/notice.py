@@ -14,7 +14,7 @@ from rigapp.presentation.numbers import grouped
 from rigapp.presentation.states import calibration_text, state_details, state_line
 from rigapp.presentation.times import duration
 from rigapp.presentation.tokens import Theme
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.messages import NO_TEST, RunState, Status
 from rigapp.schema.states import ACTIVE
 from rigapp.viewer.connection import ConnectionState
@@ -56,7 +56,7 @@ class NoticeBar(Bar):
         """Take the newest status; of a replay it is told that nothing moves."""
         test = status.test or NO_TEST
         if replay:
-            self.say(tr("{}: no rig is connected, nothing moves.", test.title))
+            self.say(tr("{}: no rig is connected, nothing moves.", translate(test.title)))
             self.away.hide()
             self.end.hide()
             self.show_when(True)

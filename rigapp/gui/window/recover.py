@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QFrame, QLabel
 from rigapp.gui.widgets.build import button, column, named, prose
 from rigapp.gui.widgets.details import FoldedDetails
 from rigapp.presentation.tokens import CARD_RADIUS, GAP, MARGIN, STEP, Theme
-from rigapp.presentation.translation import Text, tr, translate
+from rigapp.presentation.translation import Text, marked, tr, translate
 from rigapp.schema.details import details_of
 from rigapp.schema.messages import NO_TEST, Alarm, Remedy, RunState, Severity, Status
 from rigapp.schema.states import ACTIVE
@@ -170,7 +170,7 @@ class RecoverPanel(QFrame):
             label.setStyleSheet(self._step_style(now=now, left=mark == "○"))
             place: Text = "next" if now else "to do" if mark == "○" else "done"
             label.setAccessibleDescription(tr(place))
-        text: Text = BUTTONS.get(told.verb, "Waiting for the cause to go")
+        text: Text = BUTTONS.get(told.verb, marked("Waiting for the cause to go"))
         if told.step is Remedy.NONE:
             text = tr("Wait")
         self.button.setText(f"{tr(text)}  {KEY}")

@@ -13,6 +13,7 @@ import numpy as np
 
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.tokens import LIGHT
+from rigapp.presentation.translation import tr
 from rigapp.report.page.manuscript import Figure
 
 WIDTH_IN = 178.0 / 25.4
@@ -114,7 +115,7 @@ def revolution_axis(axes: Any) -> None:
 
     axes.xaxis.set_major_locator(MaxNLocator(nbins=8, integer=True))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: grouped(round(x))))
-    axes.set_xlabel("revolution")
+    axes.set_xlabel(tr("revolution"))
     axes.margins(x=0.01)
 
 

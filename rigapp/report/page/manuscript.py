@@ -7,6 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from rigapp.presentation.translation import language, tr
+
 Row = tuple[str, ...]
 
 PNG = b"\x89PNG\r\n"
@@ -110,16 +112,16 @@ class Manuscript:
 
     def labels(self) -> dict[int, str]:
         """Return "Figure 1", "Table 1" and so on, by the identity of each; tables with a title."""
-        found = {id(one): f"Figure {n}" for n, one in enumerate(self.figures(), 1)}
+        found = {id(one): tr("Figure {}", n) for n, one in enumerate(self.figures(), 1)}
         blocks = [block for section in self.sections for block in section.blocks]
         tables = [one for one in blocks if isinstance(one, Table) and one.title]
-        return found | {id(one): f"Table {n}" for n, one in enumerate(tables, 1)}
+        return found | {id(one): tr("Table {}", n) for n, one in enumerate(tables, 1)}
 
 
 def is_number(text: str) -> bool:
     """Tell whether a cell holds a number, perhaps with a unit or thin spaces, or its absence."""
     bare = text.replace("\u202f", "").strip()
-    if bare in ("", "–", "unknown", "none"):
+    if bare in ("", "–", tr("unknown"), tr("none")):
         return True
     try:
         float(bare.partition(" ")[0].rstrip("*%°"))
@@ -159,6 +161,9 @@ def as_html(document: Manuscript) -> bytes:
         data_of=_data,
         logo=_logo(document),
         numeric=numeric_columns,
+        language=language(),
+        result_word=tr("Result"),
+        page_words=tr("page {} of {}").split("{}"),
         label_of=lambda block: labels.get(id(block), ""),
     ).encode(errors="replace")
 

@@ -35,6 +35,7 @@ from reportlab.platypus import (
 )
 from reportlab.platypus import Table as Grid
 
+from rigapp.presentation.translation import language, tr
 from rigapp.report.page.manuscript import (
     Block,
     Cover,
@@ -174,7 +175,7 @@ def _build(document: Manuscript, pages: int, drawings: Mapping[int, _Drawing]) -
         invariant=1,
         title=document.footer,
         author="",
-        lang="en",
+        lang=language(),
         leftMargin=MARGIN - FRAME_PADDING,
         rightMargin=MARGIN - FRAME_PADDING,
         topMargin=16 * mm,
@@ -198,7 +199,7 @@ def _footer(document: Manuscript, pages: int) -> Callable[[Canvas, Any], None]:
             canvas.setFillColor(colors.black)
         canvas.setFont(PLAIN, 8.0)
         canvas.drawString(MARGIN, 10 * mm, text)
-        canvas.drawRightString(MARGIN + WIDTH, 10 * mm, f"page {template.page} of {pages}")
+        canvas.drawRightString(MARGIN + WIDTH, 10 * mm, tr("page {} of {}", template.page, pages))
 
     return draw
 
@@ -308,7 +309,7 @@ def _cover(
     story.append(Paragraph(escape(document.title), COVER_TITLE))
     story.append(Paragraph(escape(cover.subtitle), SUBTITLE))
     story += [Paragraph(escape(one), STRONG) for one in cover.warnings]
-    story += [Spacer(0, 3 * mm), _facts(cover.facts), _Heading("Result", HEADING)]
+    story += [Spacer(0, 3 * mm), _facts(cover.facts), _Heading(tr("Result"), HEADING)]
     rows = [
         [Paragraph(_cell(one), style) for one, style in zip(row, RESULT_STYLES, strict=True)]
         for row in cover.results

@@ -20,6 +20,7 @@ from rigapp.config.report import ReportFile
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.results import key_numbers, outcome_text
 from rigapp.presentation.times import duration
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.report.page.manuscript import Manuscript, Section, Table
 from rigapp.report.results import result_of_open
 from rigapp.report.testreport import datasections, logsections, setupsections
@@ -38,7 +39,6 @@ from rigapp.report.testreport.wording import (
     stamp,
 )
 from rigapp.report.testreport.worn import worn_of
-from rigapp.schema.details import sentence_of
 from rigapp.schema.results import TestResult
 from rigapp.storage import (
     NEWEST_BYTES,
@@ -52,7 +52,7 @@ from rigapp.storage import (
 from rigapp.texts import capitalised
 from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty, force_uncertainty
 
-LEADS = {
+LEADS: dict[str, Text] = {
     "running": "The test was still running when this report was made.",
     "stopped": "The test was stopped before the planned end.",
     "interrupted": "The test was interrupted.",
@@ -109,7 +109,7 @@ def _document(reader: TestReader, path: Path, settings: tuple[ReportFile, bytes]
             uncertainty,
             result,
         ),
-        *datasections.trip(trip_capture(reader), sentence_of(summary["reason"])),
+        *datasections.trip(trip_capture(reader), translate(summary["reason"])),
         *logsections.sections(reader, events, rows, summary["reason"]),
         *datasections.extremes(
             rows, agreement, uncertainty, stated_uncertainties(reader.calibration())
@@ -132,13 +132,13 @@ def _document(reader: TestReader, path: Path, settings: tuple[ReportFile, bytes]
     title = about["title"] or path.stem
     warnings = _warnings(summary, _simulated(reader, about))
     own = settings[0].report
-    lines = (f"Test report: {title} ({identity.name})", numbered(own.number, reader, about))
+    lines = (tr("Test report: {} ({})", title, identity.name), numbered(own.number, reader, about))
     return Manuscript(
-        title=f"Test report: {title}",
+        title=tr("Test report: {}", title),
         footer=" · ".join(line for line in lines if line),
         cover=cover_of(reader, about, result, rows, agreement, settings, warnings),
         statement=own.statement,
-        signatures=own.signatures,
+        signatures=tuple(map(tr, own.signatures)),
         made_at=_moment(about["ended"] or about["started"]),
         sections=tuple(one for one in sections if one.blocks),
         closing=_closing(identity, about),
@@ -154,10 +154,10 @@ def _identity(path: Path, running: bool) -> FileIdentity:
 
 
 def _closing(identity: FileIdentity, about: dict[str, Any]) -> str:
-    origin = f"Made from {identity.name}, test {about['identifier'] or UNKNOWN}"
+    origin = tr("Made from {}, test {}", identity.name, about["identifier"] or tr(UNKNOWN))
     if not identity.digest:
-        return f"{origin}, while the test was running: a later report will say more."
-    return f"{origin}, SHA-256 {identity.digest}."
+        return tr("{}, while the test was running: a later report will say more.", origin)
+    return tr("{}, SHA-256 {}.", origin, identity.digest)
 
 
 def _simulated(reader: TestReader, about: dict[str, Any]) -> str:
@@ -169,9 +169,9 @@ def _simulated(reader: TestReader, about: dict[str, Any]) -> str:
         rig = parse_rig(reader.configuration()["rig"], "the rig of the file", recorded=True)
         names = rig.simulated_devices
     except (KeyError, UnusableInput):
-        return "The rig was" if about["simulated"] else ""
+        return tr("The rig was") if about["simulated"] else ""
     if len(names) in (0, len(rig.devices)):
-        return "The rig was" if names else ""
+        return tr("The rig was") if names else ""
     return f"{' and '.join(names)} {'were' if len(names) > 1 else 'was'}"
 
 
@@ -188,24 +188,24 @@ def _summary(
     status, revolutions = summary["status"], summary["revolutions"]
     planned = about["planned_revolutions"]
     lines = [
-        ("Title", about["title"]),
-        ("Specimen", about["specimen"]),
-        ("Bushing", about["bushing"]),
-        ("Operator", about["operator"]),
-        ("Rig", about["rig"] + (" (simulated)" if simulated else "")),
-        ("Started", stamp(about["started"])),
-        ("Ended", _ended(status, about)),
-        ("Outcome", outcome_text(result)),
-        ("Status", _capital(STATUSES.get(status, status))),
-        ("Reason", _reason(summary, about)),
-        ("Revolutions", f"{grouped(revolutions)} of {grouped(planned)} planned"),
+        (tr("Title"), about["title"]),
+        (tr("Specimen"), about["specimen"]),
+        (tr("Bushing"), about["bushing"]),
+        (tr("Operator"), about["operator"]),
+        (tr("Rig"), about["rig"] + (tr(" (simulated)") if simulated else "")),
+        (tr("Started"), stamp(about["started"])),
+        (tr("Ended"), _ended(status, about)),
+        (tr("Outcome"), outcome_text(result)),
+        (tr("Status"), _capital(tr(STATUSES.get(status, status)))),
+        (tr("Reason"), _reason(summary, about)),
+        (tr("Revolutions"), tr("{} of {} planned", grouped(revolutions), grouped(planned))),
         *_data_lines(summary, rows, largest, uncertainty, result),
-        ("Notes", about["notes"]),
-        ("File", identity.name),
+        (tr("Notes"), about["notes"]),
+        (tr("File"), identity.name),
     ]
-    optional = ("Notes", "Bushing")
-    shown = tuple((a, b or UNKNOWN) for a, b in lines if b or a not in optional)
-    return Section("Summary", (Table("", shown),))
+    optional = (tr("Notes"), tr("Bushing"))
+    shown = tuple((a, b or tr(UNKNOWN)) for a, b in lines if b or a not in optional)
+    return Section(tr("Summary"), (Table("", shown),))
 
 
 def _known(reader: TestReader) -> Section:
@@ -218,11 +218,13 @@ def _known(reader: TestReader) -> Section:
 
 def _warnings(summary: dict[str, Any], simulated: str) -> list[str]:
     """Return what must not be overlooked."""
-    found = [f"{simulated} simulated: these are not measurements."] if simulated else []
+    found = [tr("{} simulated: these are not measurements.", simulated)] if simulated else []
     status = summary["status"]
     if status != "complete":
-        sentence = LEADS.get(status, f"The status of the test is {status}.")
-        found.append(f"{sentence} {_capital(sentence_of(summary['reason']))}".strip())
+        sentence = (
+            tr(LEADS[status]) if status in LEADS else tr("The status of the test is {}.", status)
+        )
+        found.append(f"{sentence} {_capital(translate(summary['reason']))}".strip())
     return found
 
 
@@ -243,32 +245,34 @@ def _data_lines(
 ) -> list[tuple[str, str]]:
     force = _force_line(largest, uncertainty)
     if rows is None:
-        return [("Data", "no revolution is recorded"), *force]
+        return [(tr("Data"), tr("no revolution is recorded")), *force]
     missing = sum(gap.missing for gap in rows.gaps)
-    gaps = "none"
+    gaps = tr("none")
     if rows.gaps or summary["gaps"]:
         gaps = f"{counted(max(len(rows.gaps), summary['gaps']), 'gap')}"
-        gaps += f", {counted(missing, 'revolution')} not recorded" if missing else ""
-    speed = f"mean {number(rows.mean_speed, 'rpm')} rpm"
+        gaps += tr(", {} not recorded", counted(missing, "revolution")) if missing else ""
+    speed = tr("mean {} rpm", number(rows.mean_speed, "rpm"))
     if rows.speed is not None:
         low, high = rows.speed.smallest.value, rows.speed.largest.value
-        speed += f", between {number(low, 'rpm')} and {number(high, 'rpm')} rpm"
+        speed += tr(", between {} and {} rpm", number(low, "rpm"), number(high, "rpm"))
     lines = [
-        ("Numbers of the revolutions", f"{grouped(rows.first)} to {grouped(rows.last)}"),
-        ("Time of the test", f"{duration(rows.test_s, exact=True)} by the device's clock"),
-        ("Speed", speed),
+        (tr("Numbers of the revolutions"), tr("{} to {}", grouped(rows.first), grouped(rows.last))),
+        (tr("Time of the test"), tr("{} by the device's clock", duration(rows.test_s, exact=True))),
+        (tr("Speed"), speed),
     ]
     depth, coefficient, _, residual = key_numbers(result)
-    lines += [(one.caption, f"{one.value}, {one.line}") for one in (depth, coefficient, residual)]
-    good = f"{grouped(rows.good)} of {grouped(rows.revolutions)}"
-    stated = "not stated: no calibration record of the load cell in the file"
+    lines += [
+        (tr(one.caption), f"{one.value}, {one.line}") for one in (depth, coefficient, residual)
+    ]
+    good = tr("{} of {}", grouped(rows.good), grouped(rows.revolutions))
+    stated = tr("not stated: no calibration record of the load cell in the file")
     return [
         *lines,
         *force,
-        ("Uncertainty of a force", uncertainty.words if uncertainty is not None else stated),
-        ("Gaps", gaps),
-        ("Revolutions without a quality flag", good),
-        ("Whole cycles saved", grouped(summary["cycles_saved"])),
+        (tr("Uncertainty of a force"), uncertainty.words if uncertainty is not None else stated),
+        (tr("Gaps"), gaps),
+        (tr("Revolutions without a quality flag"), good),
+        (tr("Whole cycles saved"), grouped(summary["cycles_saved"])),
     ]  # fmt: skip
 
 
@@ -281,24 +285,25 @@ def _force_line(
     if uncertainty is not None and not largest.lower_bound:
         told = uncertainty.at(np.array(largest.value_N), of_magnitude=True)
         doubt = f" ± {quantity(float(told), 'N', 2)}"
-    place = f" in revolution {grouped(largest.revolution)}"
-    place += "" if largest.whole else ", which the end of the test cut off"
-    return [("Largest joint force", largest.sign + quantity(largest.value_N, "N") + doubt + place)]
+    place = tr(" in revolution {}", grouped(largest.revolution))
+    place += "" if largest.whole else tr(", which the end of the test cut off")
+    return [
+        (tr("Largest joint force"), largest.sign + quantity(largest.value_N, "N") + doubt + place)
+    ]
 
 
 def _ended(status: str, about: dict[str, Any]) -> str:
     if status == "running":
-        return "the test is running"
+        return tr("the test is running")
     if not about["ended"]:
-        return "unknown, the test was not closed"
+        return tr("unknown, the test was not closed")
     return stamp(about["ended"])
 
 
 def _reason(summary: dict[str, Any], about: dict[str, Any]) -> str:
-    words = REASONS.get(about["reason_code"], "")
-    return (
-        ". ".join(_capital(one) for one in (words, sentence_of(summary["reason"])) if one)
-        or "none given"
+    words = tr(REASONS.get(about["reason_code"], ""))
+    return ". ".join(_capital(one) for one in (words, translate(summary["reason"])) if one) or tr(
+        "none given"
     )
 
 
@@ -310,27 +315,36 @@ def _capital(text: str) -> str:
 
 def _checksums(reader: TestReader) -> str:
     if not reader.plan.checksums:
-        return "none, the file is of an older version"
+        return tr("none, the file is of an older version")
     damage = list(found_damage(reader, NEWEST_BYTES))
-    return "DAMAGED: " + " ".join(damage) if damage else "rows, cycles and settings as written"
+    return (
+        tr("DAMAGED: ") + " ".join(damage) if damage else tr("rows, cycles and settings as written")
+    )
 
 
 def _file_section(identity: FileIdentity, summary: dict[str, Any], reader: TestReader) -> Section:
     versions = reader.configuration().get("versions", {})
-    form = "compressed, as after the test" if reader.compressed else "in place, as during the test"
+    form = (
+        tr("compressed, as after the test")
+        if reader.compressed
+        else tr("in place, as during the test")
+    )
     altered = reader.first_altered_event()
-    log = "unbroken: every line follows from the one before"
+    log = tr("unbroken: every line follows from the one before")
     if altered is not None:
-        log = f"BROKEN at line {altered + 1}: the log was changed after it was written"
+        log = tr("BROKEN at line {}: the log was changed after it was written", altered + 1)
     rows = (
-        ("File", identity.name),
-        ("Size", size(reader.used_bytes(identity.octets))),
-        ("SHA-256", identity.digest or "not stated, the test is running and the file changes"),
-        ("Test", str(reader.metadata()["identifier"])),
-        ("Schema, form", f"{summary['schema']}, {form}"),
-        ("Chain of the log", log),
-        ("Checksums", _checksums(reader)),
+        (tr("File"), identity.name),
+        (tr("Size"), size(reader.used_bytes(identity.octets))),
+        (
+            tr("SHA-256"),
+            identity.digest or tr("not stated, the test is running and the file changes"),
+        ),
+        (tr("Test"), str(reader.metadata()["identifier"])),
+        (tr("Schema, form"), f"{summary['schema']}, {form}"),
+        (tr("Chain of the log"), log),
+        (tr("Checksums"), _checksums(reader)),
     )
     found = tuple((str(name), str(value)) for name, value in versions.items())
-    tables = (Table("", rows), Table("Versions that wrote the file", found))
-    return Section("File and versions", tuple(one for one in tables if one.rows))
+    tables = (Table("", rows), Table(tr("Versions that wrote the file"), found))
+    return Section(tr("File and versions"), tuple(one for one in tables if one.rows))

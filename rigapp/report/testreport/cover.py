@@ -17,11 +17,12 @@ from rigapp.config.report import ReportFile, report_number
 from rigapp.presentation.numbers import UNKNOWN as NOTHING
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.results import key_numbers, outcome_text
+from rigapp.presentation.translation import Text, tr, translate
 from rigapp.report.page.figures import INK, MODEL, MUTED, canvas_of, saved
 from rigapp.report.page.manuscript import JPEG, PNG, Cover, Figure, Row
 from rigapp.report.testreport.facts import Rows
 from rigapp.report.testreport.model_facts import Agreement
-from rigapp.report.testreport.plots import wear_trend
+from rigapp.report.testreport.plots import trends, wear_trend
 from rigapp.report.testreport.wording import UNKNOWN, counted, number, stamp
 from rigapp.schema.results import TestResult
 from rigapp.storage import TestReader
@@ -34,7 +35,7 @@ LARGEST_LOGO_BYTES: Final = 1 << 20
 ALARMS_NAMED: Final = 2
 """In the line of a result; the log of the report has all of them."""
 
-NOTE: Final = (
+NOTE: Final[Text] = (
     "± is an expanded uncertainty with k = 2, about 95 %, as stated by the records in the file for"
     " the point of use. A value without ± has no such record."
 )
@@ -87,7 +88,7 @@ def cover_of(
     file, logo = settings
     parameters = parameters_of(reader)
     wear = wear_trend(agreement.wear, rows.gaps if rows is not None else ()) if agreement else None
-    figures = [one for one in (wear, scheme(parameters)) if one is not None]
+    figures = [one for one in (wear or _forces(rows, agreement), scheme(parameters)) if one]
     letterhead = (file.laboratory.name, *file.laboratory.address.splitlines())
     return Cover(
         subtitle=_subtitle(about, rows),
@@ -96,10 +97,18 @@ def cover_of(
         letterhead=tuple(line for line in letterhead if line.strip()),
         logo=logo,
         warnings=tuple(warnings),
-        note=NOTE,
+        note=tr(NOTE),
         figures=tuple(figures),
         texts=tuple(_texts(reader, result, rows)),
     )
+
+
+def _forces(rows: Rows | None, agreement: Agreement | None) -> Figure | None:
+    """Return the largest force over the test, where no wear depth is known; None without one."""
+    size = [one for one in rows.channels if one.name == "force"] if rows is not None else []
+    if rows is None or not size:
+        return None
+    return trends(size, agreement, rows.gaps, tr("The joint force over the test"), None)
 
 
 def numbered(pattern: str, reader: TestReader, about: Mapping[str, Any]) -> str:
@@ -114,23 +123,23 @@ def numbered(pattern: str, reader: TestReader, about: Mapping[str, Any]) -> str:
 
 
 def _subtitle(about: Mapping[str, Any], rows: Rows | None) -> str:
-    speed = f"{number(rows.mean_speed, 'rpm', 0)} rpm" if rows is not None else ""
+    speed = tr("{} rpm", number(rows.mean_speed, "rpm", 0)) if rows is not None else ""
     return ", ".join(one for one in (about["specimen"], about["bushing"], speed) if one)
 
 
 def _facts(
     reader: TestReader, about: Mapping[str, Any], file: ReportFile, result: TestResult
 ) -> list[Row]:
-    rig = about["rig"] + (" (simulated)" if result.simulated else "")
+    rig = about["rig"] + (tr(" (simulated)") if result.simulated else "")
     facts = [
-        ("Customer", file.report.customer),
-        ("Specimen", about["specimen"]),
-        ("Operator", about["operator"]),
-        ("Report", numbered(file.report.number, reader, about)),
-        ("Begun", stamp(about["started"])),
-        ("Ended", stamp(about["ended"])),
-        ("Rig", rig),
-        ("Calibrations valid until", _valid_until(reader.calibration())),
+        (tr("Customer"), file.report.customer),
+        (tr("Specimen"), about["specimen"]),
+        (tr("Operator"), about["operator"]),
+        (tr("Report"), numbered(file.report.number, reader, about)),
+        (tr("Begun"), stamp(about["started"])),
+        (tr("Ended"), stamp(about["ended"])),
+        (tr("Rig"), rig),
+        (tr("Calibrations valid until"), _valid_until(reader.calibration())),
     ]
     return [(name, value) for name, value in facts if value and value != UNKNOWN]
 
@@ -138,7 +147,7 @@ def _facts(
 def _valid_until(calibration: Mapping[str, Any]) -> str:
     """Return until when the records in a file hold, a day for each."""
     days = []
-    for label, name in (("record_load_cell", "cell"), ("record_probes", "probes")):
+    for label, name in (("record_load_cell", tr("cell")), ("record_probes", tr("probes"))):
         values = calibration.get(label)
         try:
             text = str(values["record"]) if isinstance(values, Mapping) else ""
@@ -147,36 +156,39 @@ def _valid_until(calibration: Mapping[str, Any]) -> str:
             due = ""
         if due:
             days.append(f"{name} {due[:10]}")
-    return ", ".join(days) or "no records in the file"
+    return ", ".join(days) or tr("no records in the file")
 
 
 def _results(result: TestResult) -> list[Row]:
     rows = [
-        (one.caption, UNKNOWN if one.value == NOTHING else one.value, one.line)
+        (tr(one.caption), tr(UNKNOWN) if one.value == NOTHING else one.value, one.line)
         for one in key_numbers(result)
     ]
     ended = f"{outcome_text(result)}, {counted(result.revolutions, 'revolution')}"
-    return [*rows, ("End of the test", ended, _end(result))]
+    return [*rows, (tr("End of the test"), ended, _end(result))]
 
 
 def _end(result: TestResult) -> str:
-    names = [capitalised(str(one)) for one in dict.fromkeys(result.alarms)]
-    alarms = counted(len(result.alarms), "alarm") if names else "no alarm"
+    names = [capitalised(translate(one)) for one in dict.fromkeys(result.alarms)]
+    alarms = counted(len(result.alarms), "alarm") if names else tr("no alarm")
     if names:
         more = ", …" if len(names) > ALARMS_NAMED else ""
         alarms += f" ({', '.join(names[:ALARMS_NAMED])}{more})"
-    gaps = counted(result.gaps, "gap") if result.gaps else "no gap"
-    return f"{alarms}; {gaps}; {grouped(result.flagged)} revolutions with a quality flag"
+    gaps = counted(result.gaps, "gap") if result.gaps else tr("no gap")
+    return tr("{}; {}; {} revolutions with a quality flag", alarms, gaps, grouped(result.flagged))
 
 
 def _texts(reader: TestReader, result: TestResult, rows: Rows | None) -> list[Row]:
-    done = f"{grouped(result.revolutions)} of {grouped(result.planned)} planned revolutions"
+    done = tr("{} of {} planned revolutions", grouped(result.revolutions), grouped(result.planned))
     if rows is not None:
-        done += f" at {number(rows.mean_speed, 'rpm')} rpm"
-    kept = f"maximum, minimum and RMS of each, {grouped(result.cycles_saved)} whole"
+        done += tr(" at {} rpm", number(rows.mean_speed, "rpm"))
+    kept = tr("maximum, minimum and RMS of each, {} whole", grouped(result.cycles_saved))
     return [
-        ("What was done.", f"{done}; recorded: {kept}."),
-        ("Data.", f"{reader.path.name}, test {reader.metadata()['identifier'] or UNKNOWN}."),
+        (tr("What was done."), tr("{}; recorded: {}.", done, kept)),
+        (
+            tr("Data."),
+            tr("{}, test {}.", reader.path.name, reader.metadata()["identifier"] or tr(UNKNOWN)),
+        ),
     ]
 
 
@@ -235,16 +247,27 @@ def scheme(parameters: Parameters | None) -> Figure | None:
         axes.text(*middle, f"{1e3 * follower:.4g} mm", ha="left", **small)
         mass = mechanism.slider_mass + mechanism.added_mass
         axes.text(slider[0], -1.15 * unit, f"{mass:.4g} kg", ha="center", **small)
-        sizes = f"joint: pin {2e3 * joint.pin_radius:.4g}, bushing {2e3 * joint.bushing_radius:.4g}"
+        sizes = tr(
+            "joint: pin {:.4g}, bushing {:.4g}",
+            2000.0 * joint.pin_radius,
+            2000.0 * joint.bushing_radius,
+        )
         sizes += f" × {1e3 * joint.bushing_width:.4g} mm"
         above = pin + np.array([0.0, 0.7]) * unit
         axes.text(*above, sizes, ha="left", fontsize=7.5, color=MODEL)
         axes.set_xlim(-1.6 * unit, right + 1.2 * unit)
         axes.set_ylim(-1.6 * unit, pin[1] + 1.5 * unit)
-    plane = "vertical" if any(mechanism.gravity) else "horizontal"
-    caption = (
-        f"Crank {mechanism.crank_mass:.4g} kg, follower {mechanism.follower_mass:.4g} kg;"
-        f" {plane} plane."
+    plane = tr("vertical") if any(mechanism.gravity) else tr("horizontal")
+    caption = tr(
+        "Crank {:.4g} kg, follower {:.4g} kg; {} plane.",
+        mechanism.crank_mass,
+        mechanism.follower_mass,
+        plane,
     )
-    words = f"Slider-crank, crank {1e3 * crank:.4g} mm, follower {1e3 * follower:.4g} mm; {sizes}."
-    return saved(canvas, "The mechanism", words, caption)
+    words = tr(
+        "Slider-crank, crank {:.4g} mm, follower {:.4g} mm; {}.",
+        1000.0 * crank,
+        1000.0 * follower,
+        sizes,
+    )
+    return saved(canvas, tr("The mechanism"), words, caption)

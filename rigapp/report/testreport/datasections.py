@@ -9,6 +9,8 @@ from typing import Any
 
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.times import duration
+from rigapp.presentation.translation import Text as Words
+from rigapp.presentation.translation import tr, translate
 from rigapp.report.page.manuscript import Block, Section, Table, Text
 from rigapp.report.testreport import plots
 from rigapp.report.testreport.facts import ENDS, ChannelFacts, Peak, Rows, Stated
@@ -26,7 +28,6 @@ from rigapp.report.testreport.wording import (
 )
 from rigapp.report.testreport.worn import Worn, profile_blocks
 from rigapp.schema.channels import LOAD_CELL, Kind
-from rigapp.schema.details import sentence_of
 from rigapp.schema.messages import Event
 from rigapp.storage import TripCapture
 from rigapp.texts import capitalised
@@ -38,18 +39,18 @@ PANELS = 4
 BURSTS_SHOWN = 40  # a page of them
 TOLD = 20  # half a page; its heading counts the rest
 
-RESIDUALS = {
+RESIDUALS: dict[str, Words] = {
     "residual_rms": "residual of |F|, RMS",
     "residual_1_rms": "residual of force_1, RMS",
     "residual_2_rms": "residual of force_2, RMS",
     "phase_shift": "phase shift of |F|",
 }
-WEAR = {
+WEAR: dict[str, Words] = {
     "measured_wear_depth": "measured (probes)",
     "wear_depth": "predicted (model)",
     "driven_wear_depth": "model driven by the measured forces",
 }
-STATISTICS = {"max": "maximum", "min": "minimum", "rms": "RMS"}
+STATISTICS: dict[str, Words] = {"max": "maximum", "min": "minimum", "rms": "RMS"}
 
 
 def extremes(
@@ -60,25 +61,29 @@ def extremes(
 ) -> list[Section]:
     """Return the table of extremes and the trends of every channel."""
     if rows is None:
-        nothing = Text("No revolution is recorded.")
-        return [Section("Extremes and RMS of every channel", (nothing,))]
+        nothing = Text(tr("No revolution is recorded."))
+        return [Section(tr("Extremes and RMS of every channel"), (nothing,))]
     slow = [one for one in rows.channels if one.channel.kind is Kind.SLOW]
     sampled = [one for one in rows.channels if one not in slow]
     speed = [rows.speed] if rows.speed is not None else []
     noted: dict[str, str] = {}
-    blocks: list[Block] = [_extremes_table("Over the whole test", [*sampled, *speed], noted)]
+    blocks: list[Block] = [_extremes_table(tr("Over the whole test"), [*sampled, *speed], noted)]
     if slow:
-        title = "Slow channels, one value a revolution"
+        title = tr("Slow channels, one value a revolution")
         blocks.append(_extremes_table(title, slow, noted, of="mean"))
         ages = ", ".join(f"{one.name} {duration(one.age_s, exact=True)}" for one in slow)
-        blocks.append(Text(f"Oldest value at the end of a revolution: {ages}."))
+        blocks.append(Text(tr("Oldest value at the end of a revolution: {}.", ages)))
     if noted:
-        notes = "; ".join(f"revolution {one}: {words}" for one, words in noted.items())
-        blocks.append(Text(f"* The revolution carries a quality flag. {notes}."))
+        notes = "; ".join(tr("revolution {}: {}", one, words) for one, words in noted.items())
+        blocks.append(Text(tr("* The revolution carries a quality flag. {}.", notes)))
     blocks.append(
         Text(
-            f"First and last {ENDS}: mean over the first and last {ENDS} revolutions without "
-            "a quality flag."
+            tr(
+                "First and last {}: mean over the first and last {} revolutions "
+                "without a quality flag.",
+                ENDS,
+                ENDS,
+            )
         )
     )
     doubts = [
@@ -87,20 +92,20 @@ def extremes(
         if one.name in stated
     ]
     if doubts:
-        blocks.append(Text(f"Expanded uncertainty of a value: {', '.join(doubts)}."))
+        blocks.append(Text(tr("Expanded uncertainty of a value: {}.", ", ".join(doubts))))
     forces = [one for one in sampled if one.channel.instrument == LOAD_CELL]
     if forces:
-        name = "Forces against revolution"
+        name = tr("Forces against revolution")
         blocks.append(plots.trends(forces, agreement, rows.gaps, name, uncertainty))
     free = [one for one in rows.channels if not one.channel.instrument]
     others = [*(one for one in sampled if one not in (*forces, *free)), *speed]
     if others:
-        name = "Displacement and speed against revolution"
+        name = tr("Displacement and speed against revolution")
         blocks.append(plots.trends(others, None, rows.gaps, name, stated=stated))
     for some in batched(free):
-        name = f"{', '.join(one.name for one in some)} against revolution"
+        name = tr("{} against revolution", ", ".join(one.name for one in some))
         blocks.append(plots.trends(some, None, rows.gaps, name, stated=stated))
-    return [Section("Extremes and RMS of every channel", tuple(blocks))]
+    return [Section(tr("Extremes and RMS of every channel"), tuple(blocks))]
 
 
 def batched(channels: Sequence[Any]) -> Iterator[Sequence[Any]]:
@@ -115,18 +120,27 @@ def _extremes_table(
     return Table(
         title,
         tuple(_extremes_row(one, noted) for one in channels),
-        ("channel", "unit", "largest", "in revolution", "smallest", "in revolution",
-         f"{of} over the test", f"{of}, first {ENDS}", f"{of}, last {ENDS}"),
-    )  # fmt: skip
+        (
+            tr("channel"),
+            tr("unit"),
+            tr("largest"),
+            tr("in revolution"),
+            tr("smallest"),
+            tr("in revolution"),
+            tr("{} over the test", of),
+            tr("{}, first {}", of, ENDS),
+            tr("{}, last {}", of, ENDS),
+        ),
+    )
 
 
 def _extremes_row(channel: ChannelFacts, noted: dict[str, str]) -> tuple[str, ...]:
     def place(peak: Peak) -> str:
         if not math.isfinite(peak.value):
-            return UNKNOWN
+            return tr(UNKNOWN)
         if not peak.quality:
             return grouped(peak.revolution)
-        noted[grouped(peak.revolution)] = flags(peak.quality) or f"flag {peak.quality}"
+        noted[grouped(peak.revolution)] = flags(peak.quality) or tr("flag {}", peak.quality)
         return f"{grouped(peak.revolution)}*"
 
     values = (channel.overall, channel.start, channel.end)
@@ -145,47 +159,47 @@ def agreement(
     found: Agreement | None, rows: Rows | None, events: Sequence[Event] = ()
 ) -> list[Section]:
     """Return how well the model agrees with the measurement."""
-    title = "Agreement with the model"
+    title = tr("Agreement with the model")
     if found is None or rows is None:
-        return [Section(title, (Text("No prediction is recorded in the file."),))]
+        return [Section(title, (Text(tr("No prediction is recorded in the file.")),))]
     residuals = Table(
-        "Measured minus model",
+        tr("Measured minus model"),
         tuple(
-            (RESIDUALS[one.name], symbol(one.unit), number(one.mean, one.unit, 2),
+            (tr(RESIDUALS[one.name]), symbol(one.unit), number(one.mean, one.unit, 2),
              number(one.worst.value, one.unit, 2),
-             grouped(one.worst.revolution) if math.isfinite(one.worst.value) else UNKNOWN,
+             grouped(one.worst.revolution) if math.isfinite(one.worst.value) else tr(UNKNOWN),
              number(one.last, one.unit, 2))
             for one in found.residuals
         ),
-        ("quantity", "unit", "mean", "largest", "in revolution", "last"),
+        (tr("quantity"), tr("unit"), tr("mean"), tr("largest"), tr("in revolution"), tr("last")),
     )  # fmt: skip
     pairs = Table(
-        "Mean of the statistics over the compared revolutions, N",
+        tr("Mean of the statistics over the compared revolutions, N"),
         tuple(
             (_statistic(one.name), number(one.measured, "N"), number(one.predicted, "N"),
              number(one.measured - one.predicted, "N"))
             for one in found.pairs
         ),
-        ("statistic", "measured", "model", "difference"),
+        (tr("statistic"), tr("measured"), tr("model"), tr("difference")),
     )  # fmt: skip
     lead = Text(
-        f"{counted(found.compared, 'revolution')} of {grouped(rows.revolutions)} compared."
+        tr("{} of {} compared.", counted(found.compared, "revolution"), grouped(rows.revolutions))
         + _relative(found, rows)
-        + (f" The model: {found.joint}." if found.joint else "")
+        + (tr(" The model: {}.", found.joint) if found.joint else "")
     )
     blocks: list[Block] = [lead, residuals]
     if found.deviation:
-        blocks.insert(1, Text(f"{found.deviation} (the last revolution).", strong=True))
+        blocks.insert(1, Text(tr("{} (the last revolution).", found.deviation), strong=True))
     if found.pairs:
         blocks.append(pairs)
     blocks.append(plots.residual_trend(found, rows.gaps))
     told = [one for one in events if one.kind == "twin"]
     if told:
         table = tuple(
-            (utc(one.time), grouped(one.revolution), sentence_of(one.text)) for one in told[:TOLD]
+            (utc(one.time), grouped(one.revolution), translate(one.text)) for one in told[:TOLD]
         )
-        header = ("time, UTC", "revolution", "what became of the prediction")
-        left = f"First {TOLD} of {grouped(len(told))} lines" if len(told) > TOLD else ""
+        header = (tr("time, UTC"), tr("revolution"), tr("what became of the prediction"))
+        left = tr("First {} of {} lines", TOLD, grouped(len(told))) if len(told) > TOLD else ""
         blocks.append(Table(left, table, header))
     return [Section(title, tuple(blocks))]
 
@@ -195,12 +209,12 @@ def _relative(found: Agreement, rows: Rows) -> str:
     force = next((one.overall for one in rows.channels if one.name == "force"), math.nan)
     if not (math.isfinite(residual) and force > 0):
         return ""
-    return f" The mean residual of |F| is {100 * residual / force:.1f} % of the RMS force."
+    return tr(" The mean residual of |F| is {:.1f} % of the RMS force.", 100 * residual / force)
 
 
 def _statistic(name: str) -> str:
     channel, _, statistic = name.rpartition("_")
-    return f"{STATISTICS[statistic]} of {plots.SHORT[channel]}"
+    return tr("{} of {}", tr(STATISTICS[statistic]), tr(plots.SHORT[channel]))
 
 
 def trip(found: TripCapture | None, reason: str) -> list[Section]:
@@ -209,10 +223,10 @@ def trip(found: TripCapture | None, reason: str) -> list[Section]:
         return []
     text = capitalised(reason)
     if found.turned_s > 0.0:
-        text += f" The crank turned for {found.turned_s:.2f} s more, by the device's clock."
+        text += tr(" The crank turned for {:.2f} s more, by the device's clock.", found.turned_s)
     if math.isfinite(found.stood_s):
-        text += f" It was seen at rest {found.stood_s:.2f} s after the alarm."
-    return [Section("Trip", (Text(text, strong=True), plots.trip(found)))]
+        text += tr(" It was seen at rest {:.2f} s after the alarm.", found.stood_s)
+    return [Section(tr("Trip"), (Text(text, strong=True), plots.trip(found)))]
 
 
 def cycles(
@@ -228,21 +242,23 @@ def cycles(
     """
     blocks: list[Block] = []
     if refused:
-        text = f"{counted(refused, 'whole cycle')} had no room in the file and could not be kept."
+        text = tr(
+            "{} had no room in the file and could not be kept.", counted(refused, "whole cycle")
+        )
         blocks.append(Text(text, strong=True))
     if pictures:
         blocks.append(plots.cycles(pictures, uncertainty))
         free = batched(pictures[0].free)
         blocks += [plots.free_cycles(pictures, some) for some in free]
     else:
-        blocks.append(Text("No whole cycle is saved."))
+        blocks.append(Text(tr("No whole cycle is saved.")))
     blocks += _bursts(bursts)
     if unfinished:
         numbers = ", ".join(grouped(one) for one in unfinished)
         blocks.append(
-            Text(f"Cut off by the end of the test, and kept apart: revolution {numbers}.")
+            Text(tr("Cut off by the end of the test, and kept apart: revolution {}.", numbers))
         )
-    return Section("Whole cycles", tuple(blocks))
+    return Section(tr("Whole cycles"), tuple(blocks))
 
 
 def _bursts(bursts: Sequence[Burst]) -> list[Block]:
@@ -251,15 +267,15 @@ def _bursts(bursts: Sequence[Burst]) -> list[Block]:
         return []
     table = tuple(
         (grouped(one.trigger) if one.trigger else "–", grouped(one.first), grouped(one.last),
-         grouped(one.cycles), flags(one.quality) or "good")
+         grouped(one.cycles), flags(one.quality) or tr("good"))
         for one in bursts[:BURSTS_SHOWN]
     )  # fmt: skip
-    header = ("trigger in revolution", "kept from", "to", "cycles", "quality")
-    title = "Whole cycles kept around alarms, limits and notes"
+    header = (tr("trigger in revolution"), tr("kept from"), tr("to"), tr("cycles"), tr("quality"))
+    title = tr("Whole cycles kept around alarms, limits and notes")
     blocks: list[Block] = [Table(title, table, header)]
     if len(bursts) > BURSTS_SHOWN:
-        left = counted(len(bursts) - BURSTS_SHOWN, "more trigger")
-        blocks.append(Text(f"{left} left out here; the cycles are in the file."))
+        left = counted(len(bursts) - BURSTS_SHOWN, tr("more trigger"))
+        blocks.append(Text(tr("{} left out here; the cycles are in the file.", left)))
     return blocks
 
 
@@ -268,29 +284,34 @@ def wear(found: Agreement | None, worn: Worn | None = None) -> Section:
     known = found.wear if found is not None else {}
     table = Table(
         "",
-        tuple(
-            (words, *_wear_cells(known.get(name)))
-            for name, words in WEAR.items()
+        tuple((tr(words), *_wear_cells(known.get(name))) for name, words in WEAR.items()),
+        (
+            tr("wear depth"),
+            tr("depth, µm"),
+            tr("at revolution"),
+            tr("rate, µm per 1000 revolutions"),
         ),
-        ("wear depth", "depth, µm", "at revolution", "rate, µm per 1000 revolutions"),
-    )  # fmt: skip
+    )
     blocks: list[Block] = [table]
     if any(known.values()):
         blocks.append(
             Text(
-                "The rate is that of a straight line through the last half. The uncertainty of the"
-                " measured depth (k = 2) holds noise, the wear before the reference and the change"
-                " of the elastic approach, not the probes' calibration. Figure 1 shows the depth."
+                tr(
+                    "The rate is that of a straight line through the last half. The "
+                    "uncertainty of the measured depth (k = 2) holds noise, the wear "
+                    "before the reference and the change of the elastic approach, not the "
+                    "probes' calibration. Figure 1 shows the depth."
+                )
             )
         )
     blocks += profile_blocks(worn)
-    return Section("Wear", tuple(blocks))
+    return Section(tr("Wear"), tuple(blocks))
 
 
 def _wear_cells(found: LastDepth | None) -> tuple[str, str, str]:
     if found is None:
-        return UNKNOWN, UNKNOWN, UNKNOWN
-    rate = UNKNOWN if math.isnan(found.rate) else f"{1e6 * found.rate:.3g}"
+        return tr(UNKNOWN), tr(UNKNOWN), tr(UNKNOWN)
+    rate = tr(UNKNOWN) if math.isnan(found.rate) else f"{1e6 * found.rate:.3g}"
     depth = number(1e3 * found.depth, "um", 2)
     if math.isfinite(found.uncertainty):
         depth += f" ± {number(1e3 * found.uncertainty, 'um', 2)}"
@@ -299,19 +320,24 @@ def _wear_cells(found: LastDepth | None) -> tuple[str, str, str]:
 
 def quality(rows: Rows | None) -> Section:
     """Return the quality flags, counted, in words."""
-    title = "Quality of the data"
+    title = tr("Quality of the data")
     if rows is None:
-        return Section(title, (Text("No revolution is recorded."),))
-    counted_flags = [(FLAGS[flag], grouped(value)) for flag, value in rows.flags.items() if value]
+        return Section(title, (Text(tr("No revolution is recorded.")),))
+    counted_flags = [
+        (tr(FLAGS[flag]), grouped(value)) for flag, value in rows.flags.items() if value
+    ]
     if rows.unknown_flags:
-        counted_flags.append(("flags that this version does not know", grouped(rows.unknown_flags)))
+        counted_flags.append(
+            (tr("flags that this version does not know"), grouped(rows.unknown_flags))
+        )
     table = Table(
         "",
-        (("no flag, good", grouped(rows.good)), *counted_flags),
-        ("quality", "revolutions"),
+        ((tr("no flag, good"), grouped(rows.good)), *counted_flags),
+        (tr("quality"), tr("revolutions")),
     )
-    text = (
-        f"{counted(rows.lost_samples, 'sample')} lost in all; a revolution has about "
-        f"{quantity(rows.samples_each, '1')} samples. A revolution can carry several flags."
+    text = tr(
+        "{} lost in all; a revolution has about {} samples. A revolution can carry several flags.",
+        counted(rows.lost_samples, "sample"),
+        quantity(rows.samples_each, "1"),
     )
     return Section(title, (table, Text(text)))

@@ -160,9 +160,9 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
     if len(bands) > 1:
         said += beyond_band(bands[0], kept.bins.closed[: len(moments)], before)
     if until is not None:
-        said += f" After revolution {until} the measured wear depth is not to be trusted."
+        said += say(" After revolution {} the measured wear depth is not to be trusted.", until)
     if before:
-        said += f" Revolutions are counted from the new bushing, {before} before this test."
+        said += say(" Revolutions are counted from the new bushing, {} before this test.", before)
     return IdentifiedTest(
         **plain,
         record=record,
@@ -270,10 +270,17 @@ def beyond_band(early: ForecastBand, bins: Sequence[Bin], before: int = 0) -> st
     depth = 1e6 * last.depth
     if not (depth < low or depth > high):
         return ""
-    return (
-        f" {depth:.1f} um are measured at revolution {middle - before:.0f}; after revolution"
-        f" {early.after - before} {median:.1f} um were predicted there, {low:.1f} to {high:.1f} um"
-        " with 95 %. The joint wears otherwise than the model and its first readings let expect."
+    return say(
+        " {:.1f} µm are measured at revolution {:.0f}; after revolution {} "
+        "{:.1f} µm were predicted there, {:.1f} to {:.1f} µm with 95 %. The "
+        "joint wears otherwise than the model and its first readings let "
+        "expect.",
+        depth,
+        middle - before,
+        early.after - before,
+        median,
+        low,
+        high,
     )
 
 
@@ -313,7 +320,7 @@ def identified_tests(
             continue
         later = next((two for two in tests if two.specimen == one.specimen and two.before), None)
         if later is not None and later.before > one.before:
-            why_not = f"{one.path.name}: its readings are among those of {later.path.name}"
+            why_not = say("{}: its readings are among those of {}", one.path.name, later.path.name)
             continue
         try:
             estimates.append(estimate_of(one.known, one.record))
@@ -324,6 +331,6 @@ def identified_tests(
     if not estimates:
         return IdentifiedTests(tuple(tests), why_not=why_not)
     names = ", ".join(one.path.name for one in counted)
-    specimens = "one specimen" if len(counted) == 1 else f"{len(counted)} specimens"
+    specimens = say("one specimen") if len(counted) == 1 else say("{} specimens", len(counted))
     pairing = pairing_of(estimates, f"{specimens}: {names}")
     return IdentifiedTests(tuple(tests), pairing, tuple(counted), why_not)

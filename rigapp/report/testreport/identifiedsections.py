@@ -13,6 +13,7 @@ from rigapp.presentation.numbers import (
     grouped,
 )
 from rigapp.presentation.times import duration
+from rigapp.presentation.translation import tr
 from rigapp.report.page.figures import MODEL, canvas_of, name_curves, revolution_axis, saved
 from rigapp.report.page.manuscript import Block, Figure, Manuscript, Section, Table, Text
 from rigapp.report.testreport.identified import IdentifiedTest, IdentifiedTests
@@ -30,7 +31,7 @@ def draw_depth(axes: Any, test: IdentifiedTest, known: Identification) -> None:
     readings = known.readings
     shades = (COLOURS["probe_2"], MODEL) if len(test.bands) > 1 else (MODEL,)
     for one, colour in zip(test.bands, shades, strict=True):
-        band, label = one.band, f"95 % band\nfrom {grouped(one.after)} on"
+        band, label = one.band, tr("95 % band\nfrom {} on", grouped(one.after))
         axes.fill_between(
             band.revolution, 1e6 * band.low, 1e6 * band.high, color=colour, alpha=0.25, lw=0
         )
@@ -41,8 +42,8 @@ def draw_depth(axes: Any, test: IdentifiedTest, known: Identification) -> None:
         color=COLOURS["force"], label="measured",
     )  # fmt: skip
     if test.left is not None:
-        axes.axhline(1e6 * test.left.depth, color="#444444", lw=0.8, label="end of the\ntest")
-    axes.set_ylabel("wear depth (µm)")
+        axes.axhline(1e6 * test.left.depth, color="#444444", lw=0.8, label=tr("end of the\ntest"))
+    axes.set_ylabel(tr("wear depth (µm)"))
 
 
 def depth_figure(test: IdentifiedTest, known: Identification) -> Figure:
@@ -53,15 +54,15 @@ def depth_figure(test: IdentifiedTest, known: Identification) -> Figure:
         name_curves(axes)
         readings = known.readings
         revolution_axis(axes)
-        words = (
-            f"Depth measured up to revolution {grouped(int(readings.revolution[-1]))}, and the"
-            " bands in which it was predicted to lie."
+        words = tr(
+            "Depth measured up to revolution {}, and the bands in which it was predicted to lie.",
+            grouped(int(readings.revolution[-1])),
         )
-        caption = (
-            "Means of bins of revolutions (points), and where the depth was predicted to lie with"
-            " 95 % probability, from the readings until then."
+        caption = tr(
+            "Means of bins of revolutions (points), and where the depth was "
+            "predicted to lie with 95 % probability, from the readings until then."
         )
-        return saved(canvas, "Wear depth and its prediction", words, caption)
+        return saved(canvas, tr("Wear depth and its prediction"), words, caption)
 
 
 def narrowing_figure(test: IdentifiedTest) -> Figure:
@@ -76,14 +77,19 @@ def narrowing_figure(test: IdentifiedTest) -> Figure:
         axes.plot(at, median, color=COLOURS["value"], marker="o", ms=2.5, label="median")
         axes.set_xscale("log")
         axes.set_ylabel(COEFFICIENT)
-        axes.set_xlabel("revolution")
+        axes.set_xlabel(tr("revolution"))
         name_curves(axes)
-        words = (
-            f"The wear coefficient was known within {low[0]:.3g} and {high[0]:.3g} at revolution"
-            f" {grouped(int(at[0]))}, within {low[-1]:.3g} and {high[-1]:.3g} at the end."
+        words = tr(
+            "The wear coefficient was known within {:.3g} and {:.3g} at revolution "
+            "{}, within {:.3g} and {:.3g} at the end.",
+            low[0],
+            high[0],
+            grouped(int(at[0])),
+            low[-1],
+            high[-1],
         )
-        caption = "What the readings until then tell: median and 95 % credible limits."
-        return saved(canvas, "Wear coefficient against revolution", words, caption)
+        caption = tr("What the readings until then tell: median and 95 % credible limits.")
+        return saved(canvas, tr("Wear coefficient against revolution"), words, caption)
 
 
 def specimen_figure(found: IdentifiedTests) -> Figure | None:
@@ -95,7 +101,10 @@ def specimen_figure(found: IdentifiedTests) -> Figure | None:
         for one in found.counted
         if one.known is not None
     ]
-    lines += [("median specimen", found.pairing.coefficient), ("next specimen", found.pairing.next)]
+    lines += [
+        (tr("median specimen"), found.pairing.coefficient),
+        (tr("next specimen"), found.pairing.next),
+    ]
     with canvas_of(0.8 + 0.22 * len(lines)) as canvas:
         axes = canvas.subplots()
         for place, (_, one) in enumerate(lines):
@@ -110,9 +119,9 @@ def specimen_figure(found: IdentifiedTests) -> Figure | None:
         axes.set_xlabel(COEFFICIENT)
         canvas.subplots_adjust(left=0.25)
         names = ", ".join(name for name, _ in lines)
-        words = f"Wear coefficients with 95 % limits of {names}."
-        caption = "Median and 95 % limits; the last two by all specimens together."
-        return saved(canvas, "Wear coefficients of the specimens", words, caption)
+        words = tr("Wear coefficients with 95 % limits of {}.", names)
+        caption = tr("Median and 95 % limits; the last two by all specimens together.")
+        return saved(canvas, tr("Wear coefficients of the specimens"), words, caption)
 
 
 SECTION = "What is known of the wear"
@@ -132,10 +141,12 @@ def _prior_text(prior: Prior) -> str:
 def _budget_text(known: Identification) -> str:
     """Return what the limits of the coefficient hold beside the readings' own disturbances."""
     errors = known.errors
-    return (
-        f"probes {100.0 * known.sensitivity:.2g} %, zero {1e6 * errors.reference:.2g} µm,"
-        f" force {100.0 * errors.load:.2g} %,"
-        f" clearance and width {100.0 * errors.geometry:.2g} %, modulus"
+    return tr(
+        "probes {:.2g} %, zero {:.2g} µm, force {:.2g} %, clearance and width {:.2g} %, modulus",
+        100.0 * known.sensitivity,
+        1000000.0 * errors.reference,
+        100.0 * errors.load,
+        100.0 * errors.geometry,
     )
 
 
@@ -143,15 +154,17 @@ def remaining_text(test: IdentifiedTest) -> str:
     """Return how long the test goes on until the depth of its end, in words."""
     left = test.left
     if left is None:
-        return "not asked for: the test has no stop.wear_depth_um"
+        return tr("not asked for: the test has no stop.wear_depth_um")
     if left.revolutions is None:
         return left.reason or UNKNOWN
     one = left.revolutions
-    high = grouped(round(one.high)) if math.isfinite(one.high) else "what the model computes"
-    text = f"{grouped(round(one.median))} (95 %: {grouped(round(one.low))} to {high}) revolutions"
+    high = grouped(round(one.high)) if math.isfinite(one.high) else tr("what the model computes")
+    text = tr(
+        "{} (95 %: {} to {}) revolutions", grouped(round(one.median)), grouped(round(one.low)), high
+    )
     left_s = test.remaining_s
-    after = f", {duration(left_s)} at the last set speed" if left_s > 0.0 else ""
-    return f"{text} until {1e6 * left.depth:.4g} µm{after}"
+    after = tr(", {} at the last set speed", duration(left_s)) if left_s > 0.0 else ""
+    return tr("{} until {:.4g} µm{}", text, 1000000.0 * left.depth, after)
 
 
 def known_blocks(test: IdentifiedTest) -> tuple[Block, ...]:
@@ -160,12 +173,12 @@ def known_blocks(test: IdentifiedTest) -> tuple[Block, ...]:
     if known is None:
         return (Text(test.said),)
     rows = (
-        ("Wear coefficient", credible_text(known.coefficient)),
-        ("Readings up to revolution", grouped(int(known.revolution))),
-        ("Remaining", remaining_text(test)),
-        ("Record of the probes", test.record),
-        ("Standard uncertainties in the limits", _budget_text(known)),
-        ("Assumed beforehand", f"{_prior_text(known.prior)}, {known.prior.source}"),
+        (tr("Wear coefficient"), credible_text(known.coefficient)),
+        (tr("Readings up to revolution"), grouped(int(known.revolution))),
+        (tr("Remaining"), remaining_text(test)),
+        (tr("Record of the probes"), test.record),
+        (tr("Standard uncertainties in the limits"), _budget_text(known)),
+        (tr("Assumed beforehand"), f"{_prior_text(known.prior)}, {known.prior.source}"),
     )
     statements = tuple(
         (
@@ -177,11 +190,17 @@ def known_blocks(test: IdentifiedTest) -> tuple[Block, ...]:
         )
         for one in known.verdicts
     )
-    header = ("statement", "probability", "coefficient now", "before", "revolution")
+    header = (
+        tr("statement"),
+        tr("probability"),
+        tr("coefficient now"),
+        tr("before"),
+        tr("revolution"),
+    )
     return (
         Text(test.said),
         Table("", rows),
-        Table(f"What may be true of the coefficient, {COEFFICIENT_UNIT}", statements, header),
+        Table(tr("What may be true of the coefficient, {}", COEFFICIENT_UNIT), statements, header),
         depth_figure(test, known),
         *([narrowing_figure(test)] if test.course["revolution"].size else []),
     )
@@ -203,9 +222,9 @@ def identified_document(found: IdentifiedTests) -> Manuscript:
         Section(f"{one.path.name}: {one.specimen or one.title}", known_blocks(one))
         for one in found.tests
     ]
-    title = "What is known of the wear"
+    title = tr("What is known of the wear")
     names = ", ".join(one.path.name for one in found.tests)
-    return Manuscript(title, f"{title}: {names}", tuple(sections), f"Made from {names}.", ())
+    return Manuscript(title, f"{title}: {names}", tuple(sections), tr("Made from {}.", names), ())
 
 
 def pairing_rows(found: IdentifiedTests) -> tuple[tuple[str, str], ...]:
@@ -215,16 +234,20 @@ def pairing_rows(found: IdentifiedTests) -> tuple[tuple[str, str], ...]:
         return ()
     factor = pairing.scatter
     return (
-        ("Median specimen", credible_text(pairing.coefficient)),
-        ("Next specimen", credible_text(pairing.next)),
+        (tr("Median specimen"), credible_text(pairing.coefficient)),
+        (tr("Next specimen"), credible_text(pairing.next)),
         (
-            "Scatter between specimens",
-            f"a factor of {factor.median:.2f} (95 %: {factor.low:.2f} to {factor.high:.2f}) for one"
-            " standard deviation",
+            tr("Scatter between specimens"),
+            tr(
+                "a factor of {:.2f} (95 %: {:.2f} to {:.2f}) for one standard deviation",
+                factor.median,
+                factor.low,
+                factor.high,
+            ),
         ),
         (
-            "Prior for the next test",
-            f"{_prior_text(pairing.prior)}, spread of ln K {pairing.prior.spread:.3g}",
+            tr("Prior for the next test"),
+            tr("{}, spread of ln K {:.3g}", _prior_text(pairing.prior), pairing.prior.spread),
         ),
     )
 
@@ -239,12 +262,12 @@ def _together(found: IdentifiedTests) -> Section:
         )
         for one in found.tests
     )
-    header = ("file", "specimen", f"coefficient, {COEFFICIENT_UNIT}", "statement")
+    header = (tr("file"), tr("specimen"), tr("coefficient, {}", COEFFICIENT_UNIT), tr("statement"))
     blocks: list[Block] = [Table("", lines, header)]
     rows = pairing_rows(found)
     if rows:
-        blocks.append(Table("Specimens of one pairing", rows))
+        blocks.append(Table(tr("Specimens of one pairing"), rows))
     if found.why_not:
-        blocks.append(Text(f"Not counted: {found.why_not}"))
+        blocks.append(Text(tr("Not counted: {}", found.why_not)))
     figure = specimen_figure(found)
-    return Section("Specimens together", (*blocks, *([figure] if figure is not None else [])))
+    return Section(tr("Specimens together"), (*blocks, *([figure] if figure is not None else [])))

@@ -12,10 +12,11 @@ from rigapp.config.recipe import LimitsSection
 from rigapp.config.rules import ALWAYS
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.times import duration
+from rigapp.presentation.translation import Text as Words
+from rigapp.presentation.translation import tr, translate
 from rigapp.report.page.manuscript import Block, Section, Table, Text
 from rigapp.report.testreport.facts import Rows, span_of
 from rigapp.report.testreport.wording import UNKNOWN, counted, number, symbol, utc
-from rigapp.schema.details import sentence_of
 from rigapp.schema.loglines import (
     ALARM,
     LIMIT_CHANGED,
@@ -168,7 +169,7 @@ def _number(value: Any) -> list[float]:
 SHOWN = 60
 """Longest table of the log; the rest is counted, and is in the file."""
 
-KINDS = {
+KINDS: dict[str, Words] = {
     "note": "note",
     "limit_changed": "limit changed",
     "zero": "zero taken",
@@ -184,13 +185,13 @@ def sections(
     refused = reader.state("events_refused")
     course = [_course(events)]
     if refused:
-        text = f"The log was full: {counted(refused, 'event')} could not be kept."
+        text = tr("The log was full: {} could not be kept.", counted(refused, "event"))
         course.insert(0, Text(text, strong=True))
     return [
-        Section("Gaps", _gaps(events, rows)),
-        Section("Limits and alarms", (*_limits(reader, limits), *_alarms(events, reason))),
-        Section("Notes and changes", _changes(events)),
-        Section("Course of the test", tuple(course)),
+        Section(tr("Gaps"), _gaps(events, rows)),
+        Section(tr("Limits and alarms"), (*_limits(reader, limits), *_alarms(events, reason))),
+        Section(tr("Notes and changes"), _changes(events)),
+        Section(tr("Course of the test"), tuple(course)),
     ]
 
 
@@ -198,34 +199,50 @@ def _gaps(events: Sequence[Event], rows: Rows | None) -> tuple[Block, ...]:
     told = [one for one in events if one.kind == "gap"]
     found = rows.gaps if rows is not None else ()
     if not told and not found:
-        return (Text("None: every revolution follows the one before."),)
+        return (Text(tr("None: every revolution follows the one before.")),)
     blocks: list[Block] = []
     if found:
         known = [gap.seconds for gap in found if math.isfinite(gap.seconds)]
         missing = sum(gap.missing for gap in found)
-        text = f"{counted(len(found), 'gap')}, {counted(missing, 'revolution')} not recorded"
-        blocks.append(Text(f"{text}, {duration(sum(known), exact=True)} without data in all."))
+        text = tr("{}, {} not recorded", counted(len(found), "gap"), counted(missing, "revolution"))
+        blocks.append(
+            Text(tr("{}, {} without data in all.", text, duration(sum(known), exact=True)))
+        )
         table = tuple(
             (grouped(gap.revolution), grouped(gap.missing), grouped(gap.lost_samples),
              duration(gap.seconds, exact=True))
             for gap in found
         )  # fmt: skip
-        header = ("before revolution", "revolutions not recorded", "samples lost", "without data")
-        blocks += _cut("Where data are missing", table, header)
+        header = (
+            tr("before revolution"),
+            tr("revolutions not recorded"),
+            tr("samples lost"),
+            tr("without data"),
+        )
+        blocks += _cut(tr("Where data are missing"), table, header)
     if told:
         rows_told = tuple(
-            (utc(one.time), grouped(one.revolution), sentence_of(one.text)) for one in told
+            (utc(one.time), grouped(one.revolution), translate(one.text)) for one in told
         )
-        blocks += _cut("What the log says", rows_told, ("time, UTC", "after revolution", "gap"))
+        blocks += _cut(
+            tr("What the log says"), rows_told, (tr("time, UTC"), tr("after revolution"), tr("gap"))
+        )
     return tuple(blocks)
 
 
 def _limits(reader: TestReader, limits: Sequence[Limit]) -> list[Block]:
     if not limits:
-        return [Text("The file does not tell the limits of the test.")]
+        return [Text(tr("The file does not tell the limits of the test."))]
     table = tuple(_limit_row(reader, one) for one in limits)
-    header = ("limit", "at the start", "at the end", "reached", "unit", "action")
-    return [Table("Limits", table, header)]
+    header = (
+        tr("limit"),
+        tr("at the start"),
+        tr("at the end"),
+        tr("reached"),
+        tr("unit"),
+        tr("action"),
+    )
+    return [Table(tr("Limits"), table, header)]
 
 
 def _limit_row(reader: TestReader, limit: Limit) -> tuple[str, ...]:
@@ -234,10 +251,10 @@ def _limit_row(reader: TestReader, limit: Limit) -> tuple[str, ...]:
     reached = "–"
     if span is not None:
         reached = number(span[1] if limit.above else span[0], unit)
-    start, now = (f"{value:g}" if math.isfinite(value) else "none"
+    start, now = (f"{value:g}" if math.isfinite(value) else tr("none")
                   for value in (limit.start, limit.now))  # fmt: skip
     name = limit.name.replace("_", " ").replace(".", ", ").removesuffix(f" {unit}")
-    return name, start, now, reached, symbol(unit), limit.action
+    return tr(name), start, now, reached, symbol(unit), tr(limit.action)
 
 
 def _alarms(events: Sequence[Event], reason: str) -> list[Block]:
@@ -246,41 +263,61 @@ def _alarms(events: Sequence[Event], reason: str) -> list[Block]:
     blocks: list[Block] = []
     if silent:
         blocks.append(
-            Text(f"Limits that act by a line in the log only: {counted(len(silent), 'line')}.")
+            Text(tr("Limits that act by a line in the log only: {}.", counted(len(silent), "line")))
         )
     if not found:
-        return [*blocks, Text("No alarm was raised.")]
+        return [*blocks, Text(tr("No alarm was raised."))]
     first = next((one for one in found if one.first_out), None)
     if first is not None:
-        text = (
-            f"First out, the alarm that ended the test: {first.title}. {sentence_of(first.cause)}"
+        text = tr(
+            "First out, the alarm that ended the test: {}. {}",
+            translate(first.title),
+            translate(first.cause),
         )
         blocks.append(Text(text, strong=True))
-    header = ("raised, UTC", "revolution", "alarm", "cause", "cleared, UTC", "acknowledged")
+    header = (
+        tr("raised, UTC"),
+        tr("revolution"),
+        tr("alarm"),
+        tr("cause"),
+        tr("cleared, UTC"),
+        tr("acknowledged"),
+    )
     table = tuple(_alarm_row(one) for one in found)
-    return [*blocks, *_cut(f"Alarms: {grouped(len(found))} raised", table, header)]
+    return [*blocks, *_cut(tr("Alarms: {} raised", grouped(len(found))), table, header)]
 
 
 def _alarm_row(alarm: AlarmRecord) -> tuple[str, ...]:
-    title = f"{alarm.title} (first out)" if alarm.first_out else alarm.title
-    cleared = utc(alarm.cleared_at) if alarm.cleared_at is not None else "not in the log"
+    title = (
+        tr("{} (first out)", translate(alarm.title)) if alarm.first_out else translate(alarm.title)
+    )
+    cleared = utc(alarm.cleared_at) if alarm.cleared_at is not None else tr("not in the log")
     return (
         utc(alarm.raised_at),
         grouped(alarm.revolution),
         title,
-        sentence_of(alarm.cause),
+        translate(alarm.cause),
         cleared,
-        f"by {alarm.acknowledged}" if alarm.acknowledged else "no",
+        tr("by {}", alarm.acknowledged) if alarm.acknowledged else tr("no"),
     )
 
 
 def _changes(events: Sequence[Event]) -> tuple[Block, ...]:
     found = changes_of(events)
     if not found:
-        return (Text("No notes were written and nothing was changed during the test."),)
-    header = ("time, UTC", "revolution", "what", "by", "text", "before", "after")
+        return (Text(tr("No notes were written and nothing was changed during the test.")),)
+    header = (
+        tr("time, UTC"),
+        tr("revolution"),
+        tr("what"),
+        tr("by"),
+        tr("text"),
+        tr("before"),
+        tr("after"),
+    )
     table = tuple(
-        (utc(one.time), grouped(one.revolution), KINDS[one.kind], one.source, sentence_of(one.text),
+        (utc(one.time), grouped(one.revolution), tr(KINDS[one.kind]), one.source,
+         translate(one.text),
          one.before or "–", one.after or "–")
         for one in found
     )  # fmt: skip
@@ -290,15 +327,19 @@ def _changes(events: Sequence[Event]) -> tuple[Block, ...]:
 def _course(events: Sequence[Event]) -> Block:
     found = course_of(events)
     if not found:
-        return Text("The log has no entries.")
+        return Text(tr("The log has no entries."))
     table = tuple(
-        (utc(one.time), grouped(one.revolution), one.kind.replace("_", " "), one.source,
-         sentence_of(one.text) or UNKNOWN)
+        (utc(one.time), grouped(one.revolution), tr(one.kind.replace("_", " ")), tr(one.source),
+         translate(one.text) or tr(UNKNOWN))
         for one in found
     )  # fmt: skip
     kept = table if len(table) <= SHOWN else table[: SHOWN // 2] + table[-SHOWN // 2 :]
-    title = "" if kept is table else f"First and last {SHOWN // 2} of {grouped(len(table))} entries"
-    return Table(title, kept, ("time, UTC", "revolution", "what", "by", "text"))
+    title = (
+        ""
+        if kept is table
+        else tr("First and last {} of {} entries", SHOWN // 2, grouped(len(table)))
+    )
+    return Table(title, kept, (tr("time, UTC"), tr("revolution"), tr("what"), tr("by"), tr("text")))
 
 
 def _cut(
@@ -307,6 +348,6 @@ def _cut(
     """Return a table, and when it is too long a sentence on what is left out."""
     blocks: list[Block] = [Table(title, rows[:shown], header)]
     if len(rows) > shown:
-        text = f"{grouped(len(rows) - shown)} more are left out here; they are in the file."
+        text = tr("{} more are left out here; they are in the file.", grouped(len(rows) - shown))
         blocks.append(Text(text))
     return blocks

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.translation import Text, tr
 from rigapp.report.page.figures import (
     AXIS_IN,
     FIRST,
@@ -61,9 +62,9 @@ DEPTHS: Mapping[str, tuple[Mapping[str, Any], str, str]] = {
 }
 """Depth of wear -> how it is drawn, its label, how it is told."""
 GAPS_SHOWN = 40  # more would hide the curves
-BAND_WORDS = "Shaded: the expanded uncertainty of a force by the calibration."
-STATED_WORDS = "Shaded: the expanded uncertainty of a value by the calibration."
-SHORT = {
+BAND_WORDS: Text = "Shaded: the expanded uncertainty of a force by the calibration."
+STATED_WORDS: Text = "Shaded: the expanded uncertainty of a value by the calibration."
+SHORT: dict[str, Text] = {
     "force": "|F|",
     "force_1": "force_1",
     "force_2": "force_2",
@@ -101,7 +102,9 @@ def _mark_gaps(axes: Any, gaps: Sequence[Gap]) -> None:
     for place, gap in enumerate(gaps[:GAPS_SHOWN]):
         begin, end = gap.revolution - gap.missing - 0.5, gap.revolution - 0.5
         axes.axvspan(begin, end, color=GAP, alpha=0.3, lw=0)
-        axes.axvline(end, color=GAP, lw=1.2, ls=":", label="data missing" if not place else None)
+        axes.axvline(
+            end, color=GAP, lw=1.2, ls=":", label=tr("data missing") if not place else None
+        )
 
 
 def trends(
@@ -141,7 +144,7 @@ def trends(
             )
             for one, (x, values) in channel.lines.items():
                 turned = one == "rms" and negative
-                label = "−RMS" if turned else SHORT[one]
+                label = tr("−RMS") if turned else tr(SHORT[one])
                 _draw(axes, (x, -values if turned else values), color=COLOURS[one], label=label)
             for one in ("max", "rms", "min"):
                 line = predicted.get(f"{channel.name}_{one}")
@@ -150,7 +153,7 @@ def trends(
                     with_model = True
             zoomed |= _leave_out_unsteady(axes, channel)
             axes.set_title(title_of(channel.channel), loc="left")
-            short = SHORT.get(channel.name, "")
+            short = tr(SHORT.get(channel.name, ""))
             axes.set_ylabel(f"{short} ({symbol(channel.unit)})".lstrip())
             name_curves(axes)
         revolution_axis(panels[-1])
@@ -160,16 +163,16 @@ def trends(
             for one in channels
         )
         sampled = any("max" in one.lines for one in channels)
-        caption = "Maximum, RMS and minimum" if sampled else "The newest value at the end"
-        caption += " of every revolution, measured (solid)"
+        caption = tr("Maximum, RMS and minimum") if sampled else tr("The newest value at the end")
+        caption += tr(" of every revolution, measured (solid)")
         model = any(f"{one.name}_max" in predicted for one in channels)
-        caption += " and by the model (dashed)." if model else "."
+        caption += tr(" and by the model (dashed).") if model else "."
         if uncertainty is not None:
             caption += f" {BAND_WORDS}"
         if any(one.name in stated for one in channels):
             caption += f" {STATED_WORDS}"
         if zoomed:
-            caption += " Revolutions in which the speed changed may lie outside the scale."
+            caption += tr(" Revolutions in which the speed changed may lie outside the scale.")
         return saved(canvas, title, words, caption)
 
 
@@ -200,23 +203,23 @@ def residual_trend(agreement: Agreement, gaps: Sequence[Gap]) -> Figure:
             _mark_gaps(axes, gaps)
         for channel, name in RESIDUAL_OF.items():
             if name in found:
-                _draw(upper, found[name].line, color=COLOURS[channel], label=SHORT[channel])
+                _draw(upper, found[name].line, color=COLOURS[channel], label=tr(SHORT[channel]))
         upper.set_ylim(bottom=0.0)
-        upper.set_ylabel("residual RMS (N)")
-        upper.set_title("measured minus model, RMS over a revolution", loc="left")
+        upper.set_ylabel(tr("residual RMS (N)"))
+        upper.set_title(tr("measured minus model, RMS over a revolution"), loc="left")
         name_curves(upper)
         if "phase_shift" in found:
             _draw(lower, found["phase_shift"].line, color=COLOURS["force"])
         lower.axhline(0.0, color="#777777", lw=0.6)
-        lower.set_ylabel("phase shift (°)")
-        lower.set_title("shift of the measured |F| against the model", loc="left")
+        lower.set_ylabel(tr("phase shift (°)"))
+        lower.set_title(tr("shift of the measured |F| against the model"), loc="left")
         revolution_axis(lower)
-        words = "Agreement with the model: " + " ".join(
+        words = tr("Agreement with the model: ") + " ".join(
             f"{name.replace('_', ' ')}: mean {quantity(one.mean, one.unit, 2)}, last "
             f"{quantity(one.last, one.unit, 2)}."
             for name, one in found.items()
         )
-        return saved(canvas, "Agreement with the model", words, "")
+        return saved(canvas, tr("Agreement with the model"), words, "")
 
 
 def wear_trend(wear: Mapping[str, LastDepth | None], gaps: Sequence[Gap]) -> Figure | None:
@@ -242,14 +245,18 @@ def wear_trend(wear: Mapping[str, LastDepth | None], gaps: Sequence[Gap]) -> Fig
                         lw=0,
                     )
                 _draw(axes, (x, 1e3 * y), **style, label=label)
-                words.append(f"{said} {quantity(1e3 * found.depth, 'um')} at the end")
-        axes.set_ylabel("wear depth (µm)")
+                words.append(tr("{} {} at the end", said, quantity(1000.0 * found.depth, "um")))
+        axes.set_ylabel(tr("wear depth (µm)"))
         name_curves(axes)
         revolution_axis(axes)
-        caption = "From the probes (solid), by the model (dashed), by the model from the measured"
-        caption += " forces (dash-dotted); shaded: the expanded uncertainty of the measured depth."
-        told = f"Wear depth against revolution: {'; '.join(words)}."
-        return saved(canvas, "Wear depth", told, caption)
+        caption = tr(
+            "From the probes (solid), by the model (dashed), by the model from the measured"
+        )
+        caption += tr(
+            " forces (dash-dotted); shaded: the expanded uncertainty of the measured depth."
+        )
+        told = tr("Wear depth against revolution: {}.", "; ".join(words))
+        return saved(canvas, tr("Wear depth"), told, caption)
 
 
 def trip(capture: TripCapture) -> Figure:
@@ -258,13 +265,13 @@ def trip(capture: TripCapture) -> Figure:
     Time 0 is where the force was read that tripped, or the end of the revolution's record.
     """
     found = capture.trip
-    told = f"revolution {grouped(found.revolution)}"
+    told = tr("revolution {}", grouped(found.revolution))
     if found.peak is not None:
         told += f", up to {found.peak.sign}{quantity(found.peak.value_N, 'N')}"
         told += f" at {found.peak.angle_deg:.0f}°"
     if found.before is not None:
-        told += f"; grey: revolution {grouped(found.before.revolution)}, before it"
-    rows: dict[str, tuple[str, ...]] = {"|F| (N)": ("force",), "speed (rpm)": ("speed",)}
+        told += tr("; grey: revolution {}, before it", grouped(found.before.revolution))
+    rows: dict[str, tuple[str, ...]] = {"|F| (N)": ("force",), tr("speed (rpm)"): ("speed",)}
     if probes := capture.series(("probe_1", "probe_2")):
         rows["pin (µm)"] = probes
     currents = tuple(one.name for one in capture.table.sampled if one.unit == "A")
@@ -277,7 +284,7 @@ def trip(capture: TripCapture) -> Figure:
                 for name in names:
                     colour = MUTED if one.before else COLOURS.get(name, INK)
                     label = (
-                        SHORT.get(name, name.replace("_", " "))
+                        tr(SHORT.get(name, name.replace("_", " ")))
                         if one is capture.pieces[-1]
                         else None
                     )
@@ -291,9 +298,9 @@ def trip(capture: TripCapture) -> Figure:
             name_curves(axes)
         if math.isfinite(found.trigger_N):
             panels[0].plot(0.0, found.trigger_N, "o", color=MODEL, ms=4.0)
-        panels[-1].set_xlabel("time from the trip (s)")
-        title = "The revolution in which the test tripped"
-        return saved(canvas, title, f"Joint force of {told}.", f"{capitalised(told)}.")
+        panels[-1].set_xlabel(tr("time from the trip (s)"))
+        title = tr("The revolution in which the test tripped")
+        return saved(canvas, title, tr("Joint force of {}.", told), f"{capitalised(told)}.")
 
 
 def cycles(pictures: Sequence[CyclePicture], uncertainty: ForceUncertainty | None = None) -> Figure:
@@ -305,17 +312,17 @@ def cycles(pictures: Sequence[CyclePicture], uncertainty: ForceUncertainty | Non
     def residual_panel(axes: Any, picture: CyclePicture) -> None:
         _residual_panel(axes, picture, uncertainty)
 
-    rows: list[tuple[str, Callable[[Any, CyclePicture], None]]] = [("force (N)", force_panel)]
+    rows: list[tuple[str, Callable[[Any, CyclePicture], None]]] = [(tr("force (N)"), force_panel)]
     if any(one.residual for one in pictures):
-        rows.append(("measured −\nmodel (N)", residual_panel))
+        rows.append((tr("measured −\nmodel (N)"), residual_panel))
     if any("probe_1" in one.columns for one in pictures):
-        rows.append(("pin, less its\nmean (µm)", _probe_panel))
+        rows.append((tr("pin, less its\nmean (µm)"), _probe_panel))
     heights = [1.9 if draw is force_panel else 1.1 for _, draw in rows]
     caption = _cycle_caption(pictures)
     if uncertainty is not None:
         caption += f" {BAND_WORDS}"
-    which = {1: "the only one", 2: "first and last", 3: "first, middle and last"}
-    title = f"Whole cycles, {which[len(pictures)]}"
+    which = {1: tr("the only one"), 2: tr("first and last"), 3: tr("first, middle and last")}
+    title = tr("Whole cycles, {}", which[len(pictures)])
     return _cycle_grid(pictures, rows, heights, title, _cycle_words(pictures), caption)
 
 
@@ -332,7 +339,7 @@ def free_cycles(pictures: Sequence[CyclePicture], channels: Sequence[Channel]) -
         (f"{textwrap.fill(one.name.replace('_', ' '), 14)}\n({symbol(one.unit)})", panel(one.name))
         for one in channels
     ]
-    title = f"Whole cycles of {', '.join(one.name for one in channels)}"
+    title = tr("Whole cycles of {}", ", ".join(one.name for one in channels))
     words = " ".join(
         f"Revolution {picture.revolution}: {title_of(one)} between "
         f"{number(float(picture.columns[one.name].min()), one.unit)} and "
@@ -363,9 +370,9 @@ def _cycle_grid(
             line[0].set_ylabel(label)
             name_curves(line[-1])
         for axes, picture in zip(grid[0], pictures, strict=True):
-            axes.set_title(f"revolution {grouped(picture.revolution)}")
+            axes.set_title(tr("revolution {}", grouped(picture.revolution)))
         for axes in grid[-1]:
-            axes.set_xlabel("crank angle (°)")
+            axes.set_xlabel(tr("crank angle (°)"))
             axes.set_xticks(range(0, 360, 90))
             axes.set_xlim(0, 360)
         return saved(canvas, title, words, caption)
@@ -375,11 +382,13 @@ def _cycle_words(pictures: Sequence[CyclePicture]) -> str:
     parts = []
     for one in pictures:
         force = one.columns["force"]
-        text = f"Revolution {one.revolution}: |F| between {number(float(force.min()), 'N')} and "
+        text = tr(
+            "Revolution {}: |F| between {} and ", one.revolution, number(float(force.min()), "N")
+        )
         text += quantity(float(force.max()), "N")
         if "force" in one.residual:
-            text += (
-                f", largest residual {quantity(float(np.abs(one.residual['force']).max()), 'N')}"
+            text += tr(
+                ", largest residual {}", quantity(float(np.abs(one.residual["force"]).max()), "N")
             )
         parts.append(text + ".")
     return " ".join(parts)
@@ -387,16 +396,20 @@ def _cycle_words(pictures: Sequence[CyclePicture]) -> str:
 
 def _cycle_caption(pictures: Sequence[CyclePicture]) -> str:
     if not any(one.model for one in pictures):
-        return "Measured (solid). No prediction is saved for these cycles."
-    text = "Measured (solid) and by the model (dashed)."
+        return tr("Measured (solid). No prediction is saved for these cycles.")
+    text = tr("Measured (solid) and by the model (dashed).")
     others = [
-        f"revolution {one.revolution} is compared with the prediction for {one.model_revolution}"
+        tr(
+            "revolution {} is compared with the prediction for {}",
+            one.revolution,
+            one.model_revolution,
+        )
         for one in pictures
         if one.model_revolution is not None and one.model_revolution != one.revolution
     ]
     without = [str(one.revolution) for one in pictures if not one.model]
     if without:
-        others.append(f"no prediction is saved for revolution {', '.join(without)}")
+        others.append(tr("no prediction is saved for revolution {}", ", ".join(without)))
     return f"{text} {capitalised('; '.join(others))}." if others else text
 
 
@@ -412,7 +425,7 @@ def _force_panel(axes: Any, picture: CyclePicture, uncertainty: ForceUncertainty
             force = np.interp(x, angle, picture.columns["force"])
             doubt = uncertainty.at(force, of_magnitude=name == "force")
             _band(axes, x, values, doubt, COLOURS[name], 0.15)
-        _curve(axes, picture, picture.columns[name], color=COLOURS[name], label=SHORT[name])
+        _curve(axes, picture, picture.columns[name], color=COLOURS[name], label=tr(SHORT[name]))
     label = "model"
     for name in ("force", "force_1", "force_2"):
         if name in picture.model:
@@ -428,10 +441,10 @@ def _residual_panel(axes: Any, picture: CyclePicture, uncertainty: ForceUncertai
     axes.axhline(0.0, color="#777777", lw=0.6)
     for name in ("force", "force_1", "force_2"):
         if name in picture.residual:
-            style = {"color": COLOURS[name], "lw": 0.6, "label": SHORT[name]}
+            style = {"color": COLOURS[name], "lw": 0.6, "label": tr(SHORT[name])}
             _curve(axes, picture, picture.residual[name], **style)
         else:
-            axes.plot([], [], color=COLOURS[name], label=SHORT[name])
+            axes.plot([], [], color=COLOURS[name], label=tr(SHORT[name]))
 
 
 def _probe_panel(axes: Any, picture: CyclePicture) -> None:
@@ -440,5 +453,5 @@ def _probe_panel(axes: Any, picture: CyclePicture) -> None:
         values = picture.columns[name]
         mean = float(np.mean(values))
         means.append(number(mean, "um"))
-        _curve(axes, picture, values - mean, color=COLOURS[name], label=SHORT[name])
-    axes.set_title(f"means {', '.join(means)} µm", fontsize=7.5, loc="right", pad=2.0)
+        _curve(axes, picture, values - mean, color=COLOURS[name], label=tr(SHORT[name]))
+    axes.set_title(tr("means {} µm", ", ".join(means)), fontsize=7.5, loc="right", pad=2.0)

@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.translation import Text as Words
+from rigapp.presentation.translation import tr
 from rigapp.report.page.manuscript import Block, Listing, Section, Table, Text
 from rigapp.report.results import sequence_of, step_numbers
 from rigapp.report.testreport.facts import mean
@@ -17,11 +19,12 @@ from rigapp.schema.messages import NOT_STEADY
 from rigapp.storage import StoredColumns, TestReader
 from rigapp_calibration.records import Record, RecordError, unseal
 
-TITLES = {
+TITLES: dict[str, Words] = {
     "load_cell": "Load cell",
     "probes": "Displacement probes",
     "encoder": "Crank encoder",
     "acquisition": "Acquisition",
+    "force_uncertainty": "Uncertainty of a force",
 }
 DEVICE, RECORD = "device_", "record_"
 
@@ -34,7 +37,8 @@ def sections(reader: TestReader) -> list[Section]:
         name for name in calibration if name not in TITLES and not name.startswith((DEVICE, RECORD))
     ]
     tables: list[Block] = [
-        Table(TITLES.get(name, name), tuple(settings(_mapping(calibration[name])))) for name in used
+        Table(tr(TITLES.get(name, name)), tuple(settings(_mapping(calibration[name]))))
+        for name in used
     ]
     tables += [
         _record(name.removeprefix(RECORD), _mapping(values))
@@ -43,26 +47,27 @@ def sections(reader: TestReader) -> list[Section]:
     ]
     devices = tuple(
         Table(
-            f"Device {name.removeprefix(DEVICE)}, as read back", tuple(settings(_mapping(values)))
+            tr("Device {}, as read back", name.removeprefix(DEVICE)),
+            tuple(settings(_mapping(values))),
         )
         for name, values in calibration.items()
         if name.startswith(DEVICE) and values
     )
-    missing = (Text("The file holds no calibration."),)
+    missing = (Text(tr("The file holds no calibration.")),)
     return [
-        Section("Calibration used", tuple(tables) or missing),
-        Section("Devices", devices),
+        Section(tr("Calibration used"), tuple(tables) or missing),
+        Section(tr("Devices"), devices),
         _configuration(reader.configuration()),
     ]
 
 
 def _record(name: str, values: Mapping[str, Any]) -> Table:
     """Return what a sealed calibration record says; its readings stay in the file."""
-    title = f"Calibration record of {TITLES.get(name, name.replace('_', ' ')).lower()}"
+    title = tr("Calibration record of {}", tr(TITLES.get(name, name.replace("_", " ")).lower()))
     try:
         record = unseal(str(values.get("record", "")).encode())
     except RecordError as error:
-        return Table(title, (("record", f"cannot be read: {error}"),))
+        return Table(title, ((tr("record"), tr("cannot be read: {}", error)),))
     return Table(title, tuple(_record_rows(record)))
 
 
@@ -74,15 +79,15 @@ def _record_rows(record: Record) -> list[tuple[str, str]]:
     )
     paper = _mapping(given.get("paperwork"))
     rows = [
-        ("number", f"{record.number}, the digest of the record holds"),
-        ("item", str(item.get("name", ""))),
-        ("serial number", str(paper.get("serial_number", ""))),
-        ("calibrated", str(content.get("calibrated_at", ""))),
-        ("due", str(content.get("due_at", ""))),
-        ("classification", str(result.get("classification", ""))),
+        (tr("number"), tr("{}, the digest of the record holds", record.number)),
+        (tr("item"), str(item.get("name", ""))),
+        (tr("serial number"), str(paper.get("serial_number", ""))),
+        (tr("calibrated"), str(content.get("calibrated_at", ""))),
+        (tr("due"), str(content.get("due_at", ""))),
+        (tr("classification"), str(result.get("classification", ""))),
     ]
     factor = result.get("coverage_factor")
-    known = f"k = {factor:.2f}" if isinstance(factor, float) else "k unknown"
+    known = f"k = {factor:.2f}" if isinstance(factor, float) else tr("k unknown")
     own = symbol(str(result.get("unit", "")))
     for key, unit, form in (
         ("expanded_uncertainty_N", "N", ".2f"),
@@ -90,11 +95,11 @@ def _record_rows(record: Record) -> list[tuple[str, str]]:
         ("expanded_uncertainty_value", own, ".3g"),
     ):
         if isinstance(result.get(key), float):
-            rows.append(("expanded uncertainty", f"{result[key]:{form}} {unit} ({known})"))
+            rows.append((tr("expanded uncertainty"), f"{result[key]:{form}} {unit} ({known})"))
     for key, unit in (("residual_std_N", "N"), ("residual_std_um", "µm")):
         if isinstance(result.get(key), float):
-            rows.append(("residual standard deviation", f"{result[key]:.3f} {unit}"))
-    return [(one, words or UNKNOWN) for one, words in rows if words or one != "classification"]
+            rows.append((tr("residual standard deviation"), f"{result[key]:.3f} {unit}"))
+    return [(one, words or tr(UNKNOWN)) for one, words in rows if words or one != "classification"]
 
 
 def _mapping(value: Any) -> dict[str, Any]:
@@ -107,16 +112,21 @@ def _configuration(configuration: dict[str, Any]) -> Section:
     blocks: list[Block] = []
     parameters = settings(configuration.get("parameters", {}))
     if parameters:
-        blocks.append(Table("Parameters of the model", tuple(parameters)))
-    for name, title in (("test", "Test file, as given"), ("rig", "Rig file, as given")):
+        blocks.append(Table(tr("Parameters of the model"), tuple(parameters)))
+    for name, title in (
+        ("test", tr("Test file, as given")),
+        ("rig", tr("Rig file, as given")),
+    ):
         text = str(configuration.get(name, ""))
         blocks.append(
-            Listing(title, text.rstrip()) if text.strip() else Text(f"{title}: not in the file.")
+            Listing(title, text.rstrip())
+            if text.strip()
+            else Text(tr("{}: not in the file.", title))
         )
-    return Section("Configuration", tuple(blocks))
+    return Section(tr("Configuration"), tuple(blocks))
 
 
-HEADER = (
+HEADER: tuple[Words, ...] = (
     "step", "set speed, rpm", "revolutions", "judged", "speed, rpm", "largest |F|, N",
     "mean of the maxima of |F|, N", "mean RMS of |F|, N", "mean residual, RMS, N",
 )  # fmt: skip
@@ -157,8 +167,8 @@ def step_section(reader: TestReader) -> list[Section]:
                 ),
             )
         )
-    told = "Judged are revolutions at a steady speed, between the ramps and without a pause."
-    return [Section("Steps", (Table("", tuple(table), HEADER), Text(told)))]
+    told = tr("Judged are revolutions at a steady speed, between the ramps and without a pause.")
+    return [Section(tr("Steps"), (Table("", tuple(table), tuple(map(tr, HEADER))), Text(told)))]
 
 
 def _residuals(reader: TestReader, revolutions: NDArray[np.int64]) -> NDArray[np.float64]:

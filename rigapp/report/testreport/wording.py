@@ -3,30 +3,42 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from datetime import UTC, datetime
-from typing import Any
+from typing import Any, Final
 
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import Channel
 from rigapp.schema.messages import Flag
 from rigapp.storage import name_and_unit
+from rigapp.texts import capitalised
 
-UNKNOWN = "unknown"
+UNKNOWN: Final[Text] = "unknown"
+NOUNS: Final[tuple[Text, ...]] = (
+    "alarm", "alarms", "event", "events", "gap", "gaps", "line", "lines", "revolution",
+    "revolutions", "sample", "samples", "whole cycle", "whole cycles", "more trigger",
+    "more triggers",
+)  # fmt: skip
+"""What ``counted`` counts, one and many."""
 
 DECIMALS = {"N": 1, "um": 1, "mm": 4, "rpm": 2, "deg": 1, "degC": 1, "s": 1, "1": 0}
 """Digits after the point that a unit deserves on this kind of rig."""
 
-SHORTER = {
+POWER: Final = re.compile(r"(?<=[a-z])\^?([23])(?![0-9])")
+"""Of a unit: g/cm3, mm^3."""
+SHORTER: Final[dict[str, Text]] = {
     "force": "joint force |F|",
     "force_1": "force along the crank, force_1",
     "force_2": "force across the crank, force_2",
     "probe_1": "pin along the follower, probe_1",
+    "speed": "speed of the crank",
     "probe_2": "pin across the follower, probe_2",
 }
 """What a heading calls a channel of every rig; the schema's own words are a sentence."""
 
-FLAGS = {
+FLAGS: Final[dict[Flag, Text]] = {
     Flag.LOST_SAMPLES: "samples lost in or just before the revolution",
     Flag.COUNT_MISMATCH: "encoder count at the index differs from a whole turn",
     Flag.MISSED_INDEX: "no index pulse",
@@ -40,14 +52,14 @@ FLAGS = {
     Flag.SENSOR_FAULT: "a sensor or its cable was broken",
 }
 
-STATUSES = {
+STATUSES: Final[dict[str, Text]] = {
     "running": "running while the report was made",
     "complete": "complete",
     "stopped": "stopped before the planned end",
     "interrupted": "interrupted: the program ended without closing the test",
 }
 
-REASONS = {
+REASONS: Final[dict[str, Text]] = {
     "complete": "all planned revolutions were made",
     "operator": "stopped by the operator",
     "limit": "stopped by a limit",
@@ -59,18 +71,19 @@ REASONS = {
 
 def title_of(channel: Channel) -> str:
     """Return what a table or a picture calls a channel."""
-    return SHORTER.get(channel.name, channel.description or channel.name)
+    return tr(SHORTER.get(channel.name, channel.description or channel.name))
 
 
 def symbol(unit: str) -> str:
     """Return a unit as it is printed."""
-    return {"um": "µm", "1": "", "deg": "°", "degC": "°C"}.get(unit, unit.replace("um/", "µm/"))
+    named = {"um": "µm", "1": "", "deg": "°", "degC": "°C"}.get(unit, unit.replace("um/", "µm/"))
+    return POWER.sub(lambda found: {"2": "²", "3": "³"}[found[1]], named)
 
 
 def number(value: float, unit: str = "1", digits: int | None = None) -> str:
     """Return a value with the decimals that its unit deserves; not finite: unknown."""
     if not math.isfinite(value):
-        return UNKNOWN
+        return tr(UNKNOWN)
     places = DECIMALS.get(unit, 3) if digits is None else digits
     text = f"{value:.{places}f}"
     return text.lstrip("-") if float(text) == 0.0 else text
@@ -79,22 +92,22 @@ def number(value: float, unit: str = "1", digits: int | None = None) -> str:
 def quantity(value: float, unit: str, digits: int | None = None) -> str:
     """Return a value with its unit; not finite: unknown."""
     text = number(value, unit, digits)
-    return text if text == UNKNOWN else f"{text} {symbol(unit)}".rstrip()
+    return text if text == tr(UNKNOWN) else f"{text} {symbol(unit)}".rstrip()
 
 
 def counted(value: int, one: str, many: str = "") -> str:
     """Return a number with its noun."""
-    return f"{grouped(value)} {one if value == 1 else many or one + 's'}"
+    return f"{grouped(value)} {tr(one if value == 1 else many or one + 's')}"
 
 
 def utc(seconds: float) -> str:
     """Return UTC seconds since 1970-01-01 as a date and time of day."""
     if not math.isfinite(seconds):
-        return UNKNOWN
+        return tr(UNKNOWN)
     try:
         return f"{datetime.fromtimestamp(seconds, UTC):%Y-%m-%d %H:%M:%S}"
     except (OverflowError, OSError, ValueError):
-        return UNKNOWN
+        return tr(UNKNOWN)
 
 
 def stamp(text: str) -> str:
@@ -102,12 +115,12 @@ def stamp(text: str) -> str:
     try:
         return f"{datetime.fromisoformat(text).astimezone(UTC):%Y-%m-%d %H:%M:%S} UTC"
     except ValueError:
-        return text or UNKNOWN
+        return text or tr(UNKNOWN)
 
 
 def size(octets: int) -> str:
     """Return a file's size in decimal units and in bytes."""
-    exact = f"{grouped(octets)} bytes"
+    exact = tr("{} bytes", grouped(octets))
     for unit, factor in (("GB", 1e9), ("MB", 1e6), ("kB", 1e3)):
         if octets >= factor:
             return f"{octets / factor:.1f} {unit} ({exact})"
@@ -116,7 +129,7 @@ def size(octets: int) -> str:
 
 def flags(quality: int) -> str:
     """Return the flags of a revolution in words, empty for a good one."""
-    return "; ".join(words for flag, words in FLAGS.items() if quality & flag)
+    return "; ".join(tr(words) for flag, words in FLAGS.items() if quality & flag)
 
 
 def settings(values: Mapping[str, Any], prefix: str = "") -> list[tuple[str, str]]:
@@ -128,18 +141,25 @@ def settings(values: Mapping[str, Any], prefix: str = "") -> list[tuple[str, str
             continue
         name, unit = name_and_unit(key)
         text = _setting(value)
-        shown = text if text == UNKNOWN else f"{text} {symbol(unit)}".rstrip()
-        rows.append((f"{prefix}{name.replace('_', ' ')}", shown or "none"))
+        shown = text if text == tr(UNKNOWN) else f"{text} {symbol(unit)}".rstrip()
+        rows.append((f"{prefix}{_named(name)}", shown or tr("none")))
     return rows
+
+
+def _named(name: str) -> str:
+    """Return a key in words; in another language as the form of a test file calls it."""
+    words = name.replace("_", " ")
+    known = tr(capitalised(words))
+    return words if known == capitalised(words) else known
 
 
 def _setting(value: Any) -> str:
     if isinstance(value, float) and math.isnan(value):
-        return UNKNOWN
+        return tr(UNKNOWN)
     if isinstance(value, list):
         if value and all(isinstance(one, float) and math.isnan(one) for one in value):
-            return UNKNOWN
+            return tr(UNKNOWN)
         if any(isinstance(one, list) for one in value):
-            return "[" + "; ".join(", ".join(map(_setting, row)) for row in value) + "]"
-        return "[" + ", ".join(map(_setting, value)) + "]"
-    return f"{value:.8g}" if isinstance(value, float) else str(value)
+            return "; ".join(", ".join(map(_setting, row)) for row in value)
+        return ", ".join(map(_setting, value))
+    return f"{value:.6g}" if isinstance(value, float) else str(value)

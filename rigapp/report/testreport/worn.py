@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.presentation.numbers import grouped
+from rigapp.presentation.translation import Text as Words
+from rigapp.presentation.translation import tr
 from rigapp.report.page.figures import MODEL_LINE, canvas_of, saved
 from rigapp.report.page.manuscript import Block, Figure, Table, Text
 from rigapp.report.testreport import plots
@@ -20,7 +22,7 @@ Floats = NDArray[np.float64]
 
 STAGES = 4
 """Earlier profiles that are drawn thinly, evenly spaced in the logarithm of the revolutions."""
-CURVES = {
+CURVES: dict[str, Words] = {
     "measured": "measured (probes)",
     "predicted": "predicted (model)",
     "driven": "model driven by the measured forces",
@@ -125,12 +127,18 @@ def _stages(revolutions: NDArray[Any], measured: NDArray[Any]) -> tuple[tuple[in
 def profile_blocks(found: Worn | None) -> list[Block]:
     """Return the table, the words and the picture of the worn profile."""
     if found is None:
-        return [Text("No worn profile is recorded in the file.")]
+        return [Text(tr("No worn profile is recorded in the file."))]
     header = (
-        "worn profile", "largest depth, µm", "at, °", "from, °", "to, °", "area, mm²", "mass, mg",
-    )  # fmt: skip
-    rows = tuple((words, *_cells(found, name)) for name, words in CURVES.items())
-    title = f"Worn profile after revolution {grouped(found.revolution)}"
+        tr("worn profile"),
+        tr("largest depth, µm"),
+        tr("at, °"),
+        tr("from, °"),
+        tr("to, °"),
+        tr("area, mm²"),
+        tr("mass, mg"),
+    )
+    rows = tuple((tr(words), *_cells(found, name)) for name, words in CURVES.items())
+    title = tr("Worn profile after revolution {}", grouped(found.revolution))
     return [Table(title, rows, header), Text(_sentence(found)), picture(found)]
 
 
@@ -145,24 +153,26 @@ def _cells(found: Worn, name: str) -> tuple[str, ...]:
 
 
 def _sentence(found: Worn) -> str:
-    text = (
-        f"Measured from the pin's places over {found.averaged} "
-        f"{'revolution' if found.averaged == 1 else 'revolutions'}: the envelope of the pin's "
-        "circle, against the same bushing when it was new. The uncertainty (k = 2) holds noise, "
-        "wear before the reference and elastic indentation, not that of the probes' calibration. "
-        "Angles that the pin never reached are unknown and not drawn. Depth, area and mass cover "
-        "what was reached. 0° is the initial contact point, in the follower's frame."
+    text = tr(
+        "Measured from the pin's places over {} {}: the envelope of the pin's "
+        "circle, against the same bushing when it was new. The uncertainty (k "
+        "= 2) holds noise, wear before the reference and elastic indentation, "
+        "not that of the probes' calibration. Angles that the pin never "
+        "reached are unknown and not drawn. Depth, area and mass cover what "
+        "was reached. 0° is the initial contact point, in the follower's frame.",
+        found.averaged,
+        tr("revolution" if found.averaged == 1 else "revolutions"),
     )
     if np.isfinite(found.run_out):
-        text += f" A run-out of {number(found.run_out, 'um', 1)} µm was taken out."
+        text += tr(" A run-out of {} µm was taken out.", number(found.run_out, "um", 1))
     if np.isfinite(found.approach_change):
         change = number(found.approach_change, "um", 1)
-        took = "this was taken out" if found.corrected else "this was left in"
-        text += f" By the model the elastic approach has changed by {change} µm; {took}."
+        took = tr("this was taken out") if found.corrected else tr("this was left in")
+        text += tr(" By the model the elastic approach has changed by {} µm; {}.", change, took)
     if not found.centred and np.isfinite(found.run_out):
-        text += (
-            " The probes' zero is not at the bushing's centre, so that the direction comes from"
-            " the forces: the flanks are less certain."
+        text += tr(
+            " The probes' zero is not at the bushing's centre, so that the "
+            "direction comes from the forces: the flanks are less certain."
         )
     return text
 
@@ -184,30 +194,30 @@ def picture(found: Worn) -> Figure:
         axes.plot(found.angle, 1e3 * found.curves["predicted"], **MODEL_LINE, label="model")
         axes.plot(
             found.angle, 1e3 * found.curves["driven"], color=plots.DRIVEN, ls="-.", lw=1.1,
-            label="model by\nmeasured\nforces",
+            label=tr("model by\nmeasured\nforces"),
         )  # fmt: skip
         reach = _reach(found)
         axes.set_xlim(-reach, reach)
         axes.set_ylim(bottom=0.0)
-        axes.set_xlabel("angle from the initial contact point (°), follower frame")
-        axes.set_ylabel("depth of wear (µm)")
-        axes.set_title(f"after revolution {grouped(found.revolution)}", loc="left")
+        axes.set_xlabel(tr("angle from the initial contact point (°), follower frame"))
+        axes.set_ylabel(tr("depth of wear (µm)"))
+        axes.set_title(tr("after revolution {}", grouped(found.revolution)), loc="left")
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-        words = "Worn profile: " + " ".join(
-            f"{CURVES[name]} at most {_depth(one)} at {number(one.angle, 'deg', 0)}°."
+        words = tr("Worn profile: ") + " ".join(
+            tr("{} at most {} at {}°.", tr(CURVES[name]), _depth(one), number(one.angle, "deg", 0))
             for name, one in found.extents.items()
         )
-        caption = (
-            "Measured (solid) with its uncertainty (shaded, k = 2), by the model (dashed), by the"
-            " model from the measured forces (dash-dotted); grey: measured earlier, after the"
-            " revolution named."
+        caption = tr(
+            "Measured (solid) with its uncertainty (shaded, k = 2), by the model "
+            "(dashed), by the model from the measured forces (dash-dotted); grey: "
+            "measured earlier, after the revolution named."
         )
-        return saved(canvas, "Worn profile of the bushing", words, caption)
+        return saved(canvas, tr("Worn profile of the bushing"), words, caption)
 
 
 def _depth(extent: Extent) -> str:
     text = number(1e3 * extent.depth, "um", 2)
-    return text if text == UNKNOWN else f"{text} µm"
+    return text if text == tr(UNKNOWN) else f"{text} µm"
 
 
 def _reach(found: Worn) -> float:

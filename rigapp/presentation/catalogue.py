@@ -1,0 +1,59 @@
+"""The catalogues of languages: read one, and speak it for a while."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Final
+from xml.etree import ElementTree
+
+from rigapp.presentation.translation import ENGLISH, language, speak
+
+LANGUAGES: Final = {ENGLISH: "English", "de": "Deutsch"}
+"""What window and report speak, by the code of ISO 639; all but English has a catalogue."""
+WINDOW: Final = "rigapp"
+SENTENCES: Final = "sentences"
+"""Under which texts stand in a catalogue: those of the window, and the templates of sentences."""
+
+
+def catalogue_file(code: str) -> Path:
+    """Return the file of a catalogue; Qt's tools, which keep it, are the window's."""
+    return Path(__file__).parents[1] / "gui" / "language" / f"{code}.ts"
+
+
+def contexts(code: str) -> dict[str, dict[str, str]]:
+    """Return the translations of a catalogue by their English texts, by what they stand under.
+
+    Unfinished ones are left out. Raises OSError when it cannot be read.
+    """
+    found: dict[str, dict[str, str]] = {WINDOW: {}, SENTENCES: {}}
+    shipped = catalogue_file(code).read_bytes()
+    for context in ElementTree.fromstring(shipped).iter("context"):  # noqa: S314 - our own file
+        texts = found[context.findtext("name", WINDOW)]
+        for message in context.iter("message"):
+            said = message.find("translation")
+            if said is not None and said.text and "type" not in said.attrib:
+                texts[message.findtext("source", "")] = said.text
+    return found
+
+
+def translations(code: str) -> dict[str, str]:
+    """Return all translations of a catalogue by their English texts; raise OSError."""
+    found = contexts(code)
+    return found[SENTENCES] | found[WINDOW]
+
+
+@contextmanager
+def spoken(code: str) -> Iterator[None]:
+    """Speak a language until the block ends, then the one of before; raise OSError."""
+    before = language()
+    _speak(code)
+    try:
+        yield
+    finally:
+        _speak(before)
+
+
+def _speak(code: str) -> None:
+    speak(None if code == ENGLISH else translations(code), code)
