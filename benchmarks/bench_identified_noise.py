@@ -33,10 +33,10 @@ import rig_noise as rig
 from rigapp_model.identification import (
     Bin,
     Bins,
-    CannotBeTold,
     Consistency,
     DepthLife,
     Estimate,
+    NotIdentifiable,
     Prior,
     ProbeErrors,
     depth_life,
@@ -107,7 +107,7 @@ def covered(work: tuple[str, int]) -> tuple[list[Row], list[tuple[Estimate, floa
     for bins in gathered(one, kind):
         try:
             known = identify(bins, life, stated(kind), PRIOR)
-        except CannotBeTold:
+        except NotIdentifiable:
             rows.append((np.nan,) * 4)
             told.append(None)
             continue
@@ -126,7 +126,7 @@ def covered(work: tuple[str, int]) -> tuple[list[Row], list[tuple[Estimate, floa
         )
         try:
             told.append((estimate_of(known, f"{seed}"), truth))
-        except CannotBeTold:
+        except NotIdentifiable:
             told.append(None)
     return rows, told
 
@@ -167,7 +167,7 @@ def watched(one: rig.Recorded, kind: str) -> Consistency:
         if bins.add(turn, turn, depth, warm) is not None and len(bins.closed) > 4:
             try:
                 found.renew(identify(bins, life, stated(kind), PRIOR))
-            except CannotBeTold:
+            except NotIdentifiable:
                 continue
     return found
 

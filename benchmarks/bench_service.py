@@ -71,11 +71,11 @@ def trip_ms(engine: Engine, source: Any, spindle: Any) -> float:
     """Put an overload into the next Block; return the time from it to drive-off, ms."""
     handed_over: list[float] = []
     switched_off: list[float] = []
-    armed = threading.Event()
+    selected = threading.Event()
     read, off = source.read, spindle.drive_off
 
     def timed_read(timeout_s: float) -> Any:
-        after = armed.is_set()
+        after = selected.is_set()
         block = read(timeout_s)
         if not after or block is None:
             return block
@@ -91,7 +91,7 @@ def trip_ms(engine: Engine, source: Any, spindle: Any) -> float:
 
     source.read, spindle.drive_off = timed_read, timed_off
     try:
-        armed.set()
+        selected.set()
         engine.wait(ENDED, 60.0)
     finally:
         source.read, spindle.drive_off = read, off

@@ -20,7 +20,7 @@ from rigapp_model.contact.impact_system import clearance_system
 from rigapp_model.dynamics import MechanismMotion, inverse_dynamics
 from rigapp_model.errors import ModelError
 from rigapp_model.history import motion_from_history
-from rigapp_model.identification import CannotBeTold, Credible, Identification, identify
+from rigapp_model.identification import Credible, Identification, NotIdentifiable, identify
 from rigapp_model.joints import ContinuousContact, continuous_contact, perfect_joint
 from rigapp_model.parameters import (
     Bushing,
@@ -35,7 +35,6 @@ from rigapp_model.wear.life import Life, life
 
 __all__ = [
     "Bushing",
-    "CannotBeTold",
     "ContinuousContact",
     "Credible",
     "Identification",
@@ -47,6 +46,7 @@ __all__ = [
     "Mechanism",
     "MechanismMotion",
     "ModelError",
+    "NotIdentifiable",
     "Parameters",
     "Ring",
     "Spring",

@@ -498,7 +498,7 @@ def filled(specs: Mapping[str, SettingSpec], settings: Mapping[str, Any]) -> dic
     return {key: spec.default for key, spec in specs.items()} | dict(settings)
 
 
-class Unplannable(SentenceError, ValueError):
+class InvalidRequest(SentenceError, ValueError):
     """Say in one sentence what of a request no such device can do, and what to do."""
 
 

@@ -11,10 +11,16 @@ import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from rigapp.calibrating.certificates.parts import UNSTATED, Content, Parts, taken_words, write_page
+from rigapp.calibrating.certificates.formatting import (
+    UNSTATED,
+    Content,
+    Parts,
+    taken_words,
+    write_page,
+)
 from rigapp.calibrating.subjects import subject_of
 from rigapp.config.errors import UnusableInput
-from rigapp.report.page.manuscript import Block, Manuscript, Row, Section, Table, Text
+from rigapp.report.page.document import Block, Manuscript, Row, Section, Table, Text
 from rigapp_calibration.records import Record, RecordError, in_future, unseal
 
 NEEDED = {"laboratory": "the laboratory", "serial_number": "the serial number"}

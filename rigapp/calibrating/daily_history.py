@@ -15,12 +15,12 @@ from typing import Any
 
 import numpy as np
 
-from rigapp.calibrating.certificates.parts import write_page
+from rigapp.calibrating.certificates.formatting import write_page
 from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.session import Rig
 from rigapp.config.errors import UnusableInput
+from rigapp.report.page.document import Figure, Manuscript, Section, Table, Text
 from rigapp.report.page.figures import WIDTH_IN, in_style, saved
-from rigapp.report.page.manuscript import Figure, Manuscript, Section, Table, Text
 from rigapp.texts import say
 from rigapp_calibration.load_cell.daily import DailyCheck
 from rigapp_calibration.taking.control_chart import Chart, ChartFinding, chart

@@ -20,7 +20,6 @@ from rigapp.calibrating.daily_history import (
     read_history,
 )
 from rigapp.calibrating.load_cell_result import fit_load_cell
-from rigapp.calibrating.practice import LOAD_CELL_PRACTICE
 from rigapp.calibrating.records_in_use import LOAD_CELL as LOAD_CELL_RECORD
 from rigapp.calibrating.records_in_use import former_record, with_records
 from rigapp.calibrating.session import (
@@ -31,6 +30,7 @@ from rigapp.calibrating.session import (
     two_signals,
     window_times,
 )
+from rigapp.calibrating.training import LOAD_CELL_PRACTICE
 from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig

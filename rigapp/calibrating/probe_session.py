@@ -10,7 +10,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from rigapp.calibrating.practice import PROBE_PRACTICE
 from rigapp.calibrating.probe_result import fit_probes
 from rigapp.calibrating.records_in_use import PROBES as PROBE_RECORDS
 from rigapp.calibrating.records_in_use import former_record
@@ -23,6 +22,7 @@ from rigapp.calibrating.session import (
     two_signals,
     window_times,
 )
+from rigapp.calibrating.training import PROBE_PRACTICE
 from rigapp.config.calibration_settings import ProbeFile, probe_meaning
 from rigapp.config.errors import UnusableInput
 from rigapp.schema import channels

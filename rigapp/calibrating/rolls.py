@@ -11,12 +11,12 @@ from typing import Any, ClassVar
 import numpy as np
 
 from rigapp.calibrating.journal import Journal
-from rigapp.calibrating.practice import NO_PRACTICE, Practice
 from rigapp.calibrating.records import keep_record, refuse_existing
 from rigapp.calibrating.records_in_use import with_records
 from rigapp.calibrating.run_out import GRID_DEG, map_of
 from rigapp.calibrating.session import NO_CURVES, Outcome, ResidualsSoFar, Rig
 from rigapp.calibrating.spindle import SLOWEST_RPM, SpindleRun, SpindleRuns, speeds_of
+from rigapp.calibrating.training import NO_PRACTICE, Training
 from rigapp.config.calibration_settings import RunOutFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig, read_test
@@ -132,7 +132,7 @@ class RollSession:
     The journal tells the plan; the rolls are test files beside it.
     """
 
-    practice: ClassVar[Practice] = NO_PRACTICE
+    practice: ClassVar[Training] = NO_PRACTICE
     refused: ClassVar[str] = say(
         "Nothing is saved. The rolls stay as they are; begin a new map when the cause is removed."
     )

@@ -109,13 +109,13 @@ def _with_elastic(
     """Return the revolutions with how their forces (2, n) each, N, move the pin elastically."""
     from rigapp.config.parameters import to_parameters
     from rigapp.twin.elasticmotion import elastic_motions
-    from rigapp.twin.predict import Unpredictable
+    from rigapp.twin.predict import PredictionError
     from rigapp_model.errors import ModelError
 
     parameters = to_parameters(model, say("{} (its test)", path), "model")
     try:
         motions = elastic_motions(parameters, [turn.angle for turn in turns], forces)
-    except (ModelError, Unpredictable) as error:
+    except (ModelError, PredictionError) as error:
         raise UnusableInput(
             "{}: the elastic motion of the pin cannot be taken off: {}; roll again with"
             " --test and the test file of this bushing.",

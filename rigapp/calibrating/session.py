@@ -18,8 +18,8 @@ from typing import Any, ClassVar, Generic, TypeVar
 import numpy as np
 
 from rigapp.calibrating.journal import Journal
-from rigapp.calibrating.practice import Practice
 from rigapp.calibrating.records import keep_record, refuse_existing
+from rigapp.calibrating.training import Training
 from rigapp.calibrating.wiring import wiring_of
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
@@ -140,7 +140,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
 
     method: ClassVar[Method[Any]]
     columns: ClassVar[tuple[str, ...]]
-    practice: ClassVar[Practice]
+    practice: ClassVar[Training]
     prompt: ClassVar[str] = say("Enter records, {}", OTHER_KEYS)
     refused: ClassVar[str] = say(
         "Nothing is saved. Go back, select a reading of the series that is wrong,"

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from rigapp.calibrating.certificates.channel import channel_parts
+from rigapp.calibrating.certificates.formatting import Parts
 from rigapp.calibrating.certificates.load_cell import load_cell_parts
-from rigapp.calibrating.certificates.parts import Parts
 from rigapp.calibrating.certificates.probes import probe_parts
 from rigapp.calibrating.certificates.run_out import run_out_parts
 from rigapp.calibrating.certificates.running_check import running_parts

@@ -8,12 +8,12 @@ import math
 from collections.abc import Iterator
 from pathlib import Path
 
-from rigapp.calibrating.certificates.parts import write_page
+from rigapp.calibrating.certificates.formatting import write_page
 from rigapp.calibrating.load_cell_session import PLANS, load_cell_plan
 from rigapp.config.calibration_settings import LoadCellFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
-from rigapp.report.page.manuscript import Manuscript, Row, Section, Table, Text
+from rigapp.report.page.document import Manuscript, Row, Section, Table, Text
 from rigapp_calibration.load_cell.readings import HUNG_COLUMN, LOAD_CELL_COLUMNS
 from rigapp_calibration.taking.procedure import Step, StepKind
 

@@ -22,7 +22,7 @@ from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.config.rules import check_rules
 from rigapp.engine.devices import LoadDriver, make_devices, plan_devices
-from rigapp.notify.ways import inspected, ways_of
+from rigapp.notify.channels import inspected, ways_of
 from rigapp.process.awake import kept_awake
 from rigapp.schema.details import indented
 from rigapp.schema.messages import Status

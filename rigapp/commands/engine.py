@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 from rigapp.config.loading import read_rig
-from rigapp.process.ending import Background, asked_to_end, finish_in_time
+from rigapp.process.ending import Background, shutdown_with_timeout, termination_signals
 from rigapp.schema.details import indented
 from rigapp.schema.messages import RunState
 from rigapp.schema.notices import Finished
@@ -24,7 +24,7 @@ DEVICES_COME_S, DEVICES_PAUSE_S = 300.0, 15.0
 """After the computer's start devices may be ready later; they are asked so long, so often."""
 LONELY_S = 60.0  # a window may be closed and opened again meanwhile
 CLOSE_S = 120.0
-"""Stopping a test under way may take 60 s of it, and a courier 30 s to hear of it."""
+"""Stopping a test under way may take 60 s of it, and a notifier 30 s to hear of it."""
 
 
 def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: bool = False) -> int:
@@ -38,7 +38,7 @@ def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: b
     """
     rig = read_rig(rig_path)
     host = EngineHost(rig, parse_speed(speed, rig), parse_bind(bind) if bind else None)
-    with asked_to_end() as asked:
+    with termination_signals() as asked:
         Background(lambda: _connect_quietly(host, DEVICES_COME_S if stay else 0.0), "connect")
         if stay:
             host.tell_of_cut_off_test()
@@ -56,8 +56,11 @@ def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: b
 
 
 def close_host(host: EngineHost, asked: list[str]) -> None:
-    """Close a host at the end of its process, which ends whatever hangs; see ``asked_to_end``."""
-    finish_in_time(
+    """Close a host at the end of its process, which ends whatever hangs.
+
+    asked: as ``termination_signals`` collects them.
+    """
+    shutdown_with_timeout(
         host.close,
         asked,
         turning=lambda: host.engine.state in ACTIVE,

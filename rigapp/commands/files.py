@@ -13,7 +13,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
 from rigapp.presentation.numbers import bytes_text
 from rigapp.presentation.results import key_numbers, outcome_text, trust_lines
-from rigapp.report.page.manuscript import Manuscript
+from rigapp.report.page.document import Manuscript
 from rigapp.report.results import result_of_open, sequence_of, step_numbers
 from rigapp.storage import AS_EVER, Dialect, export_test, open_test
 from rigapp_calibration.load_cell.force_uncertainty import force_uncertainty
@@ -98,7 +98,7 @@ def write_report(
         raise UnusableInput("Name the report to write, --to REPORT.html or .pdf, or ask for --json")
     ending = _checked_ending(to) if to is not None else ""
     from rigapp.presentation.catalogue import LANGUAGES, spoken
-    from rigapp.report.page.manuscript import plain
+    from rigapp.report.page.document import plain
     from rigapp.report.testreport import report_of, report_settings
 
     if language and language not in LANGUAGES:
@@ -148,7 +148,7 @@ def _checked_ending(to: Path, what: str = "a report", endings: Sequence[str] = E
 
 def _write(document: Manuscript, to: Path, ending: str) -> None:
     if ending == ".html":
-        from rigapp.report.page.manuscript import as_html
+        from rigapp.report.page.document import as_html
 
         data = as_html(document)
     else:

@@ -56,7 +56,7 @@ def _csv(found: Any) -> bytes:
 
 
 def _html(found: Any) -> bytes:
-    from rigapp.report.page.manuscript import as_html
+    from rigapp.report.page.document import as_html
     from rigapp.report.testreport.identifiedsections import identified_document
 
     return as_html(identified_document(found))

@@ -8,10 +8,18 @@ from pathlib import Path
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp.config.notify import NotifySection
-from rigapp.notify.attempt import AttemptRequest, AttemptResult
+from rigapp.notify.channels import (
+    DeliveryChannels,
+    address,
+    attempt,
+    inspected,
+    tell,
+    user_folder,
+    ways_of,
+)
+from rigapp.notify.delivery import AttemptRequest, DeliveryResult
 from rigapp.notify.message import Message, clock
 from rigapp.notify.store import identity, read_state, state_file
-from rigapp.notify.ways import Ways, address, attempt, inspected, tell, user_folder, ways_of
 from rigapp.service.registry import lasting_folder
 
 
@@ -55,7 +63,7 @@ def try_ways(rig: Path | None) -> int:
     return 0 if all(result.ok for _, result in results) else 1
 
 
-def _outcome(result: AttemptResult) -> str:
+def _outcome(result: DeliveryResult) -> str:
     return "sent" if result.ok else f"NOT SENT: {result.reason.rstrip('.')}"
 
 
@@ -63,7 +71,7 @@ def _named(way: NotifySection) -> str:
     return f"{way.name}, {way.command[0] if way.command else address(way.url)}"
 
 
-def _ways(rig: Path | None) -> Ways:
+def _ways(rig: Path | None) -> DeliveryChannels:
     ways = ways_of(read_rig(rig) if rig is not None else None)
     if not ways:
         where = f"in {rig} or " if rig is not None else ""

@@ -14,7 +14,7 @@ from rigapp.commands.engine import close_host
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.recipe import TestFile
-from rigapp.process.ending import Background, asked_to_end, end_at_once, ending_as_interrupt
+from rigapp.process.ending import Background, end_at_once, ending_as_interrupt, termination_signals
 from rigapp.schema.details import indented
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.notices import Committed, Finished, Notice, StateChanged
@@ -139,7 +139,7 @@ def _conduct(
         raise UnusableInput(
             f"{record_wire}: the folder {record_wire.parent} does not exist; create it first."
         )
-    with asked_to_end() as asked:
+    with termination_signals() as asked:
         host = EngineHost(
             rig_document, chosen, parse_bind(bind) if bind else None, record_wire=record_wire
         )

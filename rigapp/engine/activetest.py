@@ -73,7 +73,7 @@ class ActiveTest:
     fault_sentence: str = ""
     off: bool = False
     stopping_since: float = 0.0
-    stood: bool = False
+    reached_standstill: bool = False
     finished: bool = False
     outcome: Finished | None = None
     prediction: Prediction | None = None

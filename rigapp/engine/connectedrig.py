@@ -10,7 +10,7 @@ from dataclasses import replace
 from rigapp.engine.core import Core
 from rigapp.engine.devices import Devices
 from rigapp.engine.drive.driving import SpindleControl
-from rigapp.engine.drive.sequences import Seen
+from rigapp.engine.drive.sequences import StandstillEvidence
 from rigapp.engine.identifying import told_by
 from rigapp.engine.judging.lateness import Lateness
 from rigapp.engine.processing import Processor
@@ -192,7 +192,7 @@ class ConnectedRig:
             self.closing.wait(0.01)
         return True
 
-    def _look(self, drive_rpm: float | None) -> Seen:
+    def _look(self, drive_rpm: float | None) -> StandstillEvidence:
         now = time.monotonic()
         motion = self.processor.motion
         newest = motion.newest()
@@ -203,7 +203,7 @@ class ConnectedRig:
             and not self._core.alarms.is_active("encoder_lost")
         )
         if newest is None or not fresh:
-            seen = Seen(now, drive_rpm, None, None, drive_s=self.control.answered_s)
+            seen = StandstillEvidence(now, drive_rpm, None, None, drive_s=self.control.answered_s)
             status = self.control.status
             if drive_rpm is None or status is None:
                 return seen
@@ -214,7 +214,7 @@ class ConnectedRig:
             return replace(seen, turns=turned, turns_s=time_s)
         rpm = motion.speed_rpm()
         turns, turns_s = motion.turns() or (None, 0.0)
-        return Seen(
+        return StandstillEvidence(
             now_s=now,
             drive_rpm=drive_rpm,
             encoder_rpm=rpm,

@@ -242,8 +242,8 @@ class Connection:
         due = not control.quiet and now - self._drive_polled_s >= (
             min(PROMPT_S, timing.poll) if busy else timing.poll
         )
-        stands = core.state not in TURNING
-        if due and (stands or core.state is RunState.STOPPING or self.all_well()):
+        is_stationary = core.state not in TURNING
+        if due and (is_stationary or core.state is RunState.STOPPING or self.all_well()):
             self._drive_polled_s = now
             self.drive_watch.ask()
             self.rig.slow_channels.take_drive()

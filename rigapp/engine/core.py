@@ -281,12 +281,12 @@ class Core:
             sentence = why if name in why else say("{}: {}", name, why)
             self.act_on(make_alarm("storage", sentence=sentence))
 
-    def stood(self, witnesses: str, how: str) -> None:
+    def reached_standstill(self, witnesses: str, how: str) -> None:
         """Take note that the spindle stands; the file can be finished."""
-        if self.test is not None and not self.test.stood:
+        if self.test is not None and not self.test.reached_standstill:
             how = say("the spindle stands {}; seen by {}", how, witnesses)
             self.event("stopped", "drive", how)
-            self.test.stood = True
+            self.test.reached_standstill = True
 
     def stop_without_effect(self, drive: str) -> None:
         """Take note that the crank turns on although the drive has confirmed the power-off."""
@@ -294,22 +294,22 @@ class Core:
             "{} confirmed the power-off, but the crank turns on. It is left to its watchdog.", drive
         )
         self.warn(make_alarm("will_not_stop", sentence=sentence))
-        if self.test is not None and not self.test.stood:
+        if self.test is not None and not self.test.reached_standstill:
             self.test.fault_sentence = self.test.fault_sentence or sentence
 
     def stop_unseen(self, drive: str) -> None:
         """Take note that only the drive says that the spindle stands."""
         cause = make_alarm("stop_unseen", drive=drive)
         self.warn(cause)
-        if self.test is not None and not self.test.stood:
+        if self.test is not None and not self.test.reached_standstill:
             self.test.fault_sentence = self.test.fault_sentence or cause.sentence
 
     def will_not_stop(self, sentence: str) -> None:
         """Take note that the spindle could not be shown to stand."""
         self.warn(make_alarm("will_not_stop", sentence=sentence))
-        if self.test is not None and not self.test.stood:
+        if self.test is not None and not self.test.reached_standstill:
             self.test.fault_sentence = self.test.fault_sentence or sentence
-            self.test.stood = True
+            self.test.reached_standstill = True
 
     # --- the file --------------------------------------------------------------------------------
 
@@ -411,7 +411,7 @@ class Core:
         with self._filing() as test:
             if test is None:
                 return
-            found = test.recorder.look_after(self._file_moved)
+            found = test.recorder.watch_path(self._file_moved)
             test.path = test.recorder.path
             if found is not None and not found.saved:
                 self.warn(make_alarm("file_unsaved", sentence=found.sentence))
@@ -441,12 +441,12 @@ class Core:
     @property
     def finish_due(self) -> bool:
         """Tell whether a test waits for its file to be finished."""
-        return self.test is not None and self.test.stood and not self.test.finished
+        return self.test is not None and self.test.reached_standstill and not self.test.finished
 
     def finish(self) -> None:
         """Finish the file of a test whose spindle stands, and reach stopped or fault."""
         test = self.test
-        if test is None or not test.stood:
+        if test is None or not test.reached_standstill:
             return
         with test.finishing:
             if test.finished:

@@ -117,7 +117,7 @@ class CrankMotion:
         if do is DriveStep.STANDING:
             if stop.unseen:
                 core.stop_unseen(self._rig.spindle.name)
-            core.stood(stop.witnesses, stop.how)
+            core.reached_standstill(stop.witnesses, stop.how)
         elif do is DriveStep.POWER_OFF and stop.by_itself and core.state not in ACTIVE:
             self._turns_by_itself()
         elif do is DriveStep.NO_EFFECT:

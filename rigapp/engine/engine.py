@@ -39,7 +39,7 @@ from rigapp.engine.views import build_status, next_step
 from rigapp.engine.wirerecording import WireRecording
 from rigapp.process.awake import StayAwake
 from rigapp.process.memory import give_back
-from rigapp.process.threads import OneAtATime
+from rigapp.process.threads import CommandLock
 from rigapp.schema.alarms import Cause, make_alarm
 from rigapp.schema.details import error_text
 from rigapp.schema.loglines import LIMIT_CHANGED, SPECIMEN, LimitChange, RestSignals, SpecimenWear
@@ -128,7 +128,7 @@ class Engine:
         self._connection: Connection | None = None
         self._opening: Devices | None = None
         self._open_error: DeviceError | None = None
-        self._command = OneAtATime(COMMAND_WAIT_S)
+        self._command = CommandLock(COMMAND_WAIT_S)
         self._operator = ""
         publisher = self._core.publisher
         self.subscribe, self.unsubscribe = publisher.subscribe, publisher.unsubscribe

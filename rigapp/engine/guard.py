@@ -13,10 +13,10 @@ from rigapp.engine.connectedrig import ConnectedRig
 from rigapp.engine.core import Core
 from rigapp.engine.crankmotion import CrankMotion
 from rigapp.engine.gapwatch import GapWatch
-from rigapp.engine.judging.criteria import Met
+from rigapp.engine.judging.criteria import CriterionMet
 from rigapp.engine.judging.depthwatch import DEPTH_COLUMNS
 from rigapp.engine.judging.limits import LevelPassed
-from rigapp.engine.judging.speeds import LATE_S, SpeedComparison, wrong_sense
+from rigapp.engine.judging.speeds import LATE_S, SpeedComparison, direction_mismatch
 from rigapp.engine.judging.testrun import Row
 from rigapp.engine.samples.assembler import Revolution
 from rigapp.schema.alarms import key_of, make_alarm
@@ -244,7 +244,7 @@ class Guard:
             return False
         rig = self._core.rig.record
         directions = rig.encoder.direction, rig.spindle.direction
-        sentence = wrong_sense(turned < 0, drive_back, directions)
+        sentence = direction_mismatch(turned < 0, drive_back, directions)
         self._core.act_on(make_alarm("senses_differ", sentence=sentence), off=drive_back)
         return True
 
@@ -265,7 +265,7 @@ class Guard:
     def revolution(self, revolution: Revolution) -> None:
         """Number, reduce, judge, store and publish a revolution, in this order."""
         run, test = self._core, self._core.test
-        if test is None or run.state not in ACTIVE or test.stood:
+        if test is None or run.state not in ACTIVE or test.reached_standstill:
             return
         steady = run.state in SPEED_HELD and self._is_steady(test, revolution)
         row = test.run.take(revolution, steady)
@@ -325,14 +325,14 @@ class Guard:
 
     def _look_for_blind(self, test: ActiveTest) -> None:
         """Tell of stop criteria that nothing is known of, and when they are seen again."""
-        blind = set(test.run.stops.blind())
-        for name in blind - self._blind:
+        no_data = set(test.run.stops.no_data())
+        for name in no_data - self._blind:
             self._core.warn(make_alarm("blind", name, name=CRITERIA[name].title))
-        for name in self._blind - blind:
+        for name in self._blind - no_data:
             self._core.alarms.clear(key_of("blind", name))
-        self._blind = blind
+        self._blind = no_data
 
-    def _end(self, test: ActiveTest, met: Met) -> None:
+    def _end(self, test: ActiveTest, met: CriterionMet) -> None:
         """End the test by one of its stop criteria."""
         if met.planned:
             run = test.run

@@ -52,7 +52,7 @@ def recovery(now: Situation) -> Recovery:
     if now.state in WAITING:
         return Recovery(sentence=WAITING[now.state])
     if now.state is RunState.PAUSED:
-        return Recovery(Remedy.GO_ON, "resume", say("Resume the paused test."), (Remedy.GO_ON,))
+        return Recovery(Remedy.RESUME, "resume", say("Resume the paused test."), (Remedy.RESUME,))
     if now.state not in AT_REST:
         return Recovery()
     lost = now.critical(Ends.CONNECTION)
@@ -65,13 +65,13 @@ def recovery(now: Situation) -> Recovery:
         Remedy.CONNECT: bool(lost) or not now.connected,
         Remedy.ACKNOWLEDGE: bool(fresh),
         Remedy.RESET: bool(listed) or now.state is RunState.FAULT,
-        Remedy.GO_ON: True,
+        Remedy.RESUME: True,
     }
     left = tuple(step for step, wanted in needed.items() if wanted)
     # What only a new connection or the drive's reset can end is not waited for.
     watched = bool(seen) and not needed[Remedy.CONNECT]
     step = next(one for one in left if one is not Remedy.CAUSE or watched)
-    if step is Remedy.GO_ON and now.not_yet:
+    if step is Remedy.RESUME and now.not_yet:
         return Recovery(sentence=say("Wait: {}.", now.not_yet), left=left)
     about = {
         Remedy.CAUSE: seen,
@@ -95,13 +95,13 @@ def _first_out_first(alarms: Iterable[Alarm]) -> list[Alarm]:
 def _verb(step: Remedy, now: Situation) -> str:
     if step is Remedy.CAUSE:
         return ""
-    if step is Remedy.GO_ON:
+    if step is Remedy.RESUME:
         return "resume_file" if now.unfinished else "start"
     return step.value
 
 
 def _sentence(step: Remedy, about: Sequence[Alarm], now: Situation) -> str:
-    if step is Remedy.GO_ON:
+    if step is Remedy.RESUME:
         if now.unfinished:
             name = PurePath(now.unfinished).name
             return say("Go on with the test in {}, or start another one.", name)

@@ -162,12 +162,12 @@ class Supervisor:
             alarms = core.alarms.alarms()
             waiting = any(one.active and one.ends is Ends.STAND for one in alarms)
             seen = connection.rig.control.seen() if waiting else None
-            if seen is not None and seen.stands and seen.encoder_stands:
+            if seen is not None and seen.is_stationary and seen.encoder_stands:
                 core.alarms.clear_ended_by(Ends.STAND)
             return
         if test is None or core.state is not RunState.STOPPING:
             return
-        if not connection.drive.well and not test.stood:
+        if not connection.drive.well and not test.reached_standstill:
             self._help("stop", self._stop_in_place_of_the_drive_thread)
         elif connection.rig.control.ramp_unanswered:
             self._help("power off", partial(connection.rig.control.stop_now, True))
@@ -175,7 +175,7 @@ class Supervisor:
         ramp = 1.5 * steps.fastest_rpm / steps.gentlest_rpm_per_s * connection.rig.slow()
         longest = ramp + timing.stop_margin + timing.coast + 4 * timing.make_safe
         longest += connection.rig.control.approach_s
-        if not test.stood and time.monotonic() - test.stopping_since > longest:
+        if not test.reached_standstill and time.monotonic() - test.stopping_since > longest:
             core.will_not_stop(say("The stop was commanded, but the drive could not be asked."))
         if core.finish_due and not connection.commit.well:
             self._help("finish", core.finish)
@@ -192,7 +192,7 @@ class Supervisor:
                 connection.rig.control.poll()
             connection.motion.follow(connection.rig.control.step())
             test = self._core.test
-            if test is None or test.stood:
+            if test is None or test.reached_standstill:
                 return
             connection.supervise.pause(0.02)
 

@@ -7,7 +7,7 @@ import time
 
 from rigapp.engine.connectedrig import ConnectedRig, slow_silent
 from rigapp.engine.core import Core
-from rigapp.process.owntime import DEVICE_SHARE
+from rigapp.process.processclock import DEVICE_SHARE
 from rigapp.schema.alarms import KINDS, key_of, make_alarm
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import ACTIVE, TURNING
@@ -204,14 +204,14 @@ class DriveWatch:
     def _compare_with_encoder(self, rpm: float) -> None:
         """Switch off a drive that turns while the encoder stands."""
         run, test, standing_s = self._core, self._core.test, self._core.timing.standing
-        blind = (
+        no_data = (
             test is not None
             and run.state in (RunState.STARTING, RunState.RUNNING)
             and abs(rpm) > max(TURNS_RPM, TURNS_SHARE * test.target_rpm)
             and self._rig.processor.motion.standing(standing_s)
         )
         now = time.monotonic()
-        if not blind:
+        if not no_data:
             self._blind_since = None
             if not self._rig.processor.motion.standing(standing_s):  # a dead one sees no stop
                 run.alarms.clear("encoder_lost")

@@ -15,7 +15,7 @@ from typing import Any, Protocol, TypeVar, runtime_checkable
 from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.look.preferences import Preferences
-from rigapp.gui.results.shelf import ResultShelf
+from rigapp.gui.results.results_index import ResultShelf
 from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text
 from rigapp.viewer.knownwear import WearReader
@@ -39,7 +39,7 @@ class Panel(Protocol):
 
 
 @runtime_checkable
-class Dressed(Protocol):
+class Themed(Protocol):
     """A panel that has colours of its own."""
 
     def dress(self, theme: Theme) -> None:
@@ -48,7 +48,7 @@ class Dressed(Protocol):
 
 
 @runtime_checkable
-class InParts(Protocol):
+class ThemedInParts(Protocol):
     """A page with so much on it that its parts are put in a theme one after the other."""
 
     def parts(self) -> list[QWidget]:

@@ -1,7 +1,7 @@
 """Messages to an operator who is not there: mail, chat, a command, a dead man's switch.
 
-The rules, the outbox and the wording are pure. A process of its own, the courier, keeps the outbox
+The rules, the outbox and the wording are pure. A process of its own, the notifier, keeps the outbox
 on the disk and starts a short one for each attempt, which alone learns the secrets.
 
-Others enter by ``attempt``, ``facts``, ``link``, ``message``, ``store``, ``ways``.
+Others enter by ``channels``, ``delivery``, ``facts``, ``link``, ``message``, ``store``.
 """

@@ -1,6 +1,6 @@
-"""What the engine's side tells the courier of the rig, and what is said about the deliveries.
+"""What the engine's side tells the notifier of the rig, and what is said about the deliveries.
 
-No record here holds a secret: the engine and the courier never know one.
+No record here holds a secret: the engine and the notifier never know one.
 """
 
 from __future__ import annotations
@@ -36,19 +36,19 @@ class Silence(msgspec.Struct, frozen=True, tag_field="event", tag="silence"):
     gone: bool
 
 
-Seen = StateChanged | AlarmChanged | Finished | Heartbeat | Farewell | DiskSeen | Silence
+Observation = StateChanged | AlarmChanged | Finished | Heartbeat | Farewell | DiskSeen | Silence
 
 
 class Fact(msgspec.Struct, frozen=True):
     """Something that was seen, and when (UTC s); number: counted within a run of the engine."""
 
     at: float
-    seen: Seen
+    seen: Observation
     number: int = 0
 
 
-class CourierSetup(msgspec.Struct, frozen=True):
-    """Tell the courier its ways, where its state is kept, and which run of an engine this is.
+class NotifierSetup(msgspec.Struct, frozen=True):
+    """Tell the notifier its ways, where its state is kept, and which run of an engine this is.
 
     rig: the path of its file, name: as its messages call it.
     """
@@ -62,7 +62,7 @@ class CourierSetup(msgspec.Struct, frozen=True):
     name: str
 
 
-class CourierAnswer(msgspec.Struct, frozen=True):
+class NotifierAnswer(msgspec.Struct, frozen=True):
     """Say how far facts are heard, and what the log should say of deliveries.
 
     wrong: why somebody may not be told, empty while all is well; None when that has not changed.

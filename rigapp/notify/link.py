@@ -1,6 +1,6 @@
-"""The engine's end of the courier: a bounded list of facts, and a thread that keeps both going.
+"""The engine's end of the notifier: a bounded list of facts, and a thread that keeps both going.
 
-The thread gathers what the engine tells everybody who looks on, hands it to the courier's process
+The thread gathers what the engine tells everybody who looks on, hands it to the notifier's process
 and starts another one where it has died or does not hear. Nothing of the engine ever waits for it:
 of more than ``WAITING`` facts the oldest are dropped, and that is said.
 """
@@ -15,25 +15,32 @@ from pathlib import Path
 
 import zmq
 
-from rigapp.notify.facts import CourierAnswer, CourierSetup, Fact, Farewell, Heartbeat, Seen
+from rigapp.notify.facts import (
+    Fact,
+    Farewell,
+    Heartbeat,
+    NotifierAnswer,
+    NotifierSetup,
+    Observation,
+)
 from rigapp.process.children import MessageChild, Restarts
 from rigapp.schema.messages import Status
 from rigapp.schema.notices import Committed, Notices
 
 WAITING = 1000
-"""Facts that the courier has not heard yet; alarms come by the dozen, not by the thousand."""
+"""Facts that the notifier has not heard yet; alarms come by the dozen, not by the thousand."""
 SIGN_EVERY_S = 2.0
-START_S = 480.0  # importing, on a computer that is busy, and a courier before it that ends
+START_S = 480.0  # importing, on a computer that is busy, and a notifier before it that ends
 HEARS_S = 60.0
-"""A courier that hears nothing for so long is started again; it never waits for a server."""
+"""A notifier that hears nothing for so long is started again; it never waits for a server."""
 RESTART_PAUSE_S = 2.0
 ATTEMPTS = 5
 FAREWELL_S = 30.0
-"""The end waits so long until the courier has heard all, and not for what it sends."""
+"""The end waits so long until the notifier has heard all, and not for what it sends."""
 
 
-class CourierLink:
-    """Feed a courier with what an engine tells; never blocks who made it.
+class NotifierLink:
+    """Feed a notifier with what an engine tells; never blocks who made it.
 
     look: tells how the rig stands, several times a minute. said: told what the log should say.
     wrong: told why somebody may not be told, and with empty words that it is over.
@@ -41,7 +48,7 @@ class CourierLink:
 
     def __init__(
         self,
-        setup: CourierSetup,
+        setup: NotifierSetup,
         notices: Notices,
         look: Callable[[], Status],
         said: Callable[[str], None],
@@ -64,13 +71,13 @@ class CourierLink:
         self._thread.start()
 
     @property
-    def courier_pid(self) -> int:
-        """Return the courier's process number, 0 when there is none."""
+    def notifier_pid(self) -> int:
+        """Return the notifier's process number, 0 when there is none."""
         process = self._process
         return process.pid if process is not None and process.running else 0
 
     def close(self) -> None:
-        """Say farewell; what waits to be sent is left to the courier."""
+        """Say farewell; what waits to be sent is left to the notifier."""
         self._stop.set()
         self._thread.join(FAREWELL_S + 5.0)
 
@@ -79,7 +86,7 @@ class CourierLink:
     def _run(self) -> None:
         try:
             while not self._stop.is_set() and not self._attempts.exhausted:
-                self._serve_one_courier()
+                self._serve_one_notifier()
                 pause = time.monotonic() + self._attempts.pause_s
                 while not self._stop.is_set() and time.monotonic() < pause:
                     self._gather()
@@ -88,35 +95,35 @@ class CourierLink:
         except Exception as error:
             self._on_wrong(f"The engine's part of the messages failed ‹{error}›.")
 
-    def _serve_one_courier(self) -> None:
-        """Start a courier and feed it until it has ended or the engine does."""
-        courier = self._process = MessageChild("rigapp.notify.courier", self._folder, "courier")
+    def _serve_one_notifier(self) -> None:
+        """Start a notifier and feed it until it has ended or the engine does."""
+        notifier = self._process = MessageChild("rigapp.notify.notifier", self._folder, "notifier")
         self._attempts.started()
         self._introduced = False
         self._handed, self._heard_at = self._heard, time.monotonic() + START_S
         try:
-            self._feed(courier)
+            self._feed(notifier)
             if self._stop.is_set():
-                self._part(courier)
+                self._part(notifier)
         except zmq.ZMQError as error:
-            self._on_said(f"the courier cannot be reached ‹{error}›")
+            self._on_said(f"the notifier cannot be reached ‹{error}›")
         finally:
             if self._stop.is_set():
-                courier.leave()  # it outlives its engine, to report the end
+                notifier.leave()  # it outlives its engine, to report the end
             else:
-                courier.close()
+                notifier.close()
 
-    def _feed(self, courier: MessageChild) -> None:
-        while not self._stop.is_set() and courier.running:
+    def _feed(self, notifier: MessageChild) -> None:
+        while not self._stop.is_set() and notifier.running:
             self._gather()
-            self._hand_over(courier)
+            self._hand_over(notifier)
             if self._facts and time.monotonic() - self._heard_at > HEARS_S:
-                self._on_said(f"the courier hears nothing for {HEARS_S:g} s; it is started again")
+                self._on_said(f"the notifier hears nothing for {HEARS_S:g} s; it is started again")
                 return
         if not self._stop.is_set():
-            reason = courier.last_words()
+            reason = notifier.last_words()
             self._on_said(
-                f"the courier has ended{f' ‹{reason}›' if reason else ''}; it is started again"
+                f"the notifier has ended{f' ‹{reason}›' if reason else ''}; it is started again"
             )
 
     def _gather(self) -> None:
@@ -130,7 +137,7 @@ class CourierLink:
             self._signed_at = time.monotonic()
             self._add(Heartbeat(self._look()))
 
-    def _add(self, seen: Seen) -> None:
+    def _add(self, seen: Observation) -> None:
         """Note a fact; a heartbeat takes the place of one that is not handed over yet."""
         self._number += 1
         facts = self._facts
@@ -146,19 +153,19 @@ class CourierLink:
             facts.popleft()
             self.dropped += 1
 
-    def _hand_over(self, courier: MessageChild) -> None:
-        """Hand over what is new, as far as the courier takes it, and take its answers."""
-        self._introduced = self._introduced or courier.send(self._setup)
+    def _hand_over(self, notifier: MessageChild) -> None:
+        """Hand over what is new, as far as the notifier takes it, and take its answers."""
+        self._introduced = self._introduced or notifier.send(self._setup)
         if not self._introduced:
             return
         for fact in [one for one in self._facts if one.number > self._handed]:
-            if not courier.send(fact):
+            if not notifier.send(fact):
                 break
             self._handed = fact.number
-        while (answer := courier.receive(CourierAnswer)) is not None:
+        while (answer := notifier.receive(NotifierAnswer)) is not None:
             self._take(answer)
 
-    def _take(self, answer: CourierAnswer) -> None:
+    def _take(self, answer: NotifierAnswer) -> None:
         self._attempts.succeeded()
         self._heard_at = time.monotonic()
         self._heard = max(self._heard, answer.heard)
@@ -172,11 +179,11 @@ class CourierLink:
         if answer.wrong is not None:
             self._on_wrong(answer.wrong)
 
-    def _part(self, courier: MessageChild) -> None:
+    def _part(self, notifier: MessageChild) -> None:
         """Hand over what there is to the end, and say farewell."""
         self._gather()
         self._add(Farewell())
         deadline = time.monotonic() + FAREWELL_S
-        while self._facts and time.monotonic() < deadline and courier.running:
-            self._hand_over(courier)
+        while self._facts and time.monotonic() < deadline and notifier.running:
+            self._hand_over(notifier)
             time.sleep(0.02)

@@ -51,7 +51,7 @@ class Raised(msgspec.Struct, frozen=True):
     how: str = "Over"
 
 
-class Book(msgspec.Struct, frozen=True):
+class NotificationState(msgspec.Struct, frozen=True):
     """What one way was told: open conditions by key, day and revolution of the last summary."""
 
     open: Mapping[str, Raised] = {}
@@ -60,10 +60,10 @@ class Book(msgspec.Struct, frozen=True):
     status: Status | None = None
 
 
-Step = tuple[Book, tuple[Message, ...]]
+Step = tuple[NotificationState, tuple[Message, ...]]
 
 
-def hear(way: NotifySection, book: Book, fact: Fact) -> Step:
+def update(way: NotifySection, book: NotificationState, fact: Fact) -> Step:
     """Return the book after a fact, and what is to be told because of it."""
     told: list[Message] = []
     for change in _changes(way, book, fact):
@@ -79,7 +79,9 @@ def hear(way: NotifySection, book: Book, fact: Fact) -> Step:
     return book, tuple(told)
 
 
-def pass_time(way: NotifySection, book: Book, now: float, local: datetime.datetime) -> Step:
+def pass_time(
+    way: NotifySection, book: NotificationState, now: float, local: datetime.datetime
+) -> Step:
     """Return the book and what is to be told because time has passed; local: now, on the wall."""
     told = []
     for key, one in list(book.open.items()):
@@ -115,7 +117,7 @@ class _Went(msgspec.Struct, frozen=True):
 _Change = _Came | _Went | Message
 
 
-def _changes(way: NotifySection, book: Book, fact: Fact) -> Iterator[_Change]:
+def _changes(way: NotifySection, book: NotificationState, fact: Fact) -> Iterator[_Change]:
     seen = fact.seen
     match seen:
         case AlarmChanged():
@@ -166,7 +168,7 @@ def _of_state(way: NotifySection, seen: StateChanged) -> Iterator[_Change]:
         yield _Went("pause", untold=True)
 
 
-def _of_status(way: NotifySection, book: Book, status: Status) -> Iterator[_Change]:
+def _of_status(way: NotifySection, book: NotificationState, status: Status) -> Iterator[_Change]:
     yield _Went("silence", "The engine is heard again")
     if status.engine.state in KNOWING:
         # What neither rises nor clears before our ears, as we were not there, shows in the list.
@@ -203,7 +205,7 @@ def _of_disk(way: NotifySection, seen: DiskSeen) -> Iterator[_Change]:
         yield _Went("disk", f"{free_GB:.3g} GB are free")
 
 
-def _of_silence(way: NotifySection, book: Book, seen: Silence) -> Iterator[_Change]:
+def _of_silence(way: NotifySection, book: NotificationState, seen: Silence) -> Iterator[_Change]:
     if "silence" not in way.when or not (seen.gone or seen.silent_s >= way.silent_after_s):
         return
     last, what = book.status, "The engine's process has ended without a word."
@@ -223,7 +225,7 @@ def _of_silence(way: NotifySection, book: Book, seen: Silence) -> Iterator[_Chan
     )
 
 
-def _came(book: Book, change: _Came, at: float) -> Step:
+def _came(book: NotificationState, change: _Came, at: float) -> Step:
     """Open a condition and tell it; one that is open stays so, and was not over."""
     known = book.open.get(change.key)
     if known is not None:
@@ -236,7 +238,7 @@ def _came(book: Book, change: _Came, at: float) -> Step:
     return book, (Message(change.key, "raised", change.level, change.title, change.text, at),)
 
 
-def _went(book: Book, change: _Went, at: float) -> Book:
+def _went(book: NotificationState, change: _Went, at: float) -> NotificationState:
     """Take note that an open condition is over."""
     known = book.open.get(change.key)
     if known is None:
@@ -249,16 +251,16 @@ def _went(book: Book, change: _Went, at: float) -> Book:
     return _with(book, change.key, over)
 
 
-def _with(book: Book, key: str, condition: Raised) -> Book:
+def _with(book: NotificationState, key: str, condition: Raised) -> NotificationState:
     return msgspec.structs.replace(book, open={**book.open, key: condition})
 
 
-def _without(book: Book, key: str) -> Book:
+def _without(book: NotificationState, key: str) -> NotificationState:
     left = {name: one for name, one in book.open.items() if name != key}
     return msgspec.structs.replace(book, open=left)
 
 
-def _summary_due(way: NotifySection, book: Book, local: datetime.datetime) -> bool:
+def _summary_due(way: NotifySection, book: NotificationState, local: datetime.datetime) -> bool:
     if book.summary_on >= local.date().isoformat():
         return False
     hour, minute = (int(part) for part in way.daily_at.split(":"))

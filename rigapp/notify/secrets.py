@@ -1,6 +1,6 @@
 """Secrets by name: from a file of mode 0600 or the keyring, put into a URL, taken out of a text.
 
-Only the short process of one attempt calls this; engine and courier know names alone.
+Only the short process of one attempt calls this; engine and notifier know names alone.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from urllib.parse import quote
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.notify import REFERENCE
-from rigapp.process.private import SMALL_BYTES, is_ours, open_to_others
+from rigapp.process.private import SMALL_BYTES, open_to_others, owned_by_user
 
 KEYRING_SERVICE = "rigapp"
 """Under this service the keyring holds the secrets, each with its name as user name."""
@@ -65,7 +65,7 @@ def read_secrets(file: Path) -> dict[str, str]:
 def _require_private(file: Path, found: os.stat_result) -> None:
     if not stat.S_ISREG(found.st_mode) or found.st_size > SMALL_BYTES:
         raise UnusableInput("{}: is no small file; write the secrets into one.", file)
-    if not is_ours(found):
+    if not owned_by_user(found):
         raise UnusableInput("{}: belongs to somebody else; make it yours.", file)
     if open_to_others(found):
         raise UnusableInput(

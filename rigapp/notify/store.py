@@ -1,6 +1,6 @@
-"""The courier's state on the disk: what was told and what waits, whole or not at all, for us only.
+"""The notifier's state on the disk: what was told and what waits, whole or not at all, for us only.
 
-One courier at a time looks after the state of a rig: it holds the lock beside the file.
+One notifier at a time looks after the state of a rig: it holds the lock beside the file.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import msgspec
 from rigapp.config.notify import NotifySection
 from rigapp.config.writing import whole_file
 from rigapp.notify.outbox import Outbox
-from rigapp.notify.rules import Book
+from rigapp.notify.rules import NotificationState
 from rigapp.process.locks import taken
 from rigapp.schema.wire import decode, encode
 
@@ -23,11 +23,11 @@ from rigapp.schema.wire import decode, encode
 class WayState(msgspec.Struct, frozen=True):
     """What one way was told, and what waits for it."""
 
-    book: Book = Book()
+    book: NotificationState = NotificationState()
     outbox: Outbox = Outbox()
 
 
-class CourierState(msgspec.Struct, frozen=True):
+class NotifierState(msgspec.Struct, frozen=True):
     """The state of all ways, by ``identity``; up to which fact of which run it has come."""
 
     ways: Mapping[str, WayState] = {}
@@ -46,25 +46,25 @@ def identity(way: NotifySection) -> str:
     return hashlib.sha256(where.encode()).hexdigest()[:16]
 
 
-def read_state(file: Path) -> CourierState:
+def read_state(file: Path) -> NotifierState:
     """Return the state in a file, a fresh one without it; one that is unreadable is set aside."""
     try:
-        return decode(file.read_bytes(), CourierState)
+        return decode(file.read_bytes(), NotifierState)
     except FileNotFoundError:
-        return CourierState()
+        return NotifierState()
     except (OSError, ValueError):
         with suppress(OSError):
             file.replace(file.with_suffix(".unreadable"))
-        return CourierState()
+        return NotifierState()
 
 
-def write_state(file: Path, state: CourierState) -> None:
+def write_state(file: Path, state: NotifierState) -> None:
     """Put a state in the place of the former one, mode 0600; raise UnusableInput."""
     with whole_file(file, mode=0o600) as part:
         part.write_bytes(encode(state))
 
 
-def settled(state: CourierState) -> CourierState:
+def settled(state: NotifierState) -> NotifierState:
     """Return what of a state is worth keeping: the last status of a rig is not."""
     ways = {
         name: msgspec.structs.replace(one, book=msgspec.structs.replace(one.book, status=None))
@@ -75,6 +75,6 @@ def settled(state: CourierState) -> CourierState:
 
 @contextmanager
 def owned(file: Path) -> Iterator[bool]:
-    """Hold the lock of a state while this lasts; False where another courier has it."""
+    """Hold the lock of a state while this lasts; False where another notifier has it."""
     with file.with_suffix(".lock").open("ab") as stream:
         yield taken(stream.fileno())

@@ -40,7 +40,7 @@ class DiskSpace:
     total: int
 
 
-class Onlooker:
+class Observer:
     """Take an engine's snapshots. What it is asked to request it refuses itself."""
 
     operator = ""
@@ -165,10 +165,10 @@ class WatchedRig:
         self._shown.close()
         self._disk_worker.close()
 
-    def _attach(self) -> Onlooker:
+    def _attach(self) -> Observer:
         entry = self._find()
         self._local = any(one.pid == entry.pid for one in running_engines())
-        return Onlooker(entry)
+        return Observer(entry)
 
     def _look_for_restart(self, pid: int) -> None:
         if self._engine_pid not in (0, pid):

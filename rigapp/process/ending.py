@@ -18,7 +18,7 @@ Result = TypeVar("Result")
 
 
 @contextmanager
-def asked_to_end() -> Iterator[list[str]]:
+def termination_signals() -> Iterator[list[str]]:
     """Collect the names of the signals that ask for an end: Ctrl-C, kill, a closed terminal.
 
     Must be entered in the main thread. A hang-up that is ignored (nohup) stays so. Raises
@@ -113,7 +113,7 @@ class Background(Generic[Result]):
             self._ended.set()
 
 
-def finish_in_time(
+def shutdown_with_timeout(
     work: Callable[[], None],
     asked: list[str],
     turning: Callable[[], bool],
@@ -122,8 +122,8 @@ def finish_in_time(
 ) -> None:
     """Do the last work of a program; when it hangs, or is asked again, end the process.
 
-    asked: as ``asked_to_end`` collects them. While ``turning`` it takes two more, so that nobody
-    leaves a spindle alone by impatience. give_up: done before the process is ended.
+    asked: as ``termination_signals`` collects them. While ``turning`` it takes two more, so that
+    nobody leaves a spindle alone by impatience. give_up: done before the process is ended.
     """
     heard, deadline = len(asked), time.monotonic() + limit_s
     closing = Background(work, "closing")

@@ -36,7 +36,7 @@ LAST_WORDS_S = 2.0
 _FORMAT = "%(asctime)s %(levelname)-7s %(name)s: %(message)s"
 
 
-class Outlet(logging.Handler):
+class BoundedQueueHandler(logging.Handler):
     """Hand records to a handler in a thread of its own; what it cannot take in time is lost."""
 
     def __init__(self, target: logging.Handler, name: str) -> None:
@@ -148,7 +148,7 @@ def beside(result: Path) -> Path:
 @contextmanager
 def _attached(target: logging.Handler, name: str) -> Iterator[None]:
     """Let the root logger feed a handler while this lasts."""
-    outlet = Outlet(target, name)
+    outlet = BoundedQueueHandler(target, name)
     logging.getLogger().addHandler(outlet)
     _listen()
     try:
@@ -162,5 +162,7 @@ def _attached(target: logging.Handler, name: str) -> Iterator[None]:
 def _listen() -> None:
     """Let the root logger pass on what the most curious of its outlets takes."""
     root = logging.getLogger()
-    levels = [handler.level for handler in root.handlers if isinstance(handler, Outlet)]
+    levels = [
+        handler.level for handler in root.handlers if isinstance(handler, BoundedQueueHandler)
+    ]
     root.setLevel(min(levels, default=logging.WARNING))

@@ -6,7 +6,7 @@ import os
 import sys
 
 
-def give_way(niceness: int) -> None:
+def lower_priority(niceness: int) -> None:
     """Lower this process's priority by so much, 0 to 19; on Windows to the class below normal."""
     if sys.platform != "win32":
         os.nice(niceness)

@@ -11,7 +11,7 @@ from rigapp.config.errors import UnusableInput
 SMALL_BYTES = 1 << 16
 
 
-def is_ours(found: os.stat_result) -> bool:
+def owned_by_user(found: os.stat_result) -> bool:
     """Tell whether a file or folder belongs to this user; yes where there are no owners."""
     return not hasattr(os, "getuid") or found.st_uid == os.getuid()
 
@@ -35,7 +35,7 @@ def private_folder(folder: Path, instead: str = "") -> Path:
             raise UnusableInput("{}: is a link, not a folder{}.", folder, instead)
         if not hasattr(os, "getuid"):
             return folder
-        if not is_ours(found):
+        if not owned_by_user(found):
             raise UnusableInput("{}: belongs to somebody else{}.", folder, instead)
         if found.st_mode & 0o022:
             raise UnusableInput(
@@ -60,7 +60,9 @@ def read_own(path: Path) -> bytes | None:
         return None
     try:
         found = os.fstat(descriptor)
-        if not (stat.S_ISREG(found.st_mode) and found.st_size <= SMALL_BYTES and is_ours(found)):
+        if not (
+            stat.S_ISREG(found.st_mode) and found.st_size <= SMALL_BYTES and owned_by_user(found)
+        ):
             return None
         return os.read(descriptor, SMALL_BYTES)
     except OSError:

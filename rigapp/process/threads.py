@@ -103,7 +103,7 @@ class Worker:
             self.ended = True
 
 
-class OneAtATime:
+class CommandLock:
     """Let one command after the other in, none for longer than it can be waited for."""
 
     def __init__(self, wait_s: float) -> None:

@@ -114,7 +114,7 @@ def _made(folder: Path, name: str, about: str, media: str, data: bytes) -> Packe
 
 
 def _report(path: Path) -> bytes:
-    from rigapp.report.page.manuscript import as_html
+    from rigapp.report.page.document import as_html
     from rigapp.report.testreport import report_of
 
     return as_html(report_of(path))

@@ -25,7 +25,7 @@ class Begin(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Hands:
+class QueueActions:
     """What a queue needs of the engine.
 
     expected: errors of ``begin`` that are a sentence for the operator. tell: says that the queue
@@ -40,7 +40,7 @@ class Hands:
 class QueueWorker:
     """Take the tests of a queue in their order, one at a time."""
 
-    def __init__(self, store: QueueStore, hands: Hands) -> None:
+    def __init__(self, store: QueueStore, hands: QueueActions) -> None:
         self._store = store
         self._hands = hands
         self._operator = ""

@@ -20,7 +20,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
 from rigapp.config.sequence import Sequence
 from rigapp.process.children import write_frame
-from rigapp.process.priority import give_way
+from rigapp.process.priority import lower_priority
 from rigapp.schema.details import error_text
 from rigapp.schema.loglines import alarm_change, severity_of
 from rigapp.schema.messages import NOT_STEADY, Event, Severity
@@ -207,21 +207,21 @@ def _alarms(events: list[Event]) -> tuple[str, ...]:
 def _why_no_coefficient(test: TestReader) -> str:
     """Return why ``rigapp identify`` tells no coefficient of a test, as it says it."""
     from rigapp.twin.kept import NO_BIN, kept_of, life_of
-    from rigapp_model.identification import CannotBeTold
+    from rigapp_model.identification import NotIdentifiable
 
     try:
         kept, _ = kept_of(test)
         kept.prior()
         kept.errors()
         life_of(kept)
-    except CannotBeTold as error:
+    except NotIdentifiable as error:
         return sentence_of_error(error)
     return "" if kept.bins.closed else NO_BIN
 
 
 def main(arguments: list[str]) -> int:
     """Answer the paths of standard input; return the exit status."""
-    give_way(NICENESS)
+    lower_priority(NICENESS)
     try:
         for line in sys.stdin.buffer.read().splitlines():
             path = Path(os.fsdecode(line))

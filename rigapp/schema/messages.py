@@ -140,7 +140,7 @@ class Alarm(msgspec.Struct, frozen=True):
     value: float | None = None
 
 
-class LookedAfter(msgspec.Struct, frozen=True):
+class PathReport(msgspec.Struct, frozen=True):
     """Say what happened to the file of a test, and whether everything in it has a name again."""
 
     sentence: str
@@ -154,7 +154,7 @@ class Remedy(enum.StrEnum):
     CONNECT = "connect"
     ACKNOWLEDGE = "acknowledge"
     RESET = "reset"
-    GO_ON = "go on"
+    RESUME = "go on"
     NONE = "none"
 
 

@@ -179,7 +179,7 @@ class Force(msgspec.Struct, frozen=True):
     force: bool = False
 
 
-class Lane(enum.StrEnum):
+class Priority(enum.StrEnum):
     """Where a request waits its turn, and whose workers carry it out.
 
     SAFETY: each verb has workers of its own, so that nothing else, however many requests hang,
@@ -209,7 +209,7 @@ class Verb:
 
     name: str
     record: type[msgspec.Struct]
-    lane: Lane
+    lane: Priority
     who: Who = Who.HOLDER
     timeout_s: float = 10.0
     urgent: bool = False
@@ -218,49 +218,49 @@ class Verb:
 VERBS = {
     verb.name: verb
     for verb in (
-        Verb("stop", Reason, Lane.SAFETY, Who.ANYONE, urgent=True),
-        Verb("drive_off", Reason, Lane.SAFETY, Who.ANYONE, urgent=True),
-        Verb("acknowledge", AlarmKey, Lane.SAFETY, Who.ANYONE, urgent=True),
-        Verb("reset", Nothing, Lane.SAFETY, timeout_s=30.0, urgent=True),
-        Verb("hello", Nothing, Lane.LOOK, Who.ANYONE),
-        Verb("status", Nothing, Lane.LOOK, Who.ANYONE),
-        Verb("present", Nothing, Lane.LOOK, Who.ANYONE, timeout_s=2.0),
-        Verb("take_command", Force, Lane.LOOK, Who.ANYONE),
-        Verb("release_command", Nothing, Lane.LOOK, Who.ANYONE),
-        Verb("signals", LastSeconds, Lane.WORK, Who.ANYONE),
-        Verb("simulation_state", Nothing, Lane.WORK, Who.ANYONE),
-        Verb("connect", Nothing, Lane.WORK, timeout_s=90.0),
-        Verb("reconnect", Nothing, Lane.WORK, timeout_s=90.0),
-        Verb("start", Start, Lane.WORK, timeout_s=120.0),
-        Verb("resume_file", Resume, Lane.WORK, timeout_s=120.0),
-        Verb("queue_start", Nothing, Lane.WORK, timeout_s=120.0),
-        Verb("queue_stop", Nothing, Lane.WORK),
-        Verb("queue_add", QueueAdd, Lane.WORK),
-        Verb("queue_remove", QueueRemove, Lane.WORK),
-        Verb("examine_file", File, Lane.WORK, timeout_s=120.0),
-        Verb("pause", Reason, Lane.WORK, urgent=True),
-        Verb("resume", Nothing, Lane.WORK, timeout_s=30.0),
-        Verb("shelve", Shelve, Lane.WORK),
-        Verb("note", Note, Lane.WORK),
-        Verb("extend", Extend, Lane.WORK),
-        Verb("set_limit", SetLimit, Lane.WORK),
-        Verb("calibration_begin", BeginCalibration, Lane.WORK, timeout_s=20.0),
-        Verb("calibration_end", CalibrationKey, Lane.WORK, Who.ANYONE, timeout_s=30.0),
-        Verb("calibration_release", ReleaseCalibration, Lane.WORK, timeout_s=30.0),
-        Verb("report_begin", LinesToReport, Lane.WORK, timeout_s=120.0),
-        Verb("report_end", Nothing, Lane.WORK, timeout_s=60.0),
-        Verb("use_records", Nothing, Lane.WORK),
-        Verb("zero", Zero, Lane.WORK, timeout_s=60.0),
-        Verb("inject_fault", FaultRecord, Lane.WORK),
-        Verb("clear_fault", FaultKind, Lane.WORK),
-        Verb("hand", Hand, Lane.WORK, timeout_s=30.0),
-        Verb("shutdown", Nothing, Lane.LOOK),
+        Verb("stop", Reason, Priority.SAFETY, Who.ANYONE, urgent=True),
+        Verb("drive_off", Reason, Priority.SAFETY, Who.ANYONE, urgent=True),
+        Verb("acknowledge", AlarmKey, Priority.SAFETY, Who.ANYONE, urgent=True),
+        Verb("reset", Nothing, Priority.SAFETY, timeout_s=30.0, urgent=True),
+        Verb("hello", Nothing, Priority.LOOK, Who.ANYONE),
+        Verb("status", Nothing, Priority.LOOK, Who.ANYONE),
+        Verb("present", Nothing, Priority.LOOK, Who.ANYONE, timeout_s=2.0),
+        Verb("take_command", Force, Priority.LOOK, Who.ANYONE),
+        Verb("release_command", Nothing, Priority.LOOK, Who.ANYONE),
+        Verb("signals", LastSeconds, Priority.WORK, Who.ANYONE),
+        Verb("simulation_state", Nothing, Priority.WORK, Who.ANYONE),
+        Verb("connect", Nothing, Priority.WORK, timeout_s=90.0),
+        Verb("reconnect", Nothing, Priority.WORK, timeout_s=90.0),
+        Verb("start", Start, Priority.WORK, timeout_s=120.0),
+        Verb("resume_file", Resume, Priority.WORK, timeout_s=120.0),
+        Verb("queue_start", Nothing, Priority.WORK, timeout_s=120.0),
+        Verb("queue_stop", Nothing, Priority.WORK),
+        Verb("queue_add", QueueAdd, Priority.WORK),
+        Verb("queue_remove", QueueRemove, Priority.WORK),
+        Verb("examine_file", File, Priority.WORK, timeout_s=120.0),
+        Verb("pause", Reason, Priority.WORK, urgent=True),
+        Verb("resume", Nothing, Priority.WORK, timeout_s=30.0),
+        Verb("shelve", Shelve, Priority.WORK),
+        Verb("note", Note, Priority.WORK),
+        Verb("extend", Extend, Priority.WORK),
+        Verb("set_limit", SetLimit, Priority.WORK),
+        Verb("calibration_begin", BeginCalibration, Priority.WORK, timeout_s=20.0),
+        Verb("calibration_end", CalibrationKey, Priority.WORK, Who.ANYONE, timeout_s=30.0),
+        Verb("calibration_release", ReleaseCalibration, Priority.WORK, timeout_s=30.0),
+        Verb("report_begin", LinesToReport, Priority.WORK, timeout_s=120.0),
+        Verb("report_end", Nothing, Priority.WORK, timeout_s=60.0),
+        Verb("use_records", Nothing, Priority.WORK),
+        Verb("zero", Zero, Priority.WORK, timeout_s=60.0),
+        Verb("inject_fault", FaultRecord, Priority.WORK),
+        Verb("clear_fault", FaultKind, Priority.WORK),
+        Verb("hand", Hand, Priority.WORK, timeout_s=30.0),
+        Verb("shutdown", Nothing, Priority.LOOK),
     )
 }
 
-SAFETY_VERBS = frozenset(name for name, verb in VERBS.items() if verb.lane is Lane.SAFETY)
+SAFETY_VERBS = frozenset(name for name, verb in VERBS.items() if verb.lane is Priority.SAFETY)
 
 
 def verb_of(name: str) -> Verb:
     """Return how a verb is treated, by name; one that nobody knows like work without arguments."""
-    return VERBS.get(name) or Verb(name, Nothing, Lane.WORK)
+    return VERBS.get(name) or Verb(name, Nothing, Priority.WORK)

@@ -12,7 +12,7 @@ from rigapp.config.errors import in_words
 from rigapp.config.ranges import refusal as number_refusal
 from rigapp.schema.messages import NOTE_CHARACTERS, Reply, Request
 from rigapp.schema.states import Refused, refuse_long
-from rigapp.schema.verbs import Lane, Verb
+from rigapp.schema.verbs import Priority, Verb
 from rigapp.texts import capitalised, joined
 
 MESSAGE_BYTES = 1 << 16  # no request is nearly as long
@@ -31,14 +31,14 @@ def bounded(request: Request) -> Request:
     return msgspec.structs.replace(request, operator=operator)
 
 
-def asked_of(verb: Verb, arguments: Mapping[str, Any]) -> Any:
+def parse_arguments(verb: Verb, arguments: Mapping[str, Any]) -> Any:
     """Return the arguments of a request as the record of its verb.
 
     What makes the rig safe is never refused for its words: they are cut, and what is no text is
     left out. Of all other verbs what is missing, too long, out of range or of another kind raises
     Refused. What the record does not know is ignored.
     """
-    if verb.lane is Lane.SAFETY:
+    if verb.lane is Priority.SAFETY:
         names = verb.record.__struct_fields__
         texts = {name: arguments[name] for name in names if isinstance(arguments.get(name), str)}
         return verb.record(**{name: text[:NOTE_CHARACTERS] for name, text in texts.items()})

@@ -35,7 +35,7 @@ class Holder:
     name: str
 
 
-class InCommand:
+class ControlLock:
     """Keep the one operator in command; every method may be called from any thread."""
 
     def __init__(self, log: Log, clock: Callable[[], float] = time.monotonic) -> None:

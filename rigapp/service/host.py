@@ -26,14 +26,14 @@ from rigapp.config.rig import RigFile
 from rigapp.config.sequence import Sequence
 from rigapp.engine.devices import plan_devices
 from rigapp.engine.engine import Engine, LogEntry
-from rigapp.notify.facts import CourierSetup
-from rigapp.notify.link import CourierLink
-from rigapp.notify.ways import Ways, inspected, ways_of
+from rigapp.notify.channels import DeliveryChannels, inspected, ways_of
+from rigapp.notify.facts import NotifierSetup
+from rigapp.notify.link import NotifierLink
 from rigapp.process.awake import StayAwake
 from rigapp.process.logs import beside, in_file
 from rigapp.process.private import private_folder
-from rigapp.process.threads import OneAtATime
-from rigapp.queue.worker import Hands
+from rigapp.process.threads import CommandLock
+from rigapp.queue.worker import QueueActions
 from rigapp.schema.loglines import SpecimenWear
 from rigapp.schema.messages import (
     AT_REST,
@@ -50,7 +50,7 @@ from rigapp.schema.states import ACTIVE, Refused
 from rigapp.service.bounds import refusal
 from rigapp.service.bugreport import BugReports
 from rigapp.service.calibration import RigCalibration
-from rigapp.service.command import InCommand
+from rigapp.service.command import ControlLock
 from rigapp.service.lasttest import cut_off, last_wear, remember
 from rigapp.service.pins import PinCheck
 from rigapp.service.recorded import (
@@ -83,7 +83,7 @@ from rigapp.service.server import Server
 from rigapp.service.simulated import SampleNumbers, SimulatedDevices, Speed
 from rigapp.texts import joined, say, sentence_of_error
 from rigapp.twin.link import TwinLink
-from rigapp.twin.messages import Sought, TwinSetup
+from rigapp.twin.messages import IdentificationTarget, TwinSetup
 
 log = logging.getLogger(__name__)
 
@@ -136,11 +136,11 @@ class EngineHost:
         self._subscription = self.engine.subscribe()
         self.notices = self.engine.watch()
         self._log = ExitStack()
-        self.starting = OneAtATime(START_WAIT_S)
+        self.starting = CommandLock(START_WAIT_S)
         self._cancelled = ""
         self.ended = threading.Event()
         self.behind = SampleNumbers()
-        self.command = InCommand(
+        self.command = ControlLock(
             lambda text, who, before, after: self.engine.log("command", text, who, before, after)
         )
         self.pins = PinCheck(rig)
@@ -148,7 +148,7 @@ class EngineHost:
             None if own else rig.path, lambda text, who: self.engine.log("calibrating", text, who)
         )
         self.reports = BugReports(self.engine, lambda: self._rig, self._connect_to_report)
-        hands = Hands(self._begin_queued, EXPECTED, self.engine.queue_stopped)
+        hands = QueueActions(self._begin_queued, EXPECTED, self.engine.queue_stopped)
         self.queue = RigQueue(rig.path, hands, self.engine.watch())
         self.handle = RequestHandler(self).handle
         self._server = self._listen(bind)
@@ -163,15 +163,15 @@ class EngineHost:
                 server_key=self._server.public_key,
             )
         )
-        self._messages = self._courier(ways) if ways else None
+        self._messages = self._notifier(ways) if ways else None
 
-    def _courier(self, ways: Ways) -> CourierLink:
+    def _notifier(self, ways: DeliveryChannels) -> NotifierLink:
         """Start what tells who is away; it hears what every viewer hears."""
         folder = private_folder(lasting_folder() / "messages")
         rig = str(self._rig.path.resolve())
         run, name = say("{} {}", os.getpid(), time.time()), self._rig.record.name
-        return CourierLink(
-            CourierSetup(rig, ways.ways, ways.ping, str(folder), str(ways.secrets), run, name),
+        return NotifierLink(
+            NotifierSetup(rig, ways.ways, ways.ping, str(folder), str(ways.secrets), run, name),
             self.engine.watch(),
             lambda: self.with_service(self.engine.status()).shown(),
             lambda text: self.engine.log("message", text, "messages"),
@@ -394,7 +394,7 @@ class EngineHost:
             setup = TwinSetup(
                 test.model,
                 test.prediction.joint,
-                sought=Sought(
+                sought=IdentificationTarget(
                     stated.sensitivity if stated is not None else None,
                     stated.drift_um if stated is not None else None,
                     test.stop.wear_depth_um,
@@ -484,7 +484,7 @@ class EngineHost:
         """Add what the engine itself does not know."""
         speed, queue = self.simulated.speed, self.queue.view()
         calibration, recovery = self.calibration.shown, status.recovery
-        next_is_test = recovery.step in (Remedy.GO_ON, Remedy.NONE)
+        next_is_test = recovery.step in (Remedy.RESUME, Remedy.NONE)
         if calibration is not None and next_is_test and status.engine.state in AT_REST:
             recovery = Recovery(sentence=END_CALIBRATION)
         engine = msgspec.structs.replace(

@@ -13,8 +13,8 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from rigapp.process.children import Child
-from rigapp.process.leftovers import process_alive
 from rigapp.process.locks import taken
+from rigapp.process.stale_files import process_alive
 from rigapp.service.client import Client, EngineUnreachable
 from rigapp.service.registry import (
     EngineEntry,

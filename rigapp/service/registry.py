@@ -19,8 +19,8 @@ import platformdirs
 from rigapp.config.errors import UnusableInput
 from rigapp.config.reading import read_bytes
 from rigapp.process.ending import ending_as_interrupt
-from rigapp.process.leftovers import process_alive, remove_left_behind
 from rigapp.process.private import SMALL_BYTES, private_folder, read_own
+from rigapp.process.stale_files import process_alive, remove_left_behind
 from rigapp.schema.messages import PROTOCOL_VERSION
 from rigapp.schema.wire import json_bytes
 from rigapp.texts import say
@@ -31,7 +31,7 @@ LONGEST_SOCKET_FOLDER = 80
 """Characters: the system allows 107 for the path of a socket, its name included."""
 
 LEFT_BEHIND = (
-    r"(?:engine-|starting-|twin-|courier-)?(?P<pid>\d+)"
+    r"(?:engine-|starting-|twin-|notifier-)?(?P<pid>\d+)"
     r"(?:\.(?:json|part|commands|snapshots)|-[0-9a-f]+)"
 )
 """Entries and sockets in the runtime folder, each with the process id of its owner."""

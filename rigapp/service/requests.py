@@ -30,7 +30,7 @@ from rigapp.schema.verbs import (
     Zero,
 )
 from rigapp.schema.wire import tree_of
-from rigapp.service.bounds import asked_of, refusal
+from rigapp.service.bounds import parse_arguments, refusal
 from rigapp.service.recorded import end_whole_test, recorded_test, with_revolutions
 from rigapp.service.rigqueue import add_tests
 from rigapp.simulation.handle import SimulationFailed
@@ -69,7 +69,7 @@ class RequestHandler:
             return refusal(say("There is no command {}: {}.", repr(request.verb), known))
         try:
             self._host.command.judge(request)
-            result = self._verbs[verb.name](asked_of(verb, request.arguments), request)
+            result = self._verbs[verb.name](parse_arguments(verb, request.arguments), request)
         except EXPECTED as error:
             return refusal(sentence_of_error(error))
         except (TypeError, ValueError) as error:

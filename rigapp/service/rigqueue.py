@@ -13,7 +13,7 @@ from rigapp.config.rig import RigFile
 from rigapp.process.threads import Worker
 from rigapp.queue.items import Queue, added
 from rigapp.queue.store import QueueStore
-from rigapp.queue.worker import Hands, QueueWorker
+from rigapp.queue.worker import QueueActions, QueueWorker
 from rigapp.schema.notices import Finished, Notices
 from rigapp.service.registry import kept_of
 from rigapp.texts import say, sentence_of_error
@@ -43,7 +43,7 @@ def add_tests(store: QueueStore, rig: RigFile, tests: Sequence[Path], folder: Pa
 class RigQueue:
     """Keep the queue of one rig, and a thread that works it through."""
 
-    def __init__(self, rig: Path, hands: Hands, ends: Notices) -> None:
+    def __init__(self, rig: Path, hands: QueueActions, ends: Notices) -> None:
         """Take up what the disk keeps; a queue that is not usable is told of, and stops no test."""
         self.store = QueueStore(kept_of(rig, "queues"), rig)
         self._worker = QueueWorker(self.store, hands)

@@ -1,11 +1,11 @@
 """Serve an engine over ZeroMQ: commands with a reply, and a stream of snapshots.
 
 Commands arrive on a ROUTER socket and are answered in the order in which they finish; each safety
-verb has threads of its own (``verbs``, ``Lanes``), so that no number of slow ones delays it. What
-is too much at once is answered "busy", what cannot be read is answered and survived. Snapshots
-leave on a second ROUTER socket, to every viewer that sent an empty message, with a short queue for
-each: a viewer that lags misses some, and sees the gap in ``Snapshot.first_row``. It is no PUB
-socket: that one keeps every topic that a viewer subscribes to, without a bound.
+verb has threads of its own (``verbs``, ``RequestQueue``), so that no number of slow ones delays
+it. What is too much at once is answered "busy", what cannot be read is answered and survived.
+Snapshots leave on a second ROUTER socket, to every viewer that sent an empty message, with a short
+queue for each: a viewer that lags misses some, and sees the gap in ``Snapshot.first_row``. It is
+no PUB socket: that one keeps every topic that a viewer subscribes to, without a bound.
 ``Server.watched`` tells whether anyone looks. With keys, a viewer whose key is not authorised
 reaches neither.
 """
@@ -25,7 +25,7 @@ import zmq
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.messages import PROTOCOL_VERSION, Reply, Request, Snapshot
 from rigapp.schema.states import Refused
-from rigapp.schema.verbs import Lane, verb_of
+from rigapp.schema.verbs import Priority, verb_of
 from rigapp.schema.wire import encode
 from rigapp.service.bounds import MESSAGE_BYTES, bounded, refusal
 from rigapp.service.connections import Connections
@@ -33,7 +33,7 @@ from rigapp.service.registry import other_version
 from rigapp.service.security import KeyCheck
 from rigapp.texts import say, sentence_of_error
 
-UNDER_WAY = {Lane.SAFETY: 4, Lane.LOOK: 16, Lane.WORK: 16}
+UNDER_WAY = {Priority.SAFETY: 4, Priority.LOOK: 16, Priority.WORK: 16}
 """Requests that are carried out at once: of each safety verb, and of each other lane."""
 
 REQUEST_QUEUE = 100  # of each connection: 6.4 MB at most
@@ -63,7 +63,7 @@ class _Head(msgspec.Struct, frozen=True):
     identifier: int = 0
 
 
-class Lanes:
+class RequestQueue:
     """Give each request a thread while its lane has one left.
 
     They are daemons: one that hangs on a device or a file never keeps the process from ending.
@@ -82,7 +82,7 @@ class Lanes:
     def submit(self, verb: str, job: Callable[[], None]) -> str:
         """Begin a job of a verb; return why it cannot be begun, "" when it was."""
         lane = verb_of(verb).lane
-        name = verb if lane is Lane.SAFETY else lane.value
+        name = verb if lane is Priority.SAFETY else lane.value
         bound = UNDER_WAY[lane]
         with self._lock:
             if self._under_way.get(name, 0) >= bound:
@@ -158,7 +158,7 @@ class Server:
         self.commands = self._router.getsockopt_string(zmq.LAST_ENDPOINT)
         self.stream = self._publisher.getsockopt_string(zmq.LAST_ENDPOINT)
         self._replies: queue.Queue[tuple[bytes, bytes]] = queue.Queue()
-        self._lanes = Lanes()
+        self._lanes = RequestQueue()
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._serve, name="service", daemon=True)
         self._viewers: set[bytes] = set()

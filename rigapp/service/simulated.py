@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Literal
 
-from rigapp.calibrating.practice import MISTAKES
+from rigapp.calibrating.training import MISTAKES
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.parameters import ParameterFile

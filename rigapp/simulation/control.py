@@ -27,8 +27,8 @@ import msgspec
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.wire import json_bytes
 from rigapp.simulation.faults import fault_of
-from rigapp.simulation.hands import hand_of
 from rigapp.simulation.rig import RigSimulation
+from rigapp.simulation.simulated_operator import hand_of
 from rigapp.texts import joined
 
 Table = dict[str, Any]

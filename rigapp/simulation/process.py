@@ -21,8 +21,8 @@ from typing import Any
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameter_file, read_rig
-from rigapp.process.ending import asked_to_end
-from rigapp.process.leftovers import remove_left_behind
+from rigapp.process.ending import termination_signals
+from rigapp.process.stale_files import remove_left_behind
 from rigapp.schema.wire import json_bytes
 from rigapp.simulation.handle import FOLDER, SimulatedRig, start_simulated_rig
 
@@ -78,7 +78,7 @@ def speed_of(text: str | None) -> float:
 
 
 def _run(options: argparse.Namespace, stack: contextlib.ExitStack) -> int:
-    stopping = stack.enter_context(asked_to_end())
+    stopping = stack.enter_context(termination_signals())
     from rigapp.simulation.constants import packaged_parameters
     from rigapp.simulation.faults import read_faults
     from rigapp.simulation.rig import RigSimulation
@@ -120,13 +120,13 @@ def _endpoints(sockets: bool, stack: contextlib.ExitStack) -> Callable[[str], An
 
 
 def _loop(rig: Any, stopping: list[str], *, exit_with_parent: bool) -> None:
-    from rigapp.process.owntime import DEVICE_SHARE, OwnTime
+    from rigapp.process.processclock import DEVICE_SHARE, ProcessClock
     from rigapp.simulation.control import Lines, answer
 
     lines = Lines()
     stdin = _command_input()
     orphan_until = math.inf
-    own, wait_s = OwnTime(time.monotonic(), time.thread_time(), DEVICE_SHARE), 0.0
+    own, wait_s = ProcessClock(time.monotonic(), time.thread_time(), DEVICE_SHARE), 0.0
     while not stopping:
         now_s = time.monotonic()
         wait_s = rig.step(now_s, own.tick(now_s, time.thread_time(), wait_s))

@@ -32,10 +32,10 @@ from rigapp.simulation.devices import (
 )
 from rigapp.simulation.disturbances import Disturbances, SignalFault, WiredSignals, terminals
 from rigapp.simulation.faults import SIGNAL_KINDS, WIRE_KINDS, Timetable, check_fault
-from rigapp.simulation.hands import PlantHands
 from rigapp.simulation.interference import Interference
 from rigapp.simulation.layout import Drive
 from rigapp.simulation.plant import Plant
+from rigapp.simulation.simulated_operator import SimulatedOperator
 from rigapp.simulation.surroundings import DRIVE_WARMER_K, FreeInputs, slow_values
 from rigapp.simulation.truth import TruthRecorder
 from rigapp.simulation.wire.link import WireFault
@@ -69,7 +69,7 @@ class PlantPace:
     as long as it would.
 
     The devices' own time, on which the drive's watchdog runs, is that of their process
-    (``owntime``).
+    (``processclock``).
     """
 
     def __init__(self, speed: float, now_s: float) -> None:
@@ -155,7 +155,7 @@ class RigSimulation:
             sample_rate_Hz=self._daq.simulator.sample_rate_Hz,
             free_inputs=len(self._free),
         )
-        self.hands = PlantHands(self.plant)
+        self.hands = SimulatedOperator(self.plant)
         self._start_angle = self.plant.angle_rad
         for fault in faults:
             self._check(fault, later=True)
@@ -185,7 +185,7 @@ class RigSimulation:
     def step(self, now_s: float, device_s: float | None = None) -> float:
         """Do what is due; return for how many seconds nothing else will be.
 
-        device_s: the devices' own time (``owntime.OwnTime``), the wall clock's if None.
+        device_s: the devices' own time (``processclock.ProcessClock``), the wall clock's if None.
         """
         self._now = now_s
         self._device_s = now_s if device_s is None else device_s

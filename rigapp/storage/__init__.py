@@ -8,7 +8,7 @@ schema and the errors of the configuration, and nothing that measures or draws.
 
 from __future__ import annotations
 
-from rigapp.storage.filesystem.calls import NoRoom, StorageFailed
+from rigapp.storage.filesystem.calls import DiskFull, StorageFailed
 from rigapp.storage.filesystem.folder import SPACE_MARGIN, hidden_name, move_into_place
 from rigapp.storage.filesystem.system import hold_writer_lock
 from rigapp.storage.reading.blocks import (
@@ -68,9 +68,9 @@ __all__ = [
     "SPACE_MARGIN",
     "Columns",
     "Dialect",
+    "DiskFull",
     "FilePlan",
     "LargestForce",
-    "NoRoom",
     "Salvaged",
     "StorageFailed",
     "StoredColumns",

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from rigapp.config.writing import whole_file
 from rigapp.report.page.figures import MODEL, in_style
+from rigapp.report.testreport.formatting import symbol
 from rigapp.report.testreport.plots import COLOURS
-from rigapp.report.testreport.wording import symbol
 from rigapp.schema.units import stem_of, unit_of_key
 from rigapp.study.design import Design, Spread, StudyFile, Value, Varied
 from rigapp.study.folder import CSV, NOT_COMPUTED, SENSITIVITY, TABLE

@@ -48,7 +48,7 @@ class VirtualTest(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 def virtual_test(parameters: Parameters, run: VirtualTest, seed: int) -> dict[str, float]:
     """Return what a virtual test tells of its wear coefficient; the same seed gives the same."""
-    from rigapp_model.identification import Bins, CannotBeTold, Prior, ProbeErrors, identify
+    from rigapp_model.identification import Bins, NotIdentifiable, Prior, ProbeErrors, identify
 
     life = _life(parameters, run.rpm, run.joint, run.revolutions, run.coefficient_factor)
     true = run.coefficient_factor * life.coefficient
@@ -69,7 +69,7 @@ def virtual_test(parameters: Parameters, run: VirtualTest, seed: int) -> dict[st
         if len(bins.closed) > closed:
             try:
                 known = identify(bins.closed, life, errors, Prior(life.coefficient)).coefficient
-            except CannotBeTold:
+            except NotIdentifiable:
                 continue
             told.append((revolution, known))
     if not told:

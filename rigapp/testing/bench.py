@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.process.owntime import DEVICE_SHARE, OwnTime
+from rigapp.process.processclock import DEVICE_SHARE, ProcessClock
 from rigapp.simulation.wire.link import SimulatedWire, WireFault
 from rigapp.simulation.wire.ports import port_at
 from rigapp.testing.contracts import Contract, ExpectedFault
@@ -97,7 +97,7 @@ class Port:
             raise self.failure
 
     def _run(self) -> None:
-        own = OwnTime(time.monotonic(), time.thread_time(), DEVICE_SHARE)
+        own = ProcessClock(time.monotonic(), time.thread_time(), DEVICE_SHARE)
         try:
             while not self._stopping.is_set():
                 with self._lock:

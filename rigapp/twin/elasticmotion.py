@@ -12,7 +12,7 @@ from rigapp.twin.ahead import bushing_ahead
 from rigapp.twin.approach import RIGID
 from rigapp.twin.measureddepth import ELASTIC_DOUBT
 from rigapp.twin.pinpath import FRICTION_DOUBT, rotated
-from rigapp.twin.predict import GRID, Unpredictable
+from rigapp.twin.predict import GRID, PredictionError
 from rigapp_model.frames import into_frame
 from rigapp_model.joints import perfect_joint
 from rigapp_model.parameters import Parameters
@@ -29,12 +29,12 @@ def elastic_motions(
     """Return the elastic motion (2, n) of the pin in the follower frame, m, in each revolution.
 
     angles (n,) each: crank angle, rad; forces (2, n) each: on the follower by the pin, crank frame,
-    N. The clearance is left out of the follower's angle. Raises Unpredictable, ModelError.
+    N. The clearance is left out of the follower's angle. Raises PredictionError, ModelError.
     """
     if not angles:
         return []
     if not all(np.isfinite(force).all() for force in forces):
-        raise Unpredictable(say("its forces are not all numbers"))
+        raise PredictionError(say("its forces are not all numbers"))
     motion = perfect_joint(parameters.mechanism, GRID, 1.0, 0.0, parameters.joint)
     seen = []
     for angle, force in zip(angles, forces, strict=True):
@@ -45,7 +45,7 @@ def elastic_motions(
     bushing = bushing_ahead(parameters, usual, motion.slip_increments(parameters.joint.pin_radius))
     approach = RIGID if bushing is None else bushing.upto(0.0)
     if approach is None:
-        raise Unpredictable(say("the model cannot tell how far the force presses the pin in"))
+        raise PredictionError(say("the model cannot tell how far the force presses the pin in"))
     lean = -float(np.arctan(parameters.joint.friction_coefficient))
     motions = []
     for force in seen:

@@ -19,16 +19,16 @@ from rigapp.schema.details import error_text
 from rigapp.texts import say, sentence_of_error
 from rigapp.twin.approach import MeanApproach
 from rigapp.twin.measureddepth import MeasuredDepth
-from rigapp.twin.messages import Sought
+from rigapp.twin.messages import IdentificationTarget
 from rigapp.twin.predict import NOTHING
 from rigapp.twin.tolerances import CLEARANCE
 from rigapp_model.errors import ModelError
 from rigapp_model.identification import (
     Bins,
-    CannotBeTold,
     Consistency,
     Credible,
     DepthLife,
+    NotIdentifiable,
     Prior,
     ProbeErrors,
     bins_of,
@@ -85,7 +85,7 @@ class IdentifiedRecord(msgspec.Struct, frozen=True):
     unknown until the next bin closes.
     """
 
-    sought: Sought
+    sought: IdentificationTarget
     bins: dict[str, Any]
     consistency: dict[str, Any]
     progress: float
@@ -182,7 +182,7 @@ class Identifier:
     """
 
     parameters: Parameters
-    sought: Sought
+    sought: IdentificationTarget
     bins: Bins = field(default_factory=Bins)
     consistency: Consistency = field(default_factory=Consistency)
     ahead: LifeAhead | None = None
@@ -255,7 +255,7 @@ class Identifier:
             return
         try:
             found = identify(self.bins, life, self.errors(), self.prior())
-        except (CannotBeTold, ModelError) as refused:
+        except (NotIdentifiable, ModelError) as refused:
             self.refused = sentence_of_error(refused)
             return
         self.refused = ""
@@ -282,7 +282,7 @@ class Identifier:
         return columns
 
     def errors(self) -> ProbeErrors:
-        """Return what the record states of the probes; raise CannotBeTold where none does."""
+        """Return what the record states of the probes; raise NotIdentifiable where none does."""
         drift = self.sought.drift_um
         per_root = None if drift is None else 1e-6 * drift / math.sqrt(math.log(10.0))
         joint = self.parameters.joint
@@ -296,10 +296,10 @@ class Identifier:
         )
 
     def prior(self) -> Prior:
-        """Return what is known beforehand; raise CannotBeTold for a model that does not wear."""
+        """Return what is known beforehand; raise NotIdentifiable for a model that does not wear."""
         coefficient = self.parameters.bushing.wear_coefficient
         if coefficient <= 0.0:
-            raise CannotBeTold(
+            raise NotIdentifiable(
                 say("model.bushing.wear_coefficient_mm3_per_Nm is 0: give its order of magnitude")
             )
         told = self.sought.prior
@@ -312,7 +312,7 @@ class Identifier:
         try:
             self.errors()
             self.prior()
-        except CannotBeTold as refused:
+        except NotIdentifiable as refused:
             self.refused = sentence_of_error(refused)
             log.warning("The wear coefficient is not stated: %s.", self.refused)
         return not self.refused

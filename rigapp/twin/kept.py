@@ -11,22 +11,22 @@ from rigapp.storage import TestReader
 from rigapp.texts import say
 from rigapp.twin.checkpoint import Checkpoint, restore
 from rigapp.twin.identifying import Identifier
-from rigapp.twin.messages import Sought
+from rigapp.twin.messages import IdentificationTarget
 from rigapp.twin.twin import Twin
-from rigapp_model.identification import CannotBeTold, DepthLife
+from rigapp_model.identification import DepthLife, NotIdentifiable
 
 NO_BIN = say("no bin of revolutions is complete yet: wait")
 """Why a test tells nothing before its first bin."""
 
 
 def kept_of(reader: TestReader) -> tuple[Identifier, int]:
-    """Return the identification of a test as its twin left it; raise CannotBeTold for none.
+    """Return the identification of a test as its twin left it; raise NotIdentifiable for none.
 
     Its readings stand in bins, and its life is worn as far as it had come. The second value: the
     revolutions that the bushing had made when the test began, which its readings count.
     """
     if "wear_coefficient" not in reader.column_units("prediction"):
-        raise CannotBeTold(
+        raise NotIdentifiable(
             say(
                 "the file was recorded without a prediction, or by a version that did not"
                 " ask for it"
@@ -34,21 +34,21 @@ def kept_of(reader: TestReader) -> tuple[Identifier, int]:
         )
     state = reader.checkpoint()
     if not state:
-        raise CannotBeTold(say("the twin had followed no revolution of it when the test ended"))
+        raise NotIdentifiable(say("the twin had followed no revolution of it when the test ended"))
     try:
         text = str(reader.configuration()["test"])
         test = parse_test(text, say("its test"), recorded=True)
         found = msgspec.msgpack.decode(state, type=Checkpoint)
     except (UnusableInput, msgspec.DecodeError) as error:
-        raise CannotBeTold(
+        raise NotIdentifiable(
             say("the twin has left nothing readable in the file ‹{}›", error)
         ) from error
     parameters = to_parameters(test.model)
     if found.identified is None:
-        nobody = Identifier(parameters, Sought())
+        nobody = Identifier(parameters, IdentificationTarget())
         nobody.prior()
         nobody.errors()
-        raise CannotBeTold(say("the twin did not ask for it"))
+        raise NotIdentifiable(say("the twin did not ask for it"))
     identifier = Identifier(parameters, found.identified.sought)
     twin = Twin(parameters, test.prediction.joint, identifier=identifier)
     restore(twin, state)
@@ -56,8 +56,8 @@ def kept_of(reader: TestReader) -> tuple[Identifier, int]:
 
 
 def life_of(identifier: Identifier) -> DepthLife:
-    """Return the life that readings are compared with; raise CannotBeTold while there is none."""
+    """Return the life that readings are compared with; raise NotIdentifiable for none yet."""
     life = identifier.ahead.life() if identifier.ahead is not None else None
     if life is None:
-        raise CannotBeTold(say("hardly any revolution has been measured yet: wait"))
+        raise NotIdentifiable(say("hardly any revolution has been measured yet: wait"))
     return life

@@ -40,7 +40,7 @@ each other make an update of the wear coefficient up to twice as long."""
 
 
 @dataclass(slots=True)
-class Missed:
+class SkippedRevolutions:
     """Revolutions that were not predicted since the last report."""
 
     first: int = 0
@@ -85,7 +85,7 @@ class TwinLink:
         self._on_prediction = on_prediction
         self._on_report = on_report
         self._checkpoint = setup.checkpoint
-        self._missed = Missed()
+        self._missed = SkippedRevolutions()
         self._missed_lock = threading.Lock()
         self._next_report = 0.0
         self._asked_again = -1
@@ -124,7 +124,7 @@ class TwinLink:
         if not self._missed.count or not (at_once or time.monotonic() >= self._next_report):
             return
         with self._missed_lock:
-            missed, self._missed = self._missed, Missed()
+            missed, self._missed = self._missed, SkippedRevolutions()
         self._next_report = time.monotonic() + REPORT_PAUSE_S
         self._report(missed.sentence())
 

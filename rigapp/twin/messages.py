@@ -9,7 +9,7 @@ from rigapp.config.recipe import PriorSection
 from rigapp.schema.messages import Prediction
 
 
-class Sought(msgspec.Struct, frozen=True):
+class IdentificationTarget(msgspec.Struct, frozen=True):
     """Say what a test asks of its wear, and what the record of its probes states.
 
     sensitivity: relative standard uncertainty; drift_um: what a position may wander by in a decade
@@ -50,7 +50,7 @@ class TwinSetup(msgspec.Struct, frozen=True):
     checkpoint: bytes = b""
     new_test: bool = False
     same_model: bool = True
-    sought: Sought = Sought()
+    sought: IdentificationTarget = IdentificationTarget()
     force_uncertainty_N: tuple[float, float] | None = None
 
 

@@ -44,7 +44,7 @@ NO_BAND: Array = np.full(1, np.nan)
 """That of a prediction of which nothing is stated."""
 
 
-class Unpredictable(ValueError):
+class PredictionError(ValueError):
     """Say why a revolution cannot be predicted, without a full stop."""
 
 
@@ -106,15 +106,15 @@ class Wear:
 def unpack(message: RevolutionMeasured) -> MeasuredRevolution:
     """Turn a message into arrays in SI; samples that do not advance the crank are left out.
 
-    Raises Unpredictable for a crank that stood or turned backwards, and for what is no number.
+    Raises PredictionError for a crank that stood or turned backwards, and for what is no number.
     """
     time, angle = as_array(message.time_s, "<f8"), as_array(message.angle_rad, "<f8")
     force_1, force_2 = as_array(message.force_1, "<f8"), as_array(message.force_2, "<f8")
     if not all(np.isfinite(values).all() for values in (time, angle, force_1, force_2)):
-        raise Unpredictable(say("its angles, times or forces are not all numbers"))
+        raise PredictionError(say("its angles, times or forces are not all numbers"))
     forward = np.diff(np.maximum.accumulate(angle), prepend=-np.inf) > 0.0
     if np.count_nonzero(forward) < FEWEST_SAMPLES:
-        raise Unpredictable(say("the crank did not turn forward in it"))
+        raise PredictionError(say("the crank did not turn forward in it"))
     um = 1e-6
     return MeasuredRevolution(
         revolution=message.revolution,

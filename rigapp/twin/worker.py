@@ -21,7 +21,7 @@ from rigapp.texts import say, sentence_of_error
 from rigapp.twin.checkpoint import packed, restore, take_over
 from rigapp.twin.identifying import Identifier
 from rigapp.twin.messages import TwinAnswer, TwinSetup
-from rigapp.twin.predict import Unpredictable, unpack
+from rigapp.twin.predict import PredictionError, unpack
 from rigapp.twin.twin import Twin
 from rigapp_model.errors import ModelError
 from rigapp_model.friction_circle import COVERAGE_FACTOR, CellDoubt
@@ -94,7 +94,7 @@ def answer(twin: Twin, measured: RevolutionMeasured) -> TwinAnswer:
     """
     try:
         prediction = twin.predict(unpack(measured))
-    except (Unpredictable, ModelError, ArithmeticError) as error:
+    except (PredictionError, ModelError, ArithmeticError) as error:
         return TwinAnswer(refused=error_text(error, say("the model has no solution")))
     if twin.changed:
         prediction = msgspec.structs.replace(prediction, checkpoint=packed(twin))

@@ -15,7 +15,7 @@ from patience import PATIENCE_S
 from report.report_samples import eventful
 from twin.recorded_plants import RECORDED, record
 
-from rigapp.twin.messages import Sought
+from rigapp.twin.messages import IdentificationTarget
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NOTEBOOKS = sorted(path.name for path in (EXAMPLES / "notebooks").glob("*.ipynb"))
@@ -64,7 +64,7 @@ def test_a_notebook_runs(folder: Path, name: str) -> None:
 def test_a_notebook_runs_beside_the_first_test_of_a_new_folder(tmp_path: Path, name: str) -> None:
     place = tmp_path / "notebooks"
     place.mkdir()
-    record(tmp_path / "test.h5", 1.1, Sought(planned=400.0), 10)
+    record(tmp_path / "test.h5", 1.1, IdentificationTarget(planned=400.0), 10)
     run(place, cells(name))
 
 

@@ -26,7 +26,7 @@ from rigapp.config.calibration_settings import (
     WeightsSection,
 )
 from rigapp.config.errors import UnusableInput
-from rigapp.report.page.manuscript import as_html
+from rigapp.report.page.document import as_html
 from rigapp.report.page.pdf import as_pdf
 from rigapp_calibration.load_cell.budget import classification
 from rigapp_calibration.records import seal, unseal

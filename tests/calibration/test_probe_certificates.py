@@ -13,7 +13,7 @@ from rigapp.calibrating.probe_result import pair_result, probe_result
 from rigapp.calibrating.records import keep_record
 from rigapp.calibrating.run_out import harmonics_csv, run_out_lines, run_out_result
 from rigapp.config.calibration_settings import ProbeFile, ProbeSection, RunOutFile, RunOutPinSection
-from rigapp.report.page.manuscript import as_html
+from rigapp.report.page.document import as_html
 from rigapp.report.page.pdf import as_pdf
 from rigapp.twin.elasticmotion import DOUBTS
 from rigapp_calibration.probes.calibrate import calibrate_pair, calibrate_probe

@@ -16,7 +16,7 @@ from rigapp.process.logs import (
     LARGEST_FILE,
     LEVEL_VARIABLE,
     MOST_WAITING,
-    Outlet,
+    BoundedQueueHandler,
     beside,
     chosen_level,
     in_file,
@@ -87,7 +87,7 @@ def test_who_writes_never_waits_for_a_disk_that_hangs() -> None:
             go_on.wait(60.0)
             taken.append(record.getMessage())
 
-    outlet = Outlet(Hanging(), "a disk that hangs")
+    outlet = BoundedQueueHandler(Hanging(), "a disk that hangs")
     for number in range(3 * MOST_WAITING):
         outlet.handle(logging.LogRecord("rigapp", 20, "", 0, "%d", (number,), None))
     go_on.set()

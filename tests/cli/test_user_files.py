@@ -12,7 +12,7 @@ from patience import PATIENCE_S
 from study.studies import written
 
 import rigapp as package
-from rigapp.gui.results.shelf import ResultReader
+from rigapp.gui.results.results_index import ResultReader
 from rigapp.service.launch import attach
 from rigapp.storage import open_test
 

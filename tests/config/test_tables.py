@@ -14,8 +14,8 @@ from rigapp.gui.testfile.fields import form_fields
 from rigapp.schema.channels import BASE
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.criteria import CRITERIA, Criterion, Sight
-from rigapp.schema.verbs import VERBS, Lane, Verb, Who
-from rigapp.service.bounds import asked_of
+from rigapp.schema.verbs import VERBS, Priority, Verb, Who
+from rigapp.service.bounds import parse_arguments
 from rigapp.twin.messages import TwinSetup
 from rigapp.twin.worker import set_up
 from rigapp_model.wear.techniques import SOLVABLE, TECHNIQUES
@@ -87,8 +87,8 @@ def test_a_verb_and_its_arguments_stand_in_the_manual(verb: Verb) -> None:
 
 @pytest.mark.parametrize("verb", VERBS.values(), ids=VERBS)
 def test_what_makes_safe_is_asked_by_anyone_with_anything(verb: Verb) -> None:
-    if verb.lane is Lane.SAFETY:
-        asked = asked_of(verb, {"reason": 7, "key": ["x"], "other": [[[]]]})
+    if verb.lane is Priority.SAFETY:
+        asked = parse_arguments(verb, {"reason": 7, "key": ["x"], "other": [[[]]]})
         assert asked == verb.record()
         assert verb.urgent
     assert (verb.who is Who.ANYONE) or verb.name not in {"stop", "drive_off", "acknowledge"}

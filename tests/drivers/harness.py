@@ -25,7 +25,7 @@ from typing import Any
 
 import numpy as np
 
-from rigapp.process.owntime import OwnTime
+from rigapp.process.processclock import ProcessClock
 from rigapp_drivers.api import DriveRequest
 from rigapp_drivers.simulator_api import DriveCommand, DriveMode, MotorState
 
@@ -93,7 +93,7 @@ class Wire:
         self._waiting += data
 
     def _run(self) -> None:
-        own = OwnTime(time.monotonic(), time.thread_time())
+        own = ProcessClock(time.monotonic(), time.thread_time())
         try:
             while self._server is not None and self._device < 0 and not self._stopping.is_set():
                 self._accept(self._server)

@@ -41,7 +41,7 @@ from rigapp.engine.drive.timing import Timing
 from rigapp.engine.engine import Engine
 from rigapp.engine.recording.store import Opened, OpenRequest, OpenStore
 from rigapp.schema.channels import BASE
-from rigapp.schema.messages import Event, FinishReason, LookedAfter
+from rigapp.schema.messages import Event, FinishReason, PathReport
 from rigapp.schema.states import ENDED
 from rigapp.simulation.constants import packaged_parameters
 from rigapp_drivers.api import (
@@ -351,9 +351,9 @@ class FakeStore:
     cycles_refused: int = 0
     room: int = 1_000_000
     path: Path = Path("test.h5")
-    looked_after: LookedAfter | None = None
+    looked_after: PathReport | None = None
 
-    def look_after(self, notice: Callable[[str], object]) -> LookedAfter | None:
+    def watch_path(self, notice: Callable[[str], object]) -> PathReport | None:
         if self.looked_after is not None:
             notice("t.h5 lost its name; everything in it is being saved.")
         return self.looked_after
@@ -550,7 +550,7 @@ class MemoryRig:
         self.engine.start(document, Path("memory.h5"), operator="Ada", **options)
 
     @property
-    def stands(self) -> bool:
+    def is_stationary(self) -> bool:
         """Tell whether the crank stands for good: no speed, and nothing that would turn it."""
         return abs(self.crank.speed) < 1e-6 and (not self.crank.powered or self.crank.target == 0.0)
 

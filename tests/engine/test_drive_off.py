@@ -213,7 +213,7 @@ def test_every_danger_reaches_the_drive_in_every_state(
     assert outcome.reason is (FinishReason.OPERATOR if state is STOPPING else danger.code)
     assert all(one.rpm == 0.0 for one in rig.told[before:]), "nothing turns it again"
     assert rig.told[-1].what == "off"
-    assert rig.stands
+    assert rig.is_stationary
     keys = [one.key for one in rig.engine.status().alarms if one.severity is Severity.CRITICAL]
     assert (danger.key or danger.name) in keys or danger.key == "-"
 
@@ -247,7 +247,7 @@ def test_a_power_off_waits_for_no_speed_command_and_is_repeated_after_it(rig: Wa
     assert not starter.is_alive()
     eventually(lambda: [one.what for one in rig.told][-2:] == ["speed", "off"])
     rig.engine.wait(ENDED, 60.0)
-    assert rig.stands
+    assert rig.is_stationary
 
 
 def test_a_power_off_waits_for_no_reset(rig: Watched) -> None:
@@ -282,7 +282,7 @@ def test_a_ramp_down_that_hangs_becomes_a_power_off(rig: Watched) -> None:
         hanging.release.set()
         stopper.join(PATIENCE_S)
     assert rig.engine.wait(ENDED, 60.0) in ENDED
-    assert rig.stands
+    assert rig.is_stationary
     assert rig.told[-1].what == "off"
 
 

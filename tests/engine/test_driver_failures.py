@@ -158,7 +158,7 @@ def test_a_driver_that_fails_while_connecting_is_a_fault_that_connecting_again_m
             device: "a-driver-failed"
         }
         assert not rig.source.opened
-        assert rig.stands
+        assert rig.is_stationary
         trap.take_away()
     back_to_work(rig)
     assert not shown_of(rig, device).help
@@ -311,7 +311,7 @@ def test_a_driver_that_fails_in_a_test_ends_it_safely_and_ready_is_reached_again
     elif method == "set_speed":
         rig.engine.stop("Ada")
     rig.engine.wait(ENDED, 60.0)
-    eventually(lambda: rig.stands)
+    eventually(lambda: rig.is_stationary)
     assert trap.sprung.is_set() or state is STOPPING
     outcome = rig.engine.outcome
     assert outcome is not None
@@ -347,7 +347,7 @@ def test_a_start_that_the_driver_fails_turns_nothing(rig: ChannelRig, error: Bas
         rig.start(a_test(LONG))
     words_name(str(caught.value), "drive", "given a speed")
     assert rig.engine.wait(ENDED, 60.0) is RunState.FAULT
-    assert rig.stands
+    assert rig.is_stationary
     trap.take_away()
     back_to_work(rig)
 
@@ -362,7 +362,7 @@ def test_a_resume_that_the_driver_fails_ends_the_test(
         rig.engine.resume("Ada")
     words_name(str(caught.value), "drive", "given a speed")
     assert rig.engine.wait(ENDED, 60.0) is RunState.FAULT
-    assert rig.stands
+    assert rig.is_stationary
     trap.take_away()
     back_to_work(rig)
 
@@ -391,7 +391,7 @@ def test_a_power_off_goes_past_a_command_that_fails_meanwhile(
     eventually(lambda: rig.spindle.commands.count(("off", 0.0)) > offs)
     del rig.spindle.set_speed
     rig.engine.wait(ENDED, 60.0)
-    assert rig.stands
+    assert rig.is_stationary
     back_to_work(rig)
 
 
@@ -453,7 +453,7 @@ def test_an_answer_of_another_kind_is_a_failure_of_the_driver(rig: ChannelRig, t
     rig.engine.wait(ENDED, 60.0)
     assert rig.engine.outcome is not None
     words_name(rig.engine.outcome.sentence, device, "read")
-    assert rig.stands
+    assert rig.is_stationary
     delattr(getattr(rig, thing), method)
     back_to_work(rig)
 

@@ -13,7 +13,7 @@ from engine_doubles import MemoryRig, a_test, back_to_work, eventually
 
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.speeds import ANSWERS
-from rigapp.schema.messages import Alarm, FinishReason, Flag, LookedAfter, RunState, Severity
+from rigapp.schema.messages import Alarm, FinishReason, Flag, PathReport, RunState, Severity
 from rigapp.schema.notices import Finished
 from rigapp.schema.states import ENDED, Refused
 from rigapp_drivers.api import (
@@ -56,7 +56,7 @@ def test_a_pulled_cable_ends_the_test_names_the_port_and_can_be_mended(rig: Memo
     outcome = ended(rig, FinishReason.DEVICE, "daq", "memory", "cable")
     assert outcome.status == "fault"
     assert rig.engine.state is RunState.FAULT
-    assert rig.stands
+    assert rig.is_stationary
     assert any("the drive only" in event.text for event in rig.store.events)
     assert rig.store.safe == len(rig.store.rows)
     with pytest.raises(Refused):
@@ -71,7 +71,7 @@ def test_a_pulled_cable_ends_the_test_names_the_port_and_can_be_mended(rig: Memo
 def test_nonsense_from_the_device_ends_the_test(rig: MemoryRig) -> None:
     rig.source.broken = ProtocolError("daq", "memory", "bytes that mean nothing")
     ended(rig, FinishReason.DEVICE, "bytes that mean nothing")
-    assert rig.stands
+    assert rig.is_stationary
 
 
 def test_stale_data_takes_the_power_off(rig: MemoryRig) -> None:
@@ -85,7 +85,7 @@ def test_stale_data_takes_the_power_off(rig: MemoryRig) -> None:
 def test_a_drive_fault_ends_the_test(rig: MemoryRig) -> None:
     rig.spindle.faults = ("overcurrent",)
     ended(rig, FinishReason.DEVICE, "overcurrent")
-    assert rig.stands
+    assert rig.is_stationary
     rig.engine.acknowledge(operator="Ada")
     rig.spindle.cause_remains = True
     with pytest.raises(Refused, match="keeps its fault"):
@@ -100,7 +100,7 @@ def test_the_emergency_stop_ends_the_test(rig: MemoryRig) -> None:
     rig.spindle.emergency_stop = True
     ended(rig, FinishReason.DEVICE, "emergency stop")
     assert rig.engine.status().alarms[0].key == "emergency_stop"
-    assert rig.stands
+    assert rig.is_stationary
 
 
 def test_a_drive_that_falls_silent_is_stopped_by_its_watchdog_and_seen_by_the_encoder(
@@ -109,13 +109,13 @@ def test_a_drive_that_falls_silent_is_stopped_by_its_watchdog_and_seen_by_the_en
     rig.spindle.lost = True
     ended(rig, FinishReason.DEVICE, "no answer")
     assert any("the encoder only" in event.text for event in rig.store.events)
-    assert rig.stands
+    assert rig.is_stationary
 
 
 def test_a_lost_encoder_takes_the_power_off(rig: MemoryRig) -> None:
     rig.source.encoder_dead = True
     ended(rig, FinishReason.DEVICE, "encoder does not move")
-    assert rig.stands
+    assert rig.is_stationary
 
 
 @pytest.mark.parametrize(
@@ -136,7 +136,7 @@ def test_a_wrong_sense_ends_the_test_in_the_first_quarter_turn(
     try:
         memory.start(a_test(LONG))
         ended(memory, FinishReason.DEVICE, *words)
-        assert memory.stands
+        assert memory.is_stationary
         if encoder:  # what the drive says comes with its next answer
             assert memory.store.rows == [], "judged by the samples of a quarter turn, however late"
         assert memory.engine.outcome is not None
@@ -158,7 +158,7 @@ def test_a_drive_that_tells_another_speed_ends_the_test_and_names_the_keys(ratio
         memory.start(a_test(LONG))
         keys = ("spindle.gear_ratio", "encoder.counts_per_revolution")
         ended(memory, FinishReason.DEVICE, "the drive", *keys)
-        assert memory.stands
+        assert memory.is_stationary
         assert [alarm.key for alarm in memory.engine.status().alarms] == ["speeds_differ"]
         memory.spindle.tells_ratio = 1.0
         for verb in ("acknowledge", "reset"):
@@ -182,14 +182,14 @@ def test_a_missing_index_ends_the_test(rig: MemoryRig) -> None:
     ended(rig, FinishReason.DEVICE, "index")
     quality = rig.store.column("quality").astype(int)
     assert quality[-1] & Flag.MISSED_INDEX
-    assert rig.stands
+    assert rig.is_stationary
 
 
 def test_overspeed_takes_the_power_off(rig: MemoryRig) -> None:
     with rig.crank.lock:
         rig.crank.target, rig.crank.acceleration = 5.0, 100.0
     ended(rig, FinishReason.LIMIT, "shows", "limit is 200")
-    assert rig.stands
+    assert rig.is_stationary
 
 
 def test_an_overload_at_every_turn_of_a_coasting_crank_is_one_alarm() -> None:
@@ -252,7 +252,7 @@ def test_a_file_that_cannot_be_written_ends_the_test(rig: MemoryRig) -> None:
     rig.store.broken = OSError("input/output error")
     outcome = ended(rig, FinishReason.STORAGE, "memory.h5", "input/output error")
     assert outcome.status == "fault"
-    assert rig.stands
+    assert rig.is_stationary
     rig.engine.acknowledge(operator="Ada")
     rig.engine.reset("Ada")
     assert rig.engine.state is RunState.READY
@@ -261,7 +261,7 @@ def test_a_file_that_cannot_be_written_ends_the_test(rig: MemoryRig) -> None:
 def test_a_hanging_disk_ends_the_test(rig: MemoryRig) -> None:
     rig.store.commit_waits = release = threading.Event()
     eventually(lambda: rig.engine.state is not RunState.RUNNING)
-    eventually(lambda: rig.stands)
+    eventually(lambda: rig.is_stationary)
     release.set()
     ended(rig, FinishReason.INTERNAL, "commit")
 
@@ -278,7 +278,7 @@ def test_a_dead_thread_ends_the_test(rig: MemoryRig, name: str) -> None:
     worker._step = die
     outcome = ended(rig, FinishReason.INTERNAL, name, "a bug")
     assert outcome.status == "fault"
-    assert rig.stands
+    assert rig.is_stationary
     assert rig.store.ending is not None
     back_to_work(rig)
 
@@ -298,7 +298,7 @@ def test_a_silent_thread_ends_the_test(rig: MemoryRig, name: str) -> None:
     worker._step = hang
     try:
         ended(rig, FinishReason.INTERNAL, name, "no sign of life")
-        assert rig.stands
+        assert rig.is_stationary
     finally:
         release.set()
 
@@ -366,7 +366,7 @@ def test_a_spindle_that_does_not_stop_raises_the_loudest_alarm(rig: MemoryRig) -
     assert "off" in offs
     rig.crank.deaf = False
     rig.engine.drive_off("Ada")
-    eventually(lambda: rig.stands)
+    eventually(lambda: rig.is_stationary)
     eventually(lambda: not any(a.active for a in rig.engine.status().alarms))
 
 
@@ -379,7 +379,7 @@ def test_a_drive_that_confirms_and_ignores_every_command_is_stopped_by_its_watch
     rig.spindle.ignores = math.inf
     rig.engine.drive_off("Ada")
     ended(rig, FinishReason.OPERATOR, "confirmed the power-off, but the crank turns on")
-    assert rig.stands
+    assert rig.is_stationary
     assert rig.engine.state is RunState.FAULT
     rig.spindle.ignores = 0.0
     back_to_work(rig)
@@ -399,7 +399,7 @@ def test_a_standstill_that_only_the_drive_reports_is_left_to_its_watchdog_and_to
     ended(rig, FinishReason.OPERATOR, "The stop could not be seen", "drive reports a standstill")
     assert rig.engine.state is RunState.FAULT
     rig.source.silent = False
-    eventually(lambda: rig.stands)
+    eventually(lambda: rig.is_stationary)
     assert not rig.crank.powered
     rig.spindle.ignores, rig.spindle.tells_ratio = 0.0, 1.0
     back_to_work(rig)
@@ -410,13 +410,13 @@ def test_a_crank_that_turns_by_itself_is_switched_off_in_every_state_and_told() 
     memory.engine.connect()
     memory.spindle.turn_by_itself()
     memory.engine.wait((RunState.FAULT,), 60.0)
-    eventually(lambda: memory.stands)
+    eventually(lambda: memory.is_stationary)
     assert "without a command" in memory.engine.status().engine.reason
     eventually(lambda: not any(a.active for a in memory.engine.status().alarms))
     memory.spindle.ignores = math.inf
     memory.spindle.turn_by_itself()
     eventually(lambda: any(a.key == "will_not_stop" for a in memory.engine.status().alarms))
-    eventually(lambda: memory.stands)
+    eventually(lambda: memory.is_stationary)
     memory.spindle.ignores = 0.0
     back_to_work(memory)
     memory.engine.shutdown(20.0)
@@ -428,7 +428,7 @@ def test_a_crank_that_moves_in_a_pause_ends_the_test(rig: MemoryRig) -> None:
     with rig.crank.lock:
         rig.crank.target = 0.5
     ended(rig, FinishReason.DEVICE, "paused")
-    assert rig.stands
+    assert rig.is_stationary
 
 
 def test_a_drive_that_has_lost_its_settings_is_switched_off(rig: MemoryRig) -> None:
@@ -508,7 +508,7 @@ def test_a_full_queue_of_a_real_rig_is_an_overrun_and_a_gap() -> None:
     assert rig.store.column("lost_samples").sum() == connection.rig.processor.assembler.lost_samples
     assert len(rig.store.gaps) == 1
     rig.engine.shutdown()
-    assert rig.stands
+    assert rig.is_stationary
 
 
 # --- the name of the file ------------------------------------------------------------------------
@@ -516,9 +516,7 @@ def test_a_full_queue_of_a_real_rig_is_an_overrun_and_a_gap() -> None:
 
 def test_a_file_that_lost_its_name_is_told_while_the_test_goes_on(rig: MemoryRig) -> None:
     rig.store.path = Path("elsewhere.h5")
-    rig.store.looked_after = LookedAfter(
-        "t.h5 was moved; elsewhere.h5 is its name now.", saved=True
-    )
+    rig.store.looked_after = PathReport("t.h5 was moved; elsewhere.h5 is its name now.", saved=True)
     eventually(lambda: "was moved" in cause_of(rig, "file_moved"))
     rig.store.looked_after = None
     lines = [one for one in rig.store.events if one.key == "file_moved"]
@@ -529,7 +527,7 @@ def test_a_file_that_lost_its_name_is_told_while_the_test_goes_on(rig: MemoryRig
 
 
 def test_a_file_that_cannot_be_saved_is_critical_and_ends_no_test(rig: MemoryRig) -> None:
-    rig.store.looked_after = LookedAfter("t.h5 was deleted, and could not be saved", saved=False)
+    rig.store.looked_after = PathReport("t.h5 was deleted, and could not be saved", saved=False)
     eventually(lambda: alarm_of(rig, "file_unsaved") is not None)
     told = alarm_of(rig, "file_unsaved")
     assert told is not None

@@ -42,7 +42,7 @@ def rig() -> Iterator[MemoryRig]:
     memory.engine.connect()
     yield memory
     memory.engine.shutdown(20.0)
-    assert memory.stands
+    assert memory.is_stationary
 
 
 def run(rig: MemoryRig, revolutions: int = 20, **options: object) -> Finished:
@@ -64,7 +64,7 @@ def test_a_complete_test_has_exactly_the_planned_revolutions(rig: MemoryRig) -> 
     assert rig.store.ending == ("complete", "complete", outcome.sentence)
     assert rig.store.closed
     np.testing.assert_array_equal(rig.store.column("revolution"), np.arange(1, 21))
-    assert rig.stands
+    assert rig.is_stationary
     assert rig.spindle.commands[-1][0] == "off"
     seen: list[Notice] = []
     while (notice := notices.get(0.0)) is not None:
@@ -142,7 +142,7 @@ def test_the_operator_ends_a_test(rig: MemoryRig, off: bool) -> None:
     assert (outcome.reason, outcome.status) == (FinishReason.OPERATOR, "stopped")
     assert "Ada" in outcome.sentence
     assert "enough" in outcome.sentence
-    assert rig.stands
+    assert rig.is_stationary
     stop = [what for what, speed in rig.spindle.commands if speed == 0.0]
     assert stop[0] == ("off" if off else "speed")
     assert stop[-1] == "off"
@@ -155,7 +155,7 @@ def test_a_pause_holds_at_the_safe_angle_and_loses_no_revolution(rig: MemoryRig)
     rig.engine.pause("Ada")
     rig.engine.wait((RunState.PAUSED,), 60.0)
     rows = len(rig.store.rows)
-    assert rig.stands
+    assert rig.is_stationary
     reads = rig.source.reads
     eventually(lambda: rig.source.reads > reads + 40)
     assert len(rig.store.rows) == rows
@@ -202,7 +202,7 @@ def test_a_limit_pauses(rig: MemoryRig) -> None:
     recorded(rig, 5)
     rig.source.force_N = 75.0
     rig.engine.wait((RunState.PAUSED,), 60.0)
-    assert rig.stands
+    assert rig.is_stationary
     rig.source.force_N = 50.0
 
 
@@ -330,7 +330,7 @@ def test_nothing_is_left_to_resume(rig: MemoryRig) -> None:
     rig.opened = Opened(rig.store, 6, 6, 3.0, 0.0)
     with pytest.raises(UnusableInput, match="nothing is left"):
         rig.start(a_test(6), resume=True)
-    assert rig.stands
+    assert rig.is_stationary
 
 
 @pytest.mark.parametrize(
@@ -369,7 +369,7 @@ def test_shutdown_during_a_test_finishes_it() -> None:
     rig.start(a_test(LONG))
     recorded(rig, 3)
     rig.engine.shutdown(20.0)
-    assert rig.stands
+    assert rig.is_stationary
     assert rig.store.ending is not None
     assert rig.store.ending[:2] == ("stopped", "operator")
     assert rig.engine.state is RunState.IDLE

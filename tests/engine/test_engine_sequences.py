@@ -219,7 +219,7 @@ class Operating(RuleBasedStateMachine):
         assert engine.state is RunState.IDLE
         # With cable and drive lost nobody let the time of the rig in memory go on: do it now.
         rig.crank.turn(round(5 * RATE))
-        assert rig.stands
+        assert rig.is_stationary
 
 
 TestOperating = Operating.TestCase

@@ -8,7 +8,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rigapp.config.recipe import CyclesSection
-from rigapp.engine.recording.history import TRIGGERED, History, Kept, Why, triggered_cycles
+from rigapp.engine.recording.history import (
+    TRIGGERED,
+    History,
+    RetainedCycle,
+    RetentionReason,
+    triggered_cycles,
+)
 from rigapp.engine.recording.schedule import Schedule
 from rigapp.engine.samples.assembler import EncoderSetup, Revolution
 from rigapp.engine.values.calibrate import Measured
@@ -44,10 +50,10 @@ def revolution(number: int, samples: int = 8) -> Measured:
 
 def run(
     section: CyclesSection, revolutions: int, triggers: dict[int, bool], last: int | None = None
-) -> tuple[list[Kept], History]:
+) -> tuple[list[RetainedCycle], History]:
     """Feed revolutions 1 .. last; ``triggers``: revolution before which one comes -> critical."""
     history = History(section, revolutions)
-    written: list[Kept] = []
+    written: list[RetainedCycle] = []
     for number in range(1, (last or revolutions) + 1):
         if number in triggers:
             history.trigger(triggers[number])
@@ -59,7 +65,7 @@ def run(
     return written + history.close(), history
 
 
-def words(kept: list[Kept]) -> dict[int, Why | None]:
+def words(kept: list[RetainedCycle]) -> dict[int, RetentionReason | None]:
     return {one.number: one.why for one in kept}
 
 
@@ -67,15 +73,15 @@ def test_a_trigger_keeps_what_was_before_and_comes_after() -> None:
     section = CyclesSection("every", every_revolutions=10, before_alarm=3, after_alarm=2)
     kept, _ = run(section, 40, {22: False})
     assert words(kept) == {
-        10: Why.SCHEDULED,
-        19: Why.BEFORE,
-        20: Why.SCHEDULED,
-        21: Why.BEFORE,
-        22: Why.TRIGGER,
-        23: Why.AFTER,
-        24: Why.AFTER,
-        30: Why.SCHEDULED,
-        40: Why.SCHEDULED,
+        10: RetentionReason.SCHEDULED,
+        19: RetentionReason.BEFORE,
+        20: RetentionReason.SCHEDULED,
+        21: RetentionReason.BEFORE,
+        22: RetentionReason.TRIGGER,
+        23: RetentionReason.AFTER,
+        24: RetentionReason.AFTER,
+        30: RetentionReason.SCHEDULED,
+        40: RetentionReason.SCHEDULED,
     }
     for one in kept:
         assert np.all(one.measured.revolution.values == one.number)
@@ -85,21 +91,21 @@ def test_triggers_close_together_make_one_burst() -> None:
     section = CyclesSection("none", before_alarm=2, after_alarm=3)
     kept, _ = run(section, 30, {10: False, 12: False})
     assert words(kept) == {
-        8: Why.BEFORE,
-        9: Why.BEFORE,
-        10: Why.TRIGGER,
-        11: Why.AFTER,
-        12: Why.TRIGGER,
-        13: Why.AFTER,
-        14: Why.AFTER,
-        15: Why.AFTER,
+        8: RetentionReason.BEFORE,
+        9: RetentionReason.BEFORE,
+        10: RetentionReason.TRIGGER,
+        11: RetentionReason.AFTER,
+        12: RetentionReason.TRIGGER,
+        13: RetentionReason.AFTER,
+        14: RetentionReason.AFTER,
+        15: RetentionReason.AFTER,
     }
 
 
 def test_a_trigger_whose_revolution_never_ends_keeps_what_was_before() -> None:
     section = CyclesSection("none", before_alarm=4, after_alarm=4)
     kept, _ = run(section, 50, {21: True}, last=20)
-    assert words(kept) == dict.fromkeys(range(17, 21), Why.BEFORE)
+    assert words(kept) == dict.fromkeys(range(17, 21), RetentionReason.BEFORE)
 
 
 def test_after_a_trigger_nothing_waits() -> None:
@@ -125,7 +131,7 @@ def test_the_last_room_is_for_critical_alarms() -> None:
     assert room == 30
     warnings = dict.fromkeys(range(10, 1500, 10), False)
     kept, history = run(section, 2000, {**warnings, 1800: True, 1850: True})
-    triggers = [one.number for one in kept if one.why is Why.TRIGGER]
+    triggers = [one.number for one in kept if one.why is RetentionReason.TRIGGER]
     assert triggers[-2:] == [1800, 1850]
     assert history.refused > 0
     assert len(kept) <= room
@@ -152,9 +158,12 @@ def test_an_early_end_keeps_the_last_cycle() -> None:
     section = CyclesSection("every", every_revolutions=10)
     for before in (0, 5):
         kept, _ = run(CyclesSection("every", 10, before_alarm=before), 100, {}, last=33)
-        assert words(kept) == {**dict.fromkeys((10, 20, 30), Why.SCHEDULED), 33: Why.LAST}
+        assert words(kept) == {
+            **dict.fromkeys((10, 20, 30), RetentionReason.SCHEDULED),
+            33: RetentionReason.LAST,
+        }
     kept, _ = run(section, 100, {}, last=30)
-    assert words(kept) == dict.fromkeys((10, 20, 30), Why.SCHEDULED)
+    assert words(kept) == dict.fromkeys((10, 20, 30), RetentionReason.SCHEDULED)
 
 
 @settings(max_examples=150, deadline=None)

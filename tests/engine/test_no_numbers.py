@@ -14,7 +14,7 @@ from test_channels import ChannelRig, WiredSource, heard
 
 from rigapp.config.parameters import PairingSection
 from rigapp.config.recipe import LimitRule, StopSection
-from rigapp.engine.drive.sequences import Seen
+from rigapp.engine.drive.sequences import StandstillEvidence
 from rigapp.engine.judging.criteria import StopMonitor
 from rigapp.engine.judging.depthwatch import DepthWatch
 from rigapp.engine.judging.jointwatch import STAYS, JointWatch
@@ -45,7 +45,7 @@ def ends_without_a_value(rig: ChannelRig, quantity: str) -> None:
     assert outcome is not None
     assert outcome.reason is FinishReason.LIMIT
     assert f"{quantity} has had no value" in outcome.sentence
-    assert rig.stands
+    assert rig.is_stationary
 
 
 @pytest.mark.parametrize("answer", NO_NUMBERS)
@@ -139,7 +139,7 @@ def test_a_force_that_is_no_number_takes_the_power_off(force_N: float) -> None:
     rig.engine.wait(ENDED, 60.0)
     assert rig.engine.outcome is not None
     assert "not a number" in rig.engine.outcome.sentence
-    assert rig.stands
+    assert rig.is_stationary
     rig.source.force_N = 50.0
     rig.engine.shutdown()
 
@@ -156,12 +156,12 @@ def test_a_drive_without_a_speed_is_no_witness_of_a_standstill(speed: float) -> 
     assert connection is not None
     before = rig.spindle.polls
     eventually(lambda: rig.spindle.polls > before + 2)
-    seen: Seen = connection.rig.control.seen()
+    seen: StandstillEvidence = connection.rig.control.seen()
     if math.isnan(speed):
         assert seen.drive_rpm is None
     else:
         assert seen.moves
-        assert not seen.stands
+        assert not seen.is_stationary
     rig.source.silent = True
     rig.engine.shutdown()
 
@@ -180,7 +180,7 @@ def test_a_criterion_is_not_met_by_a_value_that_is_no_number() -> None:
         assert monitor.row(row) is None
         depth = {"measured_wear_depth": math.inf, "measured_wear_depth_uncertainty": 1e-3}
         assert monitor.prediction(number, depth) is None
-    assert set(monitor.blind()) == {"force_N", "wear_depth_um"}
+    assert set(monitor.no_data()) == {"force_N", "wear_depth_um"}
 
 
 def test_a_depth_that_is_infinite_is_not_what_others_are_compared_with() -> None:

@@ -149,12 +149,12 @@ def test_a_step_is_named_in_every_situation() -> None:
         elif state in AT_REST:
             assert told.step in told.left
             assert told.sentence
-            assert told.left[-1] is Remedy.GO_ON
+            assert told.left[-1] is Remedy.RESUME
             assert (told.verb == "") == (told.step is Remedy.CAUSE)
             if not alarms and connected:
-                assert told.step is (Remedy.RESET if state is RunState.FAULT else Remedy.GO_ON)
+                assert told.step is (Remedy.RESET if state is RunState.FAULT else Remedy.RESUME)
             if alarms and connected:
-                assert told.step is not Remedy.GO_ON
+                assert told.step is not Remedy.RESUME
         else:
             assert told.verb == ("resume" if state is RunState.PAUSED else "")
 
@@ -171,7 +171,7 @@ def follow(bench: Bench) -> list[str]:
     while True:
         eventually(lambda: engine.status().recovery.step is not Remedy.NONE, 20.0)
         told = engine.status().recovery
-        if told.step is Remedy.GO_ON:
+        if told.step is Remedy.RESUME:
             return made
         made.append(told.step.value)
         assert len(made) <= STEPS_AT_MOST, f"no way out: {made}, {engine.status()}"
@@ -198,7 +198,7 @@ def leads_out(deeds: list[str]) -> list[str]:
         if engine.state is RunState.STOPPED:
             engine.reset("Ada")
         assert engine.state is RunState.READY
-        assert engine.status().recovery.step is Remedy.GO_ON
+        assert engine.status().recovery.step is Remedy.RESUME
         bench.rig.start(a_test(2))
         engine.wait(ENDED, 60.0)
         assert engine.outcome is not None
@@ -274,7 +274,7 @@ def test_a_fault_that_comes_during_the_start_is_its_refusal(
             rig.start(a_test(2))
         assert refused.value.code is code
         assert rig.store.discarded, "nothing was measured: the same command can be given again"
-        assert rig.stands
+        assert rig.is_stationary
         with pytest.raises(InFault, match=words):
             rig.start(a_test(2))
     finally:

@@ -134,7 +134,7 @@ WARNING = make_alarm("count_mismatch", revolution=3)
 CRITICAL = make_alarm("overload", force_N=400.0, limit_N=380.0)
 
 
-class Book:
+class NotificationState:
     """An alarm book with a clock in hand."""
 
     def __init__(self) -> None:
@@ -150,7 +150,7 @@ class Book:
 
 
 def test_an_alarm_goes_its_way_through_the_states() -> None:
-    one = Book()
+    one = NotificationState()
     assert one.book.raise_alarm(WARNING, 3)
     assert not one.book.raise_alarm(WARNING, 4)
     assert one.states() == {"count_mismatch": "unacknowledged"}
@@ -167,7 +167,7 @@ def test_an_alarm_goes_its_way_through_the_states() -> None:
 
 
 def test_a_critical_alarm_stays_until_it_is_acknowledged_and_reset() -> None:
-    one = Book()
+    one = NotificationState()
     one.book.raise_alarm(CRITICAL)
     assert one.book.blocking() is not None
     with pytest.raises(Refused, match="still active"):
@@ -184,7 +184,7 @@ def test_a_critical_alarm_stays_until_it_is_acknowledged_and_reset() -> None:
 
 
 def test_the_first_critical_alarm_is_marked_until_the_reset() -> None:
-    one = Book()
+    one = NotificationState()
     one.book.raise_alarm(WARNING)
     one.book.raise_alarm(CRITICAL)
     one.book.raise_alarm(make_alarm("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0))
@@ -198,7 +198,7 @@ def test_the_first_critical_alarm_is_marked_until_the_reset() -> None:
 
 
 def test_shelving_needs_a_reason_and_ends_by_itself() -> None:
-    one = Book()
+    one = NotificationState()
     one.book.raise_alarm(WARNING)
     with pytest.raises(Refused, match="reason"):
         one.book.shelve("count_mismatch", " ", 60.0, "Ada")
@@ -214,7 +214,7 @@ def test_shelving_needs_a_reason_and_ends_by_itself() -> None:
 
 
 def test_the_first_out_alarm_stays_it_when_it_comes_again() -> None:
-    one = Book()
+    one = NotificationState()
     one.book.raise_alarm(CRITICAL)
     one.book.raise_alarm(make_alarm("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0))
     one.book.clear("overload")
@@ -225,7 +225,7 @@ def test_the_first_out_alarm_stays_it_when_it_comes_again() -> None:
 
 
 def test_what_ends_a_test_is_first_out_though_another_alarm_is_raised_before_it() -> None:
-    one = Book()
+    one = NotificationState()
     one.book.claim_first_out(CRITICAL)
     one.book.raise_alarm(make_alarm("overspeed", by="encoder", speed_rpm=60.0, limit_rpm=45.0))
     one.book.raise_alarm(CRITICAL)
@@ -235,7 +235,7 @@ def test_what_ends_a_test_is_first_out_though_another_alarm_is_raised_before_it(
 
 
 def test_the_end_of_shelving_is_told() -> None:
-    one = Book()
+    one = NotificationState()
     one.book.raise_alarm(WARNING)
     one.book.shelve("count_mismatch", "known", 60.0, "Ada")
     one.book.look()
@@ -259,7 +259,7 @@ class Isa(RuleBasedStateMachine):
 
     def __init__(self) -> None:
         super().__init__()
-        self.one = Book()
+        self.one = NotificationState()
         self.active: set[str] = set()
         self.unacknowledged: set[str] = set()
         self.latched: set[str] = set()
@@ -350,11 +350,11 @@ TestIsa.settings = settings(max_examples=60, stateful_step_count=30, deadline=No
 
 def test_an_unknown_alarm_is_named() -> None:
     with pytest.raises(Refused, match='no alarm "overlod"'):
-        Book().book.acknowledge("overlod", "Ada")
+        NotificationState().book.acknowledge("overlod", "Ada")
 
 
 def test_critical_alarms_come_first() -> None:
-    one = Book()
+    one = NotificationState()
     one.book.raise_alarm(WARNING)
     one.now += 1
     one.book.raise_alarm(CRITICAL)

@@ -51,7 +51,7 @@ def test_a_saturated_load_cell_ends_the_test_by_its_own_name_and_returns(
         outcome.sentence
     )
     assert next(what for what, speed in rig.spindle.commands if speed == 0.0) == "off"
-    assert rig.stands
+    assert rig.is_stationary
     key = f"saturated:{name}"
     assert set(alarms(rig)) == {key}  # and no overload of 735 N
     assert alarms(rig)[key].active

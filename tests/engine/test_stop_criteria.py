@@ -219,10 +219,10 @@ def test_a_criterion_that_sees_nothing_is_named() -> None:
     for n in range(1, BLIND_REVOLUTIONS + 1):
         monitor.row(a_row(n))
         monitor.prediction(n, an_answer())
-    assert monitor.blind() == ["wear_depth_um"]
+    assert monitor.no_data() == ["wear_depth_um"]
     monitor.row(a_row(BLIND_REVOLUTIONS + 1))
     monitor.prediction(BLIND_REVOLUTIONS + 1, an_answer(measured_wear_depth=0.001))
-    assert monitor.blind() == []
+    assert monitor.no_data() == []
 
 
 @pytest.mark.parametrize(
@@ -285,7 +285,7 @@ def test_a_planned_end_is_a_complete_test(rig: MemoryRig) -> None:
     assert "of at most 100000" in outcome.sentence
     assert rig.engine.state is RunState.STOPPED
     assert rig.engine.status().alarms == ()
-    assert rig.stands
+    assert rig.is_stationary
 
 
 def test_a_limit_of_the_joint_stops_the_test_with_an_alarm(rig: MemoryRig) -> None:

@@ -12,7 +12,13 @@ from engine_doubles import eventually
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rigapp.engine.drive.sequences import CREEP_RPM, DriveStep, PauseSequence, Seen, StopSequence
+from rigapp.engine.drive.sequences import (
+    CREEP_RPM,
+    DriveStep,
+    PauseSequence,
+    StandstillEvidence,
+    StopSequence,
+)
 from rigapp.engine.gapwatch import LATE_S, LagWatch
 from rigapp.engine.publish import NoticeStream
 from rigapp.engine.samples.blockqueue import BlockQueue
@@ -43,19 +49,19 @@ class Spinning:
             now += 0.01
             if slowing:
                 self.rpm = max(0.0, self.rpm - 1.0)
-            stands = self.rpm == 0.0
+            is_stationary = self.rpm == 0.0
             do = sequence.step(
-                Seen(
+                StandstillEvidence(
                     now,
                     self.rpm if self.drive else None,
                     self.rpm if self.encoder else None,
-                    stands if self.encoder else None,
+                    is_stationary if self.encoder else None,
                     drive_s=now,
                     encoder_s=now,
                 )
             )
             if do is DriveStep.STANDING:
-                assert sequence.step(Seen(now, 0.0, 0.0, True)) is DriveStep.WAIT
+                assert sequence.step(StandstillEvidence(now, 0.0, 0.0, True)) is DriveStep.WAIT
             if do in (DriveStep.STANDING, DriveStep.GIVE_UP):
                 return do, now
             if do in (DriveStep.WAIT, DriveStep.NO_EFFECT):
@@ -105,7 +111,7 @@ def test_a_ramp_that_is_confirmed_and_ignored_is_repeated() -> None:
     sequence.commanded(DriveStep.RAMP_DOWN, 0.0)
     while now < 5.0:
         now += 0.01
-        do = sequence.step(Seen(now, 60.0, 60.0, False, turns=now, turns_s=now))
+        do = sequence.step(StandstillEvidence(now, 60.0, 60.0, False, turns=now, turns_s=now))
         if do is DriveStep.RAMP_DOWN:
             repeated += 1
             sequence.commanded(do, now)
@@ -120,7 +126,7 @@ def test_a_drive_that_does_not_hear_is_left_to_its_watchdog() -> None:
         now += 0.01
         if now - heard > 0.5:  # what the watchdog does
             rpm = max(0.0, rpm - 1.0)
-        do = sequence.step(Seen(now, None, rpm, rpm == 0.0, encoder_s=now))
+        do = sequence.step(StandstillEvidence(now, None, rpm, rpm == 0.0, encoder_s=now))
         if do is DriveStep.STANDING:
             break
         if do in (DriveStep.RAMP_DOWN, DriveStep.POWER_OFF) or not sequence.quiet:
@@ -145,7 +151,7 @@ class Disobedient:
 
     def run(self, sequence: StopSequence, seconds: float) -> float | None:
         """Run for so long; return when it was seen to stand."""
-        stood = None
+        reached_standstill = None
         end = self.now + seconds
         while self.now < end:
             self.now += 0.01
@@ -156,7 +162,9 @@ class Disobedient:
             self.turns += self.rpm / 60.0 * 0.01
             told = None if self.now - self.fed > 0.5 else self.rpm
             do = sequence.step(
-                Seen(self.now, told, self.rpm, self.rpm == 0.0, turns=self.turns, turns_s=self.now)
+                StandstillEvidence(
+                    self.now, told, self.rpm, self.rpm == 0.0, turns=self.turns, turns_s=self.now
+                )
             )
             if do is DriveStep.POWER_OFF:
                 self.ignores -= 1
@@ -166,15 +174,15 @@ class Disobedient:
             if do is not DriveStep.WAIT:
                 self.steps.append((self.now, do))
             if do is DriveStep.STANDING:
-                stood = self.now
-        return stood
+                reached_standstill = self.now
+        return reached_standstill
 
 
 @pytest.mark.parametrize("ignored", [1, 5])
 def test_a_power_off_that_is_confirmed_and_ignored_is_repeated(ignored: int) -> None:
     drive = Disobedient(ignored)
-    stood = drive.run(StopSequence(True, 0.0, 1.0, 15.0), 10.0)
-    assert stood == pytest.approx(3.0 + 0.1 * ignored, abs=0.2)
+    reached_standstill = drive.run(StopSequence(True, 0.0, 1.0, 15.0), 10.0)
+    assert reached_standstill == pytest.approx(3.0 + 0.1 * ignored, abs=0.2)
     assert drive.fired is None
 
 
@@ -183,10 +191,10 @@ def test_a_drive_that_confirms_and_ignores_every_power_off_is_left_to_its_watchd
     rpm: float, within_s: float
 ) -> None:
     drive = Disobedient(math.inf, rpm)
-    stood = drive.run(StopSequence(True, 0.0, 1.0, 15.0), 20.0)
+    reached_standstill = drive.run(StopSequence(True, 0.0, 1.0, 15.0), 20.0)
     assert drive.fired is not None
-    assert stood is not None
-    assert stood < within_s
+    assert reached_standstill is not None
+    assert reached_standstill < within_s
     steps = [do for _, do in drive.steps]
     assert steps.count(DriveStep.NO_EFFECT) == 1
     assert (DriveStep.GIVE_UP in steps) == (rpm == 2.0), "before its second turn"
@@ -231,7 +239,9 @@ def test_a_crank_that_is_turned_by_hand_leaves_the_drive_in_peace() -> None:
         now += 0.01
         rpm = 25.0 + 8.0 * math.sin(0.003 * i) + 5.0 * math.sin(0.11 * i)
         turns += rpm / 60.0 * 0.01
-        assert sequence.step(Seen(now, rpm, rpm, False, turns=turns, turns_s=now)) in (
+        assert sequence.step(
+            StandstillEvidence(now, rpm, rpm, False, turns=turns, turns_s=now)
+        ) in (
             DriveStep.WAIT,
             DriveStep.POWER_OFF,
         )
@@ -262,7 +272,7 @@ def test_one_witness_is_enough_and_none_is_not() -> None:
 def test_what_was_seen_before_the_command_does_not_count() -> None:
     sequence = StopSequence(True, 0.0, ramp_s=1.0, coast_s=2.0)
     sequence.commanded(DriveStep.POWER_OFF, 0.5)
-    old = Seen(0.6, 0.0, 0.0, True, drive_s=0.4, encoder_s=0.6)
+    old = StandstillEvidence(0.6, 0.0, 0.0, True, drive_s=0.4, encoder_s=0.6)
     assert sequence.step(old) is DriveStep.WAIT
     assert sequence.step(replace(old, drive_s=0.55)) is DriveStep.STANDING
 
@@ -284,8 +294,8 @@ def test_a_pause_comes_to_rest_at_its_angle(
         change = deceleration * step
         speed += max(-change, min(change, target - speed))
         angle = (angle + 6.0 * speed * step) % 360.0
-        stands = speed == 0.0
-        do = sequence.step(Seen(now, speed, speed, stands, angle, 6.0 * speed))
+        is_stationary = speed == 0.0
+        do = sequence.step(StandstillEvidence(now, speed, speed, is_stationary, angle, 6.0 * speed))
         if do is DriveStep.CREEP:
             target = sequence.creep_rpm
             assert target == min(rpm, CREEP_RPM)
@@ -300,9 +310,9 @@ def test_a_pause_comes_to_rest_at_its_angle(
 
 def test_a_pause_that_does_not_come_is_given_up() -> None:
     sequence = PauseSequence(90.0, 30.0, 60.0, 0.0, limit_s=5.0)
-    assert sequence.step(Seen(0.1, 30.0, None, None)) is DriveStep.CREEP
-    assert sequence.step(Seen(4.9, 30.0, None, None)) is DriveStep.WAIT
-    assert sequence.step(Seen(5.1, 30.0, None, None)) is DriveStep.GIVE_UP
+    assert sequence.step(StandstillEvidence(0.1, 30.0, None, None)) is DriveStep.CREEP
+    assert sequence.step(StandstillEvidence(4.9, 30.0, None, None)) is DriveStep.WAIT
+    assert sequence.step(StandstillEvidence(5.1, 30.0, None, None)) is DriveStep.GIVE_UP
 
 
 # --- motion --------------------------------------------------------------------------------------

@@ -95,7 +95,7 @@ def test_old_samples_switch_the_drive_off(simulated: bool) -> None:
     assert outcome is not None
     assert outcome.reason is FinishReason.INTERNAL
     assert "waited" in outcome.sentence
-    assert rig.stands
+    assert rig.is_stationary
     rig.engine.shutdown()
 
 
@@ -145,7 +145,7 @@ def test_a_broken_bridge_wire_ends_the_test() -> None:
     assert raised is not None
     assert raised.severity is Severity.CRITICAL
     assert "force_1" in raised.cause
-    assert rig.stands
+    assert rig.is_stationary
     faults.clear()
     rig.engine.connect()
     cleared = alarm(rig, "input:")

@@ -15,7 +15,7 @@ from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.tokens import DARK, LIGHT
 from rigapp.schema.messages import Reply, Request, RunState, Snapshot
 from rigapp.schema.states import Refused
-from rigapp.service.command import InCommand
+from rigapp.service.command import ControlLock
 from rigapp.viewer.connection import EngineConnection
 from rigapp.viewer.showntest import ShownTest
 
@@ -27,7 +27,9 @@ class SharedEngine:
         self._snapshot = snapshot
         self.log: list[str] = []
         self.done: list[tuple[str, str]] = []
-        self.command = InCommand(lambda text, who, before, after: self.log.append(f"{who}: {text}"))
+        self.command = ControlLock(
+            lambda text, who, before, after: self.log.append(f"{who}: {text}")
+        )
         self.state = RunState.RUNNING
 
     def snapshot(self) -> Snapshot:

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.panels.results import ShelfPump
 from rigapp.gui.plots.curves import ShadedBand, Trace, clear
-from rigapp.gui.results.shelf import ResultShelf
+from rigapp.gui.results.results_index import ResultShelf
 from rigapp.gui.window import places
 from rigapp.gui.window.places import PageBar, PageName, RailPlace
 from rigapp.process.memory import begin_to_load, end_of_loading

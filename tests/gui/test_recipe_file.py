@@ -152,7 +152,7 @@ def test_new_and_duplicate_have_no_file_until_they_are_saved(
     panel: RecipePanel, tmp_path: Path
 ) -> None:
     panel.buttons["new"].click()
-    assert (panel.path, panel.armed) == (None, None)
+    assert (panel.path, panel.selected) == (None, None)
     assert "Revolutions is missing" in panel.verdict.text()
     assert panel.unsaved() == []  # nothing typed, nothing lost
     type_into(panel, "run.revolutions", "20")
@@ -162,7 +162,7 @@ def test_new_and_duplicate_have_no_file_until_they_are_saved(
     assert panel.save(tmp_path / "mine.toml")
     assert read_test(tmp_path / "mine.toml").record.run.speed_rpm == 37.5
     panel.buttons["duplicate"].click()
-    assert panel.armed is None
+    assert panel.selected is None
     assert panel.unsaved() == ["title:  → (copy)"]
     assert panel.save(tmp_path / "other.toml")
     other = read_test(tmp_path / "other.toml").record

@@ -35,9 +35,9 @@ LOST = Alarm(
 )
 CONNECT = Recovery(
     Remedy.CONNECT, "connect", LOST.action,
-    (Remedy.CAUSE, Remedy.CONNECT, Remedy.ACKNOWLEDGE, Remedy.RESET, Remedy.GO_ON), LOST.key,
+    (Remedy.CAUSE, Remedy.CONNECT, Remedy.ACKNOWLEDGE, Remedy.RESET, Remedy.RESUME), LOST.key,
 )  # fmt: skip
-GO_ON = Recovery(Remedy.GO_ON, "resume_file", "Go on with the test in a.h5.", (Remedy.GO_ON,))
+RESUME = Recovery(Remedy.RESUME, "resume_file", "Go on with the test in a.h5.", (Remedy.RESUME,))
 
 
 def test_the_panel_marks_the_next_step_and_asks_for_it(
@@ -54,7 +54,7 @@ def test_the_panel_marks_the_next_step_and_asks_for_it(
     marks = {step: label.text()[0] for step, label in panel.steps.items()}
     assert marks == {
         Remedy.CAUSE: "○", Remedy.CONNECT: "▶", Remedy.ACKNOWLEDGE: "○", Remedy.RESET: "○",
-        Remedy.GO_ON: "○",
+        Remedy.RESUME: "○",
     }  # fmt: skip
     assert panel.cause.text() == LOST.cause
     assert panel.next.text() == LOST.action
@@ -62,10 +62,10 @@ def test_the_panel_marks_the_next_step_and_asks_for_it(
     panel.button.click()  # once is enough
     assert asked == [("connect", {})]
     panel.dress(DARK)
-    panel.take_status(make_status(state=RunState.READY, file="a.h5", recovery=GO_ON))
-    assert {label.text()[0] for step, label in panel.steps.items() if step is not Remedy.GO_ON} == {
-        "✔"
-    }
+    panel.take_status(make_status(state=RunState.READY, file="a.h5", recovery=RESUME))
+    assert {
+        label.text()[0] for step, label in panel.steps.items() if step is not Remedy.RESUME
+    } == {"✔"}
     assert panel.other.isVisibleTo(panel)
     panel.button.click()
     assert asked[1:] == [("resume_file", {"file": "a.h5"})]
@@ -102,7 +102,7 @@ def test_start_is_closed_with_the_next_step_as_its_reason(
     window: MainWindow, engine: Any, attach: Callable[[], None], qtbot: Any
 ) -> None:
     reset = Recovery(
-        Remedy.RESET, "reset", "Reset: nothing moves.", (Remedy.RESET, Remedy.GO_ON), "x"
+        Remedy.RESET, "reset", "Reset: nothing moves.", (Remedy.RESET, Remedy.RESUME), "x"
     )
     engine.say(state=RunState.READY, alarms=(LOST,), recovery=reset)
     attach()
@@ -113,7 +113,7 @@ def test_start_is_closed_with_the_next_step_as_its_reason(
     engine.reply = Reply(ok=True)
     window.recover.button.click()
     qtbot.waitUntil(lambda: engine.verbs == ["reset"], timeout=PATIENCE_MS)
-    engine.say(state=RunState.READY, recovery=GO_ON)
+    engine.say(state=RunState.READY, recovery=RESUME)
     attach()
     assert start.isEnabled()
 
@@ -147,7 +147,7 @@ def test_a_pulled_cable_is_recovered_from_by_the_panel_and_the_test_completed(
         hands.press(Qt.Key.Key_F10)
         hands.sees_step(Remedy.RESET)
         hands.click(window.recover.button)
-        hands.sees_step(Remedy.GO_ON)
+        hands.sees_step(Remedy.RESUME)
         before = hands.status.test.revolution
         hands.click(window.recover.button)
         hands.sees_state(RunState.RUNNING)

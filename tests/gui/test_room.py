@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from rigapp.gui.language.catalogue import ENGLISH, speak_language
-from rigapp.gui.results.shelf import ResultShelf
+from rigapp.gui.results.results_index import ResultShelf
 from rigapp.gui.window.tabs import NUMBERS
 from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.tokens import THEMES
@@ -46,7 +46,7 @@ def tripped() -> dict[str, Any]:
         first_out=True,
     )
     step = 'Acknowledge "Overload": say that you have seen it.'
-    left = (Remedy.ACKNOWLEDGE, Remedy.RESET, Remedy.GO_ON)
+    left = (Remedy.ACKNOWLEDGE, Remedy.RESET, Remedy.RESUME)
     told = Recovery(Remedy.ACKNOWLEDGE, "acknowledge", step, left)
     return {
         "state": RunState.FAULT, "reason": cause.sentence, "alarms": (alarm,), "recovery": told

@@ -22,7 +22,7 @@ from rigapp.gui.window import window as window_module
 from rigapp.gui.window.app import _results_folder
 from rigapp.gui.window.window import MainWindow
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.notify import ways
+from rigapp.notify import channels
 from rigapp.service.pins import fits, pins_in
 from rigapp.viewer.news import News
 
@@ -107,7 +107,7 @@ def test_a_folder_that_cannot_be_made_leaves_the_results_where_they_were(tmp_pat
 def test_a_way_is_added_and_removed_in_the_users_file(
     page: SettingsPage, qtbot: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(ways, "user_folder", lambda: tmp_path)
+    monkeypatch.setattr(channels, "user_folder", lambda: tmp_path)
     own = tmp_path / "notify.toml"
     own.write_text("# mine\nschema = 1\n", "utf-8")
     card = page.messages
@@ -130,12 +130,12 @@ def test_a_way_is_added_and_removed_in_the_users_file(
 def test_a_way_that_cannot_be_used_is_refused_and_nothing_is_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(ways, "user_folder", lambda: tmp_path)
+    monkeypatch.setattr(channels, "user_folder", lambda: tmp_path)
     with pytest.raises(UnusableInput, match="password"):
-        ways.add_way(NotifySection(name="lab", url="mailtos://me:secret@lab.example"))
+        channels.add_way(NotifySection(name="lab", url="mailtos://me:secret@lab.example"))
     assert not (tmp_path / "notify.toml").exists()
     with pytest.raises(UnusableInput, match="lab"):
-        ways.remove_way("lab")
+        channels.remove_way("lab")
 
 
 def test_every_key_of_the_buttons_is_listed(page: SettingsPage, window: MainWindow) -> None:

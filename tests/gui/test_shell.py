@@ -142,7 +142,7 @@ SITUATIONS = (
             Remedy.ACKNOWLEDGE,
             "acknowledge",
             "Acknowledge the alarms.",
-            (Remedy.ACKNOWLEDGE, Remedy.RESET, Remedy.GO_ON),
+            (Remedy.ACKNOWLEDGE, Remedy.RESET, Remedy.RESUME),
         ),
     ),
     (RunState.STOPPED, "All revolutions are done.", Recovery()),

@@ -164,7 +164,7 @@ def test_a_dead_engine_is_said_everywhere_and_a_restart_until_a_test_runs(
 def test_the_key_of_the_message_line_does_what_it_says(
     window: MainWindow, engine: Any, attach: Attach, qtbot: Any
 ) -> None:
-    step = Recovery(Remedy.GO_ON, "start", "Start a test.", (Remedy.GO_ON,))
+    step = Recovery(Remedy.RESUME, "start", "Start a test.", (Remedy.RESUME,))
     engine.say(count=0, curves=False, state=RunState.READY, planned=0, file="", recovery=step)
     attach()
     with qtbot.waitActive(window):

@@ -13,8 +13,8 @@ import pytest
 
 from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.load_cell_session import LoadCellSession, load_cell_plan, parse_pieces
-from rigapp.calibrating.practice import WeighingMistake
 from rigapp.calibrating.session import Rig
+from rigapp.calibrating.training import WeighingMistake
 from rigapp.commands.live.terminal import LISTEN_S, SimulatedHands, Terminal, _keep_check
 from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
 from rigapp.config.errors import UnusableInput

@@ -13,9 +13,9 @@ from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWizard
 
-from rigapp.calibrating.practice import MicrometerMistake
 from rigapp.calibrating.probe_session import ProbeSession, probe_plan
 from rigapp.calibrating.session import Rig
+from rigapp.calibrating.training import MicrometerMistake
 from rigapp.commands.live.terminal import Terminal
 from rigapp.config.calibration_settings import ProbeFile
 from rigapp.config.errors import UnusableInput

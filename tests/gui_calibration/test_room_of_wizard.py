@@ -13,8 +13,8 @@ from PySide6.QtWidgets import QPushButton, QScrollArea, QWidget
 
 from rigapp.gui.language.catalogue import ENGLISH, speak_language
 from rigapp.gui.window.window import MainWindow
-from rigapp.gui.wizard.parts import MeasuredCard
 from rigapp.gui.wizard.scenes import Brush
+from rigapp.gui.wizard.widgets import MeasuredCard
 from rigapp.gui.wizard.wizard import CalibrationWizard
 from rigapp.schema.messages import Reply, RunState
 from tests.gui.conftest import attach, engine, light_application, no_history, window

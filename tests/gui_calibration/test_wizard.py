@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWizard,
 )
 
-from rigapp.calibrating.practice import WeighingMistake
+from rigapp.calibrating.training import WeighingMistake
 from rigapp.gui.wizard.plan_page import NEW
 from rigapp_calibration.taking.procedure import StepKind
 

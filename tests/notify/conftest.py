@@ -18,7 +18,7 @@ from receivers import MailServer, Receiver
 def _own_folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
-    monkeypatch.setattr("rigapp.notify.ways.ATTEMPT_S", PATIENCE_S)
+    monkeypatch.setattr("rigapp.notify.channels.ATTEMPT_S", PATIENCE_S)
     monkeypatch.setenv("PYTHON_KEYRING_BACKEND", "keyring.backends.fail.Keyring")
 
 

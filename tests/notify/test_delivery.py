@@ -20,9 +20,9 @@ from patience import PATIENCE_S
 from receivers import MailServer, Receiver, free_port, until
 
 from rigapp.config.notify import NotifySection, PingSection
-from rigapp.notify import outbox, ways
-from rigapp.notify.courier import Courier
-from rigapp.notify.facts import CourierSetup, Fact, Heartbeat, Seen
+from rigapp.notify import channels, outbox
+from rigapp.notify.facts import Fact, Heartbeat, NotifierSetup, Observation
+from rigapp.notify.notifier import Notifier
 from rigapp.notify.store import state_file
 from rigapp.schema.messages import Alarm, RunState, Severity, Status
 from rigapp.schema.notices import AlarmChanged
@@ -47,16 +47,16 @@ def changed(
 
 
 class Post:
-    """A courier that is stepped by the test, with a number for each fact."""
+    """A notifier that is stepped by the test, with a number for each fact."""
 
     def __init__(self, folder: Path, *told: NotifySection, ping: PingSection | None = None) -> None:
-        self.setup = CourierSetup("/rigs/rig.toml", told, ping, str(folder), "", "run 1", "Rig")
-        self.courier = Courier(self.setup)
+        self.setup = NotifierSetup("/rigs/rig.toml", told, ping, str(folder), "", "run 1", "Rig")
+        self.notifier = Notifier(self.setup)
         self.said: list[str] = []
         self.wrong = ""
         self._number = 0
 
-    def hear(self, *seen: Seen) -> None:
+    def update(self, *seen: Observation) -> None:
         facts = []
         for one in seen:
             self._number += 1
@@ -64,7 +64,7 @@ class Post:
         self.step(facts)
 
     def step(self, facts: Sequence[Fact] = ()) -> None:
-        answer = self.courier.step(facts)
+        answer = self.notifier.step(facts)
         if answer is not None:
             self.said += answer.said
             self.wrong = self.wrong if answer.wrong is None else answer.wrong
@@ -97,14 +97,14 @@ def test_a_mail_says_what_happened_and_another_that_it_is_over(
     tmp_path: Path, mail: MailServer
 ) -> None:
     post = Post(tmp_path, way(mail.url, "mail"))
-    post.hear(RUNNING, changed("a"))
+    post.update(RUNNING, changed("a"))
     post.until(lambda: mail.subjects, "the mail has come")
-    post.hear(changed("a"), changed("a", active=False))
+    post.update(changed("a"), changed("a", active=False))
     post.until(lambda: len(mail.subjects) == 2, "it is told to be over")
     assert mail.subjects == ["Rig: WARNING: Trouble a", "Rig: OVER: Trouble a"]
     assert "Cause. At revolution 7." in mail.bodies[0]
     assert "What to do: Act." in mail.bodies[0]
-    post.until(lambda: post.courier.idle, "all is sent")
+    post.until(lambda: post.notifier.idle, "all is sent")
     where = "told by mail, mailto://127.0.0.1"
     assert post.said == [f"{where}: Trouble a (raised)", f"{where}: Trouble a (recovered)"]
 
@@ -115,16 +115,16 @@ def test_a_server_that_is_down_costs_no_message_and_the_log_tells_it_once(
 ) -> None:
     mail.down()
     post = Post(tmp_path, way(mail.url, "mail"))
-    post.hear(RUNNING, changed("a"), changed("b"))
+    post.update(RUNNING, changed("a"), changed("b"))
     post.until(lambda: post.said, "the failure is told")
-    post.hear(changed("c"))
-    (one,) = post.courier.state.ways.values()
+    post.update(changed("c"))
+    (one,) = post.notifier.state.ways.values()
     post.until(
-        lambda: next(iter(post.courier.state.ways.values())).outbox.failures >= 3, "it is tried"
+        lambda: next(iter(post.notifier.state.ways.values())).outbox.failures >= 3, "it is tried"
     )
     mail.up()
     post.until(lambda: len(mail.subjects) == 3, "all have come")
-    post.until(lambda: post.courier.idle, "all is sent")
+    post.until(lambda: post.notifier.idle, "all is sent")
     assert mail.subjects == [f"Rig: WARNING: Trouble {key}" for key in "abc"]
     assert len(post.said) == 4
     assert "could not be told: Trouble a (raised)" in post.said[0]
@@ -135,7 +135,7 @@ def test_a_server_that_is_down_costs_no_message_and_the_log_tells_it_once(
 def test_a_server_that_refuses_is_asked_again(tmp_path: Path, mail: MailServer) -> None:
     mail.refuses = True
     post = Post(tmp_path, way(mail.url, "mail"))
-    post.hear(RUNNING, changed("a"))
+    post.update(RUNNING, changed("a"))
     post.until(lambda: post.said, "the refusal is told")
     mail.refuses = False
     post.until(lambda: mail.subjects == ["Rig: WARNING: Trouble a"], "it is taken")
@@ -150,37 +150,37 @@ def test_a_server_that_hangs_holds_up_no_other_way_and_is_let_go(
         hook(receiver), url=f"json://127.0.0.1:{receiver.port}/hook?rto=10000&cto=10000"
     )
     post = Post(tmp_path, hanging, way(mail.url, "mail"))
-    post.hear(RUNNING, changed("a"))
+    post.update(RUNNING, changed("a"))
     post.until(lambda: receiver.tries and mail.subjects, "the other way has told it")
     assert not receiver.bodies
-    monkeypatch.setattr(ways, "ATTEMPT_S", 3.0)
+    monkeypatch.setattr(channels, "ATTEMPT_S", 3.0)
     receiver.answer = 500
     fresh = Post(tmp_path / "fresh", hanging)
     (tmp_path / "fresh").mkdir()
     receiver.answer = "hang"
-    fresh.hear(RUNNING, changed("a"))
+    fresh.update(RUNNING, changed("a"))
     fresh.until(lambda: fresh.said, "the attempt is given up")
     assert "no answer within 3 s" in fresh.said[0]
-    monkeypatch.setattr(ways, "ATTEMPT_S", PATIENCE_S)
+    monkeypatch.setattr(channels, "ATTEMPT_S", PATIENCE_S)
     receiver.answer = 200
     fresh.until(lambda: receiver.bodies, "it arrives in the end")
     assert receiver.titles[0] == "Rig: WARNING: Trouble a"
 
 
-def test_what_waits_survives_the_courier_and_comes_in_pairs(
+def test_what_waits_survives_the_notifier_and_comes_in_pairs(
     tmp_path: Path, receiver: Receiver
 ) -> None:
     receiver.answer = 503
     first = Post(tmp_path, hook(receiver))
-    first.hear(RUNNING, changed("a"), changed("b"))
+    first.update(RUNNING, changed("a"), changed("b"))
     first.until(lambda: first.said, "it fails")
-    first.until(lambda: not first.courier.busy, "nothing is on its way")
+    first.until(lambda: not first.notifier.busy, "nothing is on its way")
     assert stat.S_IMODE(first.file.stat().st_mode) == 0o600
     receiver.answer = 200
     second = Post(tmp_path, hook(receiver))
-    second.hear(*[RUNNING] * 4, changed("a"), changed("a", active=False))
+    second.update(*[RUNNING] * 4, changed("a"), changed("a", active=False))
     second.until(lambda: len(receiver.bodies) == 4, "all have come")
-    second.until(lambda: second.courier.idle, "all is sent")
+    second.until(lambda: second.notifier.idle, "all is sent")
     assert sorted(receiver.titles) == [
         "Rig: OVER: Trouble a", "Rig: OVER: Trouble b",
         "Rig: WARNING: Trouble a", "Rig: WARNING: Trouble b",
@@ -190,30 +190,30 @@ def test_what_waits_survives_the_courier_and_comes_in_pairs(
 def test_what_waits_for_a_way_goes_by_no_other(tmp_path: Path, receiver: Receiver) -> None:
     receiver.answer = 503
     first = Post(tmp_path, hook(receiver))
-    first.hear(changed("a"))
+    first.update(changed("a"))
     first.until(lambda: first.said, "it fails")
     receiver.answer = 200
     other = Post(tmp_path, way(hook(receiver).url, "another"))
     other.step()
     assert other.said == ["1 messages waited for a way that is set up no more; they are dropped"]
-    assert other.courier.idle
+    assert other.notifier.idle
 
 
 def test_a_fact_that_is_handed_over_twice_counts_once(tmp_path: Path, receiver: Receiver) -> None:
     post = Post(tmp_path, hook(receiver))
     facts = [Fact(0.0, changed("a"), 1), Fact(0.0, changed("a", active=False), 2)]
     post.step(facts)
-    post.until(lambda: len(receiver.bodies) == 2 and post.courier.idle, "both have come")
+    post.until(lambda: len(receiver.bodies) == 2 and post.notifier.idle, "both have come")
     again = Post(tmp_path, hook(receiver))
     again.step(facts)
-    assert again.courier.idle
+    assert again.notifier.idle
 
 
 def test_a_state_that_is_damaged_is_set_aside(tmp_path: Path, receiver: Receiver) -> None:
     post = Post(tmp_path, hook(receiver))
     post.file.write_bytes(b"\x81nonsense")
     post = Post(tmp_path, hook(receiver))
-    post.hear(changed("a"))
+    post.update(changed("a"))
     post.until(lambda: receiver.bodies, "it is told")
     assert post.file.with_suffix(".unreadable").exists()
 
@@ -222,7 +222,7 @@ def test_a_disk_that_takes_nothing_keeps_no_message_back(
     tmp_path: Path, receiver: Receiver
 ) -> None:
     post = Post(tmp_path / "missing", hook(receiver))
-    post.hear(changed("a"))
+    post.update(changed("a"))
     post.until(lambda: receiver.bodies, "it is told")
     assert "cannot be written" in post.wrong
 
@@ -237,7 +237,7 @@ def test_trouble_at_random_with_outages_is_told_once_each_in_pairs(
     expected: list[str] = []
     for step in range(16):
         if step == 5:  # not in the midst of an attempt, which would be made twice
-            post.until(lambda: post.courier.idle, "all is sent")
+            post.until(lambda: post.notifier.idle, "all is sent")
             mail.down()
         if step == 11:
             mail.up()
@@ -245,10 +245,10 @@ def test_trouble_at_random_with_outages_is_told_once_each_in_pairs(
         active ^= {key}
         word = "WARNING" if key in active else "OVER"
         expected.append(f"Rig: {word}: Trouble {key}")
-        post.hear(RUNNING if not active else changed(key, active=key in active))
+        post.update(RUNNING if not active else changed(key, active=key in active))
         post.step()
     post.until(lambda: len(mail.subjects) >= len(expected), "all have come")
-    post.until(lambda: post.courier.idle, "all is sent")
+    post.until(lambda: post.notifier.idle, "all is sent")
     assert sorted(mail.subjects) == sorted(expected)
     for key in "abc":
         own = [one for one in mail.subjects if one.endswith(key)]
@@ -261,8 +261,8 @@ def test_of_a_flood_no_more_are_sent_than_wanted_and_none_is_left_out(
     tmp_path: Path, receiver: Receiver
 ) -> None:
     post = Post(tmp_path, hook(receiver, most_per_hour=3))
-    post.hear(RUNNING, *[changed(str(number)) for number in range(12)])
-    post.until(lambda: post.courier.idle, "all is sent")
+    post.update(RUNNING, *[changed(str(number)) for number in range(12)])
+    post.until(lambda: post.notifier.idle, "all is sent")
     assert len(receiver.bodies) <= 3
     text = json.dumps(receiver.bodies)
     assert all(text.count(f"Trouble {number}\\n") <= 1 for number in range(12))
@@ -272,10 +272,10 @@ def test_of_a_flood_no_more_are_sent_than_wanted_and_none_is_left_out(
 def test_a_way_that_fails_for_long_is_an_alarm_until_it_works(
     tmp_path: Path, receiver: Receiver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rigapp.notify.courier.FAILING_S", 0.1)
+    monkeypatch.setattr("rigapp.notify.notifier.FAILING_S", 0.1)
     receiver.answer = 500
     post = Post(tmp_path, hook(receiver))
-    post.hear(changed("a"))
+    post.update(changed("a"))
     post.until(lambda: post.wrong, "the engine is told")
     assert post.wrong.startswith("hook has failed since")
     receiver.answer = 200
@@ -285,17 +285,17 @@ def test_a_way_that_fails_for_long_is_an_alarm_until_it_works(
 def test_the_ping_comes_while_all_is_well_and_only_then(tmp_path: Path, receiver: Receiver) -> None:
     ping = PingSection(f"http://127.0.0.1:{receiver.port}/ping", interval_s=0.1)
     post = Post(tmp_path, ping=ping)
-    post.hear(RUNNING)
+    post.update(RUNNING)
     post.until(lambda: len(receiver.pings) >= 2, "two pings have come")
     bad = changed("x", severity=Severity.CRITICAL).alarm
-    post.hear(Heartbeat(Status.of_flat(RUNNING.status.flat() | {"alarms": (bad,)})))
-    post.until(lambda: post.courier._ping is None, "the last one is through")
+    post.update(Heartbeat(Status.of_flat(RUNNING.status.flat() | {"alarms": (bad,)})))
+    post.until(lambda: post.notifier._ping is None, "the last one is through")
     number = len(receiver.pings)
     for _ in range(20):
         post.step()
-    assert post.courier._ping is None
+    assert post.notifier._ping is None
     assert len(receiver.pings) == number
-    post.hear(RUNNING)
+    post.update(RUNNING)
     post.until(lambda: len(receiver.pings) > number, "it comes again")
     receiver.answer = 500
     post.until(lambda: post.said, "its failure is told")
@@ -314,22 +314,22 @@ def test_a_command_takes_the_message_from_its_input(tmp_path: Path) -> None:
     out = tmp_path / "told.txt"
     command = (sys.executable, "-c", KEEP, str(out))
     post = Post(tmp_path, NotifySection(command=command, name="own", when=("warning",)))
-    post.hear(RUNNING, changed("a"))
-    post.until(lambda: post.courier.idle, "it is told")
+    post.update(RUNNING, changed("a"))
+    post.until(lambda: post.notifier.idle, "it is told")
     assert out.read_text() == "Rig: WARNING: Trouble a warning 1\n"
 
 
 def test_a_command_that_fails_or_hangs_is_ended_and_told(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(ways, "ATTEMPT_S", 2.0)
+    monkeypatch.setattr(channels, "ATTEMPT_S", 2.0)
     for code, words in (("import sys; sys.exit(3)", "ended with status 3"),
                         ("import time; time.sleep(1000)", "took longer than 2 s")):  # fmt: skip
         folder = tmp_path / words.replace(" ", "")
         folder.mkdir()
         command = (sys.executable, "-c", code)
         post = Post(folder, NotifySection(command=command, name="own", when=("warning",)))
-        post.hear(changed("a"))
+        post.update(changed("a"))
         post.until(lambda post=post: post.said, "the failure is told")
         assert words in post.said[0]
 
@@ -338,19 +338,19 @@ ENGINE = """
 import queue, sys, time
 from pathlib import Path
 import msgspec
-from rigapp.notify.facts import CourierSetup
-from rigapp.notify.link import CourierLink
+from rigapp.notify.facts import NotifierSetup
+from rigapp.notify.link import NotifierLink
 from rigapp.schema.messages import RunState, Status
 
 class Nothing:
     def get(self, timeout_s):
         time.sleep(min(timeout_s, 0.05))
 
-setup = msgspec.json.decode(Path(sys.argv[1]).read_bytes(), type=CourierSetup)
+setup = msgspec.json.decode(Path(sys.argv[1]).read_bytes(), type=NotifierSetup)
 status = Status.of_flat(dict(state=RunState.RUNNING, rig="Rig", test="Long test", revolution=420))
-link = CourierLink(setup, Nothing(), lambda: status, print, print, Path(sys.argv[2]))
+link = NotifierLink(setup, Nothing(), lambda: status, print, print, Path(sys.argv[2]))
 while True:
-    print(link.courier_pid, link._heard, flush=True)
+    print(link.notifier_pid, link._heard, flush=True)
     time.sleep(0.1)
 """
 
@@ -360,7 +360,9 @@ def engine(tmp_path: Path, receiver: Receiver) -> Any:
     """A process with a link, as an engine has one."""
     folder = tmp_path / "messages"
     folder.mkdir()
-    setup = CourierSetup("/rigs/rig.toml", (hook(receiver),), None, str(folder), "", "run 1", "Rig")
+    setup = NotifierSetup(
+        "/rigs/rig.toml", (hook(receiver),), None, str(folder), "", "run 1", "Rig"
+    )
     (tmp_path / "setup.json").write_bytes(msgspec.json.encode(setup))
     process = subprocess.Popen(
         [sys.executable, "-c", ENGINE, str(tmp_path / "setup.json"), str(tmp_path)],
@@ -373,16 +375,16 @@ def engine(tmp_path: Path, receiver: Receiver) -> Any:
 
 
 def heard(engine: Any, other_than: int = 0) -> int:
-    """Wait until a courier has heard something; return its process."""
+    """Wait until a notifier has heard something; return its process."""
     deadline = time.monotonic() + PATIENCE_S
     while time.monotonic() < deadline:
         pid, _, number = engine.stdout.readline().partition(" ")
         if pid.isdigit() and int(pid) not in (0, other_than) and int(number) > 0:
             return int(pid)
-    raise AssertionError("no courier heard anything")
+    raise AssertionError("no notifier heard anything")
 
 
-def test_a_killed_engine_is_told_by_its_courier(engine: Any, receiver: Receiver) -> None:
+def test_a_killed_engine_is_told_by_its_notifier(engine: Any, receiver: Receiver) -> None:
     heard(engine)
     engine.kill()
     until(lambda: receiver.bodies, "the silence is told")
@@ -391,7 +393,7 @@ def test_a_killed_engine_is_told_by_its_courier(engine: Any, receiver: Receiver)
     assert "Long test at revolution 420" in receiver.bodies[0]["message"]
 
 
-def test_a_killed_courier_is_started_again(engine: Any, receiver: Receiver) -> None:
+def test_a_killed_notifier_is_started_again(engine: Any, receiver: Receiver) -> None:
     first = heard(engine)
     os.kill(first, signal.SIGKILL)
     assert heard(engine, other_than=first) != first
@@ -403,16 +405,16 @@ def test_a_stopped_engine_is_told_and_that_it_is_heard_again(
     tmp_path: Path, receiver: Receiver
 ) -> None:
     post = Post(tmp_path, hook(receiver, silent_after_s=5.0))
-    post.hear(RUNNING)
+    post.update(RUNNING)
     post.until(lambda: receiver.bodies, "the silence is told")
-    post.hear(RUNNING)
+    post.update(RUNNING)
     post.until(lambda: len(receiver.bodies) == 2, "it is told to be over")
     assert receiver.titles == ["Rig: CRITICAL: No sign of life", "Rig: OVER: No sign of life"]
 
 
 def test_a_port_where_nobody_listens_is_told_without_a_traceback(tmp_path: Path) -> None:
     post = Post(tmp_path, way(f"json://127.0.0.1:{free_port()}", "nobody"))
-    post.hear(changed("a"))
+    post.update(changed("a"))
     post.until(lambda: post.said, "the failure is told")
     assert "Traceback" not in post.said[0]
     assert post.said[0].startswith("nobody, json://127.0.0.1, could not be told")

@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rigapp.config.notify import NotifySection
-from rigapp.notify.facts import DiskSeen, Fact, Heartbeat, Seen, Silence
+from rigapp.notify.facts import DiskSeen, Fact, Heartbeat, Observation, Silence
 from rigapp.notify.message import Message
-from rigapp.notify.rules import Book, hear, pass_time
+from rigapp.notify.rules import NotificationState, pass_time, update
 from rigapp.schema.alarms import make_alarm
 from rigapp.schema.messages import Alarm, FinishReason, RunState, Severity, Status
 from rigapp.schema.notices import AlarmChanged, Finished, StateChanged
@@ -35,15 +35,18 @@ def alarm(key: str = "disk_slow", *, active: bool = True, state: str = "") -> Al
 
 
 def told(
-    way: NotifySection, *seen: tuple[float, Seen], until: float = 1000.0, book: Book | None = None
+    way: NotifySection,
+    *seen: tuple[float, Observation],
+    until: float = 1000.0,
+    book: NotificationState | None = None,
 ) -> list[Message]:
     """Return what is told of facts at their times, a second at a time."""
-    book, found = book or Book(), list[Message]()
+    book, found = book or NotificationState(), list[Message]()
     facts = list(seen)
     for second in range(round(until) + 1):
         while facts and facts[0][0] <= second:
             at, what = facts.pop(0)
-            book, messages = hear(way, book, Fact(at, what))
+            book, messages = update(way, book, Fact(at, what))
             found += messages
         book, messages = pass_time(way, book, float(second), NIGHT)
         found += messages
@@ -172,9 +175,9 @@ def test_silence_is_told_by_its_length_or_at_once_when_the_process_is_gone() -> 
 
 
 def test_a_summary_comes_once_a_day_at_its_time_and_not_long_after_it() -> None:
-    book, _ = hear(
+    book, _ = update(
         ALL,
-        Book(),
+        NotificationState(),
         Fact(0.0, running(test="T", revolution=70)),
     )
     found: dict[str, int] = {}
@@ -204,7 +207,7 @@ def test_a_summary_says_how_the_test_stands() -> None:
             }
         )
     )
-    book = msgspec.structs.replace(Book(), status=sign.status, summary_revolution=3000)
+    book = msgspec.structs.replace(NotificationState(), status=sign.status, summary_revolution=3000)
     _, (found,) = pass_time(ALL, book, 0.0, datetime.datetime(2026, 11, 23, 7, 0))
     for words in ("5,000 of 21,377; 2,000 since", "12 % to overload", "Disk slow"):
         assert words in found.text
@@ -221,23 +224,23 @@ def test_whatever_happens_raised_and_recovered_alternate_and_all_is_closed_in_th
     steps: list[tuple[float, str, bool, str]], recovered_after_s: float
 ) -> None:
     way = msgspec.structs.replace(ALL, recovered_after_s=recovered_after_s)
-    book, found, now = Book(), list[Message](), 0.0
+    book, found, now = NotificationState(), list[Message](), 0.0
     active: dict[str, Alarm] = {}
     for wait, key, rises, how in steps:
         now += wait
         one = Alarm(key, Severity.WARNING, key, "c", "q", "a", now, 1, active=rises)
         active = {name: it for name, it in active.items() if name != key}
         active |= {key: one} if rises else {}
-        seen: Seen = AlarmChanged(one)
+        seen: Observation = AlarmChanged(one)
         if how == "sign":
             seen = running(alarms=tuple(active.values()))
-        book, messages = hear(way, book, Fact(now, seen))
+        book, messages = update(way, book, Fact(now, seen))
         found += messages
         book, messages = pass_time(way, book, now, NIGHT)
         found += messages
     open_now = {name.removeprefix("alarm:") for name in book.open}
     assert active.keys() <= open_now, "what holds was told and is not told to be over"
-    book, messages = hear(way, book, Fact(now, running()))
+    book, messages = update(way, book, Fact(now, running()))
     found += messages
     book, messages = pass_time(way, book, now + 61.0, NIGHT)
     found += messages

@@ -10,10 +10,10 @@ import pytest
 from receivers import Receiver
 
 from rigapp.config.errors import UnusableInput
-from rigapp.notify import attempt as attempt_module
-from rigapp.notify.attempt import AttemptRequest, attempted
+from rigapp.notify import delivery as attempt_module
+from rigapp.notify.channels import attempt
+from rigapp.notify.delivery import AttemptRequest, attempted
 from rigapp.notify.secrets import filled, looked_up, read_secrets, redacted
-from rigapp.notify.ways import attempt
 
 SECRET = "s3cret/p:ss@w?rd"  # noqa: S105 - of these tests
 
@@ -131,11 +131,11 @@ def test_what_a_library_raises_is_told_by_its_kind_alone(
     assert (found.ok, found.reason) == (False, "it failed ‹RuntimeError›")
 
 
-def test_the_engine_and_its_courier_never_load_what_knows_secrets() -> None:
+def test_the_engine_and_its_notifier_never_load_what_knows_secrets() -> None:
     import subprocess
 
     code = (
-        "import sys, rigapp.notify.courier, rigapp.notify.link;"
+        "import sys, rigapp.notify.notifier, rigapp.notify.link;"
         "sys.exit(bool({'apprise', 'keyring', 'requests'} & set(sys.modules)))"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -42,7 +42,7 @@ CHOICES = fault_choices((("daq", "gsv8"), ("drive", "roboclaw")))
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
+class Observation:
     """A title and when it was there."""
 
     title: str
@@ -55,8 +55,8 @@ class Witness(threading.Thread):
     def __init__(self, host: EngineHost, receiver: Receiver) -> None:
         super().__init__(daemon=True)
         self._notices, self._receiver = host.engine.watch(), receiver
-        self.raised: list[Seen] = []
-        self.told: list[Seen] = []
+        self.raised: list[Observation] = []
+        self.told: list[Observation] = []
         self._active: set[str] = set()
         self.halted = threading.Event()
 
@@ -68,7 +68,7 @@ class Witness(threading.Thread):
                     self._note(notice.alarm)
                 notice = self._notices.get(0.0)
             for title in self._receiver.titles[len(self.told) :]:
-                self.told.append(Seen(title, time.monotonic()))
+                self.told.append(Observation(title, time.monotonic()))
 
     def _note(self, alarm: Alarm) -> None:
         if not alarm.active:
@@ -77,9 +77,11 @@ class Witness(threading.Thread):
             self._active.add(alarm.key)
             if alarm.severity in (Severity.WARNING, Severity.CRITICAL):
                 word = alarm.severity.value.upper()
-                self.raised.append(Seen(f"{RIG_NAME}: {word}: {alarm.title}", time.monotonic()))
+                self.raised.append(
+                    Observation(f"{RIG_NAME}: {word}: {alarm.title}", time.monotonic())
+                )
 
-    def alarms_told(self) -> list[Seen]:
+    def alarms_told(self) -> list[Observation]:
         """Return the messages about alarms that rose, not those about the end of a test."""
         known = (f"{RIG_NAME}: WARNING: ", f"{RIG_NAME}: CRITICAL: ")
         return [
@@ -99,7 +101,7 @@ def recover(host: EngineHost) -> None:
 
     def ready() -> bool:
         told = engine.status().recovery
-        going_on = told.step is Remedy.GO_ON
+        going_on = told.step is Remedy.RESUME
         if not (going_on and engine.state is RunState.READY) and told.step is not Remedy.CAUSE:
             verb = "reset" if going_on else told.verb
             if verb:

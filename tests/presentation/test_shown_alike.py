@@ -35,7 +35,7 @@ def test_a_rest_is_no_pause() -> None:
         {
             "state": RunState.PAUSED,
             "recovery": Recovery(
-                Remedy.GO_ON, "resume", "Resume the paused test.", (Remedy.GO_ON,)
+                Remedy.RESUME, "resume", "Resume the paused test.", (Remedy.RESUME,)
             ),
         }
     )

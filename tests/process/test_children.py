@@ -16,7 +16,7 @@ from patience import PATIENCE_S
 
 from rigapp.process import children
 from rigapp.process.children import Child, MessageChild, Restarts, read_frames, write_frame
-from rigapp.process.leftovers import process_alive
+from rigapp.process.stale_files import process_alive
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
@@ -28,7 +28,7 @@ def messenger(module: str) -> Callable[[Path], Child]:
 
 KINDS: dict[str, Callable[[Path], Child]] = {
     "twin": messenger("rigapp.twin.worker"),
-    "notifier": messenger("rigapp.notify.courier"),
+    "notifier": messenger("rigapp.notify.notifier"),
     "results reader": lambda folder: Child("rigapp.report.results", pipes=True),
     "simulated rig": lambda folder: Child(
         "rigapp.simulation.process", EXAMPLES / "simulated.toml", "--exit-with-parent", pipes=True
@@ -91,7 +91,7 @@ time.sleep(1000)
     "arguments",
     [
         ("messages", "rigapp.twin.worker"),
-        ("messages", "rigapp.notify.courier"),
+        ("messages", "rigapp.notify.notifier"),
         ("pipes", "rigapp.report.results"),
         (
             "pipes",

@@ -14,7 +14,7 @@ from report_samples import TEST_TEXT, event
 
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.times import duration
-from rigapp.report.page.manuscript import (
+from rigapp.report.page.document import (
     Listing,
     Manuscript,
     Section,
@@ -25,8 +25,8 @@ from rigapp.report.page.manuscript import (
 )
 from rigapp.report.page.pdf import as_pdf
 from rigapp.report.testreport.envelope import BUCKETS, envelope
+from rigapp.report.testreport.formatting import flags, number, quantity, settings, size, stamp
 from rigapp.report.testreport.logsections import AlarmRecord, alarms_of, limits_of
-from rigapp.report.testreport.wording import flags, number, quantity, settings, size, stamp
 from rigapp.schema.messages import Event
 from rigapp.storage.reading.oldlog import translated
 

@@ -9,7 +9,7 @@ from patience import PATIENCE_S
 
 from rigapp.schema.messages import Reply, Request
 from rigapp.schema.states import Refused
-from rigapp.service.command import ASLEEP_S, GONE_AFTER_S, InCommand
+from rigapp.service.command import ASLEEP_S, GONE_AFTER_S, ControlLock
 
 ADA = {"operator": "Ada", "client": "a"}
 BOB = {"operator": "Bob", "client": "b"}
@@ -26,12 +26,12 @@ class Clock:
 
 
 class Desk:
-    """A InCommand with its clock and its log."""
+    """A ControlLock with its clock and its log."""
 
     def __init__(self) -> None:
         self.clock = Clock()
         self.log: list[tuple[str, str, str, str]] = []
-        self.command = InCommand(lambda *event: self.log.append(event), self.clock)
+        self.command = ControlLock(lambda *event: self.log.append(event), self.clock)
 
     def ask(self, verb: str, who: dict[str, str], **arguments: object) -> object:
         request = Request(verb, arguments, **who)  # type: ignore[arg-type]

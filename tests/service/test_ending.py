@@ -18,8 +18,13 @@ import pytest
 from patience import PATIENCE_S
 from stories import RIG, Running, recipe, summary, until
 
-from rigapp.process.ending import Background, asked_to_end, ending_as_interrupt, finish_in_time
-from rigapp.process.leftovers import process_alive
+from rigapp.process.ending import (
+    Background,
+    ending_as_interrupt,
+    shutdown_with_timeout,
+    termination_signals,
+)
+from rigapp.process.stale_files import process_alive
 from rigapp.schema.messages import RunState
 from rigapp.service import launch
 from rigapp.service.client import EngineUnreachable
@@ -115,7 +120,7 @@ def test_an_interrupt_that_is_swallowed_while_something_is_loaded_is_not_forgott
         with suppress(KeyboardInterrupt):
             signal.raise_signal(number)
         reached.append("loaded")
-        with asked_to_end():
+        with termination_signals():
             reached.append("begun")
 
     with pytest.raises(KeyboardInterrupt), ending_as_interrupt():
@@ -131,7 +136,7 @@ def test_a_swallowed_interrupt_ends_what_does_not_listen_for_signals() -> None:
 def test_a_hang_up_that_is_ignored_stays_so() -> None:
     before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
     try:
-        with asked_to_end() as asked:
+        with termination_signals() as asked:
             signal.raise_signal(signal.SIGHUP)
             signal.raise_signal(signal.SIGTERM)
             assert asked == ["SIGTERM"]
@@ -217,10 +222,10 @@ def test_what_hangs_at_the_end_is_left_after_some_time_or_when_asked_again(folde
 
 def test_closing_that_does_not_hang_is_left_alone() -> None:
     done: list[int] = []
-    finish_in_time(lambda: done.append(1), [], lambda: True, lambda: done.append(2), 60.0)
+    shutdown_with_timeout(lambda: done.append(1), [], lambda: True, lambda: done.append(2), 60.0)
     assert done == [1]
     with pytest.raises(ValueError, match="its own"):
-        finish_in_time(fail, [], lambda: True, lambda: None, 60.0)
+        shutdown_with_timeout(fail, [], lambda: True, lambda: None, 60.0)
 
 
 def fail() -> None:
@@ -299,7 +304,7 @@ def test_a_start_that_takes_long_starts_no_second_engine(
     program.chmod(0o755)
     monkeypatch.setattr("sys.executable", str(program))
     monkeypatch.setattr(launch, "START_S", 0.2)
-    monkeypatch.setattr("rigapp.process.leftovers.owner_lives", lambda pid: True)
+    monkeypatch.setattr("rigapp.process.stale_files.owner_lives", lambda pid: True)
     for _ in range(3):
         with pytest.raises(EngineUnreachable, match=r"is still starting after 0\.2 s"):
             launch.attach(RIG)

@@ -17,8 +17,8 @@ from stories import until
 
 from rigapp.config.errors import UnusableInput
 from rigapp.process.children import KEY, bind_link, connect_link, link_address
-from rigapp.process.leftovers import owner_lives, remove_left_behind
 from rigapp.process.private import SMALL_BYTES
+from rigapp.process.stale_files import pid_exists, remove_left_behind
 from rigapp.service.registry import (
     EngineEntry,
     announce,
@@ -159,7 +159,7 @@ def test_a_process_that_only_has_the_number_of_the_owner_is_not_the_owner(tmp_pa
     other = subprocess.Popen(["sleep", "1000"])
     try:
         (tmp_path / f"x-{other.pid}").touch()
-        until(lambda: not owner_lives(other.pid), "the other program has taken over its process")
+        until(lambda: not pid_exists(other.pid), "the other program has taken over its process")
         removed = remove_left_behind(tmp_path, r"x-(?P<pid>\d+)")
         assert [path.name for path in removed] == [f"x-{other.pid}"]
     finally:

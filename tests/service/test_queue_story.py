@@ -57,9 +57,9 @@ def recover(host: EngineHost) -> None:
 
     def recovered() -> bool:
         told = host.engine.status().recovery
-        if told.verb and told.step is not Remedy.GO_ON:
+        if told.verb and told.step is not Remedy.RESUME:
             ask(host, told.verb)
-        return told.step is Remedy.GO_ON
+        return told.step is Remedy.RESUME
 
     until(recovered, "the way out leads to going on")
 

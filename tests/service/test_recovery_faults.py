@@ -88,7 +88,7 @@ def to_ready(host: EngineHost) -> list[str]:
         ask(host, "stop")
         engine.wait(ENDED, 60.0)
     steps: list[str] = []
-    while engine.state is not RunState.READY or engine.status().recovery.step is not Remedy.GO_ON:
+    while engine.state is not RunState.READY or engine.status().recovery.step is not Remedy.RESUME:
         until(lambda: engine.status().recovery.step is not Remedy.NONE, f"a step after {steps}")
         told = engine.status().recovery
         steps.append(told.step.value)
@@ -96,7 +96,7 @@ def to_ready(host: EngineHost) -> list[str]:
         if told.step is Remedy.CAUSE:
             until(lambda: engine.status().recovery.step is not Remedy.CAUSE, "the cause goes")
         else:
-            ask(host, "reset" if told.step is Remedy.GO_ON else told.verb)
+            ask(host, "reset" if told.step is Remedy.RESUME else told.verb)
             time.sleep(0.05)
     return steps
 

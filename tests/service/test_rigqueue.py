@@ -13,7 +13,7 @@ from stories import until
 from rigapp.config.errors import UnusableInput
 from rigapp.queue.items import Queue, added, halted
 from rigapp.queue.store import QueueStore
-from rigapp.queue.worker import Hands
+from rigapp.queue.worker import QueueActions
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.notices import Finished
 from rigapp.schema.queue import ItemState
@@ -56,7 +56,9 @@ class Desk:
         self.ends.waiting.put(Finished(reason, f"It is {status}.", status, 6, file))
 
     def queue(self) -> RigQueue:
-        return RigQueue(RIG, Hands(self.begin, (UnusableInput,), self.told.append), self.ends)
+        return RigQueue(
+            RIG, QueueActions(self.begin, (UnusableInput,), self.told.append), self.ends
+        )
 
 
 @pytest.fixture(autouse=True)

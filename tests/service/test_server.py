@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from patience import PATIENCE_S
 from snapshots import make_status
 
-from rigapp.process.leftovers import process_alive
+from rigapp.process.stale_files import process_alive
 from rigapp.schema.channels import BASE
 from rigapp.schema.messages import (
     PROTOCOL_VERSION,
@@ -29,7 +29,7 @@ from rigapp.schema.messages import (
     TestStatus,
     as_array,
 )
-from rigapp.schema.verbs import Lane
+from rigapp.schema.verbs import Priority
 from rigapp.schema.wire import decode
 from rigapp.service.client import Client, EngineUnreachable
 from rigapp.service.registry import (
@@ -70,7 +70,7 @@ def status(revolution: int = 0) -> Status:
     )
 
 
-PENDING = UNDER_WAY[Lane.WORK]
+PENDING = UNDER_WAY[Priority.WORK]
 COLUMNS = len(BASE.revolution_columns)
 
 

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from rigapp.process.owntime import DEVICE_SHARE, LONGEST_PASS_S, OwnTime
+from rigapp.process.processclock import DEVICE_SHARE, LONGEST_PASS_S, ProcessClock
 from rigapp.simulation.rig import LONGEST_CATCH_UP_S, PlantPace
 
 
@@ -77,27 +77,27 @@ def test_wait_is_until_the_next_chunk() -> None:
 
 
 def test_own_time_is_the_wall_clock_where_nothing_else_runs() -> None:
-    own, wall, ran = OwnTime(100.0, 3.0), 100.0, 3.0
+    own, wall, ran = ProcessClock(100.0, 3.0), 100.0, 3.0
     for _ in range(1000):
         wall, ran = wall + 0.0106, ran + 0.0005  # woken 0.1 ms late
         assert own.tick(wall, ran, 0.010) == pytest.approx(wall)
 
 
 def test_own_time_leaves_out_what_the_process_stood_in_line() -> None:
-    own = OwnTime(0.0, 0.0)
+    own = ProcessClock(0.0, 0.0)
     assert own.tick(1.0, 0.002, 0.010) == pytest.approx(0.013)
     before = own.time_s
     # A computer that stood still may book the time on whoever ran.
     assert own.tick(3.0, 2.0, 0.0) == pytest.approx(before + LONGEST_PASS_S)
     assert own.tick(2.9, 2.0, 0.0) == pytest.approx(before + LONGEST_PASS_S), "never back"
-    busy = OwnTime(0.0, 0.0)
+    busy = ProcessClock(0.0, 0.0)
     for step in range(1, 501):  # a fifth of a processor
         busy.tick(step * 0.02, step * 0.004, 0.0)
     assert busy.time_s == pytest.approx(2.5)
 
 
 def test_the_watchdog_of_a_simulated_device_fires_on_a_busy_computer_too() -> None:
-    busy = OwnTime(0.0, 0.0, DEVICE_SHARE)
+    busy = ProcessClock(0.0, 0.0, DEVICE_SHARE)
     for step in range(1, 501):  # a fifth of a processor
         busy.tick(step * 0.02, step * 0.004, 0.0)
     assert busy.time_s == pytest.approx(DEVICE_SHARE * 10.0)

@@ -44,7 +44,7 @@ def stands_since(simulated: SimulatedRig) -> float:
     """Wait until the crank stands; return since when, which no turning point of a swing is."""
     since: float | None = None
 
-    def stands() -> bool:
+    def is_stationary() -> bool:
         nonlocal since
         if not is_stationary(simulated):
             since = None
@@ -52,7 +52,7 @@ def stands_since(simulated: SimulatedRig) -> float:
             since = time.monotonic()
         return since is not None and time.monotonic() - since > STANDS_S
 
-    until(stands, "the crank to stand")
+    until(is_stationary, "the crank to stand")
     assert since is not None
     return since
 
@@ -60,14 +60,14 @@ def stands_since(simulated: SimulatedRig) -> float:
 def is_ready_after_next_step(engine: Engine) -> bool:
     """Take the step that the engine names; tell whether the next one is to start a test."""
     step = engine.status().recovery.step
-    if step is Remedy.GO_ON and engine.state is RunState.READY:
+    if step is Remedy.RESUME and engine.state is RunState.READY:
         return True
     with contextlib.suppress(DeviceError, Refused):
         if step is Remedy.CONNECT:
             engine.connect()
         elif step is Remedy.ACKNOWLEDGE:
             engine.acknowledge(operator="Ada")
-        elif step in (Remedy.RESET, Remedy.GO_ON):
+        elif step in (Remedy.RESET, Remedy.RESUME):
             engine.reset("Ada")
     return False
 

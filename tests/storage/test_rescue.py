@@ -12,10 +12,10 @@ from pathlib import Path
 import pytest
 from storage_samples import PLAN, check, new_test, write
 
-from rigapp.schema.messages import Event, LookedAfter
+from rigapp.schema.messages import Event, PathReport
 from rigapp.storage import StorageFailed, TestWriter, compact_test, open_test, reopen_test
 from rigapp.storage.filesystem.system import FILES
-from rigapp.storage.writing import keeper
+from rigapp.storage.writing import pathwatcher
 
 Deed = Callable[[Path], object]
 
@@ -79,7 +79,7 @@ def begun(folder: Path) -> TestWriter:
     return writer
 
 
-def saved(found: LookedAfter | None) -> str:
+def saved(found: PathReport | None) -> str:
     """Return the sentence of a file that was saved."""
     assert found is not None
     assert found.saved, found.sentence
@@ -93,12 +93,12 @@ def saved(found: LookedAfter | None) -> str:
 def test_nothing_is_lost_and_the_test_goes_on(quick_folder: Path, deed: str) -> None:
     path = quick_folder / "results" / "test.h5"
     with begun(path.parent) as writer:
-        assert writer.look_after() is None
+        assert writer.watch_path() is None
         DEEDS[deed](path)
-        sentence = saved(writer.look_after())
+        sentence = saved(writer.watch_path())
         assert str(path) in sentence
         assert str(writer.path) in sentence
-        assert writer.look_after() is None
+        assert writer.watch_path() is None
         assert FILES.is_held(writer.path, "")
         with open_test(writer.path) as reader:
             assert reader.summary()["status"] == "running"
@@ -126,19 +126,19 @@ def test_writing_while_the_file_is_copied_is_not_lost(
     monkeypatch.setattr("rigapp.storage.writing.backlog.SOFT_LIMIT", 4096)
     path = quick_folder / "results" / "test.h5"
     inside, go_on = threading.Event(), threading.Event()
-    copy = keeper.copy_content
+    copy = pathwatcher.copy_content
 
     def slowly(source: int, target: int) -> None:
         copy(source, target)
         inside.set()
         assert go_on.wait(60.0)
 
-    monkeypatch.setattr(keeper, "copy_content", slowly)
+    monkeypatch.setattr(pathwatcher, "copy_content", slowly)
     with begun(path.parent) as writer:
         path.unlink()
-        found: list[LookedAfter | None] = []
+        found: list[PathReport | None] = []
         told: list[str] = []
-        looking = threading.Thread(target=lambda: found.append(writer.look_after(told.append)))
+        looking = threading.Thread(target=lambda: found.append(writer.watch_path(told.append)))
         looking.start()
         assert inside.wait(60.0)
         assert told == [
@@ -165,7 +165,7 @@ def test_the_room_of_the_test_is_reserved_again(quick_folder: Path) -> None:
     with begun(quick_folder / "results") as writer:
         before = os.stat(writer.path).st_blocks
         writer.path.unlink()
-        saved(writer.look_after())
+        saved(writer.watch_path())
         assert os.stat(writer.path).st_blocks >= before
         assert writer.path.stat().st_mode & 0o777 == 0o444
 
@@ -174,7 +174,7 @@ def test_an_interrupted_test_goes_on_in_the_saved_file(quick_folder: Path) -> No
     writer = begun(quick_folder / "results")
     path = writer.path
     path.unlink()
-    saved(writer.look_after())
+    saved(writer.watch_path())
     os.close(writer._disk.fd)
     with reopen_test(path) as again:
         assert again.revolutions == 100
@@ -188,11 +188,11 @@ def test_where_a_file_was_moved_is_told_where_the_kernel_knows(quick_folder: Pat
     with begun(quick_folder / "results") as writer:
         path = writer.path
         _move(path)
-        assert "(deleted)" not in saved(writer.look_after())
+        assert "(deleted)" not in saved(writer.watch_path())
         path.with_name("elsewhere.h5").unlink()
     with reopen_test(path) as writer:
         _move(path)
-        assert f"{path} was moved to {path.with_name('elsewhere.h5')}" in saved(writer.look_after())
+        assert f"{path} was moved to {path.with_name('elsewhere.h5')}" in saved(writer.watch_path())
 
 
 def test_a_file_deleted_just_before_the_end_is_there_after_it(quick_folder: Path) -> None:
@@ -210,7 +210,7 @@ def test_without_its_folder_the_file_is_saved_at_home(quick_folder: Path, home: 
     with begun(path.parent) as writer:
         shutil.rmtree(path.parent)
         path.parent.write_text("a file where the folder was")
-        sentence = saved(writer.look_after())
+        sentence = saved(writer.watch_path())
         assert writer.path == home / "test.h5"
         assert str(home / "test.h5") in sentence
         writer.finish("stopped", "operator", "stopped")
@@ -225,14 +225,14 @@ def test_what_cannot_be_saved_is_told_and_tried_again(quick_folder: Path, home: 
         home.rmdir()
         for place in (path.parent, home):
             place.write_text("a file where the folder was")
-        found = writer.look_after()
+        found = writer.watch_path()
         assert found is not None
         assert not found.saved
         assert str(path) in found.sentence
         write(writer, 141, 150)
         assert writer.commit() == 150
         path.parent.unlink()
-        saved(writer.look_after())
+        saved(writer.watch_path())
         with open_test(path) as reader:
             assert check(reader) == 150
 
@@ -241,4 +241,4 @@ def test_a_file_that_is_cut_short_is_told(quick_folder: Path) -> None:
     with begun(quick_folder / "results") as writer:
         os.ftruncate(writer._disk.fd, 100_000)
         with pytest.raises(StorageFailed, match="cut the file short"):
-            writer.look_after()
+            writer.watch_path()

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from storage_samples import METADATA, PLAN, check, curves, cycle, new_test, prediction, row, write
 
 from rigapp.schema.messages import Event
-from rigapp.storage import FilePlan, NoRoom, StorageFailed, open_test, row_numbers
+from rigapp.storage import DiskFull, FilePlan, StorageFailed, open_test, row_numbers
 from rigapp.storage.reading import blocks as blocks_module
 
 
@@ -170,7 +170,7 @@ def test_a_full_file_says_so_and_keeps_its_data(quick_folder: Path) -> None:
     with new_test(quick_folder, plan) as writer:
         for revolution in range(1, 1025):
             writer.append_row(row(revolution, plan))
-        with pytest.raises(NoRoom, match="begin a new test"):
+        with pytest.raises(DiskFull, match="begin a new test"):
             writer.append_row(row(1025, plan))
         kept = [writer.append_cycle(i, cycle(i, plan)) for i in range(1, 600)]
         assert kept.count(False) == writer.cycles_refused > 0

@@ -12,17 +12,17 @@ from rigapp.schema.messages import as_array
 from rigapp.storage import FilePlan, TestMetadata, create_test, open_test
 from rigapp.twin.checkpoint import packed, take_over
 from rigapp.twin.identifying import Identifier
-from rigapp.twin.messages import Sought
+from rigapp.twin.messages import IdentificationTarget
 from rigapp.twin.twin import Twin
 
 REVOLUTIONS, PLANNED = 130, 800
-RECORDED = Sought(0.01, 0.3, 20.0, 400.0, "P-3")
+RECORDED = IdentificationTarget(0.01, 0.3, 20.0, 400.0, "P-3")
 
 
 def record(
     path: Path,
     factor: float,
-    sought: Sought,
+    sought: IdentificationTarget,
     number: int = REVOLUTIONS,
     *,
     after: Path | None = None,

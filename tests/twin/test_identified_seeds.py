@@ -18,7 +18,7 @@ from rigapp.simulation.layout import VELOCITY, Drive
 from rigapp.simulation.plant import Plant
 from rigapp.twin.identifying import LIFE_ERROR, Identifier
 from rigapp.twin.measureddepth import ELASTIC_DOUBT
-from rigapp.twin.messages import Sought
+from rigapp.twin.messages import IdentificationTarget
 from rigapp.twin.predict import MeasuredRevolution
 from rigapp.twin.twin import Twin
 
@@ -26,7 +26,7 @@ RATE_HZ = 480.0
 FIRST, EVERY, NEAR = 40, 8, 2
 """The first revolutions are all looked at, then each eighth; after a change each second."""
 NOMINAL = TEST.model.bushing.wear_coefficient_mm3_per_Nm
-SOUGHT = Sought(0.01, 0.3, 50.0, 1200.0, "a record")
+SOUGHT = IdentificationTarget(0.01, 0.3, 50.0, 1200.0, "a record")
 NOISE_UM = 0.4
 """Standard deviation of a depth as the reference of the statistics has it."""
 

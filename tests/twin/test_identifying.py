@@ -18,13 +18,13 @@ from rigapp.schema.columns import by_name, identified_columns, prediction_column
 from rigapp.schema.messages import Prediction, as_array
 from rigapp.twin.checkpoint import packed, restore
 from rigapp.twin.identifying import Identifier
-from rigapp.twin.messages import Sought, TwinSetup
+from rigapp.twin.messages import IdentificationTarget, TwinSetup
 from rigapp.twin.twin import Twin
 from rigapp.twin.worker import new_twin
 
 NOMINAL = TEST.model.bushing.wear_coefficient_mm3_per_Nm
 REVOLUTIONS = 260
-SOUGHT = Sought(0.01, 0.3, 20.0, REVOLUTIONS, "a record")
+SOUGHT = IdentificationTarget(0.01, 0.3, 20.0, REVOLUTIONS, "a record")
 revolutions = functools.cache(measured_revolutions)
 
 
@@ -116,12 +116,15 @@ def test_a_checkpoint_recorded_before_the_ends_were_kept_goes_on_with_the_same_c
 @pytest.mark.parametrize(
     ("sought", "words"),
     [
-        (Sought(planned=100.0), "no calibration record that states uncertainty of the sensitivity"),
-        (Sought(0.01, None, None, 100.0, "a record"), "states drift"),
+        (
+            IdentificationTarget(planned=100.0),
+            "no calibration record that states uncertainty of the sensitivity",
+        ),
+        (IdentificationTarget(0.01, None, None, 100.0, "a record"), "states drift"),
     ],
 )
 def test_without_a_record_it_is_refused_in_words_and_the_columns_are_unknown(
-    sought: Sought, words: str, caplog: pytest.LogCaptureFixture
+    sought: IdentificationTarget, words: str, caplog: pytest.LogCaptureFixture
 ) -> None:
     with caplog.at_level(logging.WARNING):
         twin = new_twin(TwinSetup(TEST.model, "continuous", sought=sought))

@@ -19,7 +19,7 @@ from rigapp.config.loading import read_test
 from rigapp.report.testreport.identified import identified_test, identified_tests
 from rigapp.schema.messages import Flag
 from rigapp.storage import open_test
-from rigapp.twin.messages import Sought
+from rigapp.twin.messages import IdentificationTarget
 
 TRUE = 5.05e-4
 
@@ -29,7 +29,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder with a test whose probes have a record, and one whose have none."""
     folder = tmp_path_factory.mktemp("kept")
     record(folder / "first.h5", 1.1, RECORDED)
-    record(folder / "bare.h5", 1.1, Sought(planned=400.0), 10)
+    record(folder / "bare.h5", 1.1, IdentificationTarget(planned=400.0), 10)
     return folder
 
 

@@ -16,7 +16,7 @@ from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import RevolutionMeasured, as_array
 from rigapp.twin.predict import (
     GRID,
-    Unpredictable,
+    PredictionError,
     Wear,
     compare,
     phase_shift,
@@ -121,7 +121,7 @@ def test_what_is_no_forward_revolution_is_named(change: Any, why: str) -> None:
     arrays = {"time": time, "angle": np.pi * time}
     arrays |= {name: np.zeros(360) for name in ("force_1", "force_2", "probe_1", "probe_2")}
     change(arrays)
-    with pytest.raises(Unpredictable, match=why):
+    with pytest.raises(PredictionError, match=why):
         unpack(RevolutionMeasured(7, *(a.astype("<f8").tobytes() for a in arrays.values())))
 
 

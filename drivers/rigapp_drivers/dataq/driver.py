@@ -42,12 +42,12 @@ from rigapp_drivers.api import (
     DriverKind,
     Identity,
     InputFault,
+    InvalidRequest,
     ProtocolError,
     ReplyTimeout,
     SampleClock,
     SettingRefused,
     StreamSetup,
-    Unplannable,
     WrongDevice,
     filled,
 )
@@ -98,7 +98,7 @@ class Dataq:
         settings = {**self._settings, **request.settings}
         try:
             plan = make_plan(request, settings)
-        except Unplannable as error:
+        except InvalidRequest as error:
             raise SettingRefused.at(self, sentence_of_error(error)) from error
         self._check_model(settings["model"])
         self._settings = settings
@@ -295,7 +295,7 @@ def _counter_words(plan: Plan) -> str:
 
 
 def check(request: DataRequest) -> None:
-    """Raise Unplannable for what no such device can do; nothing is opened."""
+    """Raise InvalidRequest for what no such device can do; nothing is opened."""
     make_plan(request, filled(SETTINGS, request.settings))
 
 

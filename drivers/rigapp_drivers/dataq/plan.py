@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from rigapp.texts import joined, say, sentence_of_error
-from rigapp_drivers.api import ChannelSpec, DataRequest, Unplannable
+from rigapp_drivers.api import ChannelSpec, DataRequest, InvalidRequest
 from rigapp_drivers.dataq import protocol as p
 from rigapp_drivers.dataq.protocol import Clock, Function, Model
 from rigapp_drivers.dataq.rates import NoSuchRate, Rate, encoder_rate, rate_for
@@ -80,7 +80,7 @@ class Plan:
 
 
 def make_plan(request: DataRequest, settings: Mapping[str, Any]) -> Plan:
-    """Return the plan for a request; raise Unplannable."""
+    """Return the plan for a request; raise InvalidRequest."""
     model = p.MODELS[settings["model"]]
     clock = Clock(settings["clock"])
     analog = _analog(request, model, settings["bridge_amplifiers"])
@@ -90,7 +90,7 @@ def make_plan(request: DataRequest, settings: Mapping[str, Any]) -> Plan:
     digital = settings["digital"] or (direction, index) != (None, None)
     layout = Layout(len(analog), digital, bool(rate_range_Hz), model.mask)
     if layout.words > p.MOST_ENTRIES:
-        raise Unplannable(
+        raise InvalidRequest(
             "{} entries in the scan list, {} at most; take analog inputs out.",
             layout.words,
             p.MOST_ENTRIES,
@@ -128,20 +128,20 @@ def _lines(settings: Mapping[str, Any], clock: Clock) -> tuple[int | None, int |
     used = {key: line for key, line in named.items() if line != NO_LINE}
     for key, line in used.items():
         if clock is not Clock.ENCODER:
-            raise Unplannable(
+            raise InvalidRequest(
                 '{} = "{}" needs clock = "encoder": scans of the internal clock miss'
                 " its changes; take it out.",
                 key,
                 line,
             )
         if line == p.RATE_LINE and settings["rate_range_Hz"]:
-            raise Unplannable(
+            raise InvalidRequest(
                 '{} = "{}" is the rate input, which rate_range_Hz records; choose another line.',
                 key,
                 line,
             )
     if len(used) == 2 and len(set(used.values())) == 1:
-        raise Unplannable(
+        raise InvalidRequest(
             'direction_line and index_line are both "{}"; each needs its own.', named["index_line"]
         )
     direction, index = (int(used[key][1:]) if key in used else None for key in named)
@@ -167,20 +167,22 @@ def _analog(request: DataRequest, model: Model, amplifiers: Mapping[str, Any]) -
     for name, (kind, wanted) in request.inputs.items():
         if kind == "counter":
             if name != COUNTER:
-                raise Unplannable("{}: the device has one counter, {}.", name, COUNTER)
+                raise InvalidRequest("{}: the device has one counter, {}.", name, COUNTER)
             continue
         match = re.fullmatch(r"analog_([1-8])", name)
         if match is None:
-            raise Unplannable(
+            raise InvalidRequest(
                 "{} is not an input; write analog_1 to analog_8 or {}.", name, COUNTER
             )
         if kind == "bridge":
             analog[int(match[1])] = _bridge(name, wanted, model, amplifiers)
             continue
         if kind != "voltage":
-            raise Unplannable("{}: a {} input does not exist; declare it as a voltage.", name, kind)
+            raise InvalidRequest(
+                "{}: a {} input does not exist; declare it as a voltage.", name, kind
+            )
         if wanted not in model.ranges_V:
-            raise Unplannable(
+            raise InvalidRequest(
                 "{}: the {} has no range of {:g} V; it has {} V.",
                 name,
                 model.name,
@@ -194,7 +196,7 @@ def _analog(request: DataRequest, model: Model, amplifiers: Mapping[str, Any]) -
 def _bridge(name: str, range_mV_per_V: float, model: Model, gains: Mapping[str, Any]) -> Analog:
     """Return a bridge behind an external amplifier, in the smallest range that holds it."""
     if name not in gains:
-        raise Unplannable(
+        raise InvalidRequest(
             "{} is declared as a bridge, and the {} has no bridge inputs; put a bridge"
             " amplifier with a voltage output before it and tell its output in V for 1"
             " mV/V as bridge_amplifiers = {{ {} = ... }}.",
@@ -205,7 +207,7 @@ def _bridge(name: str, range_mV_per_V: float, model: Model, gains: Mapping[str, 
     gain = gains[name]
     usable = isinstance(gain, int | float) and not isinstance(gain, bool)
     if not (usable and math.isfinite(gain) and gain > 0.0):
-        raise Unplannable(
+        raise InvalidRequest(
             "bridge_amplifiers.{} = {} is no gain; give the amplifier's output in V for"
             " 1 mV/V, a number above 0.",
             name,
@@ -214,7 +216,7 @@ def _bridge(name: str, range_mV_per_V: float, model: Model, gains: Mapping[str, 
     needed = range_mV_per_V * gain
     fitting = [volts for volts in model.ranges_V if volts >= needed * (1.0 - 1e-9)]
     if not fitting:
-        raise Unplannable(
+        raise InvalidRequest(
             "{}: {:g} mV/V make {:g} V behind the amplifier of {:g} V for 1 mV/V; the"
             " {} has {} V; lower range_mV_per_V.",
             name,
@@ -234,7 +236,7 @@ def _ranges(model: Model) -> str:
 def _pulses_per_revolution(request: DataRequest) -> float:
     pulses = request.inputs.get(COUNTER, ("counter", 3600.0))[1]
     if not (math.isfinite(pulses) and pulses >= 1.0):
-        raise Unplannable(
+        raise InvalidRequest(
             "{}: {:g} counts per revolution cannot be; give 1 or more.", COUNTER, pulses
         )
     return float(pulses)
@@ -244,7 +246,7 @@ def _rate(wanted_Hz: float, clock: Clock, entries: int) -> tuple[Rate, float]:
     if clock is Clock.ENCODER:
         rate = encoder_rate(entries)
         if not 0.0 < wanted_Hz <= rate.sample_rate_Hz:
-            raise Unplannable(
+            raise InvalidRequest(
                 "sample_rate_Hz = {:g} is the nominal rate of the encoder's pulses;"
                 " with {} entries in the scan list it can be {:g} at most.",
                 wanted_Hz,
@@ -255,7 +257,7 @@ def _rate(wanted_Hz: float, clock: Clock, entries: int) -> tuple[Rate, float]:
     try:
         rate = rate_for(wanted_Hz, entries)
     except NoSuchRate as error:
-        raise Unplannable(sentence_of_error(error)) from error
+        raise InvalidRequest(sentence_of_error(error)) from error
     return rate, rate.sample_rate_Hz
 
 
@@ -266,7 +268,7 @@ def _steps(clock: Clock, rate_Hz: float, pulses: float, settings: Mapping[str, A
     speed = settings["maximum_speed_rpm"] / 60.0
     highest = math.ceil(speed * pulses / rate_Hz) + _SPARE_STEPS
     if highest > p.COUNTER_SPAN // 4:
-        raise Unplannable(
+        raise InvalidRequest(
             "at {:g} scans/s and maximum_speed_rpm = {:g} the 16-bit counter may step"
             " by {} from scan to scan, too much to prove that no byte is lost; raise"
             " sample_rate_Hz or lower maximum_speed_rpm.",

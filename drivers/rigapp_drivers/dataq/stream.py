@@ -35,7 +35,7 @@ _PULSES = (1 << 32) - 1
 
 
 @dataclass(slots=True)
-class Sense:
+class CountDirection:
     """Follow direction and index from block to block.
 
     direction_line, index_line: numbers of the digital lines of B and Z; None: not there.
@@ -121,7 +121,7 @@ class Stream:
         self._parser = ScanParser(plan.layout, plan.steps, echoes_of(self._start))
         self._rows = len(plan.channels)
         knows_sense = plan.direction_line is not None or plan.index_line is not None
-        self._sense = Sense(plan.direction_line, plan.index_line) if knows_sense else None
+        self._sense = CountDirection(plan.direction_line, plan.index_line) if knows_sense else None
         self._wanted = max(1, round(2.0 * plan.layout.words * plan.sample_rate_Hz * pace.block_s))
         self._lock = threading.Lock()
         self._running = False

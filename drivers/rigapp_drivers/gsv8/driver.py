@@ -21,12 +21,12 @@ from rigapp_drivers.api import (
     DriverKind,
     Identity,
     InputFault,
+    InvalidRequest,
     Quality,
     ReplyTimeout,
     SettingRefused,
     SettingSpec,
     StreamSetup,
-    Unplannable,
     WrongDevice,
     filled,
 )
@@ -202,7 +202,7 @@ class Gsv8:
         settings = {**self._own_settings, **request.settings}
         try:
             plan = make_plan(request, settings)
-        except Unplannable as error:
+        except InvalidRequest as error:
             raise SettingRefused.at(self, sentence_of_error(error)) from error
         self._settings = settings
         self._link.reply_timeout_s = settings["reply_timeout_s"]
@@ -404,7 +404,7 @@ class Gsv8:
         """Return the device's channel number of an input; counters in use come behind the eight."""
         try:
             family, number = parse_input(name)
-        except Unplannable as error:
+        except InvalidRequest as error:
             raise SettingRefused.at(self, sentence_of_error(error)) from error
         if family == "analog":
             return number
@@ -420,7 +420,7 @@ def _idle(left_s: float) -> None:
 
 
 def check(request: DataRequest) -> None:
-    """Raise Unplannable for what no such device can do; nothing is opened."""
+    """Raise InvalidRequest for what no such device can do; nothing is opened."""
     make_plan(request, filled(SETTINGS, request.settings))
 
 

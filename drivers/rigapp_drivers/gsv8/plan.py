@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from rigapp.texts import joined, say
-from rigapp_drivers.api import ChannelSpec, DataRequest, Unplannable
+from rigapp_drivers.api import ChannelSpec, DataRequest, InvalidRequest
 from rigapp_drivers.gsv8 import protocol as p
 from rigapp_drivers.gsv8.numbers import OVERRANGE, DataType, scale_of_code
 from rigapp_drivers.gsv8.protocol import CounterMode, InputType, Quadrature
@@ -76,13 +76,13 @@ class Plan:
 
 
 def make_plan(request: DataRequest, settings: Mapping[str, Any]) -> Plan:
-    """Return what a request asks for; raise Unplannable.
+    """Return what a request asks for; raise InvalidRequest.
 
     settings: every key of ``settings.SETTINGS``.
     """
     _check_rate(request.sample_rate_Hz)
     if not request.inputs:
-        raise Unplannable("no input is asked for; name at least one.")
+        raise InvalidRequest("no input is asked for; name at least one.")
     data_type = _DATA_TYPES[settings["data_type"]]
     analog: dict[int, InputType] = {}
     counters: dict[int, CounterMode] = {}
@@ -110,10 +110,10 @@ def make_plan(request: DataRequest, settings: Mapping[str, Any]) -> Plan:
 
 
 def parse_input(name: str) -> tuple[str, int]:
-    """Return family ("analog" or "counter") and number of an input; raise Unplannable."""
+    """Return family ("analog" or "counter") and number of an input; raise InvalidRequest."""
     match = re.fullmatch(r"(analog)_([1-8])|(counter)_([12])", name)
     if match is None:
-        raise Unplannable(
+        raise InvalidRequest(
             'the device has no input "{}"; it has analog_1 to analog_8, counter_1, counter_2.', name
         )
     family = match[1] or match[3]
@@ -124,16 +124,16 @@ def _check_rate(rate_Hz: float) -> None:
     if rate_Hz in p.ALLOWED_RATES_HZ:
         return
     near = joined(say(" or "), (f"{rate:g}" for rate in p.neighbours_of_rate(rate_Hz)))
-    raise Unplannable(
+    raise InvalidRequest(
         "sample_rate_Hz = {:g} is not a rate of this device; the nearest are {}.", rate_Hz, near
     )
 
 
 def _check_counter(name: str, kind: str, data_type: DataType) -> None:
     if kind != "counter":
-        raise Unplannable("{} is a counter and cannot measure a {}.", name, kind)
+        raise InvalidRequest("{} is a counter and cannot measure a {}.", name, kind)
     if data_type is DataType.INT16:
-        raise Unplannable(
+        raise InvalidRequest(
             'data_type = "int16" keeps one of 256 counts of {}; choose "int24" or "float32".', name
         )
 
@@ -142,15 +142,17 @@ def _input_type(name: str, kind: str, span: float) -> InputType:
     if kind == "bridge":
         if span not in _BRIDGES:
             known = joined(", ", (f"{choice:g}" for choice in sorted(_BRIDGES)))
-            raise Unplannable(
+            raise InvalidRequest(
                 "{}: a range of {:g} mV/V is not there; choose {}.", name, span, known
             )
         return _BRIDGES[span]
     if kind == "voltage":
         if not 0.0 < span <= _LONGEST_RANGE_V:
-            raise Unplannable("{}: a range of {:g} V is not there; the range is 10 V.", name, span)
+            raise InvalidRequest(
+                "{}: a range of {:g} V is not there; the range is 10 V.", name, span
+            )
         return InputType.SINGLE_ENDED
-    raise Unplannable('{} cannot be a "{}"; it can be a bridge or a voltage.', name, kind)
+    raise InvalidRequest('{} cannot be a "{}"; it can be a bridge or a voltage.', name, kind)
 
 
 def _counter_mode(settings: Mapping[str, Any]) -> CounterMode:
@@ -188,18 +190,18 @@ def _mapped(object_map: Sequence[Any], wanted: tuple[str, ...]) -> tuple[str, ..
     for name in names:
         parse_input(name)
     if len(set(names)) != len(names):
-        raise Unplannable("object_map = {} names an input twice.", list(names))
+        raise InvalidRequest("object_map = {} names an input twice.", list(names))
     missing = [name for name in wanted if name not in names]
     if missing:
-        raise Unplannable("object_map = {} lacks {}.", list(names), joined(", ", missing))
+        raise InvalidRequest("object_map = {} lacks {}.", list(names), joined(", ", missing))
     idle = [name for name in names if name.startswith("counter") and name not in wanted]
     if idle:
-        raise Unplannable(
+        raise InvalidRequest(
             "object_map names {}, which is not in use; take it out.", joined(", ", idle)
         )
     counters = sum(name.startswith("counter") for name in names)
     if len(names) > p.ANALOG_CHANNELS + counters or len(names) < 2:
-        raise Unplannable("object_map has {} inputs; 2 to 10 are possible.", len(names))
+        raise InvalidRequest("object_map has {} inputs; 2 to 10 are possible.", len(names))
     return names
 
 

@@ -6,7 +6,7 @@ output. ``docs/model-wear.md`` says what is assumed.
 
 from rigapp_model.identification.bins import Bin, Bins, bins_of
 from rigapp_model.identification.consistency import Consistency, Departure, consistency_of
-from rigapp_model.identification.errors import CannotBeTold, Prior, ProbeErrors, probe_errors
+from rigapp_model.identification.errors import NotIdentifiable, Prior, ProbeErrors, probe_errors
 from rigapp_model.identification.findings import Disturbance
 from rigapp_model.identification.forecast import Band, Remaining, predictive_band, remaining
 from rigapp_model.identification.inference import Credible, Identification, Verdict, identify
@@ -18,7 +18,6 @@ __all__ = [
     "Band",
     "Bin",
     "Bins",
-    "CannotBeTold",
     "Consistency",
     "Credible",
     "Departure",
@@ -26,6 +25,7 @@ __all__ = [
     "Disturbance",
     "Estimate",
     "Identification",
+    "NotIdentifiable",
     "Pairing",
     "Prior",
     "ProbeErrors",

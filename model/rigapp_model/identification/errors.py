@@ -10,7 +10,7 @@ from rigapp.texts import joined, say
 from rigapp_model.errors import require_not_negative, require_positive
 
 
-class CannotBeTold(Exception):
+class NotIdentifiable(Exception):
     """Say in one plain sentence why nothing is stated: never a number without its uncertainty."""
 
 
@@ -64,7 +64,7 @@ def probe_errors(
     load: float = 0.0,
     geometry: float = 0.0,
 ) -> ProbeErrors:
-    """Return the errors of the probes; raise CannotBeTold for what no record states (None)."""
+    """Return the errors of the probes; raise NotIdentifiable for what no record states (None)."""
     missing = [
         name
         for name, value in (
@@ -75,7 +75,7 @@ def probe_errors(
         if value is None
     ]
     if sensitivity is None or reference is None or drift is None:
-        raise CannotBeTold(
+        raise NotIdentifiable(
             say(
                 "the probes have no calibration record that states {}: calibrate them, or"
                 " give the test their record",

@@ -163,7 +163,7 @@ def identify(
     """Return what bins of the measured depth tell of the wear coefficient.
 
     life: must be computed beyond the depth measured so far. Pure: the same bins give the same
-    numbers. Raises CannotBeTold in words where nothing can be stated.
+    numbers. Raises NotIdentifiable in words where nothing can be stated.
     """
     closed = bins.closed if isinstance(bins, Bins) else bins
     readings = readings_of(closed, errors)

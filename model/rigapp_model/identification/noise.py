@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from rigapp.texts import say
 from rigapp_model.identification.bins import Bin
 from rigapp_model.identification.colour import ScatterWithin, colours_of, covariance, spread_of
-from rigapp_model.identification.errors import CannotBeTold, ProbeErrors
+from rigapp_model.identification.errors import NotIdentifiable, ProbeErrors
 from rigapp_model.identification.shapes import Moments, shapes
 
 Array = NDArray[np.float64]
@@ -61,9 +61,9 @@ class DepthBins:
 
 
 def readings_of(bins: Sequence[Bin], errors: ProbeErrors) -> DepthBins:
-    """Return the bins as arrays; raise CannotBeTold where they are too few."""
+    """Return the bins as arrays; raise NotIdentifiable where they are too few."""
     if len(bins) < LEAST_BINS:
-        raise CannotBeTold(
+        raise NotIdentifiable(
             say(
                 "the depth is known in {} bins of revolutions so far, and {} are needed: wait",
                 len(bins),

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.texts import say
-from rigapp_model.identification.errors import CannotBeTold, Prior, ProbeErrors
+from rigapp_model.identification.errors import NotIdentifiable, Prior, ProbeErrors
 from rigapp_model.identification.evidence import (
     LN_TWO_PI,
     Fitted,
@@ -207,14 +207,14 @@ def kept(
 
 
 def _refuse_beyond(given: Given, depth: Array, log_post: Array) -> None:
-    """Raise CannotBeTold where what counts of the posterior is not computed any more.
+    """Raise NotIdentifiable where what counts of the posterior is not computed any more.
 
     depth (H,): of the last bin by the hypotheses, m; log_post (J, H).
     """
     reach = given.life.reach
     share = np.exp(log_post - log_post.max()).sum(axis=0)
     if share[depth >= reach].sum() > 1e-3 * share.sum():
-        raise CannotBeTold(
+        raise NotIdentifiable(
             say(
                 "the model computes the life to a depth of {:.4g} um only, and {:.4g} um"
                 " are measured: compute it further",

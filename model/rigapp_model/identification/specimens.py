@@ -18,7 +18,7 @@ from scipy.optimize import brentq
 from scipy.special import ndtr
 
 from rigapp.texts import say
-from rigapp_model.identification.errors import CannotBeTold, Prior
+from rigapp_model.identification.errors import NotIdentifiable, Prior
 from rigapp_model.identification.inference import Credible, Identification, quantiles
 
 Array = NDArray[np.float64]
@@ -67,13 +67,13 @@ class Pairing:
 
 
 def estimate_of(known: Identification, record: str) -> Estimate:
-    """Return what a test tells of its coefficient; raise CannotBeTold where that is too little."""
+    """Return what a test tells of its coefficient; raise NotIdentifiable for too little."""
     values, weights, seen = _seen(known)
     mean, spread = known.mean, known.spread
     before = known.prior.spread**-2
     precision = spread**-2 - before
     if precision < LEAST_LEARNT * spread**-2:
-        raise CannotBeTold(
+        raise NotIdentifiable(
             say(
                 "the readings say hardly more of the wear coefficient than what was assumed"
                 " before the test: let it run longer"
@@ -90,10 +90,10 @@ def estimate_of(known: Identification, record: str) -> Estimate:
 def pairing_of(estimates: Sequence[Estimate], source: str) -> Pairing:
     """Return what specimens of one pairing tell; source: where from, in words, for the prior.
 
-    One specimen is enough: its scatter is then the one that is usual. Raises CannotBeTold for none.
+    One specimen is enough: its scatter is then the usual one. Raises NotIdentifiable for none.
     """
     if not estimates:
-        raise CannotBeTold(say("there is no test whose wear coefficient is known"))
+        raise NotIdentifiable(say("there is no test whose wear coefficient is known"))
     y = np.array([one.log_coefficient for one in estimates])
     taus = np.linspace(0.0, REACH * USUAL_SCATTER, GRID)
     by = _by_scatter(y, _errors(estimates), taus)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from rigapp.calibrating.certificates.parts import Content, Parts, budget_table, plot
-from rigapp.report.page.manuscript import Table
+from rigapp.calibrating.certificates.formatting import Content, Parts, budget_table, plot
+from rigapp.report.page.document import Table
 from rigapp_calibration.channel import CHANNEL_COLUMNS, channel_table, rule_of
 from rigapp_calibration.taking.readings import read_table
 

@@ -10,7 +10,7 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from rigapp.calibrating.certificates.parts import (
+from rigapp.calibrating.certificates.formatting import (
     UNSTATED,
     Content,
     Parts,
@@ -21,7 +21,7 @@ from rigapp.calibrating.certificates.parts import (
     table,
 )
 from rigapp.config.calibration_settings import WeightsSection
-from rigapp.report.page.manuscript import Figure, Row, Table
+from rigapp.report.page.document import Figure, Row, Table
 from rigapp_calibration.arrays import ACROSS
 from rigapp_calibration.coverage import by_uncertainty
 from rigapp_calibration.load_cell.characteristics import Creep, creep_words

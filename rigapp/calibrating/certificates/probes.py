@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rigapp.calibrating.certificates.parts import (
+from rigapp.calibrating.certificates.formatting import (
     Content,
     Parts,
     budget_table,
@@ -13,7 +13,7 @@ from rigapp.calibrating.certificates.parts import (
     rows_of,
     say,
 )
-from rigapp.report.page.manuscript import Figure, Row, Table
+from rigapp.report.page.document import Figure, Row, Table
 from rigapp.texts import capitalised
 from rigapp_calibration.probes.calibrate import split_pair
 from rigapp_calibration.probes.readings import ProbeReadings, parse_probe

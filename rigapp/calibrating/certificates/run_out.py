@@ -8,8 +8,8 @@ from collections import defaultdict
 
 import numpy as np
 
-from rigapp.calibrating.certificates.parts import Content, Parts, plot, say, table
-from rigapp.report.page.manuscript import Figure, Row, Table
+from rigapp.calibrating.certificates.formatting import Content, Parts, plot, say, table
+from rigapp.report.page.document import Figure, Row, Table
 
 ROLLS = {
     "file": "{name}",

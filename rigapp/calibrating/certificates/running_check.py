@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from rigapp.calibrating.certificates.parts import Content, Parts, plot, table
-from rigapp.report.page.manuscript import Table
+from rigapp.calibrating.certificates.formatting import Content, Parts, plot, table
+from rigapp.report.page.document import Table
 
 METHOD = (
     "Method: the pin turned without the follower at several speeds; the change of the mean"

@@ -6,9 +6,9 @@ import datetime
 from collections.abc import Sequence
 from pathlib import Path
 
-from rigapp.calibrating.certificates.parts import STYLES, write_page
+from rigapp.calibrating.certificates.formatting import STYLES, write_page
+from rigapp.report.page.document import Block, Figure, Manuscript, Section, Table, Text
 from rigapp.report.page.figures import canvas_of, saved
-from rigapp.report.page.manuscript import Block, Figure, Manuscript, Section, Table, Text
 from rigapp_calibration.load_cell.as_found import Change, Output, outputs
 from rigapp_calibration.records import Record, moment
 

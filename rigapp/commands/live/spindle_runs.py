@@ -12,11 +12,11 @@ from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from typing import Any
 
-from rigapp.calibrating.practice import BARE_PIN
 from rigapp.calibrating.records import keep_record, refuse_existing
 from rigapp.calibrating.rolls import roll_plan, rolls_of, save_map
 from rigapp.calibrating.running_check import check_of, known_term
 from rigapp.calibrating.spindle import SLOWEST_RPM, SpindleRun, SpindleRuns, speeds_of
+from rigapp.calibrating.training import BARE_PIN
 from rigapp.commands.calibrate import say_outcome
 from rigapp.commands.live.engine_line import Ask, engine_line, occupied
 from rigapp.commands.live.terminal import Say, operator_of, sayer

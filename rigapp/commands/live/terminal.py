@@ -12,10 +12,10 @@ from typing import Any
 
 from rigapp.calibrating.daily_history import STORE, history_result, verdict_lines
 from rigapp.calibrating.load_cell_session import LoadCellSession
-from rigapp.calibrating.practice import Actions
 from rigapp.calibrating.records import refuse_existing
 from rigapp.calibrating.session import LiveSession, Outcome, Rig
 from rigapp.calibrating.subjects import SUBJECTS
+from rigapp.calibrating.training import Actions
 from rigapp.commands.calibrate import ONE_SOURCE, calibrate_table, read_record, say_outcome
 from rigapp.commands.live.engine_line import Ask, engine_line, occupied
 from rigapp.config.calibration_settings import CalibrationFile

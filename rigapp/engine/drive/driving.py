@@ -18,7 +18,13 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from rigapp.engine.drive.sequences import CREEP_RPM, DriveStep, PauseSequence, Seen, StopSequence
+from rigapp.engine.drive.sequences import (
+    CREEP_RPM,
+    DriveStep,
+    PauseSequence,
+    StandstillEvidence,
+    StopSequence,
+)
 from rigapp.engine.drive.timing import Timing
 from rigapp_drivers.api import DeviceError, DriveStatus
 from rigapp_drivers.edge import GuardedSpindle
@@ -78,7 +84,7 @@ class SpindleControl:
         self,
         spindle: GuardedSpindle,
         timing: Timing,
-        look: Callable[[float | None], Seen],
+        look: Callable[[float | None], StandstillEvidence],
         pace: Callable[[], float],
         watchdog_s: float,
     ) -> None:
@@ -173,11 +179,11 @@ class SpindleControl:
         elif off:
             self._stop.cut_power(now)
 
-    def _approach(self, approach: RestApproach, seen: Seen) -> PauseSequence | None:
+    def _approach(self, approach: RestApproach, seen: StandstillEvidence) -> PauseSequence | None:
         """Return how the crank gets to its rest; None where it is there, or has none."""
         rest_deg = approach.rest_deg if self._rest_deg is None else self._rest_deg
         if rest_deg is None or (
-            seen.stands
+            seen.is_stationary
             and seen.angle_deg is not None
             and apart_deg(seen.angle_deg, rest_deg) < REST_NEAR_DEG
         ):
@@ -280,7 +286,7 @@ class SpindleControl:
         """Return the age up to which an answer counts as a late one."""
         return max(PROMPT_S, 3 * self._timing.poll)
 
-    def seen(self) -> Seen:
+    def seen(self) -> StandstillEvidence:
         """Return what drive and encoder show now."""
         status = self.status
         known = status is not None and self.answering
@@ -348,13 +354,13 @@ class SpindleControl:
             self._begin_stop(off)
         self._carry_out(DriveStep.POWER_OFF if off else DriveStep.RAMP_DOWN)
 
-    def _learn_rest(self, do: DriveStep, seen: Seen) -> None:
+    def _learn_rest(self, do: DriveStep, seen: StandstillEvidence) -> None:
         """Remember where the crank came to rest when it left the angle of a regular stop."""
         now_deg, off_deg = seen.angle_deg, self._off_deg
         if now_deg is None:
             return
         if off_deg is None:
-            if do is DriveStep.POWER_OFF and seen.stands:
+            if do is DriveStep.POWER_OFF and seen.is_stationary:
                 self._off_deg = now_deg
         elif do is DriveStep.STANDING and apart_deg(now_deg, off_deg) > REST_NEAR_DEG:
             self._rest_deg = now_deg

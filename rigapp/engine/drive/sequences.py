@@ -45,7 +45,7 @@ class DriveStep(enum.Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
+class StandstillEvidence:
     """What is known of the spindle now.
 
     drive_rpm: what the drive says, None when it does not answer. encoder_rpm, encoder_stands: what
@@ -72,7 +72,7 @@ class Seen:
         return drive and (self.encoder_stands is None or self.encoder_s > time_s)
 
     @property
-    def stands(self) -> bool:
+    def is_stationary(self) -> bool:
         """Tell whether all that can be known says that the spindle stands."""
         known = False
         if self.drive_rpm is not None:
@@ -151,7 +151,9 @@ class StopSequence:
     ) -> None:
         self._off = off
         self._trying_since = self._repeated_from = now_s
-        self._quiet_s = 2.0 * watchdog_s + 0.2  # twice: as a simulated one may take (``owntime``)
+        self._quiet_s = (
+            2.0 * watchdog_s + 0.2
+        )  # twice: as a simulated one may take (``processclock``)
         self._quiet_until = self._watchdog_from = -math.inf
         self.quiet = False
         self._off_done = False
@@ -219,18 +221,18 @@ class StopSequence:
             self._trying_since = self._repeated_from = now_s
             self._trend = SpeedTrend()
 
-    def step(self, seen: Seen) -> DriveStep:
+    def step(self, seen: StandstillEvidence) -> DriveStep:
         """Return what to do now.
 
         STANDING comes once for each stand; NO_EFFECT and GIVE_UP once, and the stop goes on.
         """
         if self.done and not self._moves_again(seen):
             return DriveStep.WAIT
-        stands = seen.stands and seen.later_than(self._commanded_s)
+        is_stationary = seen.is_stationary and seen.later_than(self._commanded_s)
         if seen.turns is not None:
             self._trend.add(seen.turns, seen.turns_s)
         if not self._off:
-            if stands and (self._ramp_done or seen.drive_rpm is None):
+            if is_stationary and (self._ramp_done or seen.drive_rpm is None):
                 self.cut_power(seen.now_s)
             elif seen.now_s > self._deadline or self._not_accepted(self._ramp_done, seen.now_s):
                 self.escalated = True
@@ -240,9 +242,9 @@ class StopSequence:
             else:
                 return DriveStep.WAIT
             self._last_try = -1e9
-        if self._doubted(stands, seen):
+        if self._doubted(is_stationary, seen):
             return DriveStep.WAIT
-        if stands and (self._off_done or seen.drive_rpm is None):
+        if is_stationary and (self._off_done or seen.drive_rpm is None):
             self.witnesses = seen.witnesses
             self.done, self.quiet = True, False
             return DriveStep.STANDING
@@ -252,7 +254,7 @@ class StopSequence:
             return DriveStep.GIVE_UP
         return self._repeat(seen)
 
-    def _moves_again(self, seen: Seen) -> bool:
+    def _moves_again(self, seen: StandstillEvidence) -> bool:
         """Begin anew when a crank moves that stood and that nothing may turn."""
         if not seen.moves:
             return False
@@ -262,14 +264,14 @@ class StopSequence:
         self._deadline = math.inf
         return True
 
-    def _doubted(self, stands: bool, seen: Seen) -> bool:
+    def _doubted(self, is_stationary: bool, seen: StandstillEvidence) -> bool:
         """Leave the drive to its watchdog, once, where it alone says that the crank stands.
 
         Its own encoder may be dead, and its acknowledgement of the power-off wrong.
         """
         if seen.encoder_stands is not None:
             self.unseen = False
-        elif stands and self._off_done and not self.unseen:
+        elif is_stationary and self._off_done and not self.unseen:
             self.unseen = True
             self._leave_to_watchdog(seen.now_s)
             self._commanded_s = self._quiet_until  # what is seen from then on counts
@@ -281,13 +283,14 @@ class StopSequence:
         self._quiet_until = self._trying_since = self._repeated_from = now_s + self._quiet_s
         self._trend = SpeedTrend()
 
-    def _repeat(self, seen: Seen) -> DriveStep:
+    def _repeat(self, seen: StandstillEvidence) -> DriveStep:
         """Repeat the power-off, or leave the drive to its watchdog."""
         now_s = seen.now_s
         self.quiet = now_s < self._quiet_until
         if self.quiet:
             return DriveStep.WAIT
-        if seen.stands and self._off_done:  # seen before the last command; what follows counts
+        # Seen before the last command: what follows counts.
+        if seen.is_stationary and self._off_done:
             self._trying_since = now_s
             return DriveStep.WAIT
         steady = self._trend.steady >= self._steady_limit
@@ -346,7 +349,7 @@ class PauseSequence:
         """Return the speed at which the angle is approached."""
         return self._creep
 
-    def step(self, seen: Seen) -> DriveStep:
+    def step(self, seen: StandstillEvidence) -> DriveStep:
         """Return what to do now; the caller carries out every CREEP and RAMP_DOWN once."""
         if seen.now_s > self._deadline:
             return DriveStep.GIVE_UP
@@ -367,9 +370,9 @@ class PauseSequence:
                 return DriveStep.WAIT
             self._phase = DriveStep.RAMP_DOWN
             return DriveStep.RAMP_DOWN
-        return DriveStep.STANDING if seen.stands else DriveStep.WAIT
+        return DriveStep.STANDING if seen.is_stationary else DriveStep.WAIT
 
-    def _reached(self, seen: Seen) -> bool:
+    def _reached(self, seen: StandstillEvidence) -> bool:
         assert seen.angle_deg is not None
         assert seen.encoder_rpm is not None
         # rpm^2 / (2 rpm/s) is in rev/min s: times 6 in degrees.

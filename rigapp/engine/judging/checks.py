@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.engine.samples.assembler import Values
-from rigapp.engine.values.bend import straightened
+from rigapp.engine.values.bend import linearised
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.channels import LOAD_CELL
 from rigapp_model.compiled import njit
@@ -40,7 +40,7 @@ def _peak(
         x = gain[0, 0] * raw_1[i] + gain[0, 1] * raw_2[i] + bias[0]
         y = gain[1, 0] * raw_1[i] + gain[1, 1] * raw_2[i] + bias[1]
         if curved:
-            x, y = straightened(x, y, bend)
+            x, y = linearised(x, y, bend)
         if turn > 0:
             k = math.floor(count + step * i) % turn
             x += own[0, k]

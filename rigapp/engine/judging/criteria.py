@@ -51,7 +51,7 @@ NOTHING = np.empty((2, 0))
 
 
 @dataclass(frozen=True, slots=True)
-class Met:
+class CriterionMet:
     """Say that a criterion is met. planned: an end as planned (complete), else a limit."""
 
     name: str
@@ -111,7 +111,7 @@ class _Watched:
         self.since_value = 0
         self.left_percent = math.nan
 
-    def look(self, number: int, at: At) -> Met | None:
+    def look(self, number: int, at: At) -> CriterionMet | None:
         """Judge a revolution's value; what is not known neither fulfils nor interrupts."""
         criterion = self.criterion
         value: float | None = criterion.value(at)
@@ -136,7 +136,7 @@ class _Watched:
             sentence = (
                 f"{sentence[:-1]}, +/- {doubt:.2g} {unit_of('stop.' + criterion.key)} (k = 2)."
             )
-        return Met(criterion.key, sentence, criterion.planned)
+        return CriterionMet(criterion.key, sentence, criterion.planned)
 
 
 class StopMonitor:
@@ -185,7 +185,7 @@ class StopMonitor:
                 for rate in self._rates:
                     rate.add(int(one), 1e3 * depth)
 
-    def row(self, row: Array) -> Met | None:
+    def row(self, row: Array) -> CriterionMet | None:
         """Judge a row in the order of ``ChannelTable.names``; return the criterion that it met."""
 
         def at(name: str) -> float:
@@ -207,13 +207,13 @@ class StopMonitor:
         """Tell whether the prediction of a revolution counts: it was whole and at the set speed."""
         return number not in self._unjudged and number > self._stop.hold_off_revolutions
 
-    def prediction(self, number: int, values: Mapping[str, float]) -> Met | None:
+    def prediction(self, number: int, values: Mapping[str, float]) -> CriterionMet | None:
         """Judge the twin's answer: its columns by name, see ``prediction_columns``."""
         if not self.judges(number):
             return None
         return self._first(Sight.PREDICTION, number, values.__getitem__)
 
-    def over(self, time_s: float) -> Met | None:
+    def over(self, time_s: float) -> CriterionMet | None:
         """Return the planned end that a test has reached at this time of its own, if any."""
         clocks = {"time": time_s, "running_time": self.running_h}
         return self._first(Sight.CLOCK, self._last, clocks.__getitem__)
@@ -222,7 +222,7 @@ class StopMonitor:
         """Return the criteria that are set and follow from the measured wear depth."""
         return [one.criterion.key for one in self._judged if one.criterion.of_depth]
 
-    def blind(self) -> list[str]:
+    def no_data(self) -> list[str]:
         """Return the criteria that have had no value for too long."""
         return [one.criterion.key for one in self._judged if one.since_value >= one.patience]
 
@@ -239,8 +239,8 @@ class StopMonitor:
         ]
         return min(known, default=(math.inf, ""))
 
-    def _first(self, sight: Sight, number: int, at: At) -> Met | None:
-        found: Met | None = None
+    def _first(self, sight: Sight, number: int, at: At) -> CriterionMet | None:
+        found: CriterionMet | None = None
         for one in self._seen[sight]:
             met = one.look(number, at)
             found = found or met

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections import deque
 
-from rigapp.process.owntime import LONGEST_PASS_S, OwnTime
+from rigapp.process.processclock import LONGEST_PASS_S, ProcessClock
 
 TICKS_KEPT = 4096  # passes of the loop: minutes; older ones explain no lateness of now
 
@@ -18,7 +18,7 @@ class Lateness:
 
     def __init__(self, now_s: float, ran_s: float) -> None:
         """Begin without lateness; ran_s: processor time of the loop's thread so far."""
-        self._own = OwnTime(now_s, ran_s)
+        self._own = ProcessClock(now_s, ran_s)
         self._ticks = deque([(now_s, 0.0)], TICKS_KEPT)
         self._begun_s = now_s
         self._lock = threading.Lock()

@@ -79,7 +79,7 @@ class SpeedComparison:
         return self.decided and self.differed > 0
 
 
-def wrong_sense(encoder_back: bool, drive_back: bool, directions: tuple[int, int]) -> str:
+def direction_mismatch(encoder_back: bool, drive_back: bool, directions: tuple[int, int]) -> str:
     """Return what to do when encoder or drive show the crank turning backwards.
 
     directions: present values of encoder.direction and spindle.direction.

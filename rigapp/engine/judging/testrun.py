@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.recipe import StopSection
-from rigapp.engine.judging.criteria import Met, StopMonitor
+from rigapp.engine.judging.criteria import CriterionMet, StopMonitor
 from rigapp.engine.judging.depthwatch import DepthWatch
 from rigapp.engine.judging.jointwatch import JointWatch
 from rigapp.engine.judging.limits import LevelPassed, RuleMonitor
@@ -38,7 +38,7 @@ class Row:
     measured: Measured
     verdicts: tuple[LevelPassed, ...]
     last: bool
-    met: Met | None = None
+    met: CriterionMet | None = None
 
 
 class TestRun:

@@ -35,7 +35,7 @@ CRITICAL_BURSTS = 3
 """Of these, so many are for critical alarms only."""
 
 
-class Why(enum.StrEnum):
+class RetentionReason(enum.StrEnum):
     """Say why a whole cycle is in the file; the words stand in ``/entry/cycles/why``."""
 
     SCHEDULED = "scheduled"
@@ -45,7 +45,7 @@ class Why(enum.StrEnum):
     AFTER = "after"
 
 
-TRIGGERED = frozenset({Why.BEFORE, Why.TRIGGER, Why.AFTER})
+TRIGGERED = frozenset({RetentionReason.BEFORE, RetentionReason.TRIGGER, RetentionReason.AFTER})
 
 
 def triggered_cycles(section: CyclesSection, revolutions: int) -> int:
@@ -70,13 +70,13 @@ def _burst(section: CyclesSection) -> int:
 
 
 @dataclass(slots=True, eq=False)
-class Kept:
+class RetainedCycle:
     """A revolution in memory; why it is kept, None while nothing wants it."""
 
     number: int
     measured: Measured
     quality: int
-    why: Why | None
+    why: RetentionReason | None
 
     @property
     def size(self) -> int:
@@ -105,11 +105,11 @@ class History:
         self._room = triggered_cycles(section, revolutions)
         self._used = used
         self._limit_bytes = limit_bytes
-        self._ring: deque[Kept] = deque()
+        self._ring: deque[RetainedCycle] = deque()
         self._bytes = 0
         self._due = False
         self._after_left = 0
-        self._newest: Kept | None = None
+        self._newest: RetainedCycle | None = None
         self._newest_left = True
         self.decided = 0
         self.refused = 0
@@ -134,19 +134,19 @@ class History:
         self._due = True
         return True
 
-    def add(self, number: int, measured: Measured, quality: int = 0) -> list[Kept]:
+    def add(self, number: int, measured: Measured, quality: int = 0) -> list[RetainedCycle]:
         """Take the newest revolution; return those that are to be written now, in order."""
-        why = Why.SCHEDULED if self._schedule.keeps(number) else None
+        why = RetentionReason.SCHEDULED if self._schedule.keeps(number) else None
         if self._due:
             self._mark_before()
             self._used += why is None
-            why, self._after_left = Why.TRIGGER, self._after
+            why, self._after_left = RetentionReason.TRIGGER, self._after
         elif self._after_left > 0:
             self._after_left -= 1
             if why is None:
-                why = Why.AFTER
+                why = RetentionReason.AFTER
                 self._used += 1
-        entry = Kept(number, measured, quality, why)
+        entry = RetainedCycle(number, measured, quality, why)
         self._newest, self._newest_left = entry, False
         self._ring.append(entry)
         self._bytes += entry.size
@@ -155,20 +155,20 @@ class History:
             entry.measured = measured.kept()
         return leaving
 
-    def waiting(self) -> Kept | None:
+    def waiting(self) -> RetainedCycle | None:
         """Return the newest revolution where it may still be wanted, None once it has left."""
         newest = self._newest
         if newest is None or (self._newest_left and newest.why is not None):
             return None
         return newest if self._burst or self._schedule.any else None
 
-    def close(self) -> list[Kept]:
+    def close(self) -> list[RetainedCycle]:
         """End the test: return what else is to be written, the last revolution among it."""
         if self._due:
             self._mark_before()
         newest = self._newest
         if newest is not None and newest.why is None and self._schedule.any:
-            newest.why = Why.LAST
+            newest.why = RetentionReason.LAST
             if self._newest_left:
                 self._ring.append(newest)
         leaving = [one for one in self._ring if one.why is not None]
@@ -182,10 +182,10 @@ class History:
         self._due = False
         for one in self._ring:
             if one.why is None:
-                one.why = Why.BEFORE
+                one.why = RetentionReason.BEFORE
                 self._used += 1
 
-    def _leave(self) -> Iterator[Kept]:
+    def _leave(self) -> Iterator[RetainedCycle]:
         ring = self._ring
         while ring:
             full = self._bytes > self._limit_bytes and len(ring) > 1

@@ -13,7 +13,7 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rigapp.engine.recording.history import History, Kept
+from rigapp.engine.recording.history import History, RetainedCycle
 from rigapp.engine.recording.store import Store
 from rigapp.engine.samples.assembler import Revolution
 from rigapp.engine.values.calibrate import Calibration, Measured
@@ -22,7 +22,7 @@ from rigapp.schema.columns import PREDICTED_CURVES, PROFILE_CURVES
 from rigapp.schema.messages import (
     Cycle,
     Event,
-    LookedAfter,
+    PathReport,
     Prediction,
     RevolutionMeasured,
     WornProfile,
@@ -229,12 +229,12 @@ class Recorder:
         """Return where the file is."""
         return self._store.path
 
-    def look_after(self, notice: Callable[[str], object]) -> LookedAfter | None:
+    def watch_path(self, notice: Callable[[str], object]) -> PathReport | None:
         """Give the file its name back when it was deleted, moved or replaced; may take long.
 
         notice: told before that.
         """
-        return None if self._closed else self._store.look_after(notice)
+        return None if self._closed else self._store.watch_path(notice)
 
     def extend(self, revolutions: int) -> None:
         """Make room for another number of revolutions; raise UnusableInput when there is none."""
@@ -283,7 +283,7 @@ class Recorder:
     def _samples(self, measured: Measured) -> dict[str, ArrayLike]:
         return cycle_samples(measured, self._table, self._start_sample or 0, self._time_offset_s)
 
-    def _keep(self, leaving: Iterable[Kept]) -> None:
+    def _keep(self, leaving: Iterable[RetainedCycle]) -> None:
         numbers: list[int] = []
         for one in leaving:
             assert one.why is not None

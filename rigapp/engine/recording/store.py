@@ -23,7 +23,7 @@ from rigapp.engine.values.calibrate import Calibration
 from rigapp.engine.values.instruments import InputLine, ProbePair
 from rigapp.schema.channels import LOAD_CELL, PROBES, ChannelTable, Kind
 from rigapp.schema.loglines import RestSignals, SpecimenWear
-from rigapp.schema.messages import Event, LookedAfter
+from rigapp.schema.messages import Event, PathReport
 from rigapp.schema.wire import tree_of
 from rigapp.storage import (
     CALIBRATION,
@@ -48,7 +48,7 @@ class Store(Protocol):
     def path(self) -> Path:
         """Return where the file is; another place when it had to be saved there."""
 
-    def look_after(self, notice: Callable[[str], object]) -> LookedAfter | None:
+    def watch_path(self, notice: Callable[[str], object]) -> PathReport | None:
         """Give the file its name back when it lost it; None when it has not.
 
         It may take long; notice is told before.

@@ -41,7 +41,7 @@ def invertible(bend: Array, reach: float) -> bool:
     nogil=True,
     error_model="numpy",
 )
-def straightened(x: float, y: float, bend: Array) -> tuple[float, float]:
+def linearised(x: float, y: float, bend: Array) -> tuple[float, float]:
     """Return the joint force (N) whose linear image is (x, y)."""
     u, v = x, y
     for _ in range(STEPS):
@@ -66,7 +66,7 @@ def straightened(x: float, y: float, bend: Array) -> tuple[float, float]:
 def straighten(first: Array, second: Array, total: Array, n: int, bend: Array) -> None:
     """Replace linear joint forces first[:n], second[:n] by the true ones; total[:n] becomes |F|."""
     for i in range(n):
-        x, y = straightened(first[i], second[i], bend)
+        x, y = linearised(first[i], second[i], bend)
         first[i] = x
         second[i] = y
         total[i] = math.sqrt(x * x + y * y)

@@ -30,7 +30,7 @@ from rigapp.viewer.news import News, Takes
 TALL = 5 * STEP
 PAPERS_WIDTH, PLOT_WIDTH = 38 * STEP, 40 * STEP
 """Of documents and plot, at least; the documents go below where they do not fit beside it."""
-GO_ON: Final[Text] = "Go on with the test in its own file"
+RESUME: Final[Text] = "Go on with the test in its own file"
 READING: Final[Text] = "Reading what the test came to …"
 
 
@@ -83,7 +83,7 @@ class EndPage(QWidget):
             "new": button(
                 "end_new", "New spec&imen…", self._new, tip="Prepare the test of the next specimen"
             ),
-            "on": button("end_on", "&Go on with this one…", self._go_on, tip=GO_ON, guarded=True),
+            "on": button("end_on", "&Go on with this one…", self._go_on, tip=RESUME, guarded=True),
         }
         self._pump = ShelfPump(host.results, lambda: None, self)
         wear = host.add("result_wear", TrendPanel("result_wear", theme, "wear", leads=False))
@@ -187,7 +187,7 @@ class EndPage(QWidget):
         self.buttons["trip"].setVisible(tripped)
         on = self.buttons["on"]
         on.setEnabled(result is not None and result.status in RESUMABLE)
-        on.setToolTip(tr(GO_ON))
+        on.setToolTip(tr(RESUME))
         if result is not None and not on.isEnabled():
             on.setToolTip(tr("A complete test is over; prepare another one with New specimen"))
 

@@ -16,8 +16,8 @@ from rigapp.gui.panels.compare import MOST, ComparePanel
 from rigapp.gui.panels.trip import TripPage
 from rigapp.gui.results.documents import DocumentPanel, Launch, launch_process
 from rigapp.gui.results.resultcard import ResultCard
+from rigapp.gui.results.results_index import ResultShelf
 from rigapp.gui.results.resulttable import ResultTable
-from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import (
     button,
     choice,

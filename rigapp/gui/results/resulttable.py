@@ -31,7 +31,7 @@ from PySide6.QtWidgets import (
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import icon
 from rigapp.gui.results.resultcard import SHAPES, SMALL, colour_of
-from rigapp.gui.results.shelf import ResultShelf
+from rigapp.gui.results.results_index import ResultShelf
 from rigapp.gui.widgets.build import named
 from rigapp.presentation.numbers import coefficient_number, grouped
 from rigapp.presentation.results import day, outcome_text

@@ -22,7 +22,7 @@ from rigapp.schema.details import error_text
 from rigapp.viewer.tasks import TaskWorker
 
 if TYPE_CHECKING:
-    from rigapp.notify.ways import ListedWay
+    from rigapp.notify.channels import ListedWay
 
 WORDS: Final[dict[str, Text]] = {
     "critical": "critical alarms",
@@ -113,7 +113,7 @@ class MessageCard(QWidget):
         self.add.setEnabled(bool(self.name.text().strip() and self.url.text().strip()))
 
     def _add(self) -> None:
-        from rigapp.notify.ways import add_way
+        from rigapp.notify.channels import add_way
 
         when = tuple(one for one, box in self.when.items() if box.isChecked())
         way = NotifySection(url=self.url.text().strip(), name=self.name.text().strip(), when=when)
@@ -128,7 +128,7 @@ class MessageCard(QWidget):
         self.look()
 
     def _remove(self) -> None:
-        from rigapp.notify.ways import remove_way
+        from rigapp.notify.channels import remove_way
 
         chosen = self.table.chosen_of(self._ways)
         if chosen is None:
@@ -157,6 +157,6 @@ class MessageCard(QWidget):
 
 def _read(rig: Path | None) -> tuple[ListedWay, ...]:
     from rigapp.config.loading import read_rig
-    from rigapp.notify.ways import listed_ways
+    from rigapp.notify.channels import listed_ways
 
     return listed_ways(read_rig(rig) if rig is not None else None)

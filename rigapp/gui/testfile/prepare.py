@@ -113,13 +113,13 @@ class PreparePanel(QWidget):
 
     @property
     def _test(self) -> TestFile | None:
-        armed = self.recipe.armed
-        return armed.test if armed is not None else None
+        selected = self.recipe.selected
+        return selected.test if selected is not None else None
 
     def _of_form(self) -> Iterator[Check]:
         """Say what of the form is not part of the armed test, and why none is armed."""
-        armed = self.recipe.armed
-        if armed is None:
+        selected = self.recipe.selected
+        if selected is None:
             yield Check(
                 say("Armed test"),
                 CheckVerdict.BLOCKS,
@@ -127,16 +127,16 @@ class PreparePanel(QWidget):
                 say("Open a test, or save the new one"),
             )
             return
-        if armed.problem:
+        if selected.problem:
             yield Check(
                 say("File"),
                 CheckVerdict.BLOCKS,
-                armed.problem,
+                selected.problem,
                 say("Correct it in the form and save"),
             )
         count = len(self.recipe.unsaved())
         if count:
-            name = armed.path.name
+            name = selected.path.name
             one = tr("1 change not part of {}", name)
             finding = tr("{} changes not part of {}", count, name) if count > 1 else one
             yield Check(say("Form"), CheckVerdict.ATTENTION, finding, say("Save, or start without"))

@@ -58,13 +58,13 @@ CHECKS: Final[Text] = "Checks"
 
 
 class RecipePanel(QWidget):
-    """Edit a test file; ``armed_changed`` tells that another one is armed, or a newer state."""
+    """Edit a test file; ``selection_changed`` tells that another one is armed, or a newer state."""
 
-    armed_changed = Signal()
+    selection_changed = Signal()
 
     def __init__(self) -> None:
         super().__init__()
-        self.armed: SelectedTest | None = None
+        self.selected: SelectedTest | None = None
         self.test: TestFile | None = None
         self._begun: dict[str, Any] = dict(EMPTY)
         self._text = ""
@@ -90,7 +90,7 @@ class RecipePanel(QWidget):
     @property
     def path(self) -> Path | None:
         """Return the file that is edited; None for one that has no name yet."""
-        return self.armed.path if self.armed is not None else None
+        return self.selected.path if self.selected is not None else None
 
     def unsaved(self) -> list[str]:
         """Return the changes that are not saved, a line each; what cannot be read counts too."""
@@ -117,29 +117,29 @@ class RecipePanel(QWidget):
         Changes that are not saved are lost; ``ask_before`` asks first.
         """
         try:
-            armed = read_selected(path)
+            selected = read_selected(path)
         except UnusableInput as error:
             self._say(translate(sentence_of_error(error)), good=False)
             return False
-        self._take(armed)
+        self._take(selected)
         return True
 
     def begin(self, tree: dict[str, Any]) -> None:
         """Begin a test that has no file yet; nothing is armed until it is saved."""
         self._begun, self._text = tree, ""
         self._fill(tree)
-        self._arm(None)
+        self._select(None)
 
-    def _take(self, armed: SelectedTest) -> None:
-        self._text = armed.text
-        self._fill(armed.tree)
-        self._arm(armed)
+    def _take(self, selected: SelectedTest) -> None:
+        self._text = selected.text
+        self._fill(selected.tree)
+        self._select(selected)
 
-    def _arm(self, armed: SelectedTest | None) -> None:
-        self.armed = armed
+    def _select(self, selected: SelectedTest | None) -> None:
+        self.selected = selected
         self._words = [""] * len(STEPS)
         self._judge()
-        self.armed_changed.emit()
+        self.selection_changed.emit()
 
     def _fill(self, tree: Any) -> None:
         """Show a test; whoever calls judges it once it is whole."""
@@ -154,7 +154,7 @@ class RecipePanel(QWidget):
     @property
     def _tree(self) -> dict[str, Any]:
         """Return what the file says, or what a new test was begun from."""
-        return dict(self.armed.tree) if self.armed is not None else self._begun
+        return dict(self.selected.tree) if self.selected is not None else self._begun
 
     def _read(self) -> tuple[dict[str, Any], dict[str, str]]:
         """Return the test as nested tables, as far as it can be read, and the errors by field."""
@@ -180,20 +180,20 @@ class RecipePanel(QWidget):
 
         Raises UnusableInput where no file is open, or changes of it are not saved yet.
         """
-        armed = self.armed
-        if armed is None:
+        selected = self.selected
+        if selected is None:
             raise UnusableInput("No test file is open. Open or save one in Prepare first.")
-        if self.unsaved() or armed.on_disk():
+        if self.unsaved() or selected.on_disk():
             raise UnusableInput(
                 "{} has changes that are not saved. Save or discard them in Prepare first.",
-                armed.path.name,
+                selected.path.name,
             )
-        tree = {**armed.tree, "view": {"tiles": list(view.tiles), "plots": list(view.plots)}}
-        text = edited(armed.text, tree, self._optional)
-        with whole_file(armed.path) as part:
+        tree = {**selected.tree, "view": {"tiles": list(view.tiles), "plots": list(view.plots)}}
+        text = edited(selected.text, tree, self._optional)
+        with whole_file(selected.path) as part:
             part.write_text(text, encoding="utf-8", newline="")
-        self.open_file(armed.path)
-        return armed.path.name
+        self.open_file(selected.path)
+        return selected.path.name
 
     def save(self, path: Path) -> bool:
         """Write the test, comments kept; False and a sentence when that is not possible.
@@ -203,11 +203,12 @@ class RecipePanel(QWidget):
         self._judge()
         if self.test is None:
             return False
-        armed = self.armed
+        selected = self.selected
         try:
             tree = _explicit(self._read()[0], self._tree)
             text = edited(self._text, tree, self._optional)
-            if armed is not None and path == armed.path and path.exists() and armed.on_disk():
+            same = selected is not None and path == selected.path and path.exists()
+            if selected is not None and same and selected.on_disk():
                 changed = tr(
                     "{} was changed by another program since it was opened. Save it as another"
                     " file, or open it again, which loses what was changed here.",
@@ -218,7 +219,7 @@ class RecipePanel(QWidget):
             with whole_file(path) as part:
                 part.write_text(text, encoding="utf-8")
             self._text = text
-            self._arm(read_selected(path, text))
+            self._select(read_selected(path, text))
         except UnusableInput as error:
             self._say(translate(sentence_of_error(error)), good=False)
             return False
@@ -397,7 +398,7 @@ class RecipePanel(QWidget):
             where = " ".join([*others, *list(errors.values())[: 1 if not others else 0]])
             more = tr(" ({} mistakes; each stands at its field)", count) if count > 1 else ""
             self._say(tr("Not usable yet. {}{}", where, more), good=False)
-        elif self.armed is None:
+        elif self.selected is None:
             self._say(tr("Usable. Save it to arm it for a start."), good=True)
         else:
             drafted: Text = " One draft limit is not part of it."
@@ -407,7 +408,7 @@ class RecipePanel(QWidget):
             told = changed or tr("As in the file.")
             self._say(tr("Usable. {}{}", told, draft), good=True)
         usable = self.test is not None
-        self.buttons["save"].setEnabled(usable and (self.armed is None or bool(differences)))
+        self.buttons["save"].setEnabled(usable and (self.selected is None or bool(differences)))
         for name in ("save_as", "duplicate"):
             self.buttons[name].setEnabled(usable)
 
@@ -432,7 +433,7 @@ class RecipePanel(QWidget):
         self._begun = self._tree
         title = self.test.title if self.test is not None else ""
         self.form.edit("title", tr("{} (copy)", title))
-        self._arm(None)
+        self._select(None)
 
     def _ask_open(self) -> None:
         dialog = self._dialog(tr("Open a test"), QFileDialog.AcceptMode.AcceptOpen)

@@ -15,7 +15,7 @@ from rigapp.gui.look.dress import apply_theme
 from rigapp.gui.look.preferences import Preference, Preferences
 from rigapp.gui.window.selftest import run_self_test
 from rigapp.gui.window.window import PROGRAM, MainWindow
-from rigapp.process.ending import asked_to_end, end_at_once
+from rigapp.process.ending import end_at_once, termination_signals
 from rigapp.process.memory import end_of_loading
 from rigapp.viewer.connection import ClientFactory, EngineConnection
 from rigapp.viewer.showntest import ShownTest
@@ -82,7 +82,7 @@ def main(
     QTimer.singleShot(LOADED_MS, window, end_of_loading)
     if start_test is not None:
         window.start_when_idle(start_test)
-    with asked_to_end() as asked:
+    with termination_signals() as asked:
         look = QTimer(window)
         look.timeout.connect(lambda: _end_when_asked(asked, window, application))
         look.start(LOOK_MS)

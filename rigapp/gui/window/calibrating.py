@@ -13,10 +13,10 @@ from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.look.preferences import OFF, Preference, Preferences
 from rigapp.gui.plots.plotmenu import offer_menus
-from rigapp.gui.widgets.turns import Turns
+from rigapp.gui.widgets.chunkedtask import ChunkedTask
 from rigapp.gui.window.notice import EndCalibrationBar, NoticeBar
+from rigapp.gui.window.pagestack import PageStack
 from rigapp.gui.window.places import RailPlace
-from rigapp.gui.window.stage import Stage
 from rigapp.gui.window.tabs import Tabs
 from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, tr, translate
@@ -45,7 +45,7 @@ class CalibrationGuide(QObject):
         self,
         connection: EngineConnection,
         reader: TaskWorker,
-        stage: Stage,
+        stage: PageStack,
         tabs: Tabs,
         notice: NoticeBar,
         preferences: Preferences,
@@ -60,7 +60,7 @@ class CalibrationGuide(QObject):
         self._stage, self._tabs, self._notice = stage, tabs, notice
         self._preferences, self._window = preferences, parent
         (self._rig_file, self._results), self._theme = files, theme
-        self._turns = Turns(self)
+        self._turns = ChunkedTask(self)
         self.end_bar = EndCalibrationBar()
         notice.end_wanted.connect(self._ask_end)
         self.wizard: CalibrationWizard | None = None

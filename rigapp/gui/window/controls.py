@@ -245,7 +245,7 @@ class ControlRow(QFrame):
             self.buttons[command.verb].setEnabled(applies)
             self.buttons[command.verb].setToolTip(self._tip(command, applies, status))
 
-    def show_armed(self, name: str) -> None:
+    def show_selected(self, name: str) -> None:
         """Name the armed test where no test is under way; nothing where none is armed."""
         self._armed = name
 

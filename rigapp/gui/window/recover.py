@@ -25,7 +25,7 @@ STEPS: Final[dict[Remedy, Text]] = {
     Remedy.CONNECT: "Connect",
     Remedy.ACKNOWLEDGE: "Acknowledge",
     Remedy.RESET: "Reset",
-    Remedy.GO_ON: "Go on",
+    Remedy.RESUME: "Go on",
 }
 """The steps in their order, as the panel names them."""
 
@@ -158,7 +158,7 @@ class RecoverPanel(QFrame):
         worst = _worst(status)
         if worst is not None:
             self._why = worst.cause
-        self._frame(recovered=told.step is Remedy.GO_ON)
+        self._frame(recovered=told.step is Remedy.RESUME)
         self.cause.setText(translate(self._why or status.engine.reason))
         self.details.show_details(details_of(self._why or status.engine.reason))
         self.next.setText(translate(told.sentence))
@@ -177,7 +177,7 @@ class RecoverPanel(QFrame):
         self.button.setEnabled(bool(told.verb) and not self._asked)
         self.button.setToolTip(translate(told.sentence))
         self.other.setVisible(told.verb == "resume_file")
-        self.away.setVisible(told.step is Remedy.GO_ON)
+        self.away.setVisible(told.step is Remedy.RESUME)
 
     def _frame(self, *, recovered: bool) -> None:
         theme = self._theme

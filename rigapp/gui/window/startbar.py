@@ -33,10 +33,10 @@ MOST_REVOLUTIONS = int(RANGES["run.revolutions"].high)
 
 
 class StartBar(QFrame):
-    """Ask for length and file of the armed test on a card that floats above the buttons.
+    """Ask for length and file of the selected test on a card that floats above the buttons.
 
-    The armed test is that of the form (``RecipePanel.armed``); another one that is chosen here is
-    opened there. Its file is read again before the start, and what differs is shown first.
+    The selected test is that of the form (``RecipePanel.selected``); another one that is chosen
+    here is opened there. Its file is read again before the start; what differs is shown first.
     """
 
     started = Signal(dict)
@@ -71,7 +71,7 @@ class StartBar(QFrame):
         below = flowing((self.told, 1), self.read, self.save, self.go, cancel)
         column(fields, below, on=self).setContentsMargins(MARGIN, GAP, MARGIN, GAP)
         self.offer(tests)
-        recipe.armed_changed.connect(self._show_armed)
+        recipe.selection_changed.connect(self._show_armed)
         self._show_armed()
         self.hide()
 
@@ -132,14 +132,14 @@ class StartBar(QFrame):
 
     def _show_armed(self) -> None:
         """Show the armed test, and what of the form or of the disk is not part of it."""
-        armed = self._recipe.armed
-        self.test.setCurrentIndex(-1 if armed is None else self._add(armed.path))
-        changed = armed.on_disk() if armed is not None else []
+        selected = self._recipe.selected
+        self.test.setCurrentIndex(-1 if selected is None else self._add(selected.path))
+        changed = selected.on_disk() if selected is not None else []
         lost = self._recipe.unsaved()
-        wrong = armed is None or bool(changed or armed.problem or self._occupied)
+        wrong = selected is None or bool(changed or selected.problem or self._occupied)
         text = self._sentence(changed, lost)
-        if armed is not None and not wrong:
-            self.out.setText(str(new_result(self._results, armed.path.stem)))
+        if selected is not None and not wrong:
+            self.out.setText(str(new_result(self._results, selected.path.stem)))
         self.told.setText(f"▲ {text}" if wrong else text)
         tell(self.told, "role", "error" if wrong else "caution" if lost else "secondary")
         self.read.setVisible(bool(changed))
@@ -148,16 +148,16 @@ class StartBar(QFrame):
 
     def _sentence(self, changed: Sequence[str], lost: Sequence[str]) -> str:
         """Say what is armed; changed: what differs on the disk, lost: what is not saved."""
-        armed = self._recipe.armed
+        selected = self._recipe.selected
         if self._occupied:
             return self._occupied
-        if armed is None:
+        if selected is None:
             return tr("No test is armed. Choose a test file, or save the new one in Prepare.")
-        name = armed.path.name
+        name = selected.path.name
         if changed:
             return tr("{} is another one on the disk now: {}", name, listed(changed))
-        if armed.problem:
-            return tr("{} cannot be started: {}.", name, armed.problem)
+        if selected.problem:
+            return tr("{} cannot be started: {}.", name, selected.problem)
         if lost:
             return tr("{} is armed as it is saved. Not part of it: {}", name, listed(lost))
         if self._recipe.rules.draft is not None:
@@ -197,11 +197,11 @@ class StartBar(QFrame):
     def _go(self) -> None:
         """Start, unless the file has become another one since it was armed."""
         self.revolutions.interpretText()
-        out, armed = self.out.text().strip(), self._recipe.armed
-        if armed is None or not out or armed.on_disk() or self._occupied:
+        out, selected = self.out.text().strip(), self._recipe.selected
+        if selected is None or not out or selected.on_disk() or self._occupied:
             self._show_armed()
             return
-        arguments: dict[str, Any] = {"test": str(armed.path), "out": out}
+        arguments: dict[str, Any] = {"test": str(selected.path), "out": out}
         if self.revolutions.value():
             arguments["revolutions"] = self.revolutions.value()
         self.hide()

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
 
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.look.preferences import Preferences
-from rigapp.gui.panel import Act, Dressed, Host, InParts, Panel, StallCounter
+from rigapp.gui.panel import Act, Host, Panel, StallCounter, Themed, ThemedInParts
 from rigapp.gui.panels.alarms import alarm_page
 from rigapp.gui.panels.cycle import cycle_page
 from rigapp.gui.panels.devices import device_page
@@ -34,11 +34,11 @@ from rigapp.gui.panels.trip import trip_page
 from rigapp.gui.panels.wear import wear_page
 from rigapp.gui.plots.plotmenu import offer_menus
 from rigapp.gui.plots.plotting import QuietPlot
-from rigapp.gui.results.shelf import ResultShelf
+from rigapp.gui.results.results_index import ResultShelf
 from rigapp.gui.settings.page import SettingsPage, settings_page
 from rigapp.gui.testfile.prepare import PreparePanel, prepare_page
 from rigapp.gui.widgets.build import follow_in_tab_order, key_text, named
-from rigapp.gui.widgets.turns import Turns
+from rigapp.gui.widgets.chunkedtask import ChunkedTask
 from rigapp.gui.window.help import window_keys
 from rigapp.gui.window.places import PageName, RailPlace
 from rigapp.presentation.tokens import Theme
@@ -129,7 +129,7 @@ class Tabs(QTabWidget):
     ) -> None:
         super().__init__()
         self._test = test
-        self._turns, self._rest = Turns(self), Turns(self)
+        self._turns, self._rest = ChunkedTask(self), ChunkedTask(self)
         self._news, self._theme = News(), theme
         self._layout: QSettings | None = None
         self._host = host = Host(
@@ -204,12 +204,12 @@ class Tabs(QTabWidget):
         for part in self._parts(number):
             dress_part(part, self._theme)
         for panel in panels:
-            if isinstance(panel, Dressed):
+            if isinstance(panel, Themed):
                 panel.dress(self._theme)
         self._restore(area)
         if tab.name == "own":
             self.own.save_view = self.prepare.recipe.save_view
-            self.take_armed()
+            self.take_selected()
         for panel in panels:
             if Takes.STATUS in panel.takes and self._news.status is not None:
                 panel.show_news(self._news)
@@ -261,13 +261,13 @@ class Tabs(QTabWidget):
         assert isinstance(panel, OwnPage)
         return panel
 
-    def take_armed(self) -> None:
+    def take_selected(self) -> None:
         """Show the own page of the test file that is open, while no test brings one along."""
-        armed = self.prepare.recipe.armed
+        selected = self.prepare.recipe.selected
         if "own" not in self.panels:
             return
-        if armed is not None and armed.test is not None and self._news.recipe is None:
-            self.own.take_view(armed.test.view)
+        if selected is not None and selected.test is not None and self._news.recipe is None:
+            self.own.take_view(selected.test.view)
 
     @property
     def settings(self) -> SettingsPage:
@@ -305,7 +305,7 @@ class Tabs(QTabWidget):
         """Return what puts the pages in a theme, a part each, what is seen first."""
         self._theme = theme
         parts = [part for number in range(self.count()) for part in self._parts(number)]
-        dressed = [panel for panel in self.panels.values() if isinstance(panel, Dressed)]
+        dressed = [panel for panel in self.panels.values() if isinstance(panel, Themed)]
         calls = [(part.isVisible(), partial(dress_part, part, theme)) for part in parts]
         calls += [(panel.isVisible(), partial(panel.dress, theme)) for panel in dressed]
         return [call for _, call in sorted(calls, key=lambda one: not one[0])]
@@ -313,7 +313,7 @@ class Tabs(QTabWidget):
     def _parts(self, number: int) -> list[QWidget]:
         area = self._area(number)
         inside = area.widget()
-        if not isinstance(inside, InParts):
+        if not isinstance(inside, ThemedInParts):
             return [area]
         return [*inside.parts(), area.verticalScrollBar(), area.horizontalScrollBar()]
 

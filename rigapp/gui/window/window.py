@@ -28,9 +28,9 @@ from rigapp.gui.look.preferences import Preference, Preferences
 from rigapp.gui.panel import Act
 from rigapp.gui.panels.alarms import AlarmPanel
 from rigapp.gui.results.documents import launch_process
-from rigapp.gui.results.shelf import ResultShelf
+from rigapp.gui.results.results_index import ResultShelf
 from rigapp.gui.widgets.build import GuardedButton, button, column, follow_in_tab_order, named, row
-from rigapp.gui.widgets.turns import Turns
+from rigapp.gui.widgets.chunkedtask import ChunkedTask
 from rigapp.gui.window.calibrating import CalibrationGuide
 from rigapp.gui.window.command import KEY as COMMAND_KEY
 from rigapp.gui.window.command import ViewerBar, why_forbidden
@@ -40,12 +40,12 @@ from rigapp.gui.window.headline import headline, measured, rig_words
 from rigapp.gui.window.help import HelpWindow
 from rigapp.gui.window.messageline import MessageLine
 from rigapp.gui.window.notice import CloseBar, NoticeBar
+from rigapp.gui.window.pagestack import PageStack
 from rigapp.gui.window.places import PageBar, Rail, RailPlace
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.gui.window.recover import RecoverPanel
 from rigapp.gui.window.replaybar import ReplayBar, ReplayFrame
 from rigapp.gui.window.side import SideColumn
-from rigapp.gui.window.stage import Stage
 from rigapp.gui.window.startbar import StartBar
 from rigapp.gui.window.tabs import Tabs
 from rigapp.gui.window.watchdog import IDLE_PERIOD_S, PERIOD_S, Watchdog
@@ -156,7 +156,7 @@ class MainWindow(QMainWindow):
         self.tabs = Tabs(
             test, theme, self._results, self._reader, self.watchdog, self.preferences, rig
         )
-        self.stage = Stage(self.tabs)
+        self.stage = PageStack(self.tabs)
         self.guide = CalibrationGuide(
             connection,
             self._reader,
@@ -179,7 +179,7 @@ class MainWindow(QMainWindow):
         if tests:
             self.tabs.prepare.recipe.open_file(tests[0])
         self._build()
-        self.dressing = Turns(self)
+        self.dressing = ChunkedTask(self)
         for call in self._dress_calls():
             call()
         self._connect()
@@ -601,9 +601,9 @@ class MainWindow(QMainWindow):
         now = -1 if self.stage.guiding else self.tabs.currentIndex()
         self.page_bar.show_pages(self.tabs.place, self.tabs.pages(), now)
 
-    def _name_armed(self) -> None:
+    def _name_selected(self) -> None:
         path = self.tabs.prepare.recipe.path
-        self.controls.show_armed(path.name if path is not None else "")
+        self.controls.show_selected(path.name if path is not None else "")
 
     def _connect(self) -> None:
         self.rail.chosen.connect(self.tabs.show_place)
@@ -613,10 +613,10 @@ class MainWindow(QMainWindow):
         for chosen in (self.rail.chosen, self.page_bar.chosen):
             chosen.connect(self._pass_by)
         self.controls.start_wanted.connect(self.start_bar.open)
-        self.tabs.prepare.recipe.armed_changed.connect(self._name_armed)
-        self.tabs.prepare.recipe.armed_changed.connect(self.tabs.take_armed)
-        self.tabs.take_armed()
-        self._name_armed()
+        self.tabs.prepare.recipe.selection_changed.connect(self._name_selected)
+        self.tabs.prepare.recipe.selection_changed.connect(self.tabs.take_selected)
+        self.tabs.take_selected()
+        self._name_selected()
         self.start_bar.started.connect(self.controls.start_test)
         self.recover.wanted.connect(self.controls.send)
         self.side.alarms.wanted.connect(self.controls.send)

@@ -8,10 +8,10 @@ from PySide6.QtWidgets import QCheckBox, QVBoxLayout
 
 from rigapp.gui.widgets.build import button, filled, named, prose, row
 from rigapp.gui.wizard.guide_page import TWO, GuidePage
-from rigapp.gui.wizard.hands import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import MeasuredCard, field, fields_form, number, sentence
 from rigapp.gui.wizard.scenes import LevelScene, Picture
+from rigapp.gui.wizard.simulated_operator import HandsPanel
+from rigapp.gui.wizard.widgets import MeasuredCard, field, fields_form, number, sentence
 from rigapp.presentation.tokens import GAP, Theme
 from rigapp.presentation.translation import Text, tr
 

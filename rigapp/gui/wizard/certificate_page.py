@@ -8,7 +8,7 @@ from rigapp.gui.widgets.build import button, prose
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import sentence
+from rigapp.gui.wizard.widgets import sentence
 from rigapp.presentation.translation import Text, marked, tr, translate
 from rigapp.texts import sentence_of_error
 
@@ -132,5 +132,5 @@ def _load_writers() -> None:
     import matplotlib.figure  # noqa: F401
 
     import rigapp.calibrating.certificate
-    import rigapp.report.page.manuscript
+    import rigapp.report.page.document
     import rigapp.report.page.pdf  # noqa: F401

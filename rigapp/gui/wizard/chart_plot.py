@@ -10,7 +10,7 @@ from rigapp.calibrating.daily_history import DailyHistory, verdict_lines
 from rigapp.gui.plots.palette import line_pen
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import column
-from rigapp.gui.wizard.parts import caption, sentence, taking_what_is_left
+from rigapp.gui.wizard.widgets import caption, sentence, taking_what_is_left
 from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, tr, translate
 

@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
 
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.widgets.build import Item, column, filled, row, scrolling
-from rigapp.gui.wizard.parts import MeasuredCard, caption, sentence
 from rigapp.gui.wizard.scenes import Picture
+from rigapp.gui.wizard.widgets import MeasuredCard, caption, sentence
 from rigapp.presentation.tokens import BODY_PT, GAP, STEP, VALUE_PT
 from rigapp.presentation.translation import Text, tr
 

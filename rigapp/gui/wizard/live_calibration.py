@@ -10,8 +10,8 @@ from typing import Any, Protocol
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from rigapp.calibrating.practice import Action
 from rigapp.calibrating.session import LiveSession, Outcome, Rig
+from rigapp.calibrating.training import Action
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.presentation.translation import translate

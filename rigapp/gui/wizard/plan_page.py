@@ -26,8 +26,8 @@ from rigapp.config.loading import read_document
 from rigapp.gui.widgets.build import button, choice, edit, filled, fit_hint, prose, row
 from rigapp.gui.wizard.guide_page import TWO, GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import field, fields_form, prefix_of, sentence
 from rigapp.gui.wizard.scenes import Picture, Scene
+from rigapp.gui.wizard.widgets import field, fields_form, prefix_of, sentence
 from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, marked, tr, translate
 from rigapp.texts import sentence_of_error

@@ -18,7 +18,7 @@ from rigapp.gui.widgets.build import column, edit, named, row
 from rigapp.gui.wizard.chart_plot import ChartPlot
 from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import ResidualPlot, sentence
+from rigapp.gui.wizard.widgets import ResidualPlot, sentence
 from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, marked, tr, translate
 from rigapp.texts import sentence_of_error

@@ -10,8 +10,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.gui.widgets.build import button, filled, named, prose, tell
 from rigapp.gui.wizard.guide_page import TWO, GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration, Question
-from rigapp.gui.wizard.parts import MeasuredCard, sentence
 from rigapp.gui.wizard.scenes import Picture, RollScene
+from rigapp.gui.wizard.widgets import MeasuredCard, sentence
 from rigapp.presentation.tokens import GAP, Theme
 from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.messages import Reply

@@ -21,9 +21,10 @@ from rigapp.gui.look.fonts import sized
 from rigapp.gui.widgets.build import button, edit, filled, fit_hint, named, row, tell
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.wizard.guide_page import FOUR, TWO, GuidePage
-from rigapp.gui.wizard.hands import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import (
+from rigapp.gui.wizard.scenes import Picture, Scene
+from rigapp.gui.wizard.simulated_operator import HandsPanel
+from rigapp.gui.wizard.widgets import (
     MeasuredCard,
     PlotNames,
     ResidualPlot,
@@ -33,7 +34,6 @@ from rigapp.gui.wizard.parts import (
     sentence,
     taking_what_is_left,
 )
-from rigapp.gui.wizard.scenes import Picture, Scene
 from rigapp.presentation.tokens import CAPTION_PT, GAP, Theme
 from rigapp.presentation.translation import Text, marked, tr, translate
 from rigapp.texts import capitalised

@@ -18,14 +18,14 @@ from rigapp.gui.widgets.steps import ShownStep
 from rigapp.gui.wizard.angle_page import AnglePage
 from rigapp.gui.wizard.certificate_page import CertificatePage
 from rigapp.gui.wizard.chart_plot import ChartPlot
-from rigapp.gui.wizard.faces import FACES
 from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import AskLater
-from rigapp.gui.wizard.parts import ResidualPlot, Sign, prefix_of
+from rigapp.gui.wizard.pages import FACES
 from rigapp.gui.wizard.plan_page import PlanPage
 from rigapp.gui.wizard.result_page import ResultPage
 from rigapp.gui.wizard.scenes import Picture
 from rigapp.gui.wizard.stepscolumn import WIDTH, StepsColumn
+from rigapp.gui.wizard.widgets import ResidualPlot, Sign, prefix_of
 from rigapp.presentation.tokens import TIGHT_WIDTH, Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp.texts import capitalised

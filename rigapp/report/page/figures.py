@@ -14,7 +14,7 @@ import numpy as np
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.tokens import LIGHT
 from rigapp.presentation.translation import tr
-from rigapp.report.page.manuscript import Figure
+from rigapp.report.page.document import Figure
 
 WIDTH_IN = 178.0 / 25.4
 """Two columns of a journal, 178 mm; one is 86 mm."""

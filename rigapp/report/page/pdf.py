@@ -36,7 +36,7 @@ from reportlab.platypus import (
 from reportlab.platypus import Table as Grid
 
 from rigapp.presentation.translation import language, tr
-from rigapp.report.page.manuscript import (
+from rigapp.report.page.document import (
     Block,
     Cover,
     Figure,

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from rigapp.config.writing import whole_file
+from rigapp.report.page.document import Block, Figure, Manuscript, Section, Table, Text, as_html
 from rigapp.report.page.figures import in_style, saved
-from rigapp.report.page.manuscript import Block, Figure, Manuscript, Section, Table, Text, as_html
 from rigapp.report.tables import write_table
 
 

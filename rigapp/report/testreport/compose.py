@@ -21,14 +21,12 @@ from rigapp.presentation.numbers import grouped
 from rigapp.presentation.results import key_numbers, outcome_text
 from rigapp.presentation.times import duration
 from rigapp.presentation.translation import Text, tr, translate
-from rigapp.report.page.manuscript import Manuscript, Section, Table
+from rigapp.report.page.document import Manuscript, Section, Table
 from rigapp.report.results import result_of_open
 from rigapp.report.testreport import datasections, logsections, setupsections
 from rigapp.report.testreport.cover import cover_of, numbered, report_settings
 from rigapp.report.testreport.facts import Rows, rows_of, stated_uncertainties
-from rigapp.report.testreport.model_facts import agreement_of, bursts_of, cycles_of
-from rigapp.report.testreport.setupsections import step_section
-from rigapp.report.testreport.wording import (
+from rigapp.report.testreport.formatting import (
     REASONS,
     STATUSES,
     UNKNOWN,
@@ -38,6 +36,8 @@ from rigapp.report.testreport.wording import (
     size,
     stamp,
 )
+from rigapp.report.testreport.model_facts import agreement_of, bursts_of, cycles_of
+from rigapp.report.testreport.setupsections import step_section
 from rigapp.report.testreport.worn import worn_of
 from rigapp.schema.results import TestResult
 from rigapp.storage import (

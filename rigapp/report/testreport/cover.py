@@ -18,12 +18,12 @@ from rigapp.presentation.numbers import UNKNOWN as NOTHING
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.results import key_numbers, outcome_text
 from rigapp.presentation.translation import Text, tr, translate
+from rigapp.report.page.document import JPEG, PNG, Cover, Figure, Row
 from rigapp.report.page.figures import INK, MODEL, MUTED, canvas_of, saved
-from rigapp.report.page.manuscript import JPEG, PNG, Cover, Figure, Row
 from rigapp.report.testreport.facts import Rows
+from rigapp.report.testreport.formatting import UNKNOWN, counted, number, stamp
 from rigapp.report.testreport.model_facts import Agreement
 from rigapp.report.testreport.plots import trends, wear_trend
-from rigapp.report.testreport.wording import UNKNOWN, counted, number, stamp
 from rigapp.schema.results import TestResult
 from rigapp.storage import TestReader
 from rigapp.texts import capitalised

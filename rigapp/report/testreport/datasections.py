@@ -11,11 +11,10 @@ from rigapp.presentation.numbers import grouped
 from rigapp.presentation.times import duration
 from rigapp.presentation.translation import Text as Words
 from rigapp.presentation.translation import tr, translate
-from rigapp.report.page.manuscript import Block, Section, Table, Text
+from rigapp.report.page.document import Block, Section, Table, Text
 from rigapp.report.testreport import plots
 from rigapp.report.testreport.facts import ENDS, ChannelFacts, Peak, Rows, Stated
-from rigapp.report.testreport.model_facts import Agreement, Burst, CyclePicture, LastDepth
-from rigapp.report.testreport.wording import (
+from rigapp.report.testreport.formatting import (
     FLAGS,
     UNKNOWN,
     counted,
@@ -26,6 +25,7 @@ from rigapp.report.testreport.wording import (
     title_of,
     utc,
 )
+from rigapp.report.testreport.model_facts import Agreement, Burst, CyclePicture, LastDepth
 from rigapp.report.testreport.worn import Worn, profile_blocks
 from rigapp.schema.channels import LOAD_CELL, Kind
 from rigapp.schema.messages import Event

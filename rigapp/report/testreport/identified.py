@@ -31,11 +31,11 @@ from rigapp.twin.kept import NO_BIN, kept_of, life_of
 from rigapp_model.identification import (
     Band,
     Bin,
-    CannotBeTold,
     Credible,
     DepthLife,
     Estimate,
     Identification,
+    NotIdentifiable,
     Pairing,
     Remaining,
     estimate_of,
@@ -130,7 +130,9 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
         after = until if after is None else min(after, until)
     try:
         if until == 0:
-            raise CannotBeTold(say("its measured wear depth is not to be trusted; see the alarms"))
+            raise NotIdentifiable(
+                say("its measured wear depth is not to be trusted; see the alarms")
+            )
         kept, before = kept_of(reader)
         record = kept.sought.record
         moments = _moments(reader, kept.bins.closed, after, before)
@@ -144,7 +146,7 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
             return identify(kept.bins.closed[: place + 1], life, errors, kept.prior())
 
         known = known_at(len(moments) - 1)
-    except CannotBeTold as error:
+    except NotIdentifiable as error:
         reason = as_written(sentence_of_error(error)).rstrip(".")
         words = say("The wear coefficient cannot be told, because {}.", reason)
         return IdentifiedTest(**plain, record=record, said=words)
@@ -189,7 +191,7 @@ def _moments(
 ) -> list[_Moment]:
     """Return the moments at which bins were closed: at the first reading that is in none of them.
 
-    Raises CannotBeTold where there is none.
+    Raises NotIdentifiable where there is none.
     """
     table = StoredColumns(reader, "prediction")
     read = np.isfinite(table["measured_wear_depth"])
@@ -201,7 +203,7 @@ def _moments(
         if place < revolutions.size and (after is None or revolutions[place] <= after + before):
             found.append(_Moment(float(revolutions[place]), float(doubt[place])))
     if not found:
-        raise CannotBeTold(NO_BIN)
+        raise NotIdentifiable(NO_BIN)
     return found
 
 
@@ -242,7 +244,7 @@ def _early(
     """Return the early band; none where nothing could be told so early."""
     try:
         return [_band(known_at(place), life, planned)]
-    except CannotBeTold:
+    except NotIdentifiable:
         return []
 
 
@@ -324,7 +326,7 @@ def identified_tests(
             continue
         try:
             estimates.append(estimate_of(one.known, one.record))
-        except CannotBeTold as error:
+        except NotIdentifiable as error:
             why_not = f"{one.path.name}: {error}"
             continue
         counted.append(one)

@@ -14,12 +14,12 @@ from rigapp.presentation.numbers import (
 )
 from rigapp.presentation.times import duration
 from rigapp.presentation.translation import tr
+from rigapp.report.page.document import Block, Figure, Manuscript, Section, Table, Text
 from rigapp.report.page.figures import MODEL, canvas_of, name_curves, revolution_axis, saved
-from rigapp.report.page.manuscript import Block, Figure, Manuscript, Section, Table, Text
+from rigapp.report.testreport.formatting import UNKNOWN
 from rigapp.report.testreport.identified import IdentifiedTest, IdentifiedTests
 from rigapp.report.testreport.identifiedtree import PER_UNIT
 from rigapp.report.testreport.plots import COLOURS
-from rigapp.report.testreport.wording import UNKNOWN
 from rigapp_model.identification import Credible, Identification, Prior
 from rigapp_model.identification.words import revolution_of
 

@@ -14,9 +14,9 @@ from rigapp.presentation.numbers import grouped
 from rigapp.presentation.times import duration
 from rigapp.presentation.translation import Text as Words
 from rigapp.presentation.translation import tr, translate
-from rigapp.report.page.manuscript import Block, Section, Table, Text
+from rigapp.report.page.document import Block, Section, Table, Text
 from rigapp.report.testreport.facts import Rows, span_of
-from rigapp.report.testreport.wording import UNKNOWN, counted, number, symbol, utc
+from rigapp.report.testreport.formatting import UNKNOWN, counted, number, symbol, utc
 from rigapp.schema.loglines import (
     ALARM,
     LIMIT_CHANGED,

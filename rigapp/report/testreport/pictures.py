@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Final
 
 from rigapp.config.errors import UnusableInput
-from rigapp.report.page.manuscript import Figure
+from rigapp.report.page.document import Figure
 from rigapp.report.testreport import plots
 from rigapp.report.testreport.cover import parameters_of, scheme
 from rigapp.report.testreport.facts import (

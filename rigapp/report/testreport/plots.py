@@ -12,6 +12,7 @@ import numpy as np
 
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.translation import Text, tr
+from rigapp.report.page.document import Figure
 from rigapp.report.page.figures import (
     AXIS_IN,
     FIRST,
@@ -27,11 +28,10 @@ from rigapp.report.page.figures import (
     revolution_axis,
     saved,
 )
-from rigapp.report.page.manuscript import Figure
 from rigapp.report.testreport.envelope import envelope
 from rigapp.report.testreport.facts import ChannelFacts, Gap, Stated
+from rigapp.report.testreport.formatting import number, quantity, symbol, title_of
 from rigapp.report.testreport.model_facts import Agreement, CyclePicture, LastDepth
-from rigapp.report.testreport.wording import number, quantity, symbol, title_of
 from rigapp.schema.channels import Channel
 from rigapp.storage import TripCapture
 from rigapp.texts import capitalised

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.translation import Text as Words
 from rigapp.presentation.translation import tr
-from rigapp.report.page.manuscript import Block, Listing, Section, Table, Text
+from rigapp.report.page.document import Block, Listing, Section, Table, Text
 from rigapp.report.results import sequence_of, step_numbers
 from rigapp.report.testreport.facts import mean
-from rigapp.report.testreport.wording import UNKNOWN, number, settings, symbol
+from rigapp.report.testreport.formatting import UNKNOWN, number, settings, symbol
 from rigapp.schema.messages import NOT_STEADY
 from rigapp.storage import StoredColumns, TestReader
 from rigapp_calibration.records import Record, RecordError, unseal

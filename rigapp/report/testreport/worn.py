@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.translation import Text as Words
 from rigapp.presentation.translation import tr
+from rigapp.report.page.document import Block, Figure, Table, Text
 from rigapp.report.page.figures import MODEL_LINE, canvas_of, saved
-from rigapp.report.page.manuscript import Block, Figure, Table, Text
 from rigapp.report.testreport import plots
-from rigapp.report.testreport.wording import UNKNOWN, number
+from rigapp.report.testreport.formatting import UNKNOWN, number
 from rigapp.storage import TestReader
 
 Floats = NDArray[np.float64]

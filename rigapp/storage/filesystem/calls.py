@@ -77,5 +77,5 @@ class StorageFailed(SentenceError):
     """Say in one sentence which file can no longer be written, and why; the test must end."""
 
 
-class NoRoom(StorageFailed):
+class DiskFull(StorageFailed):
     """Say in one sentence which part of the file is full."""

@@ -9,7 +9,7 @@ import shutil
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
-from rigapp.process.leftovers import left_behind, remove_left_behind
+from rigapp.process.stale_files import find_stale, remove_left_behind
 from rigapp.texts import say, sentence_of_error
 
 SPACE_MARGIN = 32 << 20
@@ -58,7 +58,7 @@ def move_into_place(hidden: Path, path: Path) -> None:
 
 def remove_stale(folder: Path) -> None:
     """Remove what killed processes left in a folder of results; protect what they had opened."""
-    for mark, match in left_behind(folder, r"\.(?P<name>.+)\.opened-(?P<pid>\d+)"):
+    for mark, match in find_stale(folder, r"\.(?P<name>.+)\.opened-(?P<pid>\d+)"):
         left = folder / match["name"]
         with contextlib.suppress(OSError):
             if not left.is_symlink():

@@ -21,7 +21,7 @@ PIECE = 1 << 22  # a copy gives way to the test every 4 MB, some 20 ms of a disk
 
 
 @dataclass(frozen=True, slots=True)
-class Fate:
+class PathState:
     """Say what happened to a name: another file has it, or none.
 
     named: the open file has a name still. where: that name, empty when the kernel does not tell.
@@ -42,7 +42,7 @@ class Fate:
         return say("{} was deleted while the test writes it", path)
 
 
-def fate_of(fd: int, path: Path) -> Fate | None:
+def path_state(fd: int, path: Path) -> PathState | None:
     """Return what happened to the name of an open file; None when it has it, or nobody can tell."""
     mine = os.fstat(fd)
     try:
@@ -56,7 +56,7 @@ def fate_of(fd: int, path: Path) -> Fate | None:
             return None
         replaced = True
     named = mine.st_nlink > 0
-    return Fate(replaced, named, _name_of(fd) if named else "")
+    return PathState(replaced, named, _name_of(fd) if named else "")
 
 
 def _name_of(fd: int) -> str:
@@ -68,7 +68,7 @@ def _name_of(fd: int) -> str:
     return "" if name.endswith(" (deleted)") else name
 
 
-def places_for(path: Path, fate: Fate) -> Iterator[Path]:
+def places_for(path: Path, fate: PathState) -> Iterator[Path]:
     """Yield the names under which to save a file, the best one first."""
     yield free_name(path) if fate.replaced else path
     for folder in (Path.home(), Path(tempfile.gettempdir())):

@@ -202,14 +202,14 @@ def trip_capture(test: TestReader) -> TripCapture | None:
     )
     first_out = _first_out(events)
     happened = first_out.time if first_out is not None else math.nan
-    stood = [one.time for one in events if one.kind == STOOD and one.time >= happened]
+    reached_standstill = [one.time for one in events if one.kind == STOOD and one.time >= happened]
     return TripCapture(
         found,
         pieces,
         _currents(test, cycle.table, zero, pieces[0].time_s[0]),
         as_said(str(test.summary()["reason"]), events),
         happened,
-        stood[0] - happened if stood else math.nan,
+        reached_standstill[0] - happened if reached_standstill else math.nan,
         _turned_s(found, cycle, zero),
         cycle.table,
     )

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
 from rigapp.process.children import Child
-from rigapp.process.priority import give_way
+from rigapp.process.priority import lower_priority
 from rigapp.schema.wire import json_bytes
 from rigapp.storage.filesystem.calls import BINARY, StorageFailed
 from rigapp.storage.filesystem.folder import (
@@ -203,7 +203,7 @@ def _sync_file(path: Path) -> None:
 
 def main() -> int:
     """Settle the file named on the command line; exit status 0 done, 2 refused, 1 failed."""
-    give_way(19)
+    lower_priority(19)
     path = sys.argv[1]
     try:
         with open_test(path) as reader:

@@ -25,7 +25,7 @@ FEWEST_SHOWN = 1
 GROWTH_ROWS = 4096  # reserved at once, so that asking the disk is rare
 
 
-class Room:
+class Capacity:
     """Know how many rows of a stream have reserved disk space, and reserve more while they last.
 
     It also holds how many rows other programs see. HDF5 has the length of a dataset in its header;
@@ -125,7 +125,7 @@ class RowBuffer:
         backlog: Backlog,
         stream: FileStream,
         offsets: Offsets,
-        room: Room,
+        room: Capacity,
         count: int,
         rows: int,
     ) -> None:
@@ -201,7 +201,9 @@ class RowBuffer:
 class RecordPlacer:
     """Hand whole records (cycles' samples, curves, events) to the backlog."""
 
-    def __init__(self, backlog: Backlog, stream: FileStream, offsets: Offsets, room: Room) -> None:
+    def __init__(
+        self, backlog: Backlog, stream: FileStream, offsets: Offsets, room: Capacity
+    ) -> None:
         self._backlog = backlog
         self._stream = stream
         self._fields = [

@@ -17,8 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.columns import PROFILE_CURVES, prediction_columns, profile_columns
-from rigapp.schema.messages import Event, LookedAfter
-from rigapp.storage.filesystem.calls import NoRoom, StorageFailed
+from rigapp.schema.messages import Event, PathReport
+from rigapp.storage.filesystem.calls import DiskFull, StorageFailed
 from rigapp.storage.filesystem.disk import Disk
 from rigapp.storage.filesystem.folder import refuse_little_space
 from rigapp.storage.filesystem.system import FILES
@@ -44,13 +44,13 @@ from rigapp.storage.writing.create import (
     lengths_of,
     reserve_stream,
 )
-from rigapp.storage.writing.keeper import Keeper
+from rigapp.storage.writing.pathwatcher import PathWatcher
 from rigapp.storage.writing.streams import (
     COUNTERS,
     FINAL_STATUSES,
+    Capacity,
     Counts,
     RecordPlacer,
-    Room,
     RowBuffer,
     Scalars,
 )
@@ -106,7 +106,7 @@ class TestWriter:
         self._written = dict.fromkeys(self._counters, -1)
         lengths = lengths_of(disk.path, self._streams)
         self._rooms = {
-            name: Room(
+            name: Capacity(
                 disk,
                 stream,
                 self._offsets(stream),
@@ -136,7 +136,7 @@ class TestWriter:
         self._event_lock = threading.Lock()
         self._count_lock = threading.Lock()
         self._commit_lock = threading.Lock()
-        self._keeper = Keeper(disk, self._reserve, self._commit_lock)
+        self._keeper = PathWatcher(disk, self._reserve, self._commit_lock)
         self._samples_synced = counts.samples
         self._checkpoint: tuple[int, bytes] | None = None
         self._slot: int | None = None
@@ -177,11 +177,11 @@ class TestWriter:
     def append_row(self, values: NDArray[np.float64] | Sequence[float]) -> None:
         """Append the statistics of one revolution: float64, in the order of the plan's columns.
 
-        Raises NoRoom when the file is full, StorageFailed when the disk refuses.
+        Raises DiskFull when the file is full, StorageFailed when the disk refuses.
         """
         self._disk.refuse_broken()
         if not self._rows.append(values):
-            raise NoRoom(
+            raise DiskFull(
                 "{}: the file has room for {} revolutions and is full; begin a new test for more",
                 self.path,
                 self._rows.count,
@@ -489,8 +489,8 @@ class TestWriter:
             if not self._closed:
                 self._backlog.drain()
 
-    def look_after(self, notice: Callable[[str], object] = lambda _: None) -> LookedAfter | None:
-        """Give the file a name again when it was deleted, moved or replaced; see ``Keeper``."""
+    def watch_path(self, notice: Callable[[str], object] = lambda _: None) -> PathReport | None:
+        """Give a file that was deleted, moved or replaced a name again; see ``PathWatcher``."""
         with self._keeper.looking:
             return None if self._closed else self._keeper.look(notice)
 
@@ -519,7 +519,7 @@ class TestWriter:
             self._scalars.put_state("status", status)
             self._disk.sync()
             self._finished = True
-        found = self.look_after()
+        found = self.watch_path()
         if found is not None and not found.saved:
             raise StorageFailed(found.sentence)
         self._give_back()

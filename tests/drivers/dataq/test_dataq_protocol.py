@@ -7,7 +7,7 @@ import struct
 import numpy as np
 import pytest
 
-from rigapp_drivers.api import ChannelSpec, DataRequest, Unplannable, filled
+from rigapp_drivers.api import ChannelSpec, DataRequest, InvalidRequest, filled
 from rigapp_drivers.dataq import protocol as p
 from rigapp_drivers.dataq.plan import make_plan
 from rigapp_drivers.dataq.protocol import Clock
@@ -212,7 +212,7 @@ def test_counter_conversion(word: int, count: int) -> None:
 def test_refusals_say_what_to_do(
     inputs: dict[str, tuple[str, float]], settings: dict[str, object], sentence: str
 ) -> None:
-    with pytest.raises(Unplannable, match=sentence):
+    with pytest.raises(InvalidRequest, match=sentence):
         make_plan(_request(**inputs), filled(SETTINGS, settings))
 
 
@@ -234,7 +234,7 @@ def test_the_wiring_is_told(settings: dict[str, object], wiring: str) -> None:
 
 def test_the_encoder_clock_refuses_a_nominal_rate_above_its_base_rate() -> None:
     settings = filled(SETTINGS, {"clock": "encoder"})
-    with pytest.raises(Unplannable, match="20000 at most"):
+    with pytest.raises(InvalidRequest, match="20000 at most"):
         make_plan(DataRequest(30000.0, {"analog_1": ("voltage", 10.0)}), settings)
 
 

@@ -10,7 +10,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from rigapp_drivers.dataq.simulator.terminals import Terminals, rising_edges
-from rigapp_drivers.dataq.stream import Sense
+from rigapp_drivers.dataq.stream import CountDirection
 from rigapp_drivers.simulator_api import RigSignals
 
 LINES = 12
@@ -28,7 +28,9 @@ def scans(way: list[float]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return rising_edges(shaft * LINES).position, readings.lines, readings.counts
 
 
-def followed(sense: Sense, lines: np.ndarray, pulses: np.ndarray, cuts: list[int]) -> np.ndarray:
+def followed(
+    sense: CountDirection, lines: np.ndarray, pulses: np.ndarray, cuts: list[int]
+) -> np.ndarray:
     """Return the counts of scans that come in pieces."""
     bounds = [0, *sorted(cut % (len(lines) + 1) for cut in cuts), len(lines)]
     pieces = [slice(a, b) for a, b in itertools.pairwise(bounds) if b > a]
@@ -48,10 +50,10 @@ def test_the_count_is_the_shafts_place_and_0_at_the_index(
     place = np.floor(edges).astype(np.int64)
     backward = (lines >> DIRECTION & 1).astype(np.int64)
     rounds = np.cumsum(np.abs(np.diff(backward, prepend=backward[0])))  # so often turned round
-    turning = followed(Sense(DIRECTION, None), lines, pulses, cuts)
+    turning = followed(CountDirection(DIRECTION, None), lines, pulses, cuts)
     apart = turning - place
     assert (np.abs(apart - apart[0]) <= rounds).all()
-    known = followed(Sense(DIRECTION, INDEX), lines, pulses, cuts)
+    known = followed(CountDirection(DIRECTION, INDEX), lines, pulses, cuts)
     index = lines >> INDEX & 1
     events = np.flatnonzero((index == 1) & (np.diff(index, prepend=0) == 1))
     assert not known[events].any()
@@ -63,26 +65,26 @@ def test_the_count_is_the_shafts_place_and_0_at_the_index(
 
 def test_without_line_b_it_counts_on_and_the_index_sets_it_to_0() -> None:
     edges, lines, pulses = scans([2.5])
-    counts = Sense(None, INDEX).counts(lines, pulses)
+    counts = CountDirection(None, INDEX).counts(lines, pulses)
     np.testing.assert_array_equal(counts[edges >= LINES], (edges % LINES)[edges >= LINES])
 
 
 def test_a_missing_index_shows_in_the_count() -> None:
     _, lines, pulses = scans([3.0])
     silent = np.where(np.arange(lines.size) > 15, lines & ~(1 << INDEX), lines)
-    counts = Sense(DIRECTION, INDEX).counts(silent, pulses)
+    counts = CountDirection(DIRECTION, INDEX).counts(silent, pulses)
     assert counts.max() > LINES
 
 
 def test_lost_scans_count_in_the_direction_of_the_scan_behind_them() -> None:
     _, lines, pulses = scans([1.0, -1.0])
     kept = np.delete(np.arange(lines.size), [3, 4, 5, 15, 16])
-    counts = Sense(DIRECTION, None).counts(lines[kept], pulses[kept])
-    whole = Sense(DIRECTION, None).counts(lines, pulses)
+    counts = CountDirection(DIRECTION, None).counts(lines[kept], pulses[kept])
+    whole = CountDirection(DIRECTION, None).counts(lines, pulses)
     np.testing.assert_array_equal(counts, whole[kept])
 
 
 def test_pulses_go_round() -> None:
     pulses = np.array([2**31 - 2, 2**31 - 1, -(2**31), -(2**31) + 1])
-    counts = Sense(DIRECTION, None).counts(np.zeros(4, np.int64), pulses)
+    counts = CountDirection(DIRECTION, None).counts(np.zeros(4, np.int64), pulses)
     assert counts.tolist() == pytest.approx([1, 2, 3, 4])

@@ -10,7 +10,7 @@ import pytest
 import virtual_tests as virtual
 
 from rigapp_model.identification import (
-    CannotBeTold,
+    NotIdentifiable,
     bins_of,
     depth_life,
     identify,
@@ -179,9 +179,9 @@ def test_the_band_holds_what_comes() -> None:
 
 
 def test_too_little_is_refused_in_words() -> None:
-    with pytest.raises(CannotBeTold, match="known in 3 bins"):
+    with pytest.raises(NotIdentifiable, match="known in 3 bins"):
         identified(virtual.readings(LIFE, 1, 32))
-    with pytest.raises(CannotBeTold, match="no calibration record that states drift"):
+    with pytest.raises(NotIdentifiable, match="no calibration record that states drift"):
         probe_errors(0.01, 1e-6, None)
 
 
@@ -189,7 +189,7 @@ def test_a_life_that_ends_before_the_measured_depth_is_refused() -> None:
     progress = np.linspace(0.0, 5000.0, 50)
     short = depth_life(virtual.NOMINAL, progress, LIFE.course.at(progress)[0])
     bins = virtual.gathered(virtual.readings(LIFE, 1, 10000))
-    with pytest.raises(CannotBeTold, match="compute it further"):
+    with pytest.raises(NotIdentifiable, match="compute it further"):
         identify(bins, short, virtual.ERRORS, virtual.PRIOR)
 
 

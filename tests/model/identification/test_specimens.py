@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from virtual_tests import ERRORS, NOMINAL, PRIOR, a_life, gathered, readings
 
-from rigapp_model.identification import CannotBeTold, Prior, identify
+from rigapp_model.identification import NotIdentifiable, Prior, identify
 from rigapp_model.identification.specimens import Estimate, estimate_of, pairing_of
 
 
@@ -47,7 +47,7 @@ def test_one_specimen_scatters_as_usual_and_many_alike_hardly() -> None:
     assert one.scatter.median == pytest.approx(np.exp(0.5 * 0.674), rel=0.02)
     assert many.scatter.high < 1.05 < one.prior.spread + 1.0
     assert one.each[0].median == pytest.approx(np.exp(-28.0), rel=0.01)
-    with pytest.raises(CannotBeTold, match="no test"):
+    with pytest.raises(NotIdentifiable, match="no test"):
         pairing_of([], "nothing")
 
 
@@ -61,5 +61,5 @@ def test_what_was_known_before_the_test_is_not_counted_as_its_result() -> None:
     assert told.spread == pytest.approx(wide.spread, rel=0.1)
     assert 0.0 < abs(wide.common) < wide.spread
     sure = Prior(1.1 * NOMINAL, 1e-4, "one who knows")
-    with pytest.raises(CannotBeTold, match="hardly more"):
+    with pytest.raises(NotIdentifiable, match="hardly more"):
         estimate_of(identify(bins, life, ERRORS, sure), "probes")

@@ -255,7 +255,7 @@ class Cia402Node:
 
     def take(self, frame: Frame, time_s: float) -> None:
         """Obey a frame from the bus."""
-        if self._deaf() or frame.extended or frame.remote:
+        if self._ignores_commands() or frame.extended or frame.remote:
             return
         node_id = self._options.node_id
         if frame.identifier == NMT_ID:
@@ -311,7 +311,7 @@ class Cia402Node:
         """Return the frames that are due, in order."""
         due = [frame for due_s, frame in self._queue if due_s <= time_s]
         self._queue = [entry for entry in self._queue if entry[0] > time_s]
-        return [] if self._deaf() else due
+        return [] if self._ignores_commands() else due
 
     # --- time ------------------------------------------------------------------------------------
 
@@ -335,7 +335,7 @@ class Cia402Node:
         self._beat(time_s)
         self._send_changes(time_s)
 
-    def _deaf(self) -> bool:
+    def _ignores_commands(self) -> bool:
         kinds = (Cia402Fault.SILENT_NODE, Cia402Fault.BUS_OFF)
         off = any(self._plan.on(kind) for kind in kinds)
         return off or self._plan.time_s < self._silent_until_s

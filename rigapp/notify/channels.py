@@ -25,7 +25,7 @@ from rigapp.config.notify import REFERENCE, NotifySection, PingSection
 from rigapp.config.reading import read_text
 from rigapp.config.rig import RigFile
 from rigapp.config.writing import whole_file
-from rigapp.notify.attempt import AttemptRequest, AttemptResult
+from rigapp.notify.delivery import AttemptRequest, DeliveryResult
 from rigapp.notify.message import Message, worded, worst_level
 from rigapp.process.children import module_command
 from rigapp.schema.wire import json_bytes, tree_of
@@ -39,7 +39,7 @@ that is busy takes its time to begin."""
 
 
 @dataclass(frozen=True, slots=True)
-class Ways:
+class DeliveryChannels:
     """All ways of a rig: its own and those of the user, each with a name; the ping, if any."""
 
     ways: tuple[NotifySection, ...] = ()
@@ -56,7 +56,7 @@ def user_folder() -> Path:
     return platformdirs.user_config_path("rigapp")
 
 
-def ways_of(rig: Document[RigFile] | None) -> Ways:
+def ways_of(rig: Document[RigFile] | None) -> DeliveryChannels:
     """Return the ways of a rig, of the user alone without one; raise UnusableInput."""
     own = user_folder() / "notify.toml"
     user = read_notify(own).record if own.exists() else None
@@ -72,7 +72,8 @@ def ways_of(rig: Document[RigFile] | None) -> Ways:
                 "{}: notify.name = {} stands in the rig file, too.", own, repr(name)
             )
     ping = rig.record.ping if rig is not None and rig.record.ping is not None else None
-    return Ways(named, ping or (user.ping if user else None), user_folder() / "secrets.toml")
+    ping = ping or (user.ping if user else None)
+    return DeliveryChannels(named, ping, user_folder() / "secrets.toml")
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,7 +152,7 @@ def address(url: str) -> str:
         return url.partition("://")[0]
 
 
-def inspected(ways: Ways) -> list[str]:
+def inspected(ways: DeliveryChannels) -> list[str]:
     """Return why ways cannot be used as they stand, one sentence each; nothing is sent."""
     asked: list[tuple[str, NotifySection | PingSection]] = [(one.name, one) for one in ways.ways]
     asked += [("ping", ways.ping)] if ways.ping is not None and "{" in ways.ping.url else []
@@ -166,16 +167,16 @@ def inspected(ways: Ways) -> list[str]:
     ]
 
 
-def _inspect(way: NotifySection | PingSection, secrets: Path) -> AttemptResult:
+def _inspect(way: NotifySection | PingSection, secrets: Path) -> DeliveryResult:
     if isinstance(way, PingSection) or way.url:
         what = "inspect" if isinstance(way, NotifySection) else "look up"
         return attempt(AttemptRequest(what, way.url, str(secrets)))  # type: ignore[arg-type]
     if shutil.which(way.command[0]) is None:
-        return AttemptResult(False, f"there is no program {way.command[0]}")
-    return AttemptResult(True)
+        return DeliveryResult(False, f"there is no program {way.command[0]}")
+    return DeliveryResult(True)
 
 
-def tell(way: NotifySection, secrets: Path, rig: str, batch: Sequence[Message]) -> AttemptResult:
+def tell(way: NotifySection, secrets: Path, rig: str, batch: Sequence[Message]) -> DeliveryResult:
     """Send messages by a way as one, within ATTEMPT_S; never raises."""
     title, text = worded(rig, batch)
     level = worst_level(batch)
@@ -191,22 +192,22 @@ def tell(way: NotifySection, secrets: Path, rig: str, batch: Sequence[Message]) 
     try:
         status, _ = _bounded(way.command, json.dumps(told).encode(), keep=False)
     except OSError as error:
-        return AttemptResult(False, f"{way.command[0]} cannot be started ({error.strerror})")
+        return DeliveryResult(False, f"{way.command[0]} cannot be started ({error.strerror})")
     if status is None:
-        return AttemptResult(False, f"{way.command[0]} took longer than {ATTEMPT_S:g} s")
-    return AttemptResult(status == 0, "" if status == 0 else f"it ended with status {status}")
+        return DeliveryResult(False, f"{way.command[0]} took longer than {ATTEMPT_S:g} s")
+    return DeliveryResult(status == 0, "" if status == 0 else f"it ended with status {status}")
 
 
-def attempt(request: AttemptRequest) -> AttemptResult:
+def attempt(request: AttemptRequest) -> DeliveryResult:
     """Let a process of its own make an attempt, and end it when it takes too long."""
-    argv = module_command("rigapp.notify.attempt")
+    argv = module_command("rigapp.notify.delivery")
     try:
         status, answer = _bounded(argv, json_bytes(request), keep=True)
         if status is None:
-            return AttemptResult(False, f"no answer within {ATTEMPT_S:g} s")
-        return msgspec.json.decode(answer, type=AttemptResult)
+            return DeliveryResult(False, f"no answer within {ATTEMPT_S:g} s")
+        return msgspec.json.decode(answer, type=DeliveryResult)
     except (OSError, ValueError) as error:
-        return AttemptResult(False, f"the attempt failed ‹{type(error).__name__}›")
+        return DeliveryResult(False, f"the attempt failed ‹{type(error).__name__}›")
 
 
 def _bounded(argv: Sequence[str], given: bytes, *, keep: bool) -> tuple[int | None, bytes]:

@@ -24,7 +24,7 @@ def process_alive(pid: int) -> bool:
         return True
 
 
-def owner_lives(pid: int) -> bool:
+def pid_exists(pid: int) -> bool:
     """Tell whether the process that put its id into a name may still live.
 
     One that is no Python program has only got the same id later.
@@ -38,7 +38,7 @@ def owner_lives(pid: int) -> bool:
     return not line or "python" in line or "rigapp" in line
 
 
-def left_behind(folder: Path, pattern: str) -> list[tuple[Path, re.Match[str]]]:
+def find_stale(folder: Path, pattern: str) -> list[tuple[Path, re.Match[str]]]:
     """Return what lies in a folder, is ours, and whose owner is dead, with the match of its name.
 
     pattern: of the whole name, with a group ``pid``.
@@ -53,8 +53,8 @@ def left_behind(folder: Path, pattern: str) -> list[tuple[Path, re.Match[str]]]:
 
 
 def remove_left_behind(folder: Path, pattern: str) -> list[Path]:
-    """Remove what ``left_behind`` finds, folders with what is in them; return what it was."""
-    removed = [path for path, _ in left_behind(folder, pattern)]
+    """Remove what ``find_stale`` finds, folders with what is in them; return what it was."""
+    removed = [path for path, _ in find_stale(folder, pattern)]
     for path in removed:
         if path.is_dir() and not path.is_symlink():
             shutil.rmtree(path, ignore_errors=True)
@@ -71,4 +71,4 @@ def _abandoned(entry: os.DirEntry[str], pid: int) -> bool:
         return False
     if stat.S_ISLNK(found.st_mode) or (hasattr(os, "getuid") and found.st_uid != os.getuid()):
         return False
-    return not owner_lives(pid)
+    return not pid_exists(pid)

@@ -16,7 +16,7 @@ LATENESS_S = 0.001
 """How late a process may be woken on a computer that has nothing else to do."""
 
 
-class OwnTime:
+class ProcessClock:
     """Tell a loop's own time: what it ran or chose to wait since the last ``tick``.
 
     The time for which it stood in line for a processor, or the whole computer stood still, is left

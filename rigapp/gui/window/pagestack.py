@@ -9,12 +9,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QScrollArea, QStackedWidget, QWidget
 
 from rigapp.gui.look.dress import dress_part
-from rigapp.gui.panel import Dressed, InParts
+from rigapp.gui.panel import Themed, ThemedInParts
 from rigapp.gui.widgets.build import named
 from rigapp.presentation.tokens import Theme
 
 
-class Stage(QStackedWidget):
+class PageStack(QStackedWidget):
     """The pages of the places, and one guide that can be left for them and come back to."""
 
     def __init__(self, pages: QWidget) -> None:
@@ -54,10 +54,10 @@ class Stage(QStackedWidget):
         guide = self._area.widget()
         if guide is None:
             return
-        inside = guide.parts() if isinstance(guide, InParts) else [guide]
+        inside = guide.parts() if isinstance(guide, ThemedInParts) else [guide]
         for part in (*inside, self._area.verticalScrollBar(), self._area.horizontalScrollBar()):
             yield partial(self._while_held, guide, partial(dress_part, part, theme))
-        if isinstance(guide, Dressed):
+        if isinstance(guide, Themed):
             yield partial(self._while_held, guide, partial(guide.dress, theme))
 
     def _while_held(self, guide: QWidget, call: Callable[[], object]) -> None:

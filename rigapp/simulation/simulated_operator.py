@@ -92,7 +92,7 @@ Hand = (
 )
 
 
-class PlantHands:
+class SimulatedOperator:
     """Work on a plant that stands still."""
 
     def __init__(self, plant: Plant) -> None:

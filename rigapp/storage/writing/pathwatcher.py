@@ -9,19 +9,19 @@ from collections.abc import Callable
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
-from rigapp.schema.messages import LookedAfter
+from rigapp.schema.messages import PathReport
 from rigapp.storage.filesystem.calls import BINARY, StorageFailed
 from rigapp.storage.filesystem.disk import Disk
 from rigapp.storage.filesystem.folder import (
     hidden_name,
     refuse_little_space,
 )
-from rigapp.storage.filesystem.rescue import Fate, copy_content, fate_of, places_for
+from rigapp.storage.filesystem.rescue import PathState, copy_content, path_state, places_for
 from rigapp.storage.filesystem.system import FILES
 from rigapp.texts import joined, say, sentence_of_error
 
 
-class Keeper:
+class PathWatcher:
     """Look after the name of one open file, by any thread.
 
     reserve: reserves the room of the test in a file. committing: held while a commit is made. Lock
@@ -37,7 +37,7 @@ class Keeper:
         self._committing = committing
         self._length = os.fstat(disk.fd).st_size
 
-    def look(self, notice: Callable[[str], object]) -> LookedAfter | None:
+    def look(self, notice: Callable[[str], object]) -> PathReport | None:
         """Bring the file back when it was deleted, moved or replaced; writing goes on meanwhile.
 
         notice: told what happened before the file is saved, which may take long. To be called while
@@ -51,14 +51,14 @@ class Keeper:
                 " keep a copy of what is left of it, and see what rigapp info says of it",
                 disk.path,
             )
-        fate = fate_of(disk.fd, disk.path)
+        fate = path_state(disk.fd, disk.path)
         if fate is None:
             return None
         what = fate.sentence(disk.path)
         notice(say("{}; everything in it is being saved.", what))
         return self._bring_back(fate, what)
 
-    def _bring_back(self, fate: Fate, what: str) -> LookedAfter:
+    def _bring_back(self, fate: PathState, what: str) -> PathReport:
         reasons = []
         for target in places_for(self._disk.path, fate):
             try:
@@ -69,8 +69,8 @@ class Keeper:
                 reasons.append(say("{}: {}", target, error.strerror or error))
             else:
                 how = say("is its name now") if linked else say("has all of it and is written on")
-                return LookedAfter(say("{}; {} {}.", what, target, how), saved=True)
-        return LookedAfter(
+                return PathReport(say("{}; {} {}.", what, target, how), saved=True)
+        return PathReport(
             say("{}, and it could not be saved: {}", what, joined("; ", reasons)), saved=False
         )
 

@@ -13,7 +13,7 @@ TURN_MS = 10
 """Between two pieces: so long is a look for news, and short enough for what is watched."""
 
 
-class Turns(QTimer):
+class ChunkedTask(QTimer):
     """Make calls in their order, each in a turn of the event loop of its own."""
 
     def __init__(self, parent: QObject) -> None:

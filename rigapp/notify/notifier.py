@@ -1,7 +1,7 @@
-"""The courier's process: receives facts on the rig, decides what is reported, and delivers it.
+"""The notifier's process: receives facts on the rig, decides what is reported, and delivers it.
 
 Started by ``rigapp.notify.link``. It does not end with its engine: it reports that the engine is
-gone, and what waits, for ``LINGER_S``; what waits longer is sent by the courier of the next engine
+gone, and what waits, for ``LINGER_S``; what waits longer is sent by the notifier of the next engine
 of the rig.
 """
 
@@ -21,21 +21,22 @@ import msgspec
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.notify import NotifySection
-from rigapp.notify.attempt import AttemptRequest, AttemptResult
+from rigapp.notify.channels import address, attempt, tell
+from rigapp.notify.delivery import AttemptRequest, DeliveryResult
 from rigapp.notify.facts import (
-    CourierAnswer,
-    CourierSetup,
     DiskSeen,
     Fact,
     Farewell,
     Heartbeat,
+    NotifierAnswer,
+    NotifierSetup,
     Silence,
 )
 from rigapp.notify.message import Message, clock
 from rigapp.notify.outbox import due, failed, put, sent
-from rigapp.notify.rules import hear, pass_time
+from rigapp.notify.rules import pass_time, update
 from rigapp.notify.store import (
-    CourierState,
+    NotifierState,
     WayState,
     identity,
     owned,
@@ -44,19 +45,18 @@ from rigapp.notify.store import (
     state_file,
     write_state,
 )
-from rigapp.notify.ways import address, attempt, tell
 from rigapp.process.children import Parent
 from rigapp.process.ending import Background
 from rigapp.process.logs import in_file
 from rigapp.schema.messages import RunState, Severity, Status
 
-log = logging.getLogger("rigapp.notify.courier")  # its process calls the module __main__
+log = logging.getLogger("rigapp.notify.notifier")  # its process calls the module __main__
 
 LOOK_S = 0.2
 LINGER_S = 3600.0
-"""An engine that has ended leaves its courier so long for what waits."""
+"""An engine that has ended leaves its notifier so long for what waits."""
 LOCK_S = 300.0
-"""A courier waits so long for the one before it, which may be in the midst of an attempt."""
+"""A notifier waits so long for the one before it, which may be in the midst of an attempt."""
 DISK_EVERY_S = 60.0
 WELL_S = 30.0
 """All is well only where the newest heartbeat is younger; one comes every few seconds."""
@@ -71,14 +71,14 @@ class _OnItsWay:
     """What is being sent by a way."""
 
     batch: tuple[Message, ...]
-    work: Background[AttemptResult]
+    work: Background[DeliveryResult]
 
 
-class Courier:
+class Notifier:
     """Turn facts into messages and deliver them; ``step`` is called again and again."""
 
-    def __init__(self, setup: CourierSetup) -> None:
-        """Take up the state that the last courier of the rig left."""
+    def __init__(self, setup: NotifierSetup) -> None:
+        """Take up the state that the last notifier of the rig left."""
         self._setup = setup
         self._file = state_file(Path(setup.folder), setup.rig)
         self._ways = {identity(way): way for way in setup.ways}
@@ -86,7 +86,7 @@ class Courier:
         self._status: Status | None = None
         self._heartbeat_at = self._passed_at = time.monotonic()
         self._disk: Background[int] | None = None
-        self._ping: Background[AttemptResult] | None = None
+        self._ping: Background[DeliveryResult] | None = None
         self._disk_at = self._ping_at = -1e9
         self._ping_fails = False
         self._said: list[str] = []
@@ -96,11 +96,11 @@ class Courier:
         self.take_up()
 
     def take_up(self) -> None:
-        """Read the state anew: another courier may have sent of it meanwhile."""
+        """Read the state anew: another notifier may have sent of it meanwhile."""
         found = read_state(self._file)
         same = found.run == self._setup.run
         ways = {name: found.ways.get(name, WayState()) for name in self._ways}
-        self.state = CourierState(ways, self._setup.run, found.heard if same else 0)
+        self.state = NotifierState(ways, self._setup.run, found.heard if same else 0)
         self._kept = settled(found)
         left = sum(len(one.outbox.waiting) for name, one in found.ways.items() if name not in ways)
         if left:
@@ -116,7 +116,7 @@ class Courier:
         """Tell whether something is on its way."""
         return bool(self._going)
 
-    def step(self, facts: Sequence[Fact], *, gone: bool = False) -> CourierAnswer | None:
+    def step(self, facts: Sequence[Fact], *, gone: bool = False) -> NotifierAnswer | None:
         """Hear facts, see what has come of attempts, begin others; return what is to be said.
 
         gone: the engine's process is there no more.
@@ -148,7 +148,7 @@ class Courier:
         self.farewell |= isinstance(fact.seen, Farewell)
         for name, way in self._ways.items():
             one = self.state.ways[name]
-            book, messages = hear(way, one.book, fact)
+            book, messages = update(way, one.book, fact)
             self._note(name, msgspec.structs.replace(one, book=book), messages)
 
     def _note(self, name: str, one: WayState, messages: Sequence[Message]) -> None:
@@ -162,7 +162,7 @@ class Courier:
         self.state = msgspec.structs.replace(self.state, ways=ways)
 
     def _own_facts(self, now: float, gone: bool) -> list[Fact]:
-        """Return what the courier sees by itself: silence of the engine, room on the disk."""
+        """Return what the notifier sees by itself: silence of the engine, room on the disk."""
         passed, self._passed_at = time.monotonic() - self._passed_at, time.monotonic()
         if passed > STANDSTILL_S:
             self._heartbeat_at += passed
@@ -213,7 +213,7 @@ class Courier:
         one = self.state.ways[name]
         error = going.work.error
         result = (
-            going.work.result() if error is None else AttemptResult(False, type(error).__name__)
+            going.work.result() if error is None else DeliveryResult(False, type(error).__name__)
         )
         titles = ", ".join(f"{it.title} ({it.turn})" for it in going.batch)
         where = way.command[0] if way.command else address(way.url)
@@ -237,7 +237,7 @@ class Courier:
             return
         if self._ping is not None:
             if self._ping.done:
-                result = self._ping.result() if self._ping.error is None else AttemptResult(False)
+                result = self._ping.result() if self._ping.error is None else DeliveryResult(False)
                 self._note_ping(result, address(ping.url))
                 self._ping = None
         elif time.monotonic() - self._ping_at >= ping.interval_s and self._well():
@@ -254,7 +254,7 @@ class Courier:
             and not any(a.active and a.severity is Severity.CRITICAL for a in status.alarms)
         )
 
-    def _note_ping(self, result: AttemptResult, where: str) -> None:
+    def _note_ping(self, result: DeliveryResult, where: str) -> None:
         if result.ok is self._ping_fails:
             why = "arrives" if result.ok else f"does not arrive: {result.reason}"
             self._say(f"the ping to {where} {why}")
@@ -278,7 +278,7 @@ class Courier:
         log.info("%s", sentence)
         self._said.append(sentence)
 
-    def _answer(self, heard: bool, now: float) -> CourierAnswer | None:
+    def _answer(self, heard: bool, now: float) -> NotifierAnswer | None:
         wrong = self._unsaved or next(
             (
                 f"{way.name} has failed since {clock(outbox.failing_since)}."
@@ -293,7 +293,7 @@ class Courier:
         said, self._said = tuple(self._said), []
         changed = None if wrong == self._wrong else wrong
         self._wrong = wrong
-        return CourierAnswer(self.state.heard, said, changed)
+        return NotifierAnswer(self.state.heard, said, changed)
 
 
 def _lost(number: int, now: float) -> Message:
@@ -301,7 +301,7 @@ def _lost(number: int, now: float) -> Message:
     return Message("lost", "told", "warning", "Messages lost", text, now)
 
 
-def serve(engine: Parent, setup: CourierSetup) -> None:
+def serve(engine: Parent, setup: NotifierSetup) -> None:
     """Deliver while the engine lives, and for a while after it."""
     file = state_file(Path(setup.folder), setup.rig)
     with ExitStack() as holding:
@@ -311,30 +311,30 @@ def serve(engine: Parent, setup: CourierSetup) -> None:
             if time.monotonic() > deadline:
                 return
             time.sleep(LOOK_S)
-        courier = Courier(setup)
-        while engine.alive and not courier.farewell:
-            answer = courier.step(_received(engine, LOOK_S))
+        notifier = Notifier(setup)
+        while engine.alive and not notifier.farewell:
+            answer = notifier.step(_received(engine, LOOK_S))
             if answer is not None:
                 engine.send(answer)
-        courier.step(_received(engine), gone=not courier.farewell)
-        while courier.busy:
+        notifier.step(_received(engine), gone=not notifier.farewell)
+        while notifier.busy:
             time.sleep(LOOK_S)
-            courier.step((), gone=not courier.farewell)
-    _linger(courier, file)
+            notifier.step((), gone=not notifier.farewell)
+    _linger(notifier, file)
 
 
-def _linger(courier: Courier, file: Path) -> None:
-    """Send what waits, unless another courier of the rig has taken it over."""
+def _linger(notifier: Notifier, file: Path) -> None:
+    """Send what waits, unless another notifier of the rig has taken it over."""
     deadline = time.monotonic() + LINGER_S
-    while not courier.idle and time.monotonic() < deadline:
+    while not notifier.idle and time.monotonic() < deadline:
         with owned(file) as ours:
             if not ours:
                 return
-            courier.take_up()
-            courier.step(())
-            while courier.busy:
+            notifier.take_up()
+            notifier.step(())
+            while notifier.busy:
                 time.sleep(LOOK_S)
-                courier.step(())
+                notifier.step(())
         time.sleep(1.0)
 
 
@@ -352,7 +352,7 @@ def main(arguments: list[str]) -> int:
     """Serve one engine."""
     engine = Parent(arguments)
     try:
-        setup = engine.wait_for(CourierSetup)
+        setup = engine.wait_for(NotifierSetup)
         if setup is not None:
             with in_file(Path(setup.folder) / "messages.log"):
                 serve(engine, setup)

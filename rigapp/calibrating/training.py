@@ -31,7 +31,7 @@ Actions = tuple[Action, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Practice:
+class Training:
     """How a calibration is practised.
 
     mistakes: to be planted, the first of them none. prepare: what makes the rig ready; the engine
@@ -52,7 +52,7 @@ class NoMistake(enum.StrEnum):
     NONE = "none"
 
 
-NO_PRACTICE = Practice(NoMistake, (), lambda _: (), lambda *_: ())
+NO_PRACTICE = Training(NoMistake, (), lambda _: (), lambda *_: ())
 
 # --- weights --------------------------------------------------------------------------------------
 
@@ -115,7 +115,7 @@ def _wrong_by(hanging: Sequence[float]) -> float:
     return -0.5 * smallest if smallest >= 2.0 else 1.0
 
 
-LOAD_CELL_PRACTICE = Practice(
+LOAD_CELL_PRACTICE = Training(
     WeighingMistake,
     prepare=BARE_PIN,
     plant=_plant_fault,
@@ -190,7 +190,7 @@ def _first_time(procedure: Procedure[Any], since: int) -> bool:
     return procedure.position == first and not taken
 
 
-PROBE_PRACTICE = Practice(
+PROBE_PRACTICE = Training(
     MicrometerMistake,
     prepare=(_hand("take_off_follower"), *_set(0.0, 0.0)),
     plant=lambda _: (),

@@ -1,7 +1,7 @@
 """One attempt to reach somebody, in a process of its own that alone learns the secrets.
 
-``python -m rigapp.notify.attempt`` takes an ``AttemptRequest`` on standard input and writes an
-``AttemptResult`` on standard output. Whoever starts it ends it when it takes too long: a server
+``python -m rigapp.notify.delivery`` takes an ``AttemptRequest`` on standard input and writes an
+``DeliveryResult`` on standard output. Whoever starts it ends it when it takes too long: a server
 that hangs, or answers a byte a minute, holds up nothing else.
 """
 
@@ -46,7 +46,7 @@ class AttemptRequest(msgspec.Struct, frozen=True):
     level: str = "information"
 
 
-class AttemptResult(msgspec.Struct, frozen=True):
+class DeliveryResult(msgspec.Struct, frozen=True):
     """Say whether it worked, or why not, without any secret."""
 
     ok: bool
@@ -64,7 +64,7 @@ class _Remarks(logging.Handler):
         self.texts.append(record.getMessage())
 
 
-def attempted(request: AttemptRequest) -> AttemptResult:
+def attempted(request: AttemptRequest) -> DeliveryResult:
     """Do what a request asks for; never raises, and says no secret."""
     secrets: dict[str, str] = {}
     try:
@@ -73,36 +73,36 @@ def attempted(request: AttemptRequest) -> AttemptResult:
         if request.what == "ping":
             result = _ping(url)
         elif request.what == "look up":
-            result = AttemptResult(True)
+            result = DeliveryResult(True)
         else:
             result = _by_apprise(request, url, list(secrets.values()))
     except UnusableInput as error:
-        result = AttemptResult(False, str(error))
+        result = DeliveryResult(False, str(error))
     except Exception as error:  # its words may hold the URL
-        result = AttemptResult(False, f"it failed ‹{type(error).__name__}›")
+        result = DeliveryResult(False, f"it failed ‹{type(error).__name__}›")
     clean = " ".join(redacted(result.reason, [*secrets.values()]).split())
     return msgspec.structs.replace(result, reason=clean[:MOST_REASON])
 
 
-def _ping(url: str) -> AttemptResult:
+def _ping(url: str) -> DeliveryResult:
     if urlsplit(url).scheme not in ("http", "https"):
-        return AttemptResult(False, "its URL begins neither with http:// nor with https://")
+        return DeliveryResult(False, "its URL begins neither with http:// nor with https://")
     request = urllib.request.Request(url, headers={"User-Agent": "rigapp"})  # noqa: S310 - judged above
     try:
         with urllib.request.urlopen(request, timeout=ANSWER_S):  # noqa: S310
-            return AttemptResult(True)
+            return DeliveryResult(True)
     except urllib.error.HTTPError as error:
-        return AttemptResult(False, f"the server answered {error.code}")
+        return DeliveryResult(False, f"the server answered {error.code}")
     except OSError as error:
         cause = getattr(error, "reason", error)
-        return AttemptResult(False, f"the server cannot be reached ({type(cause).__name__})")
+        return DeliveryResult(False, f"the server cannot be reached ({type(cause).__name__})")
 
 
-def _by_apprise(request: AttemptRequest, url: str, secrets: list[str]) -> AttemptResult:
+def _by_apprise(request: AttemptRequest, url: str, secrets: list[str]) -> DeliveryResult:
     try:
         import apprise
     except ImportError:
-        return AttemptResult(False, "needs rigapp's extra: pip install 'rigapp[notify]'")
+        return DeliveryResult(False, "needs rigapp's extra: pip install 'rigapp[notify]'")
     remarks = _Remarks()
     logger = logging.getLogger("apprise")
     logger.handlers, logger.propagate = [remarks], False
@@ -110,7 +110,9 @@ def _by_apprise(request: AttemptRequest, url: str, secrets: list[str]) -> Attemp
     asset = apprise.AppriseAsset(app_id="rigapp", app_desc="rigapp", app_url="", async_mode=False)
     service = apprise.Apprise.instantiate(url, asset=asset)
     if service is None:
-        return AttemptResult(False, "apprise does not understand the URL; see its list of services")
+        return DeliveryResult(
+            False, "apprise does not understand the URL; see its list of services"
+        )
     if request.what == "inspect":
         return _inspected(request, service, secrets)
     types = {"critical": apprise.NotifyType.FAILURE, "warning": apprise.NotifyType.WARNING}
@@ -120,22 +122,22 @@ def _by_apprise(request: AttemptRequest, url: str, secrets: list[str]) -> Attemp
         notify_type=types.get(request.level, apprise.NotifyType.INFO),
         body_format=apprise.NotifyFormat.TEXT,
     )
-    return AttemptResult(bool(told), "" if told else "; ".join(remarks.texts) or "not delivered")
+    return DeliveryResult(bool(told), "" if told else "; ".join(remarks.texts) or "not delivered")
 
 
-def _inspected(request: AttemptRequest, service: Any, secrets: list[str]) -> AttemptResult:
+def _inspected(request: AttemptRequest, service: Any, secrets: list[str]) -> DeliveryResult:
     """Refuse a URL with a secret of its own: what apprise hides must come from a reference."""
     if REFERENCE.fullmatch(request.url):
-        return AttemptResult(True)
+        return DeliveryResult(True)
     shown = set(_parts(service.url(privacy=True)))
     for part in _parts(service.url(privacy=False)):
         if part not in shown and not any(part in one or one in part for one in secrets):
-            return AttemptResult(
+            return DeliveryResult(
                 False,
                 "url holds a secret; write {NAME} in its place, and the secret under that name into"
                 f" the keyring or {request.secrets}",
             )
-    return AttemptResult(True)
+    return DeliveryResult(True)
 
 
 def _parts(url: str) -> Iterable[str]:

@@ -12,8 +12,8 @@ import numpy as np
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
+from rigapp.report.page.document import Figure, Manuscript, Row, Table
 from rigapp.report.page.figures import canvas_of, name_curves, saved
-from rigapp.report.page.manuscript import Figure, Manuscript, Row, Table
 
 Content = Mapping[str, Any]
 """The content of a record, or a part of it."""
@@ -140,7 +140,7 @@ def write_page(
     others: Mapping[str, Callable[[], bytes]] | None = None,
 ) -> None:
     """Write a document as its ending says, .pdf or .html, or as one of others; UnusableInput."""
-    from rigapp.report.page.manuscript import as_html
+    from rigapp.report.page.document import as_html
     from rigapp.report.page.pdf import as_pdf
 
     writers: dict[str, Callable[[], bytes]] = {
