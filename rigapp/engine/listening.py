@@ -32,7 +32,7 @@ class SignalView(msgspec.Struct, frozen=True):
     units: dict[str, str]
     angle_deg: float | None
     count_deg: float
-    is_stationary: bool
+    stands: bool
     simulated: bool
     matrix: list[list[float]]
     zero: list[float]
@@ -67,7 +67,7 @@ def hear(
         units={one.channel.name: one.unit for one in calibration.wires},
         angle_deg=_angle_deg(rig) if processor.index_seen else None,
         count_deg=360.0 / encoder.counts_per_revolution,
-        is_stationary=rig.is_stationary(),
+        stands=rig.is_stationary(),
         simulated=simulated,
         matrix=calibration.load_cell.matrix.tolist(),
         zero=calibration.load_cell.zero.tolist(),

@@ -167,7 +167,7 @@ class LastSeconds(msgspec.Struct, frozen=True):
 
 
 class Hand(msgspec.Struct, frozen=True):
-    """Say what simulated hands shall do, see ``simulation.hands``."""
+    """Say what simulated hands shall do, see ``simulation.simulated_operator``."""
 
     what: Name
     details: dict[str, str | int | float | bool] = {}

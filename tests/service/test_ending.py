@@ -194,12 +194,12 @@ def test_an_interruption_while_connecting_starts_no_test(running: Running, folde
 def test_what_hangs_at_the_end_is_left_after_some_time_or_when_asked_again(folder: Path) -> None:
     program = (
         "import threading\n"
-        "from rigapp.process.ending import asked_to_end, finish_in_time\n"
+        "from rigapp.process.ending import shutdown_with_timeout, termination_signals\n"
         "def hang():\n"
         "    print('closing', flush=True)\n"
         "    threading.Event().wait()\n"
-        "with asked_to_end() as asked:\n"
-        "    finish_in_time(hang, asked, lambda: False,\n"
+        "with termination_signals() as asked:\n"
+        "    shutdown_with_timeout(hang, asked, lambda: False,\n"
         "        lambda: print('given up', flush=True), {limit})\n"
     )
     for limit, number in ((0.2, None), (1000.0, signal.SIGINT), (1000.0, signal.SIGHUP)):
@@ -304,7 +304,7 @@ def test_a_start_that_takes_long_starts_no_second_engine(
     program.chmod(0o755)
     monkeypatch.setattr("sys.executable", str(program))
     monkeypatch.setattr(launch, "START_S", 0.2)
-    monkeypatch.setattr("rigapp.process.stale_files.owner_lives", lambda pid: True)
+    monkeypatch.setattr("rigapp.process.stale_files.pid_exists", lambda pid: True)
     for _ in range(3):
         with pytest.raises(EngineUnreachable, match=r"is still starting after 0\.2 s"):
             launch.attach(RIG)

@@ -44,7 +44,7 @@ def stands_since(simulated: SimulatedRig) -> float:
     """Wait until the crank stands; return since when, which no turning point of a swing is."""
     since: float | None = None
 
-    def is_stationary() -> bool:
+    def long_enough() -> bool:
         nonlocal since
         if not is_stationary(simulated):
             since = None
@@ -52,7 +52,7 @@ def stands_since(simulated: SimulatedRig) -> float:
             since = time.monotonic()
         return since is not None and time.monotonic() - since > STANDS_S
 
-    until(is_stationary, "the crank to stand")
+    until(long_enough, "the crank to stand")
     assert since is not None
     return since
 
