@@ -163,8 +163,7 @@ def test_a_file_whose_probes_have_no_record_is_refused_in_words(
 
 def test_the_promised_keys_hold_value_limits_and_level(folder: Path, tmp_path: Path) -> None:
     to = tmp_path / "wear.json"
-    files = [two / "first.h5", two / "second.h5"]
-    assert identify_tests(files[:1], to, as_json=False) == 0
+    assert identify_tests([folder / "first.h5"], to, as_json=False) == 0
     tree = json.loads(to.read_bytes())
     for each in (tree, tree["tests"][0]):
         coefficient, left = each["wear_coefficient_mm3_per_Nm"], each["remaining_revolutions"]
@@ -176,6 +175,12 @@ def test_the_promised_keys_hold_value_limits_and_level(folder: Path, tmp_path: P
         assert each["wear_model"] == "constant"
         assert each["odds"] > 0.5
     assert tree["tests"][0]["wear_coefficient"]["median"] == coefficient["estimate"]
+
+
+@pytest.mark.long
+def test_of_two_specimens_the_promised_keys_hold_what_both_tell(two: Path, tmp_path: Path) -> None:
+    to = tmp_path / "wear.json"
+    files = [two / "first.h5", two / "second.h5"]
     assert identify_tests(files, to, as_json=False) == 0
     tree = json.loads(to.read_bytes())
     middle = tree["pairing"]["wear_coefficient"]["median"]

@@ -310,6 +310,7 @@ def test_a_crank_too_slow_to_integrate_is_refused_at_once(params: Path, tmp_path
         write_forces(params, 0.001, "contact", None, 36, tmp_path / "a.csv")
 
 
+@pytest.mark.long
 def test_friction_that_does_not_act_is_said(params: Path, tmp_path: Path, capsys) -> None:  # type: ignore[no-untyped-def]
     params.write_text(PARAMETERS.replace("[bushing]", "friction_coefficient = 0.1\n[bushing]"))
     write_forces(params, 0.5, "contact", None, 36, tmp_path / "a.csv")
