@@ -80,6 +80,9 @@ def test_flags_and_settings_in_words() -> None:
     assert flags(1 | 8).count(";") == 1
     rows = settings({"joint": {"pin_radius_mm": 9.5}, "latency_ms": [1.0, 2.5], "record": ""})
     assert rows == [("joint, pin radius", "9.5 mm"), ("latency", "1, 2.5 ms"), ("record", "none")]
+    assert settings({"top": 8388608.0, "gain": 0.123456789}) == [
+        ("top", "8388608"), ("gain", "0.123457"),
+    ]  # fmt: skip
 
 
 def older_alarms(events: list[Event], reason: str) -> list[AlarmRecord]:

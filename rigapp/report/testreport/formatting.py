@@ -153,6 +153,10 @@ def _named(name: str) -> str:
     return words if known == capitalised(words) else known
 
 
+MANY: Final = 1e12
+"""From here on a whole number is a quantity, and is written with its power of ten."""
+
+
 def _setting(value: Any) -> str:
     if isinstance(value, float) and math.isnan(value):
         return tr(UNKNOWN)
@@ -162,4 +166,6 @@ def _setting(value: Any) -> str:
         if any(isinstance(one, list) for one in value):
             return "; ".join(", ".join(map(_setting, row)) for row in value)
         return ", ".join(map(_setting, value))
+    if isinstance(value, float) and value.is_integer() and abs(value) < MANY:
+        return f"{value:.0f}"  # a count is whole, however long
     return f"{value:.6g}" if isinstance(value, float) else str(value)
