@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Final
 from xml.etree import ElementTree
 
-from rigapp.presentation.translation import ENGLISH, language, speak
+from rigapp.presentation.translation import ENGLISH, speaking
 
 LANGUAGES: Final = {ENGLISH: "English", "de": "Deutsch"}
 """What window and report speak, by the code of ISO 639; all but English has a catalogue."""
@@ -44,16 +43,6 @@ def translations(code: str) -> dict[str, str]:
     return found[SENTENCES] | found[WINDOW]
 
 
-@contextmanager
-def spoken(code: str) -> Iterator[None]:
+def spoken(code: str) -> AbstractContextManager[None]:
     """Speak a language until the block ends, then the one of before; raise OSError."""
-    before = language()
-    _speak(code)
-    try:
-        yield
-    finally:
-        _speak(before)
-
-
-def _speak(code: str) -> None:
-    speak(None if code == ENGLISH else translations(code), code)
+    return speaking(None if code == ENGLISH else translations(code), code)

@@ -7,7 +7,8 @@ takes it passes it through ``tr``; the catalogues are gathered by that (``collec
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from typing import Final
 
 from rigapp.schema.details import sentence_of
@@ -37,6 +38,17 @@ def speak(translations: Mapping[str, str] | None, code: str = "") -> None:
     """
     _SPOKEN.translations = translations
     _SPOKEN.language = code or ENGLISH
+
+
+@contextmanager
+def speaking(translations: Mapping[str, str] | None, code: str) -> Iterator[None]:
+    """Say texts as a table of them says until the block ends, then as before."""
+    before = _SPOKEN.translations, _SPOKEN.language
+    speak(translations, code)
+    try:
+        yield
+    finally:
+        speak(*before)
 
 
 def language() -> str:

@@ -24,8 +24,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES
 from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.presentation.catalogue import LANGUAGES
+from rigapp.presentation.translation import ENGLISH
 
 LONGEST_FIRST = (
     *sorted(LANGUAGES.keys() - {ENGLISH}),

@@ -25,24 +25,16 @@ from PySide6.QtWidgets import (
 from rigapp.checks.start import preflight
 from rigapp.config.names import login_name
 from rigapp.config.ranges import refusal
-from rigapp.gui.language.catalogue import (
-    ENGLISH,
-    LANGUAGES,
-    SENTENCES,
-    WINDOW,
-    chosen_language,
-    contexts,
-    speak_language,
-    translations,
-)
+from rigapp.gui.language.catalogue import chosen_language, speak_language
 from rigapp.gui.language.collect import all_texts, texts_of
 from rigapp.gui.language.sentences import all_templates, has_words
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.window.tabs import NUMBERS, TABS, Tab
 from rigapp.gui.window.window import MainWindow
+from rigapp.presentation.catalogue import LANGUAGES, SENTENCES, WINDOW, contexts, translations
 from rigapp.presentation.numbers import unit_text
-from rigapp.presentation.translation import speak, tr, translate
+from rigapp.presentation.translation import ENGLISH, speak, tr, translate
 from rigapp.schema.alarms import KINDS, exceeded, make_alarm
 from rigapp.schema.criteria import CRITERIA
 from rigapp.schema.messages import Alarm, RunState, Severity

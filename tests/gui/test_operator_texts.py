@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from rigapp.gui.language.catalogue import LANGUAGES, contexts
 from rigapp.gui.language.collect import all_texts, texts_of
 from rigapp.gui.language.sentences import ROOT, said
+from rigapp.presentation.catalogue import LANGUAGES, contexts
 from rigapp.presentation.translation import translate
 from rigapp.schema.alarms import KINDS
 from rigapp.schema.details import details_of, error_text, indented, sentence_of

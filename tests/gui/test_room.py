@@ -8,11 +8,12 @@ from typing import Any
 
 import pytest
 
-from rigapp.gui.language.catalogue import ENGLISH, speak_language
+from rigapp.gui.language.catalogue import speak_language
 from rigapp.gui.results.results_index import ResultShelf
 from rigapp.gui.window.tabs import NUMBERS
 from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.tokens import THEMES
+from rigapp.presentation.translation import ENGLISH
 from rigapp.schema.alarms import make_alarm
 from rigapp.schema.messages import Alarm, Recovery, Remedy, RunState, Severity
 from tests.gui.roominess import LONGEST_FIRST, SCALES, SIZES, cut_texts

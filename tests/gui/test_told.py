@@ -20,8 +20,9 @@ from rigapp.config.ranges import keys_of, refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.engine import ended_by
-from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, contexts, speak_language
-from rigapp.presentation.translation import translate
+from rigapp.gui.language.catalogue import speak_language
+from rigapp.presentation.catalogue import LANGUAGES, contexts
+from rigapp.presentation.translation import ENGLISH, translate
 from rigapp.queue.items import Queue, removed
 from rigapp.report.results import _recorded_reason
 from rigapp.schema.alarms import KINDS, make_alarm

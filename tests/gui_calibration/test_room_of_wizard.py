@@ -11,11 +11,12 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, QRect
 from PySide6.QtWidgets import QPushButton, QScrollArea, QWidget
 
-from rigapp.gui.language.catalogue import ENGLISH, speak_language
+from rigapp.gui.language.catalogue import speak_language
 from rigapp.gui.window.window import MainWindow
 from rigapp.gui.wizard.scenes import Brush
 from rigapp.gui.wizard.widgets import MeasuredCard
 from rigapp.gui.wizard.wizard import CalibrationWizard
+from rigapp.presentation.translation import ENGLISH
 from rigapp.schema.messages import Reply, RunState
 from tests.gui.conftest import attach, engine, light_application, no_history, window
 from tests.gui.roominess import LONGEST_FIRST, SCALES, SIZES, cut_texts

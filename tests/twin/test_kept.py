@@ -106,8 +106,7 @@ def test_a_second_test_of_a_specimen_has_the_readings_of_the_first(tmp_path: Pat
 
 @pytest.mark.long
 def test_two_specimens_tell_their_scatter_and_the_next_ones_limits(two: Path) -> None:
-    folder = two
-    found = identified_tests([folder / "first.h5", folder / "second.h5", folder / "bare.h5"])
+    found = identified_tests([two / "first.h5", two / "second.h5", two / "bare.h5"])
     assert found.pairing is not None
     assert [one.path.name for one in found.counted] == ["first.h5", "second.h5"]
     assert found.pairing.scatter.median > 1.1
@@ -116,7 +115,7 @@ def test_two_specimens_tell_their_scatter_and_the_next_ones_limits(two: Path) ->
     assert found.pairing.next.low < found.pairing.coefficient.low
     assert found.pairing.prior.source == "2 specimens: first.h5, second.h5"
     with pytest.raises(UnusableInput, match="give it once"):
-        identified_tests([folder / "first.h5", folder / "first.h5"])
+        identified_tests([two / "first.h5", two / "first.h5"])
 
 
 @pytest.mark.long

@@ -11,27 +11,8 @@ from PySide6.QtCore import (
     QTranslator,
 )
 
-from rigapp.presentation.catalogue import (
-    LANGUAGES,
-    SENTENCES,
-    WINDOW,
-    catalogue_file,
-    contexts,
-    translations,
-)
+from rigapp.presentation.catalogue import LANGUAGES, translations
 from rigapp.presentation.translation import ENGLISH, speak
-
-__all__ = [
-    "ENGLISH",
-    "LANGUAGES",
-    "SENTENCES",
-    "WINDOW",
-    "catalogue_file",
-    "chosen_language",
-    "contexts",
-    "speak_language",
-    "translations",
-]
 
 
 def chosen_language(wanted: str, system: Sequence[str] | None = None) -> str:

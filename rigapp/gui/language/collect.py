@@ -22,11 +22,11 @@ import PySide6
 from rigapp import viewer
 from rigapp.checks.check import CheckVerdict
 from rigapp.config.report import ReportSection
-from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, SENTENCES, WINDOW, catalogue_file
 from rigapp.gui.language.keys import column_texts, key_texts
 from rigapp.gui.language.sentences import all_sentences, all_templates, has_words
 from rigapp.presentation import translation
-from rigapp.presentation.translation import Text
+from rigapp.presentation.catalogue import LANGUAGES, SENTENCES, WINDOW, catalogue_file
+from rigapp.presentation.translation import ENGLISH, Text
 from rigapp.schema.columns import WEAR_MODELS
 from rigapp.schema.criteria import CRITERIA
 from rigapp.schema.messages import HowEnded, RunState, Severity

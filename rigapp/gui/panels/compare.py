@@ -13,7 +13,7 @@ from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName, Spot
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import PlotPanel, QuietPlot
-from rigapp.gui.widgets.build import add_group, choice, column, searched
+from rigapp.gui.widgets.build import add_group, choice, choose, column, searched
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.presentation.tokens import STEP, Theme
@@ -157,9 +157,7 @@ class ComparePanel(PlotPanel):
         most = max(tables, key=lambda table: len(table.channels))
         for names in grouped_quantities(columns, most):
             add_group(self.quantity, {name: columns[name] for name in names})
-        self.quantity.setCurrentIndex(
-            0 if chosen is None else max(self.quantity.findData(chosen), 0)
-        )
+        choose(self.quantity, chosen)
         self.quantity.blockSignals(False)
 
     def _failed(self, path: Path, error: Exception) -> None:

@@ -19,7 +19,17 @@ from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.plotmenu import offer_menus
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.trendview import TrendView
-from rigapp.gui.widgets.build import add_group, button, choice, column, named, prose, row, searched
+from rigapp.gui.widgets.build import (
+    add_group,
+    button,
+    choice,
+    choose,
+    column,
+    named,
+    prose,
+    row,
+    searched,
+)
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
 from rigapp.gui.widgets.reflow import WrappingGrid, flowing
 from rigapp.presentation.numbers import COEFFICIENT_SCALE, COEFFICIENT_UNIT, UNKNOWN
@@ -160,8 +170,7 @@ class OwnPage(QWidget):
             box.clear()
             for names in grouped_quantities(items, self._table):
                 add_group(box, {name: items[name] for name in names})
-            # Lines between groups have no data: nothing chosen yet must not find one of them.
-            box.setCurrentIndex(0 if chosen is None else max(box.findData(chosen), 0))
+            choose(box, chosen)
 
     def _titles(self) -> dict[str, str]:
         return {name: tr("{} against cycle", one.title) for name, one in self._quantities.items()}

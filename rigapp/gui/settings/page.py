@@ -10,7 +10,6 @@ from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFileDialog, QFrame, QWidget
 
 from rigapp.config.names import login_name
-from rigapp.gui.language.catalogue import LANGUAGES
 from rigapp.gui.look.preferences import AS_SYSTEM, OFF, Preference
 from rigapp.gui.panel import Act, Host
 from rigapp.gui.settings.livepage import LivePageCard
@@ -30,6 +29,7 @@ from rigapp.gui.widgets.build import (
 from rigapp.gui.widgets.labels import ElidedLabel, heading
 from rigapp.gui.widgets.reflow import WrappingGrid, flowing
 from rigapp.gui.widgets.tables import PlainTable
+from rigapp.presentation.catalogue import LANGUAGES
 from rigapp.presentation.tokens import GAP, MARGIN, STEP
 from rigapp.presentation.translation import Text, tr
 from rigapp.viewer.news import News, Takes

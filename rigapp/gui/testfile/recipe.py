@@ -207,8 +207,8 @@ class RecipePanel(QWidget):
         try:
             tree = _explicit(self._read()[0], self._tree)
             text = edited(self._text, tree, self._optional)
-            same = selected is not None and path == selected.path and path.exists()
-            if selected is not None and same and selected.on_disk():
+            ours = selected if selected is not None and path == selected.path else None
+            if ours is not None and path.exists() and ours.on_disk():
                 changed = tr(
                     "{} was changed by another program since it was opened. Save it as another"
                     " file, or open it again, which loses what was changed here.",

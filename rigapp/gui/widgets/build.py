@@ -232,6 +232,14 @@ def add_group(box: QComboBox, items: Mapping[str, str]) -> None:
         box.addItem(text, name)
 
 
+def choose(box: QComboBox, name: object) -> None:
+    """Choose an item by its name; the first one for None, or where there is none of that name.
+
+    Lines between groups have no name: None must not find one of them.
+    """
+    box.setCurrentIndex(0 if name is None else max(box.findData(name), 0))
+
+
 def whole_number(name: str, spoken: Text, low: int, high: int) -> QSpinBox:
     """Return a field for a whole number, read when it is complete."""
     made = named(steady_field(QSpinBox()), name, spoken)

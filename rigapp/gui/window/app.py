@@ -10,11 +10,12 @@ from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.language.catalogue import LANGUAGES, chosen_language, speak_language
+from rigapp.gui.language.catalogue import chosen_language, speak_language
 from rigapp.gui.look.dress import apply_theme
 from rigapp.gui.look.preferences import Preference, Preferences
 from rigapp.gui.window.selftest import run_self_test
 from rigapp.gui.window.window import PROGRAM, MainWindow
+from rigapp.presentation.catalogue import LANGUAGES
 from rigapp.process.ending import end_at_once, termination_signals
 from rigapp.process.memory import end_of_loading
 from rigapp.viewer.connection import ClientFactory, EngineConnection
