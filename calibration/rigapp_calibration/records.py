@@ -29,6 +29,9 @@ A record of another evaluation is compared only in what every evaluation must gi
 CLOCKS_S = 86400.0
 """A date is in the future when it is later by more than a day: two computers' clocks may differ."""
 
+MALFORMED = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
+"""What reading a value raises that is missing, of another kind or out of its range."""
+
 
 class RecordError(SentenceError, ValueError):
     """Say why a record cannot be used."""
@@ -66,8 +69,12 @@ class Record:
 
     @property
     def evaluation(self) -> int:
-        """Return the evaluation by which the result was made; 1 of records that do not say."""
-        return int(self.content.get("evaluation", 1))
+        """Return the evaluation by which the result was made.
+
+        1 of records that do not say; 0 where what they say is no whole number from 1.
+        """
+        stated = self.content.get("evaluation", 1)
+        return stated if type(stated) is int and stated >= 1 else 0
 
 
 def seal(content: Mapping[str, Any], signature: Signature | None = None) -> bytes:
@@ -108,9 +115,24 @@ def unseal(data: bytes) -> Record:
         return Record(body, digest)
     try:
         signature = Signature(str(stated["public_key"]), str(stated["value"]))
-    except (KeyError, TypeError) as error:
+    except MALFORMED as error:
         raise RecordChanged("its signature is incomplete") from error
     return Record(body, digest, signature)
+
+
+def check_shape(record: Record) -> None:
+    """Refuse a record whose parts or dates are not what its readers rely on; raise RecordError."""
+    for key in ("result", "settings"):
+        if not isinstance(record.content.get(key), dict):
+            raise RecordError("it has no {}", key)
+    for key in ("calibrated_at", "due_at"):
+        stated = record.content.get(key)
+        try:
+            moment(stated or "")
+        except (TypeError, ValueError) as error:
+            raise RecordError(
+                "its {} is {}; a date such as 2027-04-30T12:00:00Z is needed", key, repr(stated)
+            ) from error
 
 
 def in_future(record: Record, now: float) -> str:

@@ -21,7 +21,14 @@ from rigapp.calibrating.certificates.formatting import (
 from rigapp.calibrating.subjects import subject_of
 from rigapp.config.errors import UnusableInput
 from rigapp.report.page.document import Block, Manuscript, Row, Section, Table, Text
-from rigapp_calibration.records import Record, RecordError, in_future, unseal
+from rigapp_calibration.records import (
+    MALFORMED,
+    Record,
+    RecordError,
+    check_shape,
+    in_future,
+    unseal,
+)
 
 NEEDED = {"laboratory": "the laboratory", "serial_number": "the serial number"}
 """Keys of [paperwork] without which there is only a draft (ISO/IEC 17025, 7.8.2.1 b and g)."""
@@ -51,6 +58,7 @@ def write_certificate(record: Path, to: Path, issued: datetime.date | None = Non
         data = record.read_bytes()
         sealed = unseal(data)
         subject_of(sealed.kind)
+        check_shape(sealed)
     except FileNotFoundError as error:
         raise UnusableInput("{}: there is no such record; check the name.", record) from error
     except (OSError, RecordError, UnusableInput) as error:
@@ -59,8 +67,13 @@ def write_certificate(record: Path, to: Path, issued: datetime.date | None = Non
     for one in filter(None, (in_future(sealed, time.time()), *found.differences)):
         raise UnusableInput("{}: there is no certificate of it: {}", record, one)
     _check_issue(sealed, issued)
-    write_page(to, "certificate", lambda: certificate_of(sealed, found.unverified, issued))
-    return mark_of(sealed)
+    try:
+        write_page(to, "certificate", lambda: certificate_of(sealed, found.unverified, issued))
+        return mark_of(sealed)
+    except MALFORMED as error:
+        raise UnusableInput(
+            "{}: a value of the record is missing or cannot be printed ‹{}›.", record, repr(error)
+        ) from error
 
 
 def certificate_of(
@@ -119,7 +132,8 @@ def _check_issue(record: Record, issued: datetime.date | None) -> None:
 def _item(content: Content) -> str:
     """Return the name of what was calibrated: the one section of the settings that has a name."""
     sections = content["settings"].values()
-    return next(str(one["name"]) for one in sections if isinstance(one, dict) and "name" in one)
+    named = (str(one["name"]) for one in sections if isinstance(one, dict) and "name" in one)
+    return next(named, str(content["kind"]))
 
 
 def _joined(*texts: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -14,19 +15,24 @@ import msgspec
 
 from rigapp.calibrating.wiring import foreign
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import Document, RigRecords
+from rigapp.config.loading import Document, RigRecords, parse_rig, read_rig
 from rigapp.config.reading import read_bytes
 from rigapp.config.rig import ChannelSection, LoadCellSection, ProbesSection, RigFile
+from rigapp.config.writing import whole_file
 from rigapp.texts import joined, say
 from rigapp_calibration.load_cell.force_uncertainty import too_uncertain
-from rigapp_calibration.records import Record, RecordError, in_future, moment, unseal
+from rigapp_calibration.records import (
+    MALFORMED,
+    Record,
+    RecordError,
+    check_shape,
+    in_future,
+    moment,
+    unseal,
+)
 
 if TYPE_CHECKING:
     from rigapp.calibrating.verification import Verification
-import os
-
-from rigapp.config.loading import parse_rig, read_rig
-from rigapp.config.writing import whole_file
 
 Rig = Document[RigFile]
 
@@ -84,13 +90,28 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
         found = [_read(rig, key, name, allowed) for name in ((names,) if one else names)]
         from rigapp.calibrating.verification import verified  # GTC and SciPy: only where needed
 
-        with_numbers, labels = place.use(rig, section, [record for _, record in found])
+        try:
+            with_numbers, labels = place.use(rig, section, [record for _, record in found])
+            # What a record states must be what the rig file itself could state.
+            with_numbers = msgspec.convert(msgspec.to_builtins(with_numbers), type(section))
+            checked = [(verified(text.encode()), record) for text, record in found]
+            each = [(again, _faults(rig, record, again, now)) for again, record in checked]
+        except MALFORMED as error:
+            named = joined(", ", (names,) if one else names)
+            raise UnusableInput(
+                "{}: {} = {}: a value of the record is missing or cannot be ‹{}›; export the"
+                " record again from where it was made, or calibrate again.",
+                rig.path,
+                key,
+                named,
+                repr(error),
+            ) from error
         used = place.put(used, with_numbers)
         override = getattr(section, f"{place.key}_override")
-        for label, (text, record) in zip(labels, found * len(labels), strict=False):
+        for at, label in enumerate(labels):
+            (text, record), (found_again, against_it) = found[at % len(found)], each[at % len(each)]
             texts[label] = text
-            found_again = verified(text.encode())
-            faults = [*_faults(rig, record, found_again, now), *_unsigned(record, trusted)]
+            faults = [*against_it, *_unsigned(record, trusted)]
             against = joined(say(" and "), faults)
             if not against:
                 due = say("record {}, due {}", record.number, str(record.content["due_at"])[:10])
@@ -128,6 +149,10 @@ def _read(rig: Rig, key: str, name: str, kinds: tuple[str, ...]) -> tuple[str, R
         raise UnusableInput(
             "{}: this is the record of a {}, not of a {}.", where, record.kind, " or a ".join(kinds)
         )
+    try:
+        check_shape(record)
+    except RecordError as error:
+        raise UnusableInput("{}: {}.", where, error) from error
     return data.decode(), record
 
 
@@ -183,11 +208,14 @@ def _faults(rig: Rig, record: Record, again: Verification, now: float) -> list[s
     table do not say where they were taken.
     """
     content, here = record.content, rig.record
-    found: list[str] = [
-        say("does not follow from its readings ({})", one.rstrip(".")) for one in again.differences
-    ]
-    if not again.compared and not again.differences:
-        found += [say("cannot be verified ({})", one.rstrip(".")) for one in again.unverified]
+    if again.compared:
+        found: list[str] = [
+            say("does not follow from its readings ({})", one.rstrip("."))
+            for one in again.differences
+        ]
+    else:
+        unknown = (*again.differences, *again.unverified)
+        found = [say("cannot be verified ({})", one.rstrip(".")) for one in unknown]
     ahead, due = in_future(record, now), str(content["due_at"])
     if ahead:
         found.append(ahead)

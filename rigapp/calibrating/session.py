@@ -30,7 +30,7 @@ from rigapp_calibration.arrays import Array
 from rigapp_calibration.load_cell.as_found import as_found
 from rigapp_calibration.load_cell.characteristics import CREEP_TIMES
 from rigapp_calibration.load_cell.daily import DailyCheck
-from rigapp_calibration.records import Record
+from rigapp_calibration.records import MALFORMED, Record
 from rigapp_calibration.taking.procedure import (
     Event,
     Method,
@@ -94,7 +94,7 @@ class Outcome:
             return self
         try:
             return replace(self, as_found=as_found(self.kind, former, self.result))
-        except (KeyError, TypeError, ValueError, np.linalg.LinAlgError):
+        except MALFORMED:
             return self  # a record of before that lacks numbers says nothing of itself
 
     @property

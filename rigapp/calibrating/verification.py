@@ -29,8 +29,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.texts import say
 from rigapp_calibration.load_cell.readings import LOAD_CELL_COLUMNS
 from rigapp_calibration.probes.readings import PROBE_COLUMNS
-from rigapp_calibration.records import EVALUATION, Record, unseal
-from rigapp_calibration.taking.readings import ReadingsError, read_table
+from rigapp_calibration.records import EVALUATION, MALFORMED, Record, unseal
+from rigapp_calibration.taking.readings import read_table
 
 SAME = 1e-6
 """Relative: a fit repeats to rounding, some 1e-12 on any computer; a certificate prints 1e-5."""
@@ -123,20 +123,36 @@ def verified(data: bytes) -> Verification:
 
 
 def verify(record: Record) -> Verification:
-    """Fit the readings of a record again and compare with what it states."""
+    """Fit the readings of a record again and compare with what it states.
+
+    What an unknown evaluation means by its numbers cannot be known: that is a difference.
+    """
     content, kind = record.content, KINDS.get(record.kind)
     if kind is None or not content.get("readings_csv"):
         missing = say("holds no readings") if kind else say("is of a {}", record.kind)
         return Verification(0, (), (say("The record {}: its result cannot be verified.", missing),))
+    if not 1 <= record.evaluation <= EVALUATION:
+        words = say(
+            "It was made by evaluation {}, this program knows those up to {}; update rigapp.",
+            repr(content["evaluation"]),
+            EVALUATION,
+        )
+        return Verification(0, (words,))
     try:
-        again = kind.fit(content)
-    except (ReadingsError, UnusableInput, msgspec.ValidationError, KeyError) as error:
-        words = (say("Its readings cannot be fitted by this version ‹{}›.", repr(error)),)
-        newer = record.evaluation > EVALUATION
-        return Verification(0, (), words) if newer else Verification(0, words)
+        return _compare(record, kind, kind.fit(content))
+    except (UnusableInput, *MALFORMED) as error:
+        words = say("Its readings cannot be fitted by this version ‹{}›.", repr(error))
+        return Verification(0, (words,))
+
+
+def _compare(record: Record, kind: _Kind, again: Result) -> Verification:
+    """Compare what a record states with what its readings gave again."""
+    content = record.content
     same = record.evaluation == EVALUATION
     stated, found = dict(numbers(content["result"])), dict(numbers(again))
-    keys = [one for one in stated if same or _name(one) in kind.applied]
+    keys = [
+        one for one in (stated | found if same else stated) if same or _name(one) in kind.applied
+    ]
     keys = [one for one in keys if _name(one) not in kind.of_samples]
     within = SAME if same else ALIKE
     differences = tuple(_differences(keys, stated, found, within))
@@ -164,7 +180,7 @@ def numbers(value: Any, name: str = "") -> Iterator[tuple[str, tuple[float, ...]
 
 
 def _flat(value: Any) -> Iterator[float]:
-    if isinstance(value, Sequence):
+    if isinstance(value, Sequence) and not isinstance(value, str):
         for one in value:
             yield from _flat(one)
     elif value is not None:
@@ -182,6 +198,9 @@ def _differences(
     within: float,
 ) -> Iterator[str]:
     for key in keys:
+        if key not in stated:
+            yield say("{}: the record does not state this number of its readings.", key)
+            continue
         if key not in found:
             yield say("{}: its readings do not give this number.", key)
             continue

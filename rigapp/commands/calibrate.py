@@ -14,7 +14,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
 from rigapp.config.reading import read_bytes, read_text
 from rigapp_calibration.load_cell.as_found import trend
-from rigapp_calibration.records import Record, RecordError, unseal
+from rigapp_calibration.records import MALFORMED, Record, RecordError, check_shape, unseal
 from rigapp_calibration.taking.readings import ReadingsError
 
 ONE_SOURCE = "give --readings (a CSV) or --rig (live readings), one of the two."
@@ -87,7 +87,9 @@ def make_worksheet(settings: Path, to: Path, plan: str, weights: str) -> int:
 def read_record(path: Path) -> Record:
     """Return a record; raise UnusableInput for what is none."""
     try:
-        return unseal(read_bytes(path))
+        record = unseal(read_bytes(path))
+        check_shape(record)
+        return record
     except OSError as error:
         raise UnusableInput(f"{path}: the record cannot be read ({error.strerror}).") from error
     except RecordError as error:
@@ -102,10 +104,14 @@ def show_trend(folder: Path, to: Path | None, *, as_json: bool) -> int:
     for path in sorted(folder.rglob("*.json")):
         try:
             record = unseal(path.read_bytes())
-        except (OSError, RecordError):
+            check_shape(record)
+            series.setdefault((record.kind, item_of(record)), []).append(record)
+        except (OSError, *MALFORMED):
             continue  # journals, results, records that were changed: verify names these
-        series.setdefault((record.kind, item_of(record)), []).append(record)
-    found = [(kind, item, trend(records)) for (kind, item), records in series.items()]
+    try:
+        found = [(kind, item, trend(records)) for (kind, item), records in series.items()]
+    except RecordError as error:
+        raise UnusableInput(f"{folder}: {error}.") from error
     if not found:
         raise UnusableInput(f"{folder}: no calibration record lies in it.")
     if to is not None:

@@ -16,7 +16,15 @@ from rigapp.config.reading import read_bytes
 from rigapp.config.writing import whole_file
 from rigapp.process.private import open_to_others
 from rigapp.schema.details import error_text
-from rigapp_calibration.records import Record, RecordChanged, RecordError, in_future, seal, unseal
+from rigapp_calibration.records import (
+    Record,
+    RecordChanged,
+    RecordError,
+    check_shape,
+    in_future,
+    seal,
+    unseal,
+)
 from rigapp_calibration.signatures import UnusableKey, fingerprint, new_key, public_key_of, sign
 
 UNSIGNED = "It is not signed: nothing shows which laboratory made it."
@@ -126,7 +134,9 @@ def _read(path: Path) -> tuple[bytes, Record]:
     """Return a record and its bytes; raise RecordChanged, or UnusableInput for what is none."""
     try:
         data = path.read_bytes()
-        return data, unseal(data)
+        record = unseal(data)
+        check_shape(record)
+        return data, record
     except FileNotFoundError as error:
         raise UnusableInput(f"{path}: there is no such record; check the name.") from error
     except RecordChanged:

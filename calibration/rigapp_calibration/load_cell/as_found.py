@@ -18,7 +18,7 @@ from rigapp.texts import joined, say
 from rigapp_calibration.arrays import Array
 from rigapp_calibration.load_cell.daily import ZERO_SHARE
 from rigapp_calibration.load_cell.two_axis import forces
-from rigapp_calibration.records import Record
+from rigapp_calibration.records import MALFORMED, Record, RecordError
 
 DIRECTIONS = 16
 Result = Mapping[str, Any]
@@ -118,6 +118,8 @@ def changes(kind: str, former: Result, new: Result) -> tuple[Change, ...]:
     """
     if kind == "load cell":
         return tuple(_of_cell(former, new))
+    if kind not in ("probe", "probe pair"):
+        return ()
     probes = (former.get("probes", [former]), new.get("probes", [new]))
     return tuple(
         one
@@ -208,11 +210,24 @@ def _of_probe(former: Result, new: Result, number: int) -> Iterator[Change]:
 
 
 def trend(records: Sequence[Record]) -> list[tuple[Record, tuple[Change, ...]]]:
-    """Return records of one kind by the time of calibration, each with what the one before told."""
+    """Return records of one kind by the time of calibration, each with what the one before told.
+
+    Raises RecordError for two that cannot be compared.
+    """
     ordered = sorted(records, key=lambda one: str(one.content["calibrated_at"]))
     found: list[tuple[Record, tuple[Change, ...]]] = []
     for place, one in enumerate(ordered):
-        before = ordered[place - 1].content["result"] if place else None
-        told = () if before is None else changes(one.kind, before, one.content["result"])
-        found.append((one, told))
+        before = ordered[place - 1] if place else None
+        try:
+            results = () if before is None else (before.content["result"], one.content["result"])
+            found.append((one, changes(one.kind, *results) if results else ()))
+        except MALFORMED as error:
+            assert before is not None
+            raise RecordError(
+                "the records {} and {} cannot be compared, a number is missing or wrong in one"
+                " ‹{}›; rigapp calibrate verify names it",
+                before.number,
+                one.number,
+                repr(error),
+            ) from error
     return found

@@ -13869,6 +13869,10 @@ Mittel (µm)</translation>
         <translation>Er entstand mit Auswertung {}, dieses Programm hat {}{}</translation>
     </message>
     <message>
+        <source>It was made by evaluation {}, this program knows those up to {}; update rigapp</source>
+        <translation>Er entstand mit Auswertung {}, dieses Programm kennt die bis {}; rigapp aktualisieren</translation>
+    </message>
+    <message>
         <source>Its readings are refused: {}</source>
         <translation>Seine Messungen werden abgelehnt: {}</translation>
     </message>
@@ -14729,6 +14733,10 @@ Mittel (µm)</translation>
         <translation>sie hat mehr als {} Gruppen und Datensätze</translation>
     </message>
     <message>
+        <source>it has no {}</source>
+        <translation>ihm fehlt {}</translation>
+    </message>
+    <message>
         <source>it leaves the follower {:g} m long, too short for the crank radius of {:g} m</source>
         <translation>es lässt der Koppel {} m Länge, zu wenig für den Kurbelradius von {} m</translation>
     </message>
@@ -14775,6 +14783,10 @@ Mittel (µm)</translation>
     <message>
         <source>its {:.1f} MB would become {:.0f} MB</source>
         <translation>aus ihren {:.1f} MB würden {:.0f} MB</translation>
+    </message>
+    <message>
+        <source>its {} is {}; a date such as 2027-04-30T12:00:00Z is needed</source>
+        <translation>sein {} ist {}; nötig ist ein Datum wie 2027-04-30T12:00:00Z</translation>
     </message>
     <message>
         <source>kind = {}: choose one of {}</source>
@@ -15543,6 +15555,10 @@ Mittel (µm)</translation>
     <message>
         <source>the recording is damaged at record {}; what is before it is used</source>
         <translation>die Aufzeichnung ist bei Eintrag {} beschädigt; verwendet wird, was davor steht</translation>
+    </message>
+    <message>
+        <source>the records {} and {} cannot be compared, a number is missing or wrong in one; rigapp calibrate verify names it</source>
+        <translation>die Kalibrierdatensätze {} und {} sind nicht vergleichbar, in einem fehlt eine Zahl oder sie ist falsch; rigapp calibrate verify nennt sie</translation>
     </message>
     <message>
         <source>the rest has become a pause: {}</source>
@@ -16649,6 +16665,10 @@ Mittel (µm)</translation>
         <translation>{}: Ein Wert ist keine Zahl; noch einmal umlaufen</translation>
     </message>
     <message>
+        <source>{}: a value of the record is missing or cannot be printed</source>
+        <translation>{}: ein Wert des Kalibrierdatensatzes fehlt oder ist nicht druckbar</translation>
+    </message>
+    <message>
         <source>{}: a {} input does not exist; declare it as a voltage</source>
         <translation>{}: Einen Eingang der Art {} gibt es nicht; ihn als Spannung angeben</translation>
     </message>
@@ -16871,6 +16891,10 @@ Mittel (µm)</translation>
     <message>
         <source>{}: the key cannot be read</source>
         <translation>{}: der Schlüssel lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>{}: the record does not state this number of its readings</source>
+        <translation>{}: der Datensatz nennt diese Zahl seiner Ablesungen nicht</translation>
     </message>
     <message>
         <source>{}: there is no device {}</source>
@@ -17311,6 +17335,10 @@ Mittel (µm)</translation>
     <message>
         <source>{}: {:g} rpm to revolution {}</source>
         <translation>{}: {} rpm bis Umdrehung {}</translation>
+    </message>
+    <message>
+        <source>{}: {} = {}: a value of the record is missing or cannot be; export the record again from where it was made, or calibrate again</source>
+        <translation>{}: {} = {}: ein Wert des Kalibrierdatensatzes fehlt oder ist unmöglich; den Datensatz dort, wo er entstand, neu ausgeben oder neu kalibrieren</translation>
     </message>
     <message>
         <source>{}: {} Then take them again</source>
