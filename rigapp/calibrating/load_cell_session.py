@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -54,10 +55,15 @@ from rigapp_calibration.load_cell.plans import (
 from rigapp_calibration.load_cell.readings import HUNG_COLUMN, LOAD_CELL_COLUMNS, load_cell_table
 from rigapp_calibration.load_cell.settings import LoadCellSettings, check_settings
 from rigapp_calibration.load_cell.two_axis import Terms, fit
-from rigapp_calibration.load_cell.weights import FEWEST_LOADS, pin_force, weight_force
+from rigapp_calibration.load_cell.weights import (
+    FEWEST_LOADS,
+    force_per_mass,
+    pin_force,
+    weight_force,
+)
 from rigapp_calibration.records import Record
 from rigapp_calibration.taking.procedure import Event, ProcedureError, Step, StepKind, TakenReading
-from rigapp_calibration.taking.signals import Readiness
+from rigapp_calibration.taking.signals import Readiness, SignalState
 
 PLANS = {"daily": PlanKind.DAILY, "routine": PlanKind.ROUTINE, "full": PlanKind.FULL}
 SHARE_OF_FULL_SCALE = 0.99
@@ -196,60 +202,73 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         )
         if not procedure.done and procedure.step.kind is not StepKind.SET_UP:
             text += say("; what should hang weighs {:.1f} N", self.expected())
-            if procedure.step.kind is StepKind.READING and found.ready:
-                text += self._doubt(procedure.step, procedure.taken, found.steadiness.mean)
         return say("{}.", text)
 
-    def _doubt(self, step: Step, before: Sequence[TakenReading], signal: ArrayLike) -> str:
-        """Return a warning where what is felt is not what should hang at a step, else nothing.
+    def compared(self, found: Readiness) -> Readiness:
+        """Return it with what to check in its place where what is felt is not what should hang."""
+        procedure = self.procedure
+        if procedure.done or procedure.step.kind is not StepKind.READING or not found.ready:
+            return found
+        taken, signal = procedure.taken, found.steadiness.mean
+        doubt = self._doubt(procedure.step.value, procedure.step.series, taken, signal)
+        if not doubt:
+            return found
+        before = [one.value for one in taken if not one.rejected][-1]
+        if not self._doubt(before, procedure.step.series, taken, signal):
+            return replace(
+                found, state=SignalState.WAITING, words=say("what hangs has not changed yet")
+            )
+        return replace(found, state=SignalState.WRONG, words=doubt)
+
+    def _doubt(
+        self, mass: float, series: str, before: Sequence[TakenReading], signal: ArrayLike
+    ) -> str:
+        """Return a warning where what is felt is not the mass that should hang, else nothing.
 
         Felt beyond the zero of the same series, since what turns with the pin is in both; by the
         gain of the loads before it in the series, since the calibration in use may be another
         cell's or none.
         """
-        window, steps = self.newest, self.procedure.steps
-        here = [one for one in before if not one.rejected and steps[one.step].series == step.series]
+        window, steps, settings = self.newest, self.procedure.steps, self.settings
+        here = [one for one in before if not one.rejected and steps[one.step].series == series]
         zeros = [np.array(one.signal) for one in here if one.value == 0.0]
-        if window is None or step.value == 0.0 or not zeros:
+        if window is None or not zeros:
             return ""
 
-        settings = self.settings
-        expected = float(weight_force(step.value, settings.weights, settings.place))
-        per_kg, aside = expected / step.value, window.zero - zeros[-1]
+        def weight(mass: float) -> float:
+            return float(weight_force(mass, settings.weights, settings.place))
+
+        expected, aside = weight(mass), window.zero - zeros[-1]
         gains = [
-            window.force(np.asarray(one.signal) + aside) / (per_kg * one.value)
+            window.force(np.asarray(one.signal) + aside) / weight(one.value)
             for one in here
             if one.value > 0.0
         ]
         gain, allowed = (float(np.median(gains)), ALIKE) if gains else (1.0, LARGEST_SHARE)
         off = window.force(np.asarray(signal) + aside) / gain - expected
-        if abs(off) <= allowed * expected + settings.cell.resolution:
+        # A cell that was loaded returns to its zero only as well as it told the load.
+        heaviest = max(expected, *(weight(one.value) for one in here))
+        if abs(off) <= allowed * heaviest + settings.cell.resolution:
             return ""
-        return say(
-            ". CHECK THE PIECES: the cell feels {:+.1f} N ({:+.2f} kg) beside what should hang",
-            off,
-            off / expected * step.value,
-        )
+        force, kg = abs(off), abs(off) / force_per_mass(settings.weights, settings.place)
+        if off > 0.0:
+            return say("Check the pieces: {:.1f} N ({:.2f} kg) more than should hang.", force, kg)
+        return say("Check the pieces: {:.1f} N ({:.2f} kg) less than should hang.", force, kg)
 
     def recorded(self, found: Readiness) -> str:
         """Return the signals in words."""
         one, two = found.steadiness.mean
-        return (
-            say(
-                "{:.5f}, {:.5f} {} (the calibration in use makes {:.1f} N of it)",
-                one,
-                two,
-                self.given.cell.signal_unit,
-                found.felt,
-            )
-            + self._doubt_of_last()
+        text = say(
+            "{:.5f}, {:.5f} {} (the calibration in use makes {:.1f} N of it)",
+            one,
+            two,
+            self.given.cell.signal_unit,
+            found.felt,
         )
-
-    def _doubt_of_last(self) -> str:
-        taken = self.procedure.taken
-        if not taken:
-            return ""
-        return self._doubt(self.procedure.steps[taken[-1].step], taken[:-1], taken[-1].signal)
+        *before, last = self.procedure.taken
+        series = self.procedure.steps[last.step].series
+        doubt = self._doubt(last.value, series, before, last.signal)
+        return say("{}. {}", text, doubt) if doubt else text
 
     def residuals(self) -> ResidualsSoFar:
         """Return what each reading differs from a fit of all so far, N, in the order taken."""

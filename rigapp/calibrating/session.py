@@ -248,6 +248,10 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
     def told_live(self, found: Readiness) -> str:
         """Return what the signals say now, in words."""
 
+    def compared(self, found: Readiness) -> Readiness:
+        """Return it, or what to check in its place where what is felt cannot be."""
+        return found
+
     @abstractmethod
     def recorded(self, found: Readiness) -> str:
         """Return what was recorded, in words; found before it was taken."""

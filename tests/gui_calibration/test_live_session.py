@@ -72,7 +72,7 @@ def test_planted_mistake_is_named_and_nothing_is_saved(
     wrong = WeighingMistake.WRONG_WEIGHT
     said = finish(session, scripted, ClumsyHands(session, scripted.ask, wrong, 8, only=True))
     # The wrong piece is told at its own reading, and at no other one.
-    (told,) = (line for line in said if "CHECK THE PIECES" in line)
+    (told,) = (line for line in said if "Check the pieces" in line)
     assert said.index(told) < 30
     outcome = session.judge()
     assert not outcome.accepted

@@ -171,6 +171,21 @@ def test_record_is_disabled_until_steady_and_counts_by_keyboard(
     assert page.table.rowCount() == before + 1
 
 
+def test_a_wrong_piece_is_told_before_it_is_recorded(wizard: Any) -> None:
+    to_readings(wizard)
+    page, live = wizard.readings, wizard.live
+    go_ahead(wizard, lambda: loaded(wizard))
+    live.tick()
+    assert page.stability.word.text() == "WAIT"
+    assert page.stability.why.text() == "what hangs has not changed yet"
+    for mistake, word, why in ((1, "CHECK", "than should hang"), (0, "STEADY", "")):
+        page.hands.mistake.setCurrentIndex(mistake)
+        live.lend_a_hand()
+        live.tick()
+        assert page.stability.word.text() == word
+        assert why in page.stability.why.text()
+
+
 @pytest.mark.long
 def test_wrong_weight_is_refused_rejected_and_repeated(wizard: Any, qtbot: Any) -> None:
     to_readings(wizard)

@@ -29,6 +29,7 @@ class SignalState(enum.StrEnum):
     WAITING = "waiting"
     MOVING = "moving"
     STEADY = "steady"
+    WRONG = "wrong"
 
 
 Judgement = tuple[SignalState, str]

@@ -5104,6 +5104,10 @@ ab {}</translation>
         <translation>Überlauf der CAN-Sendewarteschlange</translation>
     </message>
     <message>
+        <source>CHECK</source>
+        <translation>PRÜFEN</translation>
+    </message>
+    <message>
         <source>Calculating …</source>
         <translation>Wird berechnet …</translation>
     </message>
@@ -12442,6 +12446,10 @@ Mittel (µm)</translation>
         <translation>was aus der Vorhersage wurde</translation>
     </message>
     <message>
+        <source>what hangs has not changed yet</source>
+        <translation>was hängt, ist noch wie zuvor</translation>
+    </message>
+    <message>
         <source>what the calibration says</source>
         <translation>was die Kalibrierung sagt</translation>
     </message>
@@ -13721,16 +13729,20 @@ Mittel (µm)</translation>
         <translation>Brücke {} liefert bei Nennkraft {:.4g} mV/V, {:+.1f} % neben dem Nennkennwert {:.4g} mV/V; {:.1f} % sind erlaubt. Prüfen Sie Einheit und Masse der Gewichte, und ob etwas einen Teil der Last trägt</translation>
     </message>
     <message>
-        <source>CHECK THE PIECES: the cell feels {:+.1f} N ({:+.2f} kg) beside what should hang</source>
-        <translation>GEWICHTE PRÜFEN: Der Sensor spürt {:+.1f} N ({:+.2f} kg) neben dem, was hängen soll</translation>
-    </message>
-    <message>
         <source>Change nothing: {:g} kg hang then</source>
         <translation>Nichts ändern: Dann hängen {} kg</translation>
     </message>
     <message>
         <source>Check cable and power of {}, reconnect</source>
         <translation>Kabel und Versorgung von {} prüfen, neu verbinden</translation>
+    </message>
+    <message>
+        <source>Check the pieces: {:.1f} N ({:.2f} kg) less than should hang</source>
+        <translation>Die Stücke prüfen: {:.1f} N ({:.2f} kg) weniger, als hängen sollte</translation>
+    </message>
+    <message>
+        <source>Check the pieces: {:.1f} N ({:.2f} kg) more than should hang</source>
+        <translation>Die Stücke prüfen: {:.1f} N ({:.2f} kg) mehr, als hängen sollte</translation>
     </message>
     <message>
         <source>Coming back reads {:+.2f} um against going out: approach every position from one side</source>

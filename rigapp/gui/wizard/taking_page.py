@@ -191,7 +191,8 @@ class TakingPage(GuidePage):
         if live.session is None or not self.isVisible():
             return
         readiness = live.readiness
-        self.stability.show_readiness(readiness)
+        shown = None if readiness is None else live.session.compared(readiness)
+        self.stability.show_readiness(shown)
         usable = readiness is not None and readiness.ready and not live.session.procedure.done
         waits = self.hasFocus() or self.record.hasFocus()
         self.record.setEnabled(usable and not live.goes_ahead and not live.hands_busy)

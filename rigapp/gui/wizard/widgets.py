@@ -111,7 +111,7 @@ def caption(text: Text) -> QLabel:
 
 
 class Sign(QWidget):
-    """Paint the state of the signal as a shape: ring, wave, filled square."""
+    """Paint the state of the signal as a shape: ring, wave, filled square, triangle."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
@@ -143,6 +143,11 @@ class Sign(QWidget):
         if self._state is SignalState.STEADY:
             painter.setBrush(QColor(self._theme.highlight))
             painter.drawRect(box)
+        elif self._state is SignalState.WRONG:
+            pen.setColor(QColor(self._theme.critical))
+            painter.setPen(pen)
+            top = QPointF(box.center().x(), box.top())
+            painter.drawPolygon(QPolygonF([top, box.bottomRight(), box.bottomLeft()]))
         elif self._state is SignalState.MOVING:
             across = np.linspace(0.1, 0.9, 25)
             points = [
@@ -160,6 +165,7 @@ WORDS: dict[SignalState, Text] = {
     SignalState.WAITING: "WAIT",
     SignalState.MOVING: "NOT STEADY",
     SignalState.STEADY: "STEADY",
+    SignalState.WRONG: "CHECK",
 }
 
 
