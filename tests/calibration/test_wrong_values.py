@@ -84,6 +84,7 @@ def test_a_wrong_value_is_refused_by_a_sentence(tmp_path: Path, kind: str) -> No
 
 
 @pytest.mark.long
+@pytest.mark.timeout(1200)
 @pytest.mark.filterwarnings("ignore:.*:RuntimeWarning")
 @pytest.mark.parametrize("kind", NAMED)
 def test_every_wrong_value_is_refused_by_a_sentence(tmp_path: Path, kind: str) -> None:

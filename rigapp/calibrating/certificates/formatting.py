@@ -14,6 +14,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
 from rigapp.report.page.document import Figure, Manuscript, Row, Table
 from rigapp.report.page.figures import canvas_of, name_curves, saved
+from rigapp_calibration.coverage import by_uncertainty
 
 Content = Mapping[str, Any]
 """The content of a record, or a part of it."""
@@ -103,9 +104,12 @@ def budget_table(title: str, result: Content, unit: str, shown: str) -> list[Tab
         "type": "{type}",
         "distribution": "{distribution}",
         "degrees of freedom": "{degrees}",
-        f"u, {shown}": f"{{{key}:.4g}}",
+        f"u, {shown}": "{size}",
     }
-    items = ({**one, "degrees": _degrees(one)} for one in (*lines, of_all, expanded))
+    items = (
+        {**one, "degrees": _degrees(one), "size": by_uncertainty(one[key], expanded[key], 1)}
+        for one in (*lines, of_all, expanded)
+    )
     return [table(title, columns, items)]
 
 
@@ -128,7 +132,8 @@ def taken_words(content: Content) -> str:
     rejected = events.count("reject")
     words += f"; {rejected} series rejected and repeated" if rejected else "; nothing rejected"
     again = events.count("back")
-    words += f"; {again} single readings taken again" * bool(again)
+    if again:
+        words += f"; {again} single reading{'s' * (again > 1)} taken again"
     words += "; the creep was left out" * ("left out" in events)
     return words + ("; SIMULATED rig, for practice" if taken.get("simulated") else "")
 

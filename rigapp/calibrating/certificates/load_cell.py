@@ -29,6 +29,9 @@ from rigapp_calibration.load_cell.readings import LoadCellReadings, parse_load_c
 from rigapp_calibration.load_cell.two_axis import forces
 from rigapp_calibration.load_cell.weights import pin_force
 
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+"""Digits of an exponent."""
+
 EXTRAPOLATED = "extrapolated"
 MARKED = "extrapolated, U in use"
 RESULTS = {
@@ -417,11 +420,15 @@ def _quadratic(result: Content, unit: str) -> list[Table]:
     quadratic = result.get("quadratic_unit_per_N2")
     if quadratic is None:
         return []
+    # One power of ten for all: exponents of each number are hard to compare by eye.
+    largest = max(abs(value) for row in quadratic for value in row)
+    power = math.floor(math.log10(largest)) if largest > 0.0 else 0
     rows: list[Row] = [
-        (f"signal {axis}", *(f"{value:.4e}" for value in row))
+        (f"signal {axis}", *(f"{value / 10.0**power:.4f}" for value in row))
         for axis, row in enumerate(quadratic, 1)
     ]
-    title = f"Quadratic terms: signal - zero = inverse(K) f + Q (f1², f1 f2, f2²); {unit} per N²"
+    shown = f"10{str(power).translate(RAISED)} {unit} per N²"
+    title = f"Quadratic terms: signal - zero = inverse(K) f + Q (f1², f1 f2, f2²); {shown}"
     return [Table(title, tuple(rows), ("", "f1²", "f1 f2", "f2²"))]
 
 
