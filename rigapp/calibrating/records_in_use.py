@@ -124,8 +124,7 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
                 )
             else:
                 blocking[label] = say(
-                    "the calibration record {} of {} {}; calibrate again, or write"
-                    " calibration_override with the reason",
+                    "the calibration record {} of {} {}",
                     record.number,
                     label,
                     against,

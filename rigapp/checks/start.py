@@ -156,8 +156,7 @@ def disk_checks(disk: DiskFacts | None) -> Iterator[Check]:
 def record_checks(records: RigRecords) -> Iterator[Check]:
     """Judge the calibration of each part: by a record, or by the rig file alone."""
     for name, why in records.blocking.items():
-        action = say("Calibrate, or give a reason in calibration_override of the rig file")
-        yield Check(say("Calibration of {}", _words(name)), BLOCKS, why, action)
+        yield Check(say("Calibration of {}", _words(name)), BLOCKS, why, record_advice(name))
     for name, text in records.remarks.items():
         if name not in records.blocking:
             yield Check(say("Calibration of {}", _words(name)), ATTENTION, text)
@@ -174,6 +173,12 @@ def record_checks(records: RigRecords) -> Iterator[Check]:
                 say("no record: the numbers of the rig file count"),
                 say("Calibrate for a known uncertainty"),
             )
+
+
+def record_advice(name: str) -> Sentence:
+    """Return what to do where a record forbids a start. name: the label of the record."""
+    key = "run_out_override" if name == "run_out" else "calibration_override"
+    return say("Calibrate again, or give a reason in {} of the rig file", key)
 
 
 def _words(section: str) -> Sentence:

@@ -21,6 +21,7 @@ from typing import Any
 import msgspec
 import numpy as np
 
+from rigapp.checks.start import record_advice
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_rig
 from rigapp.config.rig import DeviceSection, RigFile
@@ -221,7 +222,10 @@ def compare(
         *_of_devices(past, devices),
         *_of_calibration(past, calibration),
         *_of_zero(past, rig, calibration, rest),
-        *(Compared("Record", "", text, Fit.BLOCKS, text) for text in blocking.values()),
+        *(
+            Compared("Record", "", text, Fit.BLOCKS, say("{}. {}", text, record_advice(name)))
+            for name, text in blocking.items()
+        ),
     ]
     summary = past.summary
     return Resumption(

@@ -7,12 +7,12 @@ import time
 from collections.abc import Callable
 
 import pytest
-from engine_doubles import MemoryRig, a_test, eventually
 
 from rigapp.engine.connection import Connection
 from rigapp.process.threads import OVERSLEPT_S
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import ENDED
+from tests.engine.engine_doubles import MemoryRig, a_test, eventually
 
 ASLEEP_S = 1.5 * OVERSLEPT_S
 

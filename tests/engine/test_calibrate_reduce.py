@@ -8,7 +8,6 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
-from engine_doubles import MemoryRig
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -22,6 +21,7 @@ from rigapp.schema.channels import BASE, STATISTICS
 from rigapp.schema.messages import Flag
 from rigapp_drivers.api import Block, ChannelSpec, StreamSetup
 from tests.engine.calibrations import calibration_by_hand
+from tests.engine.engine_doubles import MemoryRig
 
 RATE = 960.0
 

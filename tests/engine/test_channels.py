@@ -14,7 +14,6 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
-from engine_doubles import FakeSource, MemoryRig, a_test, eventually
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -53,6 +52,7 @@ from rigapp_drivers.api import (
     StreamSetup,
 )
 from tests.engine.calibrations import calibration_by_hand
+from tests.engine.engine_doubles import FakeSource, MemoryRig, a_test, eventually
 
 FREE = {
     "bushing_temperature": ChannelSection(

@@ -7,7 +7,6 @@ from collections.abc import Iterable
 
 import numpy as np
 import pytest
-from engine_doubles import MemoryRig, a_test, eventually
 from msgspec.structs import replace
 
 from rigapp.config.recipe import StopSection
@@ -15,6 +14,7 @@ from rigapp.engine.judging.depthwatch import BIN, STAYS, DepthWatch, KnownDepth
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import Prediction
 from rigapp.schema.states import ENDED
+from tests.engine.engine_doubles import MemoryRig, a_test, eventually
 
 NAMES = [one.name for one in prediction_columns()]
 

@@ -9,12 +9,12 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import pytest
-from engine_doubles import MemoryRig, a_test, eventually
 from patience import PATIENCE_S
 
 from rigapp.schema.messages import FinishReason, RunState, Severity
 from rigapp.schema.states import ENDED
 from rigapp_drivers.api import Block, DriveStatus
+from tests.engine.engine_doubles import MemoryRig, a_test, eventually
 
 LONG = 1_000_000
 STARTING, RUNNING = RunState.STARTING, RunState.RUNNING

@@ -18,7 +18,6 @@ from typing import Any
 
 import pytest
 import serial
-from engine_doubles import a_test, back_to_work, eventually
 from test_channels import ChannelRig, heard
 
 from rigapp.config.errors import UnusableInput
@@ -27,6 +26,7 @@ from rigapp.schema.messages import DeviceView, FinishReason, RunState
 from rigapp.schema.states import ENDED, Refused
 from rigapp_drivers.api import DeviceError, DriverInfo, ReplyTimeout
 from rigapp_drivers.registry import DriverBroken, DriverNotFound
+from tests.engine.engine_doubles import a_test, back_to_work, eventually
 
 LONG = 1_000_000
 

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from engine_doubles import eventually
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test, read_rig
@@ -20,6 +19,7 @@ from rigapp.schema.states import ENDED
 from rigapp.service.simulated import SimulatedDevices, parse_speed
 from rigapp.storage import open_test
 from rigapp_drivers.api import ChannelSpec, SampleClock, StreamSetup
+from tests.engine.engine_doubles import eventually
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 LINES = 900

@@ -9,7 +9,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from engine_doubles import MemoryRig, a_test, back_to_work, eventually
 
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.speeds import ANSWERS
@@ -24,6 +23,7 @@ from rigapp_drivers.api import (
     SettingRefused,
     SettingsLost,
 )
+from tests.engine.engine_doubles import MemoryRig, a_test, back_to_work, eventually
 
 LONG = 1_000_000
 

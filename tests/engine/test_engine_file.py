@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from engine_doubles import MemoryRig, eventually
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test
@@ -18,6 +17,7 @@ from rigapp.schema.messages import Flag, RunState
 from rigapp.schema.states import ENDED
 from rigapp.storage import open_test
 from rigapp_drivers.api import DeviceFault
+from tests.engine.engine_doubles import MemoryRig, eventually
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 

@@ -12,7 +12,6 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
-from engine_doubles import COUNTS, MemoryRig, a_test, eventually
 from patience import PATIENCE_S
 
 from rigapp.config.errors import UnusableInput
@@ -32,6 +31,7 @@ from rigapp.schema.messages import (
 from rigapp.schema.notices import AlarmChanged, Committed, Finished, Notice, StateChanged
 from rigapp.schema.states import ENDED, Refused
 from rigapp.schema.wire import decode, encode
+from tests.engine.engine_doubles import COUNTS, MemoryRig, a_test, eventually
 
 LONG = 1_000_000
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from typing import Any
 
-from engine_doubles import RATE, Crank, FakeStore, MemoryRig, a_test, eventually
 from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 from hypothesis.stateful import (
@@ -22,6 +21,7 @@ from rigapp.schema.channels import BASE
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import ACTIVE, ENDED, TURNING, Refused
 from rigapp_drivers.api import DeviceError
+from tests.engine.engine_doubles import RATE, Crank, FakeStore, MemoryRig, a_test, eventually
 
 LAST = ("revolution", "time")
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import time
 
 import pytest
-from engine_doubles import MemoryRig, a_test, eventually
 
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.lateness import Lateness
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import InFault
+from tests.engine.engine_doubles import MemoryRig, a_test, eventually
 
 PERIOD_S = 0.05
 

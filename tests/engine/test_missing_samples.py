@@ -17,7 +17,6 @@ from pathlib import Path
 import msgspec
 import numpy as np
 import pytest
-from engine_doubles import eventually
 
 from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.engine.engine import Engine
@@ -26,6 +25,7 @@ from rigapp.schema.states import ENDED, Refused
 from rigapp.service.simulated import SimulatedDevices, parse_speed
 from rigapp.storage import open_test
 from rigapp_drivers.api import DeviceError
+from tests.engine.engine_doubles import eventually
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 GSV8, DATAQ, BY_ENCODER = "simulated", "simulated_alternate", "simulated_encoder_clock"

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from engine_doubles import MemoryRig, a_test, eventually
 from test_channels import ChannelRig, WiredSource, heard
 
 from rigapp.config.parameters import PairingSection
@@ -24,6 +23,7 @@ from rigapp.engine.values.reduce import _extremes_and_moments
 from rigapp.schema.channels import BASE
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.states import ENDED
+from tests.engine.engine_doubles import MemoryRig, a_test, eventually
 
 LONG = 1_000_000
 NO_NUMBERS = (math.nan, math.inf, -math.inf)

@@ -9,7 +9,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import pytest
-from engine_doubles import MemoryRig, a_test, eventually
 from hypothesis import Phase, example, given, settings
 from hypothesis import strategies as st
 
@@ -20,6 +19,7 @@ from rigapp.engine.recovery import AT_REST, WAITING, Situation, recovery
 from rigapp.schema.messages import Alarm, Ends, FinishReason, Remedy, RunState, Severity
 from rigapp.schema.states import ACTIVE, ENDED, InFault, Refused
 from rigapp_drivers.api import DeviceError, DeviceFault, ProtocolError
+from tests.engine.engine_doubles import MemoryRig, a_test, eventually
 
 LONG = 1_000_000
 QUIET = (Refused, UnusableInput, DeviceError, TimeoutError)

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from engine_doubles import MemoryRig
 
 from rigapp.commands.status import reset_drive
 from rigapp.config.toml import toml_text
 from rigapp_drivers.api import DeviceFault, DeviceLost
+from tests.engine.engine_doubles import MemoryRig
 
 
 @pytest.fixture

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from engine_doubles import MemoryRig, a_test, eventually
 
 from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.parameters import to_parameters
@@ -19,6 +18,7 @@ from rigapp.schema.states import ENDED
 from rigapp.service.simulated import SimulatedDevices, parse_speed
 from rigapp.simulation.constants import packaged_parameters
 from rigapp_model.dynamics import rest_angle
+from tests.engine.engine_doubles import MemoryRig, a_test, eventually
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 LONG = 1_000_000

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from engine_doubles import BLOCK, COUNTS, RATE, MemoryRig, a_test, eventually
 
 from rigapp.engine.judging.saturation import BACK_S, STAYS_S, SaturationWatch
 from rigapp.engine.samples.assembler import EncoderSetup
@@ -14,6 +13,7 @@ from rigapp.schema.messages import Alarm, FinishReason, Flag, RunState, Severity
 from rigapp.schema.states import ENDED, Refused
 from rigapp_drivers.api import InputFault, InputFaultKind
 from tests.engine.calibrations import calibration_by_hand
+from tests.engine.engine_doubles import BLOCK, COUNTS, RATE, MemoryRig, a_test, eventually
 
 LONG = 1_000_000
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 
 import pytest
-from engine_doubles import BLOCK, RATE, MemoryRig, a_test
 from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
@@ -14,6 +13,7 @@ from rigapp.engine.judging.speeds import ANSWERS, LATE_S, SpeedComparison
 from rigapp.schema.messages import FinishReason, RunState
 from rigapp.schema.states import ENDED
 from rigapp_drivers.api import Block
+from tests.engine.engine_doubles import BLOCK, RATE, MemoryRig, a_test
 
 TARGET_RPM = 60.0
 

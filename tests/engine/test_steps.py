@@ -10,7 +10,6 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
-from engine_doubles import FakeStore, MemoryRig, a_test, eventually
 
 from rigapp.config.recipe import LimitRule, RunStep, TestFile
 from rigapp.engine import activetest
@@ -20,6 +19,7 @@ from rigapp.schema.loglines import REST
 from rigapp.schema.messages import Event, Flag, RunState
 from rigapp.schema.notices import Finished, Notice, StateChanged
 from rigapp.schema.states import ENDED, Refused
+from tests.engine.engine_doubles import FakeStore, MemoryRig, a_test, eventually
 
 PACE = 40.0
 """The rig in memory runs at least so many times as fast as the computer's clock."""

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from engine_doubles import FakeStore, MemoryRig, a_test, eventually
 from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
@@ -30,6 +29,7 @@ from rigapp.schema.channels import BASE
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import FinishReason, Flag, Prediction, RunState
 from rigapp.schema.states import ENDED
+from tests.engine.engine_doubles import FakeStore, MemoryRig, a_test, eventually
 
 RPM = 60.0
 QUICK = Path(__file__).parents[2] / "examples" / "quick.toml"

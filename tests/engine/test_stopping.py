@@ -8,7 +8,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from engine_doubles import eventually
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -27,6 +26,7 @@ from rigapp.process.threads import Worker
 from rigapp.schema.messages import FinishReason, RunState
 from rigapp.schema.notices import Committed, Finished, StateChanged
 from rigapp_drivers.api import Block
+from tests.engine.engine_doubles import eventually
 
 WATCHDOG_S = 0.5
 

@@ -8,7 +8,6 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from engine_doubles import COUNTS, RATE, MemoryRig, eventually
 
 from rigapp.config.loading import Document, parse_test
 from rigapp.config.recipe import TestFile
@@ -31,6 +30,7 @@ from rigapp.storage import (
     trip_of,
 )
 from rigapp.viewer.recording import load_trip
+from tests.engine.engine_doubles import COUNTS, RATE, MemoryRig, eventually
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 

@@ -8,7 +8,6 @@ from dataclasses import replace
 import msgspec
 import numpy as np
 import pytest
-from engine_doubles import MemoryRig, a_test, eventually
 
 from rigapp.config.recipe import TestFile
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup
@@ -16,6 +15,7 @@ from rigapp.engine.watches import DriveWatch
 from rigapp.schema.messages import Alarm, FinishReason, Flag, RunState, Severity
 from rigapp.schema.states import ENDED
 from rigapp_drivers.api import Block, InputFault, InputFaultKind, Quality
+from tests.engine.engine_doubles import MemoryRig, a_test, eventually
 
 LONG = 1_000_000
 

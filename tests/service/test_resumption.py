@@ -104,7 +104,7 @@ def test_other_devices_and_another_encoder_refuse_even_with_a_reason(
     leftover = structs.replace(rig, simulation=None)
     assert fits(judged(past, leftover)) == {}
     expired = judged(past, rig, blocking={"load_cell": "the record 7 expired"})
-    assert expired.blocked == "the record 7 expired"
+    assert expired.blocked.startswith("the record 7 expired. Calibrate again")
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,6 @@ import re
 from pathlib import Path
 
 import pytest
-from engine_doubles import eventually
 from stories import RIG, recipe
 
 from rigapp.commands.files import print_info
@@ -26,6 +25,7 @@ from rigapp.service.simulated import SimulatedDevices, parse_speed
 from rigapp.storage import open_test
 from rigapp.viewer.connection import ConnectionState
 from rigapp.viewer.news import News
+from tests.engine.engine_doubles import eventually
 
 PLANNED = 5000
 

@@ -15,10 +15,8 @@ import threading
 import time
 from pathlib import Path
 
-import engine_doubles
 import numpy as np
 import pytest
-from engine_doubles import Crank, MemoryRig
 from footprint import MEGABYTE, Footprint, footprint
 from numpy.typing import NDArray
 from patience import PATIENCE_S
@@ -34,6 +32,8 @@ from rigapp.schema.states import ACTIVE, ENDED
 from rigapp.service.client import Client
 from rigapp.service.registry import running_engines
 from rigapp.storage import open_test
+from tests.engine import engine_doubles
+from tests.engine.engine_doubles import Crank, MemoryRig
 
 pytestmark = pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="needs Linux's /proc")
 

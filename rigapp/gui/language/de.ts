@@ -304,10 +304,6 @@
         <translation>{} kalibrieren</translation>
     </message>
     <message>
-        <source>Calibrate, or give a reason in calibration_override of the rig file</source>
-        <translation>Kalibrieren oder in calibration_override der Prüfstandsdatei einen Grund angeben</translation>
-    </message>
-    <message>
         <source>Calibrate…  F3</source>
         <translation>Kalibrieren…  F3</translation>
     </message>
@@ -13729,6 +13725,10 @@ Mittel (µm)</translation>
         <translation>Brücke {} liefert bei Nennkraft {:.4g} mV/V, {:+.1f} % neben dem Nennkennwert {:.4g} mV/V; {:.1f} % sind erlaubt. Prüfen Sie Einheit und Masse der Gewichte, und ob etwas einen Teil der Last trägt</translation>
     </message>
     <message>
+        <source>Calibrate again, or give a reason in {} of the rig file</source>
+        <translation>Neu kalibrieren oder in der Prüfstandsdatei unter {} einen Grund angeben</translation>
+    </message>
+    <message>
         <source>Change nothing: {:g} kg hang then</source>
         <translation>Nichts ändern: Dann hängen {} kg</translation>
     </message>
@@ -15365,10 +15365,6 @@ Mittel (µm)</translation>
         <translation>die Kalibrierung ist zu Ende: {}</translation>
     </message>
     <message>
-        <source>the calibration record {} of {} {}; calibrate again, or write calibration_override with the reason</source>
-        <translation>der Kalibrierdatensatz {} von {} {}; neu kalibrieren oder calibration_override mit dem Grund schreiben</translation>
-    </message>
-    <message>
         <source>the channel of {} is a number, not {}</source>
         <translation>der Kanal von {} ist eine Zahl, nicht {}</translation>
     </message>
@@ -16955,6 +16951,10 @@ Mittel (µm)</translation>
     <message>
         <source>answers come up to {:.2g} s late; set {} to {:g} or more</source>
         <translation>Antworten kommen bis zu {:.2g} s verspätet; {} auf {:g} oder mehr setzen</translation>
+    </message>
+    <message>
+        <source>the calibration record {} of {} {}</source>
+        <translation>der Kalibrierdatensatz {} für {} {}</translation>
     </message>
     <message>
         <source>the drive cannot be used: it has nothing for {}</source>
