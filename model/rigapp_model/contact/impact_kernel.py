@@ -63,9 +63,12 @@ HOPELESS, HOPELESS_SHRINK = 1e30, 0.1
 """An error that is no number any more says nothing of the step that would do."""
 FLAWLESS = 1e-12
 """Of the tolerance: an error of 0 does not make an endless step."""
-NEAR_PEAK = 1.1
-"""A maximum between the stages of a step is above them by less than this factor: the widest gap
-between two is a fifth of a step, in which a contact swings by less than a radian."""
+ABOVE_STAGES = 0.25
+"""A maximum between the stages of a step is above them by less than this part of their range.
+
+The widest gap between two is a fifth of a step, in which a contact swings by less than a radian: a
+cosine of half a radian is 0.12 below its top, and of a slower swing 0.04 of the range of a step.
+"""
 PEAK_ROUNDS, PEAK_PARTS = 3, 8
 """A greatest force is sought so often on so many parts: to 1/256 of a step, 1e-5 of a maximum."""
 SAME_TIME = 1e-13
@@ -239,13 +242,13 @@ def greatest_force(  # type: ignore[no-untyped-def]
 
     The stages of the step tell whether it lies between the ends; then it is sought on the
     interpolant, which ``ready`` says to be in ``dense`` already. slope: room for a derivative.
-    known: the greatest before; where the stages stay well below it, none is sought.
+    known: the greatest before; where none between the stages can be above it, none is sought.
     """
     most = max(k[0, FORCE], k[STAGES, FORCE])
-    between = 0.0
+    between, least = 0.0, min(k[0, FORCE], k[STAGES, FORCE])
     for i in range(1, STAGES):
-        between = max(between, k[i, FORCE])
-    if between <= most or NEAR_PEAK * between < known:
+        between, least = max(between, k[i, FORCE]), min(least, k[i, FORCE])
+    if between <= most or between + ABOVE_STAGES * (between - least) < known:
         return most
     if not ready:
         prepare_dense(p, table, options, time, h, k, states, impact_speed, True, dense)
