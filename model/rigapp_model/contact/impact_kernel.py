@@ -57,6 +57,7 @@ CONTROL = 10
 """Places in the control: tolerances of the states, then steps, impact speed, begin of tally."""
 
 STAGES, ALL_STAGES = 12, 16
+WITHIN = 11  # the stages from here to STAGES are at the end of the step, and differ by its error
 SAFETY, SHRINK, GROW, ORDER = 0.9, 0.2, 6.0, 0.125
 """Of the next step: Hairer, Norsett, Wanner (1993), II.4, for a method of order 8."""
 HOPELESS, HOPELESS_SHRINK = 1e30, 0.1
@@ -246,7 +247,7 @@ def greatest_force(  # type: ignore[no-untyped-def]
     """
     most = max(k[0, FORCE], k[STAGES, FORCE])
     between, least = 0.0, min(k[0, FORCE], k[STAGES, FORCE])
-    for i in range(1, STAGES):
+    for i in range(1, WITHIN):
         between, least = max(between, k[i, FORCE]), min(least, k[i, FORCE])
     if between <= most or between + ABOVE_STAGES * (between - least) < known:
         return most
