@@ -15,7 +15,7 @@ from numba import boolean, float64, int64, void
 from scipy.integrate import DOP853
 
 from rigapp_model.compiled import njit
-from rigapp_model.contact.impact_laws import TABLE, VECTOR
+from rigapp_model.contact.impact_laws import KERNEL, TABLE, VECTOR
 from rigapp_model.contact.impact_motion import (
     COORDINATES,
     DERIVATIVE,
@@ -30,6 +30,7 @@ from rigapp_model.contact.impact_motion import (
     depth_and_rate,
     derivative,
     joint_contact,
+    rates,
     reference,
 )
 
@@ -88,11 +89,20 @@ BEGIN, END, STAGE = range(3)
 
 @njit(
     void(VECTOR, TABLE, int64[::1], float64, float64, ROWS, ROWS, float64, boolean, int64, int64),
-    cache=True,
+    **KERNEL,
 )
 def evaluate(p, table, options, time, h, k, states, impact_speed, touching, first, last):  # type: ignore[no-untyped-def]
-    """Fill the stages k[first] .. k[last - 1] of a step from the ones before."""
-    begin, stage = states[BEGIN], states[STAGE]
+    """Fill the stages k[first] .. k[last - 1] of a step from the ones before.
+
+    The reference is evaluated for all stages first: it does not wait for the stage before, and a
+    processor does several at once. Tuples, not rows of k, go in and out: a row costs its counting.
+    """
+    b0, b1, b2, b3 = states[BEGIN, 0], states[BEGIN, 1], states[BEGIN, 2], states[BEGIN, 3]
+    y = b0, b1, b2, b3
+    r = np.empty((ALL_STAGES, 9))
+    for i in range(first, last):
+        found = reference(p, time + C[i] * h)
+        r[i, 0], r[i, 1], r[i, 2], r[i, 3], r[i, 4], r[i, 5], r[i, 6], r[i, 7], r[i, 8] = found
     for i in range(first, last):
         s0 = s1 = s2 = s3 = 0.0
         for j in range(i):
@@ -101,16 +111,16 @@ def evaluate(p, table, options, time, h, k, states, impact_speed, touching, firs
             s1 += a * k[j, 1]
             s2 += a * k[j, 2]
             s3 += a * k[j, 3]
-        stage[0] = begin[0] + h * s0
-        stage[1] = begin[1] + h * s1
-        stage[2] = begin[2] + h * s2
-        stage[3] = begin[3] + h * s3
-        derivative(p, table, options, time + C[i] * h, stage, impact_speed, touching, k[i])
+        y = b0 + h * s0, b1 + h * s1, b2 + h * s2, b3 + h * s3
+        ref = r[i, 0], r[i, 1], r[i, 2], r[i, 3], r[i, 4], r[i, 5], r[i, 6], r[i, 7], r[i, 8]
+        found = rates(p, table, options, ref, y, impact_speed, touching)
+        k[i, 0], k[i, 1], k[i, 2], k[i, 3], k[i, 4], k[i, 5], k[i, 6], k[i, 7], k[i, 8] = found
+    states[STAGE, 0], states[STAGE, 1], states[STAGE, 2], states[STAGE, 3] = y
 
 
 @njit(
     float64(VECTOR, TABLE, int64[::1], float64, float64, ROWS, ROWS, VECTOR, float64, boolean),
-    cache=True,
+    **KERNEL,
 )
 def try_step(p, table, options, time, h, k, states, scale, impact_speed, touching):  # type: ignore[no-untyped-def]
     """Take one step from states[BEGIN] to states[END]; return its error over the tolerance.
@@ -140,8 +150,7 @@ def try_step(p, table, options, time, h, k, states, scale, impact_speed, touchin
 
 
 @njit(
-    void(VECTOR, TABLE, int64[::1], float64, float64, ROWS, ROWS, float64, boolean, ROWS),
-    cache=True,
+    void(VECTOR, TABLE, int64[::1], float64, float64, ROWS, ROWS, float64, boolean, ROWS), **KERNEL
 )
 def prepare_dense(p, table, options, time, h, k, states, impact_speed, touching, dense):  # type: ignore[no-untyped-def]
     """Write the coefficients of the step's interpolant into ``dense``, (7, 8)."""
@@ -158,7 +167,7 @@ def prepare_dense(p, table, options, time, h, k, states, impact_speed, touching,
             dense[3 + row, n] = h * total
 
 
-@njit(void(ROWS, ROWS, float64, ROW), cache=True)
+@njit(void(ROWS, ROWS, float64, ROW), **KERNEL)
 def interpolate(states, dense, part, out):  # type: ignore[no-untyped-def]
     """Write the state at ``part`` (0 .. 1) of a step into ``out``."""
     for n in range(STATE):
@@ -168,7 +177,7 @@ def interpolate(states, dense, part, out):  # type: ignore[no-untyped-def]
         out[n] = states[BEGIN, n] + value
 
 
-@njit(boolean(float64, float64, float64, float64, float64), cache=True)
+@njit(boolean(float64, float64, float64, float64, float64), **KERNEL)
 def may_cross(d0, r0, d1, r1, h):  # type: ignore[no-untyped-def]
     """Return whether a curve below 0 at its begin rises above 0 in a step: at its end or between.
 
@@ -192,10 +201,7 @@ def may_cross(d0, r0, d1, r1, h):  # type: ignore[no-untyped-def]
     return False
 
 
-@njit(
-    float64(VECTOR, TABLE, int64[::1], float64, float64, ROWS, ROWS, ROW, float64),
-    cache=True,
-)
+@njit(float64(VECTOR, TABLE, int64[::1], float64, float64, ROWS, ROWS, ROW, float64), **KERNEL)
 def first_crossing(p, table, options, time, h, states, dense, point, sign):  # type: ignore[no-untyped-def]
     """Return the part of a step at which sign * penetration first rises above 0, else 2."""
     low = 0.0
@@ -234,7 +240,7 @@ def first_crossing(p, table, options, time, h, states, dense, point, sign):  # t
         boolean,
         float64,
     ),
-    cache=True,
+    **KERNEL,
 )
 def greatest_force(  # type: ignore[no-untyped-def]
     p, table, options, time, h, k, states, dense, point, slope, impact_speed, ready, known
@@ -267,10 +273,7 @@ def greatest_force(  # type: ignore[no-untyped-def]
     return most
 
 
-@njit(
-    void(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean, ROW),
-    cache=True,
-)
+@njit(void(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean, ROW), **KERNEL)
 def write_sample(p, table, options, time, y, impact_speed, touching, out):  # type: ignore[no-untyped-def]
     """Write one sample of the whole state, its contact and its accelerations."""
     hold = joint_contact(p, table, options, time, y, impact_speed, touching)
@@ -287,7 +290,7 @@ def write_sample(p, table, options, time, y, impact_speed, touching, out):  # ty
     out[TOUCHING] = 1.0 if touching else 0.0
 
 
-@njit(void(VECTOR, float64, float64, ROW), cache=True)
+@njit(void(VECTOR, float64, float64, ROW), **KERNEL)
 def refer(p, time, sign, y):  # type: ignore[no-untyped-def]
     """Add the reference motion to a state, times a sign."""
     _, _, c, s, rate, _, position, velocity, _ = reference(p, time)
@@ -297,10 +300,7 @@ def refer(p, time, sign, y):  # type: ignore[no-untyped-def]
     y[THETA_RATE] += sign * rate
 
 
-@njit(
-    int64(VECTOR, TABLE, int64[::1], ROW, ROW, VECTOR, VECTOR, int64, ROWS, ROWS, ROW),
-    cache=True,
-)
+@njit(int64(VECTOR, TABLE, int64[::1], ROW, ROW, VECTOR, VECTOR, int64, ROWS, ROWS, ROW), **KERNEL)
 def integrate(p, table, options, y, course, control, times, most_steps, samples, impacts, tally):  # type: ignore[no-untyped-def]
     """Go on towards the last of ``times``, write samples, impacts and tallies; return a status.
 

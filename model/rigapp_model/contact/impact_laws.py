@@ -33,6 +33,11 @@ CIRCLE, PROFILE, ELASTIC_FOUNDATION = range(3)
 NODE_X, NODE_Y, NODE_LENGTH, CUBIC, SQUARE, LINEAR, CONSTANT = range(7)
 """Columns of the profile table: surface nodes in the follower frame, then the radius spline."""
 
+KERNEL = {"cache": True, "error_model": "numpy"}
+"""Options of a compiled function: divisions are not checked; a zero ends as a step too small."""
+INLINED = {**KERNEL, "forceinline": True}
+"""Of one that every stage of every step calls: its arrays alone are twenty arguments."""
+
 TABLE = types.Array(float64, 2, "C", readonly=True)
 VECTOR = types.Array(float64, 1, "C", readonly=True)
 PAIR = types.UniTuple(float64, 2)
@@ -42,7 +47,7 @@ FIVE = types.UniTuple(float64, 5)
 HOLD = types.UniTuple(float64, 9)
 
 
-@njit(float64(float64, float64, float64), cache=True)
+@njit(float64(float64, float64, float64), **INLINED)
 def friction_ramp(speed: float, start: float, end: float) -> float:
     """Return the part of Coulomb friction that acts at a sliding speed: odd, 0 .. 1 over a ramp."""
     size = abs(speed)
@@ -52,7 +57,7 @@ def friction_ramp(speed: float, start: float, end: float) -> float:
     return math.copysign(part, speed)
 
 
-@njit(float64(VECTOR, float64), cache=True)
+@njit(float64(VECTOR, float64), **INLINED)
 def elastic_force(p, deep):  # type: ignore[no-untyped-def]
     """Return the elastic force (N) at a penetration above 0 (m)."""
     if p[CONTACT_STIFFNESS] > 0.0:
@@ -68,7 +73,7 @@ def elastic_force(p, deep):  # type: ignore[no-untyped-def]
     return math.exp(value + slope * (along - inside))
 
 
-@njit(TRIPLE(VECTOR, TABLE, float64, float64), cache=True)
+@njit(TRIPLE(VECTOR, TABLE, float64, float64), **KERNEL)
 def nearest_on_profile(p, table, dx, dy):  # type: ignore[no-untyped-def]
     """Return penetration and the outward normal (follower frame) where the profile is nearest.
 
@@ -114,7 +119,7 @@ def nearest_on_profile(p, table, dx, dy):  # type: ignore[no-untyped-def]
     return p[PIN_RADIUS] - distance, ex / distance, ey / distance
 
 
-@njit(TRIPLE(VECTOR, TABLE, int64, float64, float64, float64, PAIR), cache=True)
+@njit(TRIPLE(VECTOR, TABLE, int64, float64, float64, float64, PAIR), **INLINED)
 def penetration(p, table, shape, dx, dy, excess, turn):  # type: ignore[no-untyped-def]
     """Return the deepest penetration (negative: gap) and the outward normal there, global.
 
@@ -144,7 +149,7 @@ def penetration(p, table, shape, dx, dy, excess, turn):  # type: ignore[no-untyp
     return deep, nx * c - ny * s, nx * s + ny * c
 
 
-@njit(FIVE(VECTOR, TABLE, float64, float64), cache=True)
+@njit(FIVE(VECTOR, TABLE, float64, float64), **KERNEL)
 def foundation_force(p, table, dx, dy):  # type: ignore[no-untyped-def]
     """Return elastic force on the bushing (x, y), two moments about its centre, penetration.
 
@@ -190,7 +195,7 @@ def foundation_force(p, table, dx, dy):  # type: ignore[no-untyped-def]
         PAIR,
         float64,
     ),
-    cache=True,
+    **INLINED,
 )
 def contact_force(p, table, shape, relative, excess, turn, rates, impact_speed):  # type: ignore[no-untyped-def]
     """Return the force of the contact on the bushing, and what it comes from; all global.

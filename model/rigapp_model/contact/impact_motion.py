@@ -19,6 +19,8 @@ from rigapp_model.contact.impact_laws import (
     GRAVITY_Y,
     HOLD,
     INERTIA,
+    INLINED,
+    KERNEL,
     LENGTH,
     MASS,
     PAIR,
@@ -48,11 +50,13 @@ FORCE, DERIVATIVE = 8, 9
 """Behind the rates of the state: the size of the joint's force, N."""
 
 ROW = float64[::1]
+COORDINATE_VALUES = types.UniTuple(float64, 4)
 REFERENCE = types.UniTuple(float64, 9)
+RATES = types.UniTuple(float64, 9)
 PLACED = types.UniTuple(float64, 7)
 
 
-@njit(REFERENCE(VECTOR, float64), cache=True)
+@njit(REFERENCE(VECTOR, float64), **INLINED)
 def reference(p, time):  # type: ignore[no-untyped-def]
     """Return the reference motion at a time.
 
@@ -73,7 +77,7 @@ def reference(p, time):  # type: ignore[no-untyped-def]
     return px, py, c, s, rate, growth, px + rise, velocity, acceleration
 
 
-@njit(PLACED(VECTOR, int64, REFERENCE, ROW), cache=True)
+@njit(PLACED(VECTOR, int64, REFERENCE, COORDINATE_VALUES), **INLINED)
 def placed_joint(p, location, ref, y):  # type: ignore[no-untyped-def]
     """Return where the pin is in its bushing for a state off the reference.
 
@@ -98,7 +102,7 @@ def placed_joint(p, location, ref, y):  # type: ignore[no-untyped-def]
     return dx, dy, ux, uy, excess, c, s
 
 
-@njit(HOLD(VECTOR, TABLE, int64[::1], PLACED, float64, float64, boolean), cache=True)
+@njit(HOLD(VECTOR, TABLE, int64[::1], PLACED, float64, float64, boolean), **INLINED)
 def contact_there(p, table, options, placed, follower_rate, impact_speed, touching):  # type: ignore[no-untyped-def]
     """Return what ``contact_force`` returns at a placed joint; without force in flight."""
     location, shape = options[0], options[1]
@@ -114,46 +118,45 @@ def contact_there(p, table, options, placed, follower_rate, impact_speed, touchi
     )
 
 
-@njit(HOLD(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean), cache=True)
+@njit(HOLD(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean), **KERNEL)
 def joint_contact(p, table, options, time, y, impact_speed, touching):  # type: ignore[no-untyped-def]
     """Return what ``contact_force`` returns for a state; without force in flight."""
     ref = reference(p, time)
-    placed = placed_joint(p, options[0], ref, y)
+    placed = placed_joint(p, options[0], ref, (y[X], y[THETA], y[X_RATE], y[THETA_RATE]))
     rate = ref[4] + y[THETA_RATE]
     return contact_there(p, table, options, placed, rate, impact_speed, touching)
 
 
-@njit(PAIR(VECTOR, TABLE, int64[::1], float64, ROW), cache=True)
+@njit(PAIR(VECTOR, TABLE, int64[::1], float64, ROW), **KERNEL)
 def depth_and_rate(p, table, options, time, y):  # type: ignore[no-untyped-def]
     """Return the penetration of a state, negative for a gap, and its rate of change."""
     hold = joint_contact(p, table, options, time, y, 1.0, False)
     return hold[3], hold[4]
 
 
-@njit(void(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean, ROW), cache=True)
-def derivative(p, table, options, time, y, impact_speed, touching, out):  # type: ignore[no-untyped-def]
-    """Write the state's rate of change into ``out``, and behind it the joint's force.
+@njit(RATES(VECTOR, TABLE, int64[::1], REFERENCE, COORDINATE_VALUES, float64, boolean), **INLINED)
+def rates(p, table, options, ref, y, impact_speed, touching):  # type: ignore[no-untyped-def]
+    """Return the state's rate of change, and behind it the joint's force.
 
-    The accelerations are those of slider and follower, less those of the reference.
+    ref: the reference at the state's time; y: its coordinates. The accelerations are those of
+    slider and follower, less those of the reference.
     """
-    ref = reference(p, time)
     px, py, _, _, rate0, growth0, position0, _, acceleration0 = ref
     placed = placed_joint(p, options[0], ref, y)
     c, s = placed[5], placed[6]
     rate = rate0 + y[THETA_RATE]
-    out[X], out[THETA] = y[X_RATE], y[THETA_RATE]
     fx = fy = moment = 0.0
-    out[SLID] = out[WORK] = out[WORK_X] = out[WORK_Y] = out[FORCE] = 0.0
+    slid = work = work_x = work_y = force = 0.0
     if touching:
         hold = contact_there(p, table, options, placed, rate, impact_speed, True)
         fx, fy, moment = hold[0], hold[1], hold[2]
-        out[FORCE] = math.sqrt(fx * fx + fy * fy)
+        force = math.sqrt(fx * fx + fy * fy)
         nx, ny, normal, sliding = hold[5], hold[6], hold[7], abs(hold[8])
         # A contact that damping has emptied does not slide.
         if normal > 0.0:
-            out[SLID], out[WORK] = sliding, normal * sliding
-            out[WORK_X] = -normal * sliding * (nx * c + ny * s)
-            out[WORK_Y] = -normal * sliding * (ny * c - nx * s)
+            slid, work = sliding, normal * sliding
+            work_x = -normal * sliding * (nx * c + ny * s)
+            work_y = -normal * sliding * (ny * c - nx * s)
     gx, gy = p[GRAVITY_X], p[GRAVITY_Y]
     spring = -p[STIFFNESS] * (position0 + y[X] - p[FREE_POSITION])
     b, length = p[STATIC_MOMENT], p[LENGTH]
@@ -162,10 +165,19 @@ def derivative(p, table, options, time, y, impact_speed, touching, out):  # type
         about = moment - length * (c * fy - s * fx) - b * (c * gy - s * gx)
         m11, m12, m22 = p[MASS] + p[SLIDER_MASS], b * s, p[INERTIA]
         det = m11 * m22 - m12 * m12
-        out[X_RATE] = (along * m22 - about * m12) / det - acceleration0
-        out[THETA_RATE] = (about * m11 - along * m12) / det - growth0
-        return
-    ax, ay = -px * p[SPEED] * p[SPEED], -py * p[SPEED] * p[SPEED]
-    about = moment + length * (c * fy - s * fx) + b * (c * (gy - ay) - s * (gx - ax))
-    out[X_RATE] = (spring - fx) / p[SLIDER_MASS] + gx - acceleration0
-    out[THETA_RATE] = about / p[INERTIA] - growth0
+        x_growth = (along * m22 - about * m12) / det - acceleration0
+        growth = (about * m11 - along * m12) / det - growth0
+    else:
+        ax, ay = -px * p[SPEED] * p[SPEED], -py * p[SPEED] * p[SPEED]
+        about = moment + length * (c * fy - s * fx) + b * (c * (gy - ay) - s * (gx - ax))
+        x_growth = (spring - fx) / p[SLIDER_MASS] + gx - acceleration0
+        growth = about / p[INERTIA] - growth0
+    return y[X_RATE], y[THETA_RATE], x_growth, growth, slid, work, work_x, work_y, force
+
+
+@njit(void(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean, ROW), **KERNEL)
+def derivative(p, table, options, time, y, impact_speed, touching, out):  # type: ignore[no-untyped-def]
+    """Write what ``rates`` returns of a state at a time into ``out``."""
+    now = (y[X], y[THETA], y[X_RATE], y[THETA_RATE])
+    found = rates(p, table, options, reference(p, time), now, impact_speed, touching)
+    out[0], out[1], out[2], out[3], out[4], out[5], out[6], out[7], out[8] = found
