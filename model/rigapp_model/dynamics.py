@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rigapp.texts import joined, say
+from rigapp_model import dynamics_kernel as kernel
 from rigapp_model.errors import ModelError
-from rigapp_model.frames import into_frame
 from rigapp_model.parameters import Joint, Mechanism
 
 Array = NDArray[np.float64]
@@ -100,102 +100,101 @@ def inverse_dynamics(
     is not finite. Sources: paper Eqs 4 and 12 with their multipliers eliminated by hand; friction
     by the friction circle.
     """
-    turn, rate, growth, gap = _broadcast(mechanism, angle, speed, acceleration, clearance)
-    r, half, k = mechanism.crank_radius, 0.5 * mechanism.follower_length, mechanism.spring
-    length = mechanism.follower_length + gap
-    ratio = r / length
-    c1, s1 = np.cos(turn), np.sin(turn)
-    s2 = -ratio * s1
-    c2 = np.sqrt(1.0 - s2 * s2)
-    rate2 = rate * rate
+    given = _given(mechanism, angle, speed, acceleration, clearance)
+    shape = given.shape[1:]
+    given = given.reshape((kernel.GIVEN, -1))
+    np.cos(given[kernel.ANGLE], out=given[kernel.COSINE])
+    np.sin(given[kernel.ANGLE], out=given[kernel.SINE])
+    found = np.empty((kernel.FOUND, given.shape[1]))
+    if not kernel.solve(_constants(mechanism, contact), given, found):
+        assert contact is not None
+        raise ModelError(
+            "friction_coefficient",
+            contact.friction_coefficient,
+            say("the joint locks: the friction circle is larger than the follower's lever"),
+        )
+    given, found = given.reshape((len(given), *shape)), found.reshape((len(found), *shape))
 
-    w2 = -ratio * c1 * rate / c2
-    w2w2 = w2 * w2
-    al2 = (s2 * w2w2 + ratio * (s1 * rate2 - c1 * growth)) / c2
-    crank_position, crank_velocity, crank_acceleration = _circle(
-        0.5 * r, c1, s1, rate, rate2, growth
-    )
-    arm_position, arm_velocity, arm_acceleration = _circle(half, c2, s2, w2, w2w2, al2)
-    slider_position = r * c1 + length * c2
-    slider_velocity = -r * s1 * rate - length * s2 * w2
-    slider_acceleration = -r * (s1 * growth + c1 * rate2) - length * (s2 * al2 + c2 * w2w2)
-    follower_position, follower_velocity, follower_acceleration = (
-        _before(slider_position, arm_position),
-        _before(slider_velocity, arm_velocity),
-        _before(slider_acceleration, arm_acceleration),
-    )
+    def vector(row: int) -> Array:
+        return found[row : row + 2]
 
-    gx, gy = mechanism.gravity
-    m1, m2, m3 = mechanism.crank_mass, mechanism.follower_mass, mechanism.moving_mass
-    spring = -k.stiffness * (slider_position - k.free_position) if k else 0.0 * slider_position
-    load_x = m2 * (follower_acceleration[0] - gx)
-    load_y = m2 * (follower_acceleration[1] - gy)
-    load_n2 = load_y * c2 - load_x * s2
-    wrist = np.empty_like(follower_position)
-    wrist[0] = m3 * (slider_acceleration - gx) - spring
-    wrist_n2 = (-mechanism.follower_inertia * al2 - (half + gap) * load_n2) / length
-    wrist[1] = (wrist_n2 + wrist[0] * s2) / c2
-    moment = _friction_moment(contact, rate - w2, wrist[0] + load_x, wrist[1] + load_y, length * c2)
-    wrist[1] += moment / (length * c2)
-    force = np.empty_like(wrist)
-    force[0] = wrist[0] + load_x
-    force[1] = wrist[1] + load_y
-
-    bearing = m1 * crank_acceleration + force
-    bearing[0] -= m1 * gx
-    bearing[1] -= m1 * gy
-    torque = (
-        (mechanism.crank_inertia + 0.25 * m1 * r * r) * growth
-        + r * (c1 * force[1] - s1 * force[0])
-        - 0.5 * r * m1 * (c1 * gy - s1 * gx)
-        + moment
-    )
     return MechanismMotion(
-        angle=turn,
-        speed=rate,
-        acceleration=growth,
-        follower_angle=np.arcsin(s2),
-        follower_speed=w2,
-        follower_acceleration=al2,
-        crank_position=crank_position,
-        crank_velocity=crank_velocity,
-        crank_acceleration=crank_acceleration,
-        follower_position=follower_position,
-        follower_velocity=follower_velocity,
-        follower_centre_acceleration=follower_acceleration,
-        slider_position=slider_position,
-        slider_velocity=slider_velocity,
-        slider_acceleration=slider_acceleration,
-        spring_force=spring,
-        force=force,
-        force_crank=into_frame(force, c1, s1),
-        force_follower=into_frame(force, c2, s2),
-        wrist_force=wrist,
-        guide_force=-wrist[1] - m3 * gy,
-        bearing_force=bearing,
-        drive_torque=torque,
-        friction_moment=moment,
+        angle=given[kernel.ANGLE],
+        speed=given[kernel.SPEED],
+        acceleration=given[kernel.ACCELERATION],
+        follower_angle=np.arcsin(found[kernel.FOLLOWER_SINE]),
+        follower_speed=found[kernel.FOLLOWER_SPEED],
+        follower_acceleration=found[kernel.FOLLOWER_ACCELERATION],
+        crank_position=vector(kernel.CRANK_POSITION),
+        crank_velocity=vector(kernel.CRANK_VELOCITY),
+        crank_acceleration=vector(kernel.CRANK_ACCELERATION),
+        follower_position=vector(kernel.CENTRE_POSITION),
+        follower_velocity=vector(kernel.CENTRE_VELOCITY),
+        follower_centre_acceleration=vector(kernel.CENTRE_ACCELERATION),
+        slider_position=found[kernel.SLIDER_POSITION],
+        slider_velocity=found[kernel.SLIDER_VELOCITY],
+        slider_acceleration=found[kernel.SLIDER_ACCELERATION],
+        spring_force=found[kernel.SPRING_FORCE],
+        force=vector(kernel.FORCE),
+        force_crank=vector(kernel.FORCE_CRANK),
+        force_follower=vector(kernel.FORCE_FOLLOWER),
+        wrist_force=vector(kernel.WRIST_FORCE),
+        guide_force=found[kernel.GUIDE_FORCE],
+        bearing_force=vector(kernel.BEARING_FORCE),
+        drive_torque=found[kernel.DRIVE_TORQUE],
+        friction_moment=found[kernel.FRICTION_MOMENT],
     )
 
 
-def _broadcast(
+def _constants(mechanism: Mechanism, contact: Joint | None) -> Array:
+    """Return what the compiled solution takes of mechanism and joint."""
+    constants = np.zeros(kernel.CONSTANTS)
+    constants[kernel.CRANK_RADIUS] = mechanism.crank_radius
+    constants[kernel.FOLLOWER_LENGTH] = mechanism.follower_length
+    constants[kernel.CRANK_MASS] = mechanism.crank_mass
+    constants[kernel.FOLLOWER_MASS] = mechanism.follower_mass
+    constants[kernel.MOVING_MASS] = mechanism.moving_mass
+    constants[kernel.CRANK_INERTIA] = mechanism.crank_inertia
+    constants[kernel.FOLLOWER_INERTIA] = mechanism.follower_inertia
+    if mechanism.spring:
+        constants[kernel.STIFFNESS] = mechanism.spring.stiffness
+        constants[kernel.FREE_POSITION] = mechanism.spring.free_position
+    constants[kernel.GRAVITY_X], constants[kernel.GRAVITY_Y] = mechanism.gravity
+    if contact is not None:
+        mu = contact.friction_coefficient
+        constants[kernel.FRICTION_RADIUS] = contact.pin_radius * mu / np.sqrt(1.0 + mu * mu)
+    return constants
+
+
+def _given(
     mechanism: Mechanism,
     angle: ArrayLike,
     speed: ArrayLike,
     acceleration: ArrayLike,
     clearance: ArrayLike,
-) -> tuple[Array, Array, Array, Array]:
-    """Return the four arguments as float64 arrays of one shape, checked."""
+) -> Array:
+    """Return the four arguments, checked, as rows of what the compiled solution takes."""
     names = ("angle", "speed", "acceleration", "clearance")
-    given = [np.asarray(a, dtype=np.float64) for a in (angle, speed, acceleration, clearance)]
-    for name, array in zip(names, given, strict=True):
-        if not np.isfinite(array).all():
-            raise ModelError(name, say("not finite"), say("give finite numbers only"))
-    shortest = mechanism.follower_length + float(given[3].min(initial=0.0))
+    arrays = [np.asarray(a, dtype=np.float64) for a in (angle, speed, acceleration, clearance)]
+    try:
+        shape = np.broadcast_shapes(*(array.shape for array in arrays))
+    except ValueError as problem:
+        shapes = joined(
+            ", ", (say("{} {}", n, a.shape) for n, a in zip(names, arrays, strict=True))
+        )
+        raise ModelError("shapes", shapes, say("give arrays of one shape, or scalars")) from problem
+    given = np.empty((kernel.GIVEN, *shape))
+    for row, array in enumerate(arrays):
+        given[row] = array
+    if not np.isfinite(given[: len(arrays)]).all():
+        name = next(n for n, a in zip(names, arrays, strict=True) if not np.isfinite(a).all())
+        raise ModelError(name, say("not finite"), say("give finite numbers only"))
+    least = float(arrays[3].min(initial=0.0))
+    shortest = mechanism.follower_length + least
     if shortest <= mechanism.crank_radius:
         raise ModelError(
             "clearance",
-            float(given[3].min()),
+            float(arrays[3].min()),
             say(
                 "it leaves the follower {:g} m long, too short for the crank radius of {:g} m",
                 shortest,
@@ -203,57 +202,7 @@ def _broadcast(
             ),
             "m",
         )
-    try:
-        turn, rate, growth, gap = np.broadcast_arrays(*given)
-    except ValueError as problem:
-        shapes = joined(", ", (say("{} {}", n, a.shape) for n, a in zip(names, given, strict=True)))
-        raise ModelError("shapes", shapes, say("give arrays of one shape, or scalars")) from problem
-    return turn, rate, growth, gap
-
-
-def _circle(
-    radius: float, c: Array, s: Array, rate: Array, rate2: Array, growth: Array
-) -> tuple[Array, Array, Array]:
-    """Return position, velocity and acceleration of a point on a turning arm, each (2, ...)."""
-    position, velocity, acceleration = (np.empty((2, *np.shape(c))) for _ in range(3))
-    position[0], position[1] = radius * c, radius * s
-    velocity[0], velocity[1] = -position[1] * rate, position[0] * rate
-    acceleration[0] = -position[1] * growth - position[0] * rate2
-    acceleration[1] = position[0] * growth - position[1] * rate2
-    return position, velocity, acceleration
-
-
-def _before(wrist: Array, arm: Array) -> Array:
-    """Return the follower's centre of mass from the wrist (on the x axis) less its arm."""
-    centre = -arm
-    centre[0] += wrist
-    return centre
-
-
-def _friction_moment(
-    contact: Joint | None, relative_speed: Array, fx: Array, fy: Array, lever: Array
-) -> Array:
-    """Return the moment of friction on the follower about the pin centre, N m.
-
-    fx, fy: pin force without friction. A moment M turns the pin force into (fx, fy + M / lever),
-    and M = s rho |F| with rho = R1 mu / sqrt(1 + mu^2) (friction circle) and s the sense of
-    sliding, so |F| is the positive root of a quadratic.
-    """
-    if contact is None or contact.friction_coefficient == 0.0:
-        return np.zeros_like(fx)
-    mu = contact.friction_coefficient
-    rho = contact.pin_radius * mu / np.sqrt(1.0 + mu * mu)
-    sense = np.sign(relative_speed)
-    q = sense * rho / lever
-    remainder = 1.0 - q * q
-    if np.any(remainder <= 0.0):
-        raise ModelError(
-            "friction_coefficient",
-            mu,
-            say("the joint locks: the friction circle is larger than the follower's lever"),
-        )
-    size = q * fy + np.sqrt((q * fy) ** 2 + remainder * (fx * fx + fy * fy))
-    return sense * rho * size / remainder
+    return given
 
 
 def rest_angle(mechanism: Mechanism) -> float | None:
