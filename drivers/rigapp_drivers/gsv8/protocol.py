@@ -7,6 +7,7 @@ A request is ``AA | 9n | command | parameters | 85`` with n parameter bytes; wit
 from __future__ import annotations
 
 import enum
+import functools
 import struct
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -53,11 +54,26 @@ def crc16(data: bytes) -> int:
 
 
 def crc16_of_rows(rows: NDArray[np.uint8]) -> NDArray[np.uint16]:
-    """Return the CRC-16 of every row of (n, bytes)."""
-    crc = np.full(len(rows), 0xFFFF, dtype=np.uint16)
-    for column in np.ascontiguousarray(rows.T):
-        crc = (crc >> 8) ^ _CRC16[(crc ^ column) & 0xFF]
-    return crc
+    """Return the CRC-16 of every row of (n, bytes).
+
+    A CRC is linear: what a byte adds to it depends on its place alone. All bytes are looked up
+    at once; byte after byte takes ten times as long for the rows of one packet.
+    """
+    of_zeros, shares, places = _crc16_shares(rows.shape[1])
+    found = shares.take(np.ascontiguousarray(rows.T) + places)
+    return np.bitwise_xor.reduce(found, axis=0, initial=of_zeros)
+
+
+@functools.lru_cache(maxsize=64)
+def _crc16_shares(length: int) -> tuple[np.uint16, NDArray[np.uint16], NDArray[np.intp]]:
+    """Return the CRC-16 of so many zeros, what each byte adds, and where a place's 256 begin."""
+    of_zeros, share = np.uint16(0xFFFF), _CRC16
+    shares = np.empty((length, 256), np.uint16)
+    for place in reversed(range(length)):
+        shares[place] = share
+        share = (share >> 8) ^ _CRC16[share & 0xFF]
+        of_zeros = (of_zeros >> 8) ^ _CRC16[of_zeros & 0xFF]
+    return of_zeros, shares.ravel(), 256 * np.arange(length)[:, None]
 
 
 MODEL_GSV8 = 0x08
@@ -257,6 +273,7 @@ _COUNTER_BITS = {
 _COUNTER_INVERTED = PULL_UPS_OFF  # set means off
 
 
+@functools.lru_cache(maxsize=256)
 def decode_counter_mode(flags: int) -> CounterMode:
     """Return the settings in mode flags; speed measuring is not represented."""
     on = {name: bool((flags ^ _COUNTER_INVERTED) & bit) for name, bit in _COUNTER_BITS.items()}

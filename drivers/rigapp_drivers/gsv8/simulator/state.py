@@ -62,8 +62,14 @@ class QuadratureInput:
 
     def _origins(self, edges: Counts, divisor: int, home: int) -> Counts | int:
         """Return the count origin of each sample: it moves where an index pulse was passed."""
+        first = edges[0] if self._edge is None else self._edge
+        low, high = min(first, edges.min()), max(first, edges.max())
+        if low % self.counts_per_revolution and low // self.counts_per_revolution == (
+            high // self.counts_per_revolution
+        ):
+            return self._origin  # nearly always: no index between its lowest and its highest edge
         before = np.empty_like(edges)
-        before[0] = edges[0] if self._edge is None else self._edge
+        before[0] = first
         before[1:] = edges[:-1]
         turn = self.counts_per_revolution
         last_forward = edges // turn * turn

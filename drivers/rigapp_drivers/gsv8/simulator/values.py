@@ -41,6 +41,13 @@ def parts_of_ranges(
     return inputs
 
 
+def ends_reached(inputs: NDArray[np.float64]) -> int:
+    """Return the flags of a value error of kind 1: inputs above their range, and below it."""
+    above = np.flatnonzero((inputs >= OVERRANGE).any(axis=1))
+    below = np.flatnonzero((inputs <= -OVERRANGE).any(axis=1))
+    return sum(1 << int(n) for n in above) | sum(1 << 8 + int(n) for n in below)
+
+
 def open_inputs(signals: Mapping[int, NDArray[np.float64]]) -> int:
     """Return the flags of a value error of kind 3 for the wires that are broken: Ud+, Ud-."""
     flags = 0
@@ -125,9 +132,11 @@ class MeasuredValues:
         self._terminals = {n: signal[-1:] for n, signal in signals.analog.items()}
         self._converted_as = list(settings.input_types)
         self._count(signals.shaft_revolutions)
-        over = self._over(inputs * CODE_PER_RANGE)
-        self._note_saturation(inputs, now_s)
-        wires = open_inputs(signals.analog)
+        over, above, wires = np.zeros(samples, np.bool_), 0, 0
+        if not np.abs(inputs).max() < 1.0:  # else nothing is near an end: each search takes a while
+            over = self._over(inputs * CODE_PER_RANGE)
+            above, wires = ends_reached(inputs), open_inputs(signals.analog)
+        device.note_fault(_SATURATED, above, now_s)
         wires |= 0 if broken is None else 3 << 2 * (int(broken) - 1)
         device.note_fault(_SENSOR_BROKEN, wires, now_s)
         self._codes = codes
@@ -197,12 +206,6 @@ class MeasuredValues:
         used = codes[: max(1, self._device.settings.analog_objects)]
         limit = OVERRANGE * CODE_PER_RANGE - 1.0
         return np.asarray((np.abs(used) >= limit).any(axis=0))
-
-    def _note_saturation(self, inputs: NDArray[np.float64], now_s: float) -> None:
-        above = np.flatnonzero((inputs >= OVERRANGE).any(axis=1))
-        below = np.flatnonzero((inputs <= -OVERRANGE).any(axis=1))
-        flags = sum(1 << int(n) for n in above) | sum(1 << 8 + int(n) for n in below)
-        self._device.note_fault(_SATURATED, flags, now_s)
 
     def _layout(self) -> FrameLayout:
         settings, state = self._device.settings, self._device.state
