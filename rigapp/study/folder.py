@@ -6,16 +6,17 @@ import csv
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import h5py
 import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
-from rigapp.storage import open_for_reading
 from rigapp.study.sensitivity import INDICES, Indices
 from rigapp.texts import Sentence, say, sentence_of_error
+
+if TYPE_CHECKING:
+    import h5py
 
 Floats = NDArray[np.float64]
 
@@ -120,6 +121,8 @@ def study_results(folder: Path) -> StudyResults:
 
 
 def _results(folder: Path, changed: float) -> StudyResults:
+    from rigapp.storage import open_for_reading  # with h5py a tenth of the window's start
+
     path = folder / TABLE
     try:
         with open_for_reading(path) as file:
@@ -152,7 +155,7 @@ def _columns(file: h5py.File, role: str) -> tuple[StudyColumn, ...]:
 
 def _column(name: str, data: h5py.Dataset) -> StudyColumn:
     unit, words = (_text(data.attrs.get(one, "")) for one in ("units", "long_name"))
-    if h5py.check_string_dtype(data.dtype) is None:
+    if data.dtype.kind not in "OS":  # no texts
         return StudyColumn(name, unit, Sentence(words), data[...].astype(np.float64))
     texts, places = np.unique(data.asstr()[...].astype(str), return_inverse=True)
     return StudyColumn(
