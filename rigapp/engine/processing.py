@@ -279,10 +279,10 @@ class Processor:
         turning = self._turning() if self._peak.needs_angle else None
         peak, limit_N = self._peak.of(block.values, turning), self._overload_N()
         over = not peak <= limit_N
-        pair = self.calibration.place(LOAD_CELL)
-        cut = full[pair] if full is not None else None
-        measured = peak
-        if over and cut is not None:
+        cut, measured = None, peak
+        if over and full is not None:
+            pair = self.calibration.place(LOAD_CELL)
+            cut = full[pair]
             left = block.values.compress(~cut.any(axis=0), axis=1)
             measured = self._peak.of(left, turning)
         if not measured <= limit_N:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from dataclasses import dataclass
+
+import msgspec
 
 STANDING_COUNTS = 2
 """A crank whose count moves no more than this stands: an edge of the encoder may dither."""
@@ -21,9 +22,8 @@ LEAST_PACE_S = 0.05
 LONGEST_S = 0.4  # a slower answer is of no use to an interlock
 
 
-@dataclass(frozen=True, slots=True)
-class Point:
-    """The end of one block.
+class Point(msgspec.Struct, frozen=True, gc=False):
+    """The end of one block; a Struct, which is made in a tenth of the time of a dataclass.
 
     sample: device sample index. count: counts turned, in the rig's sense. phase: counts from the
     index, None while the index is not known.

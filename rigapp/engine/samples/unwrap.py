@@ -508,6 +508,21 @@ def _plain_run(
     return i
 
 
+@njit(
+    [f"boolean({kind}[::1], float64, float64, int64[::1])" for kind in ("float32", "int32")],
+    cache=True,
+    nogil=True,
+)
+def counted(raw: Floats, scale: float, offset: float, out: Counts) -> bool:
+    """Write the counts that samples (n,) carry to out[:n]; return whether each is a number."""
+    for i in range(raw.shape[0]):
+        signal = raw[i] * scale + offset
+        if not np.isfinite(signal):
+            return False
+        out[i] = np.int64(np.rint(signal))
+    return True
+
+
 @njit("int64(int64[::1], uint8[::1], int64, int64, int64[::1], float64[::1], int64[::1],"
             "int64[::1], uint8[::1], int64[:, ::1])", cache=True, nogil=True)  # fmt: skip
 def scan(

@@ -116,10 +116,10 @@ def _local_speed(counts: NDArray[np.int64], segments: NDArray[np.int64], out: Ar
         while end - begin >= 2:
             size = end - begin if end - begin < 2 * window else window
             middle = 0.5 * (size - 1)
-            origin = counts[begin]
+            part = counts[begin : begin + size]  # from 0, so that the loop becomes vector code
             total, moment = 0, 0  # whole numbers, so that the sums are exact in any order
             for i in range(size):
-                height = counts[begin + i] - origin
+                height = part[i] - part[0]
                 total += height
                 moment += i * height
             slope = (moment - middle * total) / (size * (size * size - 1.0) / 12.0)
