@@ -14,12 +14,12 @@ from PySide6.QtCore import Qt
 from snapshots import make_status
 
 from rigapp.config.loading import parse_test
+from rigapp.gui.panels.cycle import ChannelCurvePanel
 from rigapp.gui.panels.limits import LimitPanel
-from rigapp.gui.plots.channelcurves import ChannelCurvePanel
+from rigapp.gui.panels.trends import WearProfilePanel
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.plots.trend import TrendPanel
-from rigapp.gui.plots.wearprofile import WearProfilePanel
 from rigapp.gui.testfile.rules import LimitSentences
 from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.tokens import DARK, LIGHT

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from patience import PATIENCE_MS
 
-from rigapp.gui.panels.wear import WearPanel
+from rigapp.gui.panels.trends import WearPanel
 from rigapp.gui.plots.knownwear import ForecastPanel
 from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.tokens import DARK, LIGHT

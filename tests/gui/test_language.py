@@ -25,9 +25,8 @@ from PySide6.QtWidgets import (
 from rigapp.checks.start import preflight
 from rigapp.config.names import login_name
 from rigapp.config.ranges import refusal
-from rigapp.gui.language.catalogue import chosen_language, speak_language
-from rigapp.gui.language.collect import all_texts, texts_of
-from rigapp.gui.language.sentences import all_templates, has_words
+from rigapp.gui.language import chosen_language, speak_language
+from rigapp.gui.language.collect import all_templates, all_texts, has_words, texts_of
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.window.tabs import NUMBERS, TABS, Tab

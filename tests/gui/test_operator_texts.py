@@ -9,8 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from rigapp.gui.language.collect import all_texts, texts_of
-from rigapp.gui.language.sentences import ROOT, said
+from rigapp.gui.language.collect import ROOT, all_texts, said, texts_of
 from rigapp.presentation.catalogue import LANGUAGES, contexts
 from rigapp.presentation.translation import translate
 from rigapp.schema.alarms import KINDS

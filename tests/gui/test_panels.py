@@ -21,7 +21,7 @@ from rigapp.gui.panels.devices import DeviceCard, DevicePanel
 from rigapp.gui.panels.faults import FaultPanel
 from rigapp.gui.panels.limits import LimitPanel, limits_of
 from rigapp.gui.panels.logbook import LogPanel
-from rigapp.gui.plots.wearprofile import ANGLES_DEG, WearProfilePanel, worn_profile
+from rigapp.gui.panels.trends import ANGLES_DEG, WearProfilePanel, worn_profile
 from rigapp.gui.window.notice import NoticeBar
 from rigapp.gui.window.watchdog import STALL_S, Watchdog
 from rigapp.presentation.tokens import DARK, LIGHT

@@ -25,8 +25,7 @@ from rigapp.gui.testfile.fields import (
     set_path,
     show_value,
 )
-from rigapp.gui.testfile.preflight import MARKS
-from rigapp.gui.testfile.prepare import PreparePanel
+from rigapp.gui.testfile.prepare import MARKS, PreparePanel
 from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.gui.testfile.rules import LevelRow
 from rigapp.gui.widgets.numbers import number

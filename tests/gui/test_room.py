@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from rigapp.gui.language.catalogue import speak_language
+from rigapp.gui.language import speak_language
 from rigapp.gui.results.results_index import ResultShelf
 from rigapp.gui.window.tabs import NUMBERS
 from rigapp.gui.window.window import MainWindow

@@ -18,8 +18,8 @@ from snapshots import ALARM, make_status, write_recorded
 from study.studies import finished
 
 from rigapp.config.loading import parse_test
-from rigapp.gui.language.catalogue import speak_language
-from rigapp.gui.look.sheet import style_sheet
+from rigapp.gui.language import speak_language
+from rigapp.gui.look.dress import style_sheet
 from rigapp.gui.testfile.steps import STEPS
 from rigapp.gui.window.help import HelpWindow
 from rigapp.gui.window.window import MainWindow

@@ -16,8 +16,7 @@ from rigapp.config.loading import read_notify
 from rigapp.config.notify import NotifySection
 from rigapp.gui.look.preferences import Preference, Preferences
 from rigapp.gui.panels.limits import LimitPanel
-from rigapp.gui.settings.page import SettingsPage
-from rigapp.gui.settings.pins import PinPart
+from rigapp.gui.settings.page import PinPart, SettingsPage
 from rigapp.gui.window import window as window_module
 from rigapp.gui.window.app import _results_folder
 from rigapp.gui.window.window import MainWindow

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QAbstractButton, QDialog, QWidget
 
 from rigapp.config.loading import read_test
 from rigapp.config.recipe import LimitRule
-from rigapp.gui.look.sheet import style_sheet
+from rigapp.gui.look.dress import style_sheet
 from rigapp.gui.window.headline import headline, measured
 from rigapp.gui.window.places import RailPlace
 from rigapp.gui.window.tabs import TABS

@@ -20,7 +20,7 @@ from rigapp.config.ranges import keys_of, refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.engine import ended_by
-from rigapp.gui.language.catalogue import speak_language
+from rigapp.gui.language import speak_language
 from rigapp.presentation.catalogue import LANGUAGES, contexts
 from rigapp.presentation.translation import ENGLISH, translate
 from rigapp.queue.items import Queue, removed

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rigapp.gui.plots.wearprofile import WearProfilePanel
+from rigapp.gui.panels.trends import WearProfilePanel
 from rigapp.presentation.tokens import LIGHT
 from rigapp.replay.client import read_recording
 from rigapp.replay.messages import profile_message

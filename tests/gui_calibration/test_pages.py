@@ -139,7 +139,7 @@ def test_probe_and_spindle_are_measured_and_drawn(qtbot: Any, tmp_path: Path) ->
 
 
 def test_every_choice_is_pressed_by_a_letter(qtbot: Any) -> None:
-    from rigapp.gui.wizard.chooser import CHOICES, CalibrationChooser
+    from rigapp.gui.window.calibrating import CHOICES, CalibrationChooser
 
     chooser = CalibrationChooser()
     qtbot.addWidget(chooser)

@@ -19,7 +19,7 @@ from rigapp.calibrating.training import MicrometerMistake
 from rigapp.commands.live.terminal import Terminal
 from rigapp.config.calibration_settings import ProbeFile
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.wizard.chooser import CalibrationChooser
+from rigapp.gui.window.calibrating import CalibrationChooser
 from rigapp.gui.wizard.wizard import CalibrationWizard
 from rigapp.presentation.tokens import LIGHT
 from rigapp.schema.messages import Reply

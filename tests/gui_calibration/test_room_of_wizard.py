@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, QRect
 from PySide6.QtWidgets import QPushButton, QScrollArea, QWidget
 
-from rigapp.gui.language.catalogue import speak_language
+from rigapp.gui.language import speak_language
 from rigapp.gui.window.window import MainWindow
 from rigapp.gui.wizard.scenes import Brush
 from rigapp.gui.wizard.widgets import MeasuredCard

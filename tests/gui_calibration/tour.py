@@ -11,7 +11,7 @@ import numpy as np
 
 from rigapp.calibrating.run_out import GRID_DEG
 from rigapp.calibrating.session import Outcome, Rig
-from rigapp.gui.wizard.chooser import CHOICES, CalibrationChooser
+from rigapp.gui.window.calibrating import CHOICES, CalibrationChooser
 from rigapp.gui.wizard.wizard import CalibrationWizard
 from rigapp.schema.messages import Reply
 from tests.gui_calibration.conftest import SETTINGS, ScriptedRig

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import partial
+from pathlib import Path
 from typing import Any, Final
 
-from PySide6.QtCore import QSignalBlocker
-from PySide6.QtWidgets import QCheckBox, QComboBox, QFileDialog, QFrame, QWidget
+from PySide6.QtCore import QProcess, QSignalBlocker, QUrl
+from PySide6.QtGui import QDesktopServices, QShowEvent
+from PySide6.QtWidgets import QCheckBox, QComboBox, QFileDialog, QFrame, QLineEdit, QWidget
 
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_rig
 from rigapp.config.names import login_name
-from rigapp.gui.look.preferences import AS_SYSTEM, OFF, Preference
+from rigapp.gui.look.preferences import AS_SYSTEM, OFF, Preference, Preferences
 from rigapp.gui.panel import Act, Host
-from rigapp.gui.settings.livepage import LivePageCard
 from rigapp.gui.settings.messages import MessageCard
-from rigapp.gui.settings.pins import PinPart
 from rigapp.gui.widgets.build import (
     button,
     choice,
@@ -31,8 +33,144 @@ from rigapp.gui.widgets.reflow import WrappingGrid, flowing
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.presentation.catalogue import LANGUAGES
 from rigapp.presentation.tokens import GAP, MARGIN, STEP
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.translation import Text, tr, translate
+from rigapp.process.children import module_command
+from rigapp.schema.details import error_text
+from rigapp.service.pins import operators_file, pins_in, set_pin
 from rigapp.viewer.news import News, Takes
+
+ADDRESS: Final = "127.0.0.1:8750"
+"""Of this computer alone; others need token, certificate and key, by ``rigapp page``."""
+NOT_SERVED: Final[Text] = "Shows this rig in browsers of this computer, while the window is open."
+END_MS = 3000
+
+
+class LivePageCard(QWidget):
+    """Serve the page as a process of this window, and open it in a browser."""
+
+    def __init__(self, choices: Preferences, rig: Path | None) -> None:
+        super().__init__()
+        self._choices, self._rig, self._url = choices, rig, ""
+        named(self, "live_page", "Live page")
+        self.address = edit("page_address", "Address and port of the page", hint=ADDRESS)
+        self.address.setText(choices.get(Preference.PAGE))
+        self.serve = button("page_serve", "Serve", self._serve, "Serve the page")
+        self.end = button("page_end", "End", self.close_page, "Serve the page no longer")
+        self.open = button("page_open", "Open", self._open, "Open the page in a browser")
+        self.told = prose("page_told", "How the page is", NOT_SERVED, role="caption")
+        fields = flowing("Address", (self.address, 1), self.serve, self.end, self.open)
+        column(fields, self.told, on=self, spacing=STEP)
+        self._process = QProcess(self)
+        self._process.readyReadStandardOutput.connect(self._read)
+        self._process.finished.connect(self._ended)
+        self._show()
+
+    def close_page(self) -> None:
+        """End the page; the window waits a moment for it."""
+        if self._process.state() is not QProcess.ProcessState.NotRunning:
+            self._process.terminate()
+            if not self._process.waitForFinished(END_MS):
+                self._process.kill()
+                self._process.waitForFinished(END_MS)
+
+    def _serve(self) -> None:
+        address = self.address.text().strip()
+        self._choices.put(Preference.PAGE, address)
+        rigs = ["--rig", self._rig] if self._rig is not None else []
+        program, *arguments = module_command("rigapp", "page", "--bind", address or ADDRESS, *rigs)
+        self._url = ""
+        self.told.setText(tr("Starting the page …"))
+        self._process.start(program, arguments)
+        self._show()
+
+    def _read(self) -> None:
+        text = bytes(self._process.readAllStandardOutput().data()).decode(errors="replace")
+        for word in text.split():
+            if "://" in word:
+                self._url = word
+                self.told.setText(tr("The page is at {}", word))
+        self._show()
+
+    def _ended(self) -> None:
+        told = bytes(self._process.readAllStandardError().data()).decode(errors="replace").strip()
+        lines = told.splitlines()
+        self._url = ""
+        self.told.setText(lines[0].removeprefix("rigapp: ") if lines else tr(NOT_SERVED))
+        self._show()
+
+    def _show(self) -> None:
+        runs = self._process.state() is not QProcess.ProcessState.NotRunning
+        self.serve.setEnabled(not runs)
+        self.end.setEnabled(runs)
+        self.open.setEnabled(bool(self._url))
+
+    def _open(self) -> None:
+        QDesktopServices.openUrl(QUrl(self._url))
+
+
+NO_PINS: Final[Text] = (
+    "This rig wants no PIN for limits. To want one, add [operators] with a file to the rig file."
+)
+FIRST: Final[Text] = "Nobody has a PIN yet: nobody can change limits of a running test."
+HAVE: Final[Text] = "Have a PIN and may change limits: {}."
+
+
+class PinPart(QWidget):
+    """Say who has a PIN, and set that of the operator whom the settings name."""
+
+    def __init__(self, rig: Path | None, choices: Preferences) -> None:
+        super().__init__()
+        self._rig, self._choices = rig, choices
+        self._file: Path | None = None
+        named(self, "pins", "PINs for limits")
+        self.told = prose("pins_told", "Who has a PIN", role="caption")
+        self.pin = edit("pin_new", "New PIN of the operator", self._enable, hint="New PIN")
+        self.by_pin = edit("pin_present", "PIN of somebody who has one", hint="A present PIN")
+        for field in (self.pin, self.by_pin):
+            field.setEchoMode(QLineEdit.EchoMode.Password)
+        self.set = button("pin_set", "Set PIN", self._set, "Set the PIN of the operator")
+        self._fields = QWidget()
+        flowing((self.pin, 1), (self.by_pin, 1), self.set, on=self._fields)
+        column(self.told, self._fields, on=self, spacing=STEP)
+        self._enable()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Look who has a PIN now."""
+        super().showEvent(event)
+        self.look()
+
+    def look(self) -> None:
+        """Read the file of the operators, where the rig file names one."""
+        try:
+            self._file = operators_file(read_rig(self._rig)) if self._rig is not None else None
+            names = list(pins_in(self._file)) if self._file is not None else []
+        except UnusableInput as error:
+            self._fields.hide()
+            self.told.setText(translate(error_text(error, "The operators cannot be read.")))
+            return
+        self._fields.setVisible(self._file is not None)
+        self.by_pin.setVisible(bool(names))
+        if self._file is None:
+            self.told.setText(tr(NO_PINS))
+        else:
+            self.told.setText(tr(HAVE, ", ".join(names)) if names else tr(FIRST))
+
+    def _enable(self) -> None:
+        self.set.setEnabled(bool(self.pin.text()))
+
+    def _set(self) -> None:
+        name = self._choices.get(Preference.OPERATOR) or login_name()
+        assert self._file is not None
+        try:
+            set_pin(self._file, name, self.pin.text(), self.by_pin.text())
+        except UnusableInput as error:
+            self.told.setText(translate(error_text(error, "The PIN cannot be set.")))
+            return
+        finally:
+            self.by_pin.clear()
+        self.pin.clear()
+        self.look()
+
 
 CARD_WIDTH = 56 * STEP
 THEME_NAMES: Final[tuple[tuple[Text, str], ...]] = (

@@ -10,7 +10,7 @@ from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.language.catalogue import chosen_language, speak_language
+from rigapp.gui.language import chosen_language, speak_language
 from rigapp.gui.look.dress import apply_theme
 from rigapp.gui.look.preferences import Preference, Preferences
 from rigapp.gui.window.selftest import run_self_test

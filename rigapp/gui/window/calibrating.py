@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from functools import partial
 from getpass import getuser
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QDialog, QLabel, QVBoxLayout, QWidget
 
 from rigapp.gui.look.preferences import OFF, Preference, Preferences
 from rigapp.gui.plots.plotmenu import offer_menus
+from rigapp.gui.widgets.build import button, filled
 from rigapp.gui.widgets.chunkedtask import ChunkedTask
+from rigapp.gui.widgets.labels import scaled_font
 from rigapp.gui.window.notice import EndCalibrationBar, NoticeBar
 from rigapp.gui.window.pagestack import PageStack
 from rigapp.gui.window.places import RailPlace
 from rigapp.gui.window.tabs import Tabs
-from rigapp.presentation.tokens import Theme
+from rigapp.presentation.tokens import GAP, STEP, Theme
 from rigapp.presentation.translation import Text, tr, translate
 from rigapp.process.memory import begin_to_load, end_of_loading
 from rigapp.schema.details import error_text
@@ -29,6 +32,83 @@ from rigapp.viewer.tasks import TaskWorker
 
 if TYPE_CHECKING:
     from rigapp.gui.wizard.wizard import CalibrationWizard
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """One thing to choose: its name with an access key, how it is done, and the subject it is.
+
+    what: how it is named where it occupies the rig. fields: what the first page says at the
+    beginning, by the name of its field.
+    """
+
+    text: Text
+    words: Text
+    what: Text
+    subject: str
+    fields: Mapping[str, str] = field(default_factory=dict)
+
+
+CHOICES = {
+    "load cell": Choice(
+        "&Load cell", "with weights, at several pin angles", "load cell", "load cell"
+    ),
+    "daily": Choice(
+        "&Daily check",
+        "of the load cell, one weight at 4 pin angles",
+        "daily check",
+        "load cell",
+        {"plan": "daily"},
+    ),
+    "1": Choice(
+        "&Probe 1", "with a micrometer along the follower", "probe 1", "probes", {"which": "1"}
+    ),
+    "2": Choice(
+        "Prob&e 2", "with a micrometer across the follower", "probe 2", "probes", {"which": "2"}
+    ),
+    "both": Choice(
+        "&Both probes",
+        "with a micrometer stage; finds how the probes stand as well",
+        "both probes",
+        "probes",
+        {"which": "both"},
+    ),
+    "run-out": Choice(
+        "&Run-out of the pin", "by slow rolls of the spindle", "run-out of the pin", "run-out"
+    ),
+}
+"""What is chosen: the subject, or which of several things of it."""
+
+WIDEST = 80 * STEP
+"""Of a button: longer ones are read as lines, not pressed."""
+
+
+class CalibrationChooser(QDialog):
+    """Choose by letter, arrows or mouse; Esc closes."""
+
+    chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("calibration_chooser")
+        self.setWindowTitle(tr("Calibrate – rigapp"))
+        self.setModal(False)
+        heading = QLabel(tr("What shall be calibrated?"))
+        heading.setFont(scaled_font(heading, 1.4, bold=True))
+        self.buttons = {}
+        for key, choice in CHOICES.items():
+            text = f"{tr(choice.text)}\n{tr(choice.words)}"
+            made = button(f"choose_{key.replace(' ', '_')}", text, partial(self._choose, key))
+            made.setMaximumWidth(WIDEST)
+            made.setStyleSheet(f"text-align: left; min-height: {6 * STEP}px;")
+            self.buttons[key] = made
+        whole = filled(QVBoxLayout(self), (heading, *self.buttons.values(), None))
+        whole.setSpacing(GAP)
+        self.setFocusProxy(self.buttons["load cell"])
+
+    def _choose(self, which: str) -> None:
+        self.accept()
+        self.chosen.emit(which)
 
 
 class CalibrationGuide(QObject):
@@ -70,8 +150,6 @@ class CalibrationGuide(QObject):
 
     def open(self) -> None:
         """Ask what to calibrate, or go back to the calibration under way; refused during a test."""
-        from rigapp.gui.wizard.chooser import CalibrationChooser
-
         if self.wizard is not None:
             self.show(self.wizard)
             return
@@ -88,9 +166,7 @@ class CalibrationGuide(QObject):
         self.show(chooser)
 
     def choose(self, which: str) -> None:
-        """Open the wizard for the load cell, a probe or both (see ``chooser.CHOICES``)."""
-        from rigapp.gui.wizard.chooser import CHOICES
-
+        """Open the wizard for the load cell, a probe or both (see ``CHOICES``)."""
         if self._free() is None:
             self.end()
             return
@@ -141,7 +217,6 @@ class CalibrationGuide(QObject):
     def _begun(self, which: str, reply: Reply) -> None:
         """Open the wizard once the rig is this calibration's; say why where it is not."""
         from rigapp.calibrating.session import Rig
-        from rigapp.gui.wizard.chooser import CHOICES
 
         status = self._connection.status
         if not reply.ok or status is None:

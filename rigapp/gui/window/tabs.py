@@ -29,9 +29,8 @@ from rigapp.gui.panels.resultpage import has_result, result_page
 from rigapp.gui.panels.results import results_page
 from rigapp.gui.panels.start import may_begin, start_page
 from rigapp.gui.panels.studies import StudiesPanel, studies_page
-from rigapp.gui.panels.trends import overview_page, trend_page
+from rigapp.gui.panels.trends import overview_page, trend_page, wear_page
 from rigapp.gui.panels.trip import trip_page
-from rigapp.gui.panels.wear import wear_page
 from rigapp.gui.plots.plotmenu import offer_menus
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.results.results_index import ResultShelf

@@ -21,9 +21,8 @@ from rigapp.config.calibration_settings import (
 from rigapp.gui.widgets.build import choice, edit, whole_number
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.plan_page import RIG, Field, Questions, Values
-from rigapp.gui.wizard.rolling_page import RollingCalibration, RollingPage
 from rigapp.gui.wizard.scenes import Piece, ProbeScene, RollScene, Scene, WeightScene, stack_of
-from rigapp.gui.wizard.taking_page import TakingPage, TakingWords
+from rigapp.gui.wizard.taking_page import RollingCalibration, RollingPage, TakingPage, TakingWords
 from rigapp.gui.wizard.widgets import PlotNames, number
 from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, tr

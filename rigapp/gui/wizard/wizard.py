@@ -2,33 +2,67 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QMargins, QSize
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QWidget, QWizard
+from PySide6.QtWidgets import QFrame, QWidget, QWizard
 
 from rigapp.calibrating.session import Rig
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.gui.look.dress import dress_part
-from rigapp.gui.widgets.build import tell
-from rigapp.gui.widgets.steps import ShownStep
+from rigapp.gui.widgets.build import column, named, prose, tell
+from rigapp.gui.widgets.steps import ShownStep, StepRow
 from rigapp.gui.wizard.angle_page import AnglePage
-from rigapp.gui.wizard.certificate_page import CertificatePage
 from rigapp.gui.wizard.chart_plot import ChartPlot
 from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import AskLater
 from rigapp.gui.wizard.pages import FACES
 from rigapp.gui.wizard.plan_page import PlanPage
-from rigapp.gui.wizard.result_page import ResultPage
+from rigapp.gui.wizard.result_page import CertificatePage, ResultPage
 from rigapp.gui.wizard.scenes import Picture
-from rigapp.gui.wizard.stepscolumn import WIDTH, StepsColumn
 from rigapp.gui.wizard.widgets import ResidualPlot, Sign, prefix_of
-from rigapp.presentation.tokens import TIGHT_WIDTH, Theme
+from rigapp.presentation.tokens import MARGIN, STEP, TIGHT_WIDTH, Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp.texts import capitalised
+
+WIDTH = 26 * STEP
+
+
+class StepsColumn(QFrame):
+    """What is calibrated, its steps, and that nothing is lost by closing."""
+
+    def __init__(self, title: str, count: int, theme: Theme) -> None:
+        """Make the column; title: what is calibrated, count: of the steps."""
+        super().__init__()
+        named(self, "wizard_steps", "Steps of the calibration").setProperty("role", "card")
+        self._theme = theme
+        self.setFixedWidth(WIDTH)
+        what = prose("wizard_what", "What is calibrated")
+        what.setText(title)
+        what.setProperty("role", "title")
+        self.rows = [StepRow("wizard", number) for number in range(count)]
+        kept: Text = "Every reading is saved as it is taken. You may close and go on tomorrow."
+        note = prose("wizard_kept", "What is kept", kept)
+        note.setProperty("role", "caption")
+        made = column(what, *self.rows, None, note, on=self)
+        made.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
+        made.setSpacing(2 * STEP)
+        self._shown: tuple[ShownStep, ...] = ()
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        self.show_steps(self._shown)
+
+    def show_steps(self, steps: Sequence[ShownStep]) -> None:
+        """Show the steps."""
+        self._shown = tuple(steps)
+        for line, step in zip(self.rows, steps, strict=False):
+            line.show_step(step, self._theme)
+
 
 FORWARD = (
     QWizard.WizardButton.NextButton,
