@@ -15,7 +15,7 @@ from rigapp_drivers.wire.trace import RecordKind, WireTrace, read_trace
 
 _SILENT_READS = 20
 _READ_S = 0.1
-_PLAYER = "rigapp_drivers.wire.player"
+_PLAYER = "rigapp_drivers.wire.protocol_wire"
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,15 +1,23 @@
-"""Walk a drive through the CiA 402 state machine by writing object 6040 and reading 6041."""
+"""Change the state of a CiA 402 drive, read its motion and condition, and name what is wrong."""
 
 from __future__ import annotations
 
+import logging
+import math
 import time
-from typing import Final
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Final
 
 from rigapp.texts import say
 from rigapp_drivers.api import DeviceFault, ReplyTimeout
-from rigapp_drivers.cia402.monitor import NodeMonitor
+from rigapp_drivers.cia402.commission import Setup
+from rigapp_drivers.cia402.monitor import AxisMotion, NodeMonitor
 from rigapp_drivers.cia402.network import CanNode
 from rigapp_drivers.cia402.protocol import (
+    INTERNAL_LIMIT_BIT,
+    SYNC_ID,
+    WARNING_BIT,
     Control,
     Nmt,
     NodeState,
@@ -18,6 +26,7 @@ from rigapp_drivers.cia402.protocol import (
     state_of,
     step_towards_enabled,
 )
+from rigapp_drivers.spindles import WATCHDOG_PERIOD, torque_Nm
 
 STEP_S: Final = 1.0  # a step of the state machine takes some ms, with a brake some hundred
 _POWERLESS: Final = (
@@ -125,3 +134,138 @@ class DriveControl:
 
     def _stuck(self, sentence: str) -> ReplyTimeout:
         return ReplyTimeout.at(self._node, sentence)
+
+
+_log = logging.getLogger(__name__)
+
+_IN_TURN: Final = ("supply_V", "temperature_C")
+_HEARTBEATS_MISSED: Final = 12  # a host that is late loses some; a drive that is off loses all
+_HEARTBEAT_LEAST_S: Final = 2.0
+"""A drive that is gone answers no question, which is known at once; only one that answers without a
+heartbeat has so long, and no pause of this computer of a second or so is taken for that."""
+_CATCH_UP_S: Final = 0.4
+"""So long may this process have been held up itself, with heartbeats that wait to be received."""
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """Hold the slow readings; NaN where the drive has no object for them."""
+
+    current_A: float = math.nan
+    supply_V: float = math.nan
+    temperature_C: float = math.nan
+    torque_Nm: float = math.nan
+    torque_off: bool = False
+
+
+class Readings:
+    """Read one drive as it was set up: PDOs on SYNC where it can, SDOs otherwise."""
+
+    def __init__(
+        self,
+        node: CanNode,
+        monitor: NodeMonitor,
+        setup: Setup,
+        settings: Mapping[str, Any],
+        epos: bool,
+    ) -> None:
+        self._node = node
+        self._monitor = monitor
+        self._setup = setup
+        self._settings = settings
+        self._epos = epos
+        self._polls = 0
+        self._motions = 0
+        self._condition = Condition()
+        self.late_pdos = 0
+
+    def motion(self) -> AxisMotion:
+        """Return the present motion; PDOs that are late are counted, logged and replaced."""
+        node, monitor = self._node, self._monitor
+        self._motions += 1
+        expected = self._setup.synchronous and monitor.node_state == NodeState.OPERATIONAL
+        if expected:
+            marks = monitor.marks()
+            node.send(SYNC_ID, b"")
+            timeout_s = float(self._settings["pdo_timeout_ms"]) * 1e-3
+            motion = monitor.wait_for_motion(marks, timeout_s)
+            if motion is not None:
+                return motion
+            self.late_pdos += 1
+            _log.warning(
+                "%s on %s: speed and position came late after SYNC and were asked for singly",
+                node.device,
+                node.port,
+            )
+        return AxisMotion(node.read(0x6041), node.read(0x606C), node.read(0x6064))
+
+    @property
+    def supervision_is_due(self) -> bool:
+        """Tell whether it is time to read the supervision of this computer back again."""
+        return self._motions % WATCHDOG_PERIOD == 0
+
+    def condition(self) -> Condition:
+        """Return current and torque, and in turn a new supply, temperature or safe torque off."""
+        objects, last, node = self._setup.quantities, self._condition, self._node
+        turns = (0, 1, 2) if self._polls == 0 else (self._polls % 3,)
+        self._polls += 1
+        wanted = {"current_A", "torque_Nm"}
+        wanted |= {name for turn, name in enumerate(_IN_TURN) if turn in turns}
+        new = {
+            name: node.read(*place) * unit
+            for name, (place, unit) in objects.items()
+            if name in wanted
+        }
+        torque_off = last.torque_off
+        if self._epos and 2 in turns:
+            inputs = int(self._settings["torque_on_inputs"])
+            torque_off = node.read(0x3202, 1) & inputs != inputs
+        current = new.get("current_A", math.nan)
+        by_current = torque_Nm(current, self._settings)
+        self._condition = Condition(
+            current,
+            new.get("supply_V", last.supply_V),
+            new.get("temperature_C", last.temperature_C),
+            by_current if math.isfinite(by_current) else new.get("torque_Nm", math.nan),
+            torque_off,
+        )
+        return self._condition
+
+    def faults(self, motion: AxisMotion, condition: Condition, running: bool) -> list[str]:
+        """Return what forbids to go on, in words; running: the drive should be enabled."""
+        faults = [emergency.words for emergency in self._monitor.active()]
+        state = state_of(motion.status_word)
+        if state in (State.FAULT, State.FAULT_REACTION):
+            faults.append(describe_code(self._node.read_if_there(0x603F)))
+        if condition.torque_off:
+            faults.append(say("safe torque off is active"))
+        faults += self._supervision()
+        if running and state is not State.ENABLED:
+            faults.append(
+                say("the drive has left operation enabled: {}", state or say("unknown state"))
+            )
+        return faults
+
+    def _supervision(self) -> list[str]:
+        monitor = self._monitor
+        period_s = int(self._settings["heartbeat_ms"]) * 1e-3
+        limit_s = max(_HEARTBEATS_MISSED * period_s, _HEARTBEAT_LEAST_S)
+        if not monitor.wait_for_heartbeat(limit_s, _CATCH_UP_S):
+            age_s = monitor.heartbeat_age_s()
+            told = say("never came") if age_s is None else say("is missing for {:.2f} s", age_s)
+            return [say("the drive's heartbeat {}", told)]
+        node_state = monitor.node_state
+        if node_state not in (NodeState.OPERATIONAL, NodeState.BOOT_UP):
+            return [say("the node does not operate any more ‹state {}›", node_state)]
+        return []
+
+    def warnings(self, motion: AxisMotion) -> list[str]:
+        """Return what the operator should know, in words."""
+        warnings: list[str] = [
+            say("came and went: {}", e.words) for e in self._monitor.take_passed()
+        ]
+        if motion.status_word & WARNING_BIT:
+            warnings.append(say("the drive warns ‹bit 7 of the status word›"))
+        if motion.status_word & INTERNAL_LIMIT_BIT:
+            warnings.append(say("an internal limit of the drive is active"))
+        return warnings

@@ -35,8 +35,7 @@ from rigapp_drivers.cia402.commission import (
     Setup,
     check_watchdog,
 )
-from rigapp_drivers.cia402.control import DriveControl
-from rigapp_drivers.cia402.decode import Decoder
+from rigapp_drivers.cia402.control import Condition, DriveControl, Readings
 from rigapp_drivers.cia402.monitor import AxisMotion, NodeMonitor
 from rigapp_drivers.cia402.network import TRIES, CanNode, identify
 from rigapp_drivers.cia402.probe import PROBE
@@ -50,8 +49,8 @@ from rigapp_drivers.cia402.protocol import (
     State,
     state_of,
 )
-from rigapp_drivers.cia402.readings import Condition, Readings
 from rigapp_drivers.cia402.settings import SETTINGS, bus_options
+from rigapp_drivers.cia402.slcan import Decoder
 from rigapp_drivers.spindles import (
     QUANTITIES,
     note_survived_silence,

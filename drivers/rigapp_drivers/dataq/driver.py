@@ -52,11 +52,9 @@ from rigapp_drivers.api import (
     filled,
 )
 from rigapp_drivers.dataq import protocol as p
-from rigapp_drivers.dataq.decode import Decoder
-from rigapp_drivers.dataq.link import Link
+from rigapp_drivers.dataq.link import PROBE, Link, identity_of, version_words
 from rigapp_drivers.dataq.plan import Plan, make_plan
-from rigapp_drivers.dataq.probe import PROBE, identity_of, version_words
-from rigapp_drivers.dataq.protocol import Clock, Info
+from rigapp_drivers.dataq.protocol import Clock, Decoder, Info
 from rigapp_drivers.dataq.settings import SETTINGS
 from rigapp_drivers.dataq.stream import Pace, Stream, Tally
 from rigapp_drivers.transport import SerialPort, byte_counters, opened

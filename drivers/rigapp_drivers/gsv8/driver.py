@@ -32,16 +32,15 @@ from rigapp_drivers.api import (
 )
 from rigapp_drivers.gsv8 import protocol as p
 from rigapp_drivers.gsv8.blocks import BlockMaker
-from rigapp_drivers.gsv8.commission import Commissioner
-from rigapp_drivers.gsv8.decode import Decoder
+from rigapp_drivers.gsv8.commission import PROBE, Commissioner, identity_of
 from rigapp_drivers.gsv8.frames import FrameLayout, Tally
 from rigapp_drivers.gsv8.link import Link
 from rigapp_drivers.gsv8.numbers import DataType
 from rigapp_drivers.gsv8.plan import Plan, make_plan, parse_input
-from rigapp_drivers.gsv8.probe import PROBE, identity_of
 from rigapp_drivers.gsv8.protocol import Command, u8
 from rigapp_drivers.gsv8.registers import Registers
 from rigapp_drivers.gsv8.watch import StreamWatch
+from rigapp_drivers.gsv8.words import Decoder
 from rigapp_drivers.transport import SerialPort, byte_counters, opened
 
 BAUD_RATES = (

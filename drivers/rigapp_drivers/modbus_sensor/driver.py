@@ -24,8 +24,7 @@ from rigapp_drivers.api import (
     filled,
 )
 from rigapp_drivers.modbus_sensor.bus import SharedPort
-from rigapp_drivers.modbus_sensor.decode import Decoder
-from rigapp_drivers.modbus_sensor.link import ModbusLink
+from rigapp_drivers.modbus_sensor.link import Decoder, ModbusLink
 from rigapp_drivers.modbus_sensor.registers import OWN, PRESETS, Question, questions, registers_of
 from rigapp_drivers.transport import byte_counters
 

@@ -31,7 +31,6 @@ from rigapp_drivers.api import (
     filled,
 )
 from rigapp_drivers.roboclaw.commission import Setup, check_watchdog, commission, identify
-from rigapp_drivers.roboclaw.decode import Decoder
 from rigapp_drivers.roboclaw.link import Link
 from rigapp_drivers.roboclaw.probe import PROBE
 from rigapp_drivers.roboclaw.protocol import (
@@ -41,6 +40,7 @@ from rigapp_drivers.roboclaw.protocol import (
     TIMEOUT_UNIT_S,
     VOLTAGE_UNIT_V,
     Command,
+    Decoder,
     EmergencyStopLock,
     combined_status_of,
 )

@@ -2,15 +2,133 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 import time
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
 from serial.serialutil import PortNotOpenError, SerialBase, SerialException
 
-from rigapp_drivers.wire.player import Player
-from rigapp_drivers.wire.trace import TraceError, read_trace
+from rigapp_drivers.wire.trace import RecordKind, TraceError, WireRecord, WireTrace, read_trace
+
+# Play a recorded line as a device: what is asked is looked for, its recorded answer is given.
+#
+# What was received after a question is given as late as it came then. A stream goes on past the
+# questions of its time that are not asked again; an answer is given to its own question only.
+
+_STREAM_S: Final = 0.02  # a long answer comes in one go
+_STREAM_BYTES: Final = 300  # no answer of a serial device is longer
+_PATIENCE_S: Final = 0.5  # for a question that the driver asked at this time when it was recorded
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(slots=True)
+class Turn:
+    """What was sent once and what came until the next sending: seconds after it, bytes."""
+
+    sent: bytes
+    time_ns: int
+    received: list[tuple[float, bytes]] = field(default_factory=list)
+
+    @property
+    def length(self) -> int:
+        """Return how many bytes came."""
+        return sum(len(data) for _, data in self.received)
+
+    @property
+    def streams(self) -> bool:
+        """Tell whether a stream came rather than an answer."""
+        last_s = self.received[-1][0] if self.received else 0.0
+        return last_s > _STREAM_S and self.length > _STREAM_BYTES
+
+
+def turns_of(records: Sequence[WireRecord]) -> list[Turn]:
+    """Return what was asked and came; the first turn has no question: what came before any."""
+    turns = [Turn(b"", records[0].time_ns if records else 0)]
+    for record in records:
+        if record.kind is RecordKind.SENT:
+            turns.append(Turn(record.data, record.time_ns))
+        elif record.kind is RecordKind.RECEIVED:
+            turns[-1].received.append(((record.time_ns - turns[-1].time_ns) / 1e9, record.data))
+    return turns
+
+
+class Player:
+    """Answer from a recording. Times in s of any clock that does not go back.
+
+    unknown: questions that the recording has no answer for, in the order in which they came.
+    """
+
+    def __init__(self, trace: WireTrace, now_s: float) -> None:
+        self._trace = trace
+        self._turns = turns_of(trace.records)
+        self._text = trace.header.get("protocol") == "slcan"
+        self._coming: deque[tuple[float, bytes]] = deque()
+        self.unknown: list[bytes] = []
+        self._turn = 0
+        self._since_s = now_s
+        streams = [place for place, turn in enumerate(self._turns) if turn.streams]
+        self._last_stream = streams[-1] if streams else -1
+        self._begin(0, now_s)
+
+    def write(self, data: bytes, now_s: float) -> None:
+        """Take what the driver sends; give the answer from the recording."""
+        place = self._find(data)
+        if place is None:
+            # How an adapter is opened is python-can's affair, and nothing of it reaches the bus.
+            if not (self._text and data[:1] not in (b"t", b"T")):
+                self.unknown.append(data)
+                _log.warning(
+                    "%s: the recording has no answer to %s", self._trace.path, data.hex(" ")
+                )
+            return
+        skipped = self._turns[self._turn + 1 : place] if place > self._turn else []
+        left = [data for _, data in self._coming] if self._turns[self._turn].streams else []
+        left += [part for turn in skipped if turn.streams for _, part in turn.received]
+        self._coming.clear()
+        self._coming.extend((now_s, part) for part in left)
+        self._begin(place, now_s)
+
+    def read(self, now_s: float) -> bytes:
+        """Return what has come by now."""
+        self._go_on(now_s)
+        parts = []
+        while self._coming and self._coming[0][0] <= now_s:
+            parts.append(self._coming.popleft()[1])
+        return b"".join(parts)
+
+    def ended(self, now_s: float) -> bool:
+        """Tell whether a recorded stream is over."""
+        self._go_on(now_s)
+        return 0 <= self._last_stream <= self._turn and not self._coming
+
+    def _find(self, data: bytes) -> int | None:
+        """Return the next turn with this question, else the last one before."""
+        after = range(self._turn + 1, len(self._turns))
+        before = range(self._turn, 0, -1)
+        for place in (*after, *before):
+            if self._turns[place].sent == data:
+                return place
+        return None
+
+    def _begin(self, place: int, now_s: float) -> None:
+        self._turn, self._since_s = place, now_s
+        self._coming.extend((now_s + at, data) for at, data in self._turns[place].received)
+
+    def _go_on(self, now_s: float) -> None:
+        """Let a stream pass the questions that are not asked this time."""
+        while not self._coming and self._turn < self._last_stream:
+            now, then = self._turns[self._turn], self._turns[self._turn + 1]
+            due_s = self._since_s + (then.time_ns - now.time_ns) / 1e9
+            if not now.streams or now_s < due_s + _PATIENCE_S:
+                return
+            self._begin(self._turn + 1, due_s)
+
 
 SCHEME: Final = "wire://"
 _LOOK_S: Final = 0.001

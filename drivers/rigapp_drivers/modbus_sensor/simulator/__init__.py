@@ -3,10 +3,139 @@
 Loaded by the simulated rig and by tests; no driver at run time imports it.
 """
 
-from rigapp_drivers.modbus_sensor.simulator.device import (
-    ModbusSensorFault,
-    ModbusSensorSimulator,
-    crc16,
-)
+from __future__ import annotations
+
+import enum
+import struct
+from collections.abc import Mapping
+from typing import Any, Final
+
+from rigapp_drivers.modbus_sensor.registers import MOST_WORDS, registers_of
+from rigapp_drivers.simulated import FaultPlan, Faults
+
+_READS: Final = (3, 4)
+_ILLEGAL_FUNCTION, _ILLEGAL_ADDRESS, _ILLEGAL_VALUE, _FAILURE = 1, 2, 3, 4
+_SILENCE_S: Final = 0.05
+"""A longer gap ends a frame; the line says 3.5 characters, but a busy host pauses within one."""
+_REQUEST_BYTES: Final = 8
+
+
+class ModbusSensorFault(enum.StrEnum):
+    """Name a fault; its ``value`` means what stands behind it."""
+
+    # in the replies; count: how many, target: which function
+    NO_REPLY = "no_reply"
+    WRONG_CRC = "wrong_crc"
+    CUT_REPLY = "cut_reply"  # bytes that are sent (3)
+    SLOW_REPLY = "slow_reply"  # s of delay (1)
+    EXCEPTION = "exception"  # its code (4)
+    OTHER_ADDRESS = "other_address"  # another device answers (2)
+    # while active
+    SENSOR_BROKEN = "sensor_broken"  # registers keep the number for no value, where they have one
+
+
+def crc16(data: bytes) -> int:
+    """Return the CRC-16 of Modbus: polynomial 8005 reflected, initial FFFF ("123456789": 4B37)."""
+    crc = 0xFFFF
+    for byte in data:
+        crc ^= byte
+        for _ in range(8):
+            crc = crc >> 1 ^ (0xA001 if crc & 1 else 0)
+    return crc
+
+
+class ModbusSensorSimulator:
+    """Answer reads of the registers that the settings name; see ``SimulatedSlowSource``.
+
+    preset, registers, address: as in the driver's settings. quantities: those that it tells.
+    faults: ``Fault`` records or tables of their fields, see ``ModbusSensorFault``.
+    """
+
+    kinds = ModbusSensorFault
+
+    def __init__(
+        self,
+        *,
+        preset: str = "SHT20",
+        registers: list[dict[str, Any]] | None = None,
+        address: int = 1,
+        faults: Faults = (),
+    ) -> None:
+        self._registers = registers_of({"preset": preset, "registers": registers or []})
+        self.quantities = tuple(one.quantity for one in self._registers)
+        self._address = address
+        self._plan = FaultPlan(ModbusSensorFault, faults)
+        self.inject, self.clear = self._plan.add, self._plan.clear
+        self._buffer = b""
+        self._last_byte_s = 0.0
+        self._words: dict[tuple[int, int], int] = {}
+        self.observe({one.quantity: 0.0 for one in self._registers})
+
+    def observe(self, values: Mapping[str, float]) -> None:
+        """Take what the sensors see now, by quantity; others keep what they had."""
+        for one in self._registers:
+            if one.quantity in values:
+                for place, word in enumerate(one.encode(values[one.quantity])):
+                    self._words[one.function, one.address + place] = word
+
+    def receive(self, data: bytes, now_s: float) -> bytes:
+        """Take bytes from the host and return the replies that they cause, late ones in time."""
+        time_s = self._plan.tick(now_s)
+        if data:
+            if time_s - self._last_byte_s > _SILENCE_S:
+                self._buffer = b""
+            self._last_byte_s = time_s
+            self._buffer += data
+        replies = self._plan.due()
+        while len(self._buffer) >= _REQUEST_BYTES:
+            frame, self._buffer = self._buffer[:_REQUEST_BYTES], self._buffer[_REQUEST_BYTES:]
+            if crc16(frame) == 0:
+                replies += self._answer(frame)
+            else:
+                self._buffer = (
+                    b""  # what follows a spoiled frame is unknown until the line is quiet
+                )
+        return replies
+
+    def _answer(self, frame: bytes) -> bytes:
+        address, function, first, count = struct.unpack(">BBHH", frame[:6])
+        if address != self._address:
+            return b""
+        strike = self._plan.strike
+        if strike(ModbusSensorFault.NO_REPLY, function) is not None:
+            return b""
+        code = strike(ModbusSensorFault.EXCEPTION, function, _FAILURE)
+        other = strike(ModbusSensorFault.OTHER_ADDRESS, function, 2)
+        body = self._exception(function, int(code)) if code else self._read(function, first, count)
+        reply = bytes((address if other is None else int(other),)) + body
+        checksum = crc16(reply)
+        if strike(ModbusSensorFault.WRONG_CRC, function) is not None:
+            checksum ^= 0x0100
+        reply += struct.pack("<H", checksum)
+        cut = strike(ModbusSensorFault.CUT_REPLY, function, 3)
+        reply = reply if cut is None else reply[: int(cut)]
+        return self._plan.in_time(reply, ModbusSensorFault.SLOW_REPLY, function, 1.0)
+
+    def _read(self, function: int, first: int, count: int) -> bytes:
+        if function not in _READS:
+            return self._exception(function, _ILLEGAL_FUNCTION)
+        if not 1 <= count <= MOST_WORDS:
+            return self._exception(function, _ILLEGAL_VALUE)
+        places = [(function, address) for address in range(first, first + count)]
+        if any(place not in self._words for place in places):
+            return self._exception(function, _ILLEGAL_ADDRESS)
+        words = dict(self._words)
+        if self._plan.on(ModbusSensorFault.SENSOR_BROKEN):
+            for one in self._registers:
+                if one.invalid is not None:
+                    for place, word in enumerate(one.encode(one.scale * one.invalid + one.offset)):
+                        words[one.function, one.address + place] = word
+        data = struct.pack(f">{count}H", *(words[place] for place in places))
+        return bytes((function, len(data))) + data
+
+    @staticmethod
+    def _exception(function: int, code: int) -> bytes:
+        return bytes((function | 0x80, code))
+
 
 __all__ = ["ModbusSensorFault", "ModbusSensorSimulator", "crc16"]
