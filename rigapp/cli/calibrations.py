@@ -194,7 +194,7 @@ def calibrate_release(
     reason: Annotated[str, option("--reason", "Why; it goes into the log.")] = "",
 ) -> int:
     """End a calibration that occupies the rig, in place of the window that died."""
-    from rigapp.commands.live.release import release_calibration
+    from rigapp.commands.live.engine_line import release_calibration
 
     return release_calibration(rig, reason, sure=yes)
 

@@ -13,7 +13,7 @@ from typing import Annotated, NoReturn
 
 import typer
 
-from rigapp.cli import calibrations, models, recorded, rig, unattended
+from rigapp.cli import calibrations, models, recorded, rig
 from rigapp.cli.options import WholeSentences, option
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.details import error_text, indented
@@ -32,8 +32,8 @@ app.add_typer(recorded.verbs)
 app.add_typer(models.study_verbs)
 app.add_typer(models.model_verbs, name="model")
 app.add_typer(calibrations.calibrate_verbs, name="calibrate")
-app.add_typer(unattended.queue_verbs, name="queue")
-app.add_typer(unattended.service_verbs, name="service")
+app.add_typer(rig.queue_verbs, name="queue")
+app.add_typer(rig.service_verbs, name="service")
 
 
 def _show_version(wanted: bool) -> None:

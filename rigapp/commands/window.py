@@ -1,16 +1,20 @@
-"""`rigapp gui` and `rigapp replay`: everything that needs Qt."""
+"""`rigapp gui`, `rigapp replay` and `rigapp page`: what shows a rig or a recorded test."""
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rigapp.config.errors import UnusableInput
+from rigapp.config.errors import UnusableInput, from_extra
 from rigapp.config.loading import read_rig, read_test
 from rigapp.config.names import login_name
 from rigapp.prepare.shipped import RIG, examples_folder
+from rigapp.process.ending import ending_as_interrupt
 from rigapp.process.logs import in_file
-from rigapp.process.memory import begin_to_load
+from rigapp.process.memory import begin_to_load, end_of_loading
+from rigapp.schema.details import indented
 
 if TYPE_CHECKING:
     from rigapp.service.client import Client
@@ -84,3 +88,23 @@ def replay_file(path: Path) -> int:
     return main(
         lambda: ReplayClient(path), rig_path=path, tests=[], results_folder=path.resolve().parent
     )
+
+
+def serve_page(
+    rigs: Sequence[Path], bind: str, token: Path | None, certificate: Path | None, key: Path | None
+) -> int:
+    """Serve the page until somebody asks for the end; print its address first. Exit status."""
+    with from_extra("page", "The page"):
+        from rigapp.page.serving import page_server
+    server = page_server(rigs, bind, token, certificate, key)
+    end_of_loading()
+    print(f"The page is at {server.address}", flush=True)
+    try:
+        with ending_as_interrupt():
+            server.serve_until_asked()
+    except KeyboardInterrupt:
+        return 0
+    if server.failure:
+        print(f"rigapp: {indented(str(server.failure))}", file=sys.stderr)
+        return 1
+    return 0

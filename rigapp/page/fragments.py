@@ -1,7 +1,7 @@
 """Set what is known of a rig as fragments of HTML, the same for every page that is open.
 
 A fragment is the inside of one element; the page takes it as it is. Words come from engines and
-files, so the templates escape every one of them; only ``drawing`` makes elements of its own.
+files, so the templates escape every one of them; only ``plots`` makes elements of its own.
 """
 
 from __future__ import annotations

@@ -5,22 +5,258 @@ from __future__ import annotations
 import asyncio
 import socket
 from asyncio.sslproto import SSLProtocol
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from functools import partial
+from importlib import resources
 from pathlib import Path
-from typing import cast
+from typing import Any, cast
 
+import h11
 import uvicorn
+from prometheus_client import CONTENT_TYPE_LATEST
+from starlette.applications import Starlette
+from starlette.datastructures import MutableHeaders
+from starlette.requests import Request
+from starlette.responses import PlainTextResponse, Response, StreamingResponse
+from starlette.routing import Route
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from rigapp.config.errors import UnusableInput
+from rigapp.page import fragments
 from rigapp.page.access import HEAD_BYTES, Access, access_to
-from rigapp.page.connections import BoundedConnection
-from rigapp.page.gate import Gate
-from rigapp.page.hub import Hub
+from rigapp.page.gate import Gate, reset
 from rigapp.page.metrics import Metrics, PageNumbers
 from rigapp.page.rig import engine_named, engines_here
-from rigapp.page.site import site
 from rigapp.page.watch import Rigs, Watch
+from rigapp.schema.wire import json_bytes
+
+# The newest of everything for every page: a slot a fragment, newest wins, nothing queues up.
+#
+# A page holds only which version of each slot it has been sent. While it does not read, what is new
+# takes the place of what it has not seen; so a page costs the same whether it reads or not.
+
+MOST_SLOTS = 200
+"""Three a rig, and as many rigs as a page holds, leave room to spare."""
+
+
+class Hub:
+    """Hold the newest frames; used from the server's event loop alone."""
+
+    def __init__(self) -> None:
+        self._slots: dict[str, tuple[int, bytes]] = {}
+        self._version = 0
+        self._changed = asyncio.Event()
+        self._closed = False
+        self.readers = 0
+
+    def publish(self, frames: Mapping[str, bytes]) -> None:
+        """Take frames by the names of their slots; what is as before is no news."""
+        for name, frame in frames.items():
+            known = self._slots.get(name)
+            if known is None and len(self._slots) >= MOST_SLOTS:
+                continue
+            if known is not None and known[1] == frame:
+                continue
+            self._version += 1
+            self._slots[name] = (self._version, frame)
+        self._wake()
+
+    def close(self) -> None:
+        """Let every page end."""
+        self._closed = True
+        self._wake()
+
+    async def frames(self) -> AsyncIterator[bytes]:
+        """Yield what is new for one page, all of it at once, until the hub is closed."""
+        seen = 0
+        self.readers += 1
+        try:
+            while not self._closed:
+                changed = self._changed
+                fresh = sorted(slot for slot in self._slots.values() if slot[0] > seen)
+                if fresh:
+                    seen = fresh[-1][0]
+                    yield b"".join(frame for _, frame in fresh)
+                else:
+                    await changed.wait()
+        finally:
+            self.readers -= 1
+
+    def _wake(self) -> None:
+        self._changed.set()
+        self._changed = asyncio.Event()
+
+
+# One connection of a browser, bounded: in number, in time for a request, in time for an answer.
+#
+# uvicorn bounds the size of a request's head. Here a connection that sends no whole request in
+# ``REQUEST_S`` is dropped, and one that does not take what it was sent within ``READ_S``: the page
+# that is behind it fetches the newest when it comes back.
+
+REQUEST_S = 10.0  # a telephone at the edge of its network takes three
+READ_S = 15.0  # a screen that was locked for a moment goes on where it was
+LOOK_S = 1.0
+SEND_BYTES = 1 << 17
+"""The system keeps so much that is sent and not taken: two rigs' plots."""
+
+
+class BoundedConnection(H11Protocol):
+    """A connection that holds nothing for longer than it may."""
+
+    def __init__(self, gate: Gate, **given: Any) -> None:
+        super().__init__(**given)
+        self._gate = gate
+        self._look_again: asyncio.TimerHandle | None = None
+        self.asked_at = self._taken_at = self.loop.time()
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+        """Begin; where there are too many, the one that has been silent for longest ends."""
+        super().connection_made(transport)
+        line = transport.get_extra_info("socket")
+        line.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BYTES)
+        self._gate.greeted(line.fileno())
+        self._look()
+        if len(self.connections) > self._gate.most:
+            # The newest is among them; who has asked for something stays.
+            silent = [
+                one
+                for one in self.connections
+                if isinstance(one, BoundedConnection)
+                and one.cycle is None
+                and not one.transport.is_closing()
+            ]
+            min(silent, key=lambda one: one.asked_at).drop()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """End."""
+        if self._look_again is not None:
+            self._look_again.cancel()
+        super().connection_lost(exc)
+
+    def send_400_response(self, msg: str) -> None:
+        """Answer what cannot be read; in the middle of another answer only the end is left."""
+        if self.conn.our_state in (h11.IDLE, h11.SEND_RESPONSE):
+            super().send_400_response(msg)
+        else:
+            self.transport.close()
+
+    def _look(self) -> None:
+        """Drop the connection when it takes too long to ask, or to take the answer."""
+        now = self.loop.time()
+        if self.cycle is not None and not self.cycle.response_complete:
+            self.asked_at = now
+        if self.transport.get_write_buffer_size() == 0:
+            self._taken_at = now
+        if now - self.asked_at > REQUEST_S or now - self._taken_at > READ_S:
+            self.drop()
+        else:
+            self._look_again = self.loop.call_later(LOOK_S, self._look)
+
+    def drop(self) -> None:
+        """Let the connection end."""
+        self._gate.dropped += 1
+        reset(self.transport.get_extra_info("socket"))
+        self.transport.abort()
+
+
+MOST_PAGES = 100
+"""Open pages; a laboratory has fewer screens, and the connections that are left ask for numbers."""
+
+ALWAYS = {
+    "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self';"
+    " img-src 'self'; connect-src 'self'; base-uri 'none'; form-action 'none';"
+    " frame-ancestors 'none'",
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Cache-Control": "no-store",
+}
+"""Headers of every answer: nothing from elsewhere, nothing for others, nothing is kept."""
+
+_KINDS = {"css": "text/css", "js": "text/javascript", "svg": "image/svg+xml"}
+
+
+def site(watch: Watch, hub: Hub, metrics: Metrics, access: Access) -> ASGIApp:
+    """Return the application: every request passes the rules of access first."""
+    assets = _assets()
+
+    async def page(request: Request) -> Response:
+        return Response(watch.page(), media_type="text/html")
+
+    async def status(request: Request) -> Response:
+        return Response(json_bytes({"rigs": watch.views}), media_type="application/json")
+
+    async def health(request: Request) -> Response:
+        if watch.well:
+            return PlainTextResponse("ok\n")
+        return PlainTextResponse("The page does not look at the rigs any more.\n", 503)
+
+    async def numbers(request: Request) -> Response:
+        return Response(metrics.text(), headers={"Content-Type": CONTENT_TYPE_LATEST})
+
+    async def asset(request: Request) -> Response:
+        name = request.path_params["name"]
+        if name not in assets:
+            return PlainTextResponse("There is nothing here.\n", 404)
+        return Response(assets[name], media_type=_KINDS[name.rpartition(".")[2]])
+
+    async def events(request: Request) -> Response:
+        if hub.readers >= MOST_PAGES:
+            sentence = f"{MOST_PAGES} pages are open already.\n"
+            return PlainTextResponse(sentence, 503, {"Retry-After": "10"})
+        news = hub.frames() if request.method == "GET" else _nothing()
+        return StreamingResponse(news, media_type="text/event-stream")
+
+    return _Door(
+        Starlette(
+            routes=[
+                Route("/", page),
+                Route("/api/status", status),
+                Route("/events", events),
+                Route("/metrics", numbers),
+                Route("/healthz", health),
+                Route("/assets/{name}", asset),
+            ]
+        ),
+        access,
+    )
+
+
+async def _nothing() -> AsyncIterator[bytes]:
+    """Yield nothing: the answer to HEAD."""
+    return
+    yield
+
+
+def _assets() -> dict[str, bytes]:
+    """Return the files of the page by name; all of them come with this package."""
+    folder = resources.files("rigapp.page") / "assets"
+    found = {one.name: one.read_bytes() for one in folder.iterdir()}
+    found["page.css"] = fragments.style(found["page.css"].decode()).encode()
+    return {name: text for name, text in found.items() if name.rpartition(".")[2] in _KINDS}
+
+
+class _Door:
+    """Refuse what the rules of access refuse, and give every answer its headers."""
+
+    def __init__(self, inner: ASGIApp, access: Access) -> None:
+        self._inner = inner
+        self._access = access
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        async def guarded(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                MutableHeaders(scope=message).update(ALWAYS)
+            await send(message)
+
+        refusal = self._access.refusal(scope)
+        if refusal is None:
+            await self._inner(scope, receive, guarded)
+            return
+        answer = PlainTextResponse(f"{refusal.sentence}\n", refusal.status, dict(refusal.headers))
+        await answer(scope, receive, guarded)
+
 
 KEEP_S = 5  # so long stays a connection open that asks nothing more
 RECORD_BYTES = 1 << 14  # the longest of TLS; asyncio's own choice is 256 kB a connection

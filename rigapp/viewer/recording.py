@@ -21,7 +21,6 @@ from rigapp.config.recipe import TestFile
 from rigapp.presentation.translation import tr
 from rigapp.schema.channels import BASE
 from rigapp.schema.messages import Cycle, Event, Prediction
-from rigapp.viewer.profiles import shown_profile
 from rigapp.viewer.pyramid import KEPT, Pyramid
 from rigapp.viewer.series import (
     PREDICTED,
@@ -33,6 +32,7 @@ from rigapp.viewer.series import (
     Wanted,
     measured_cycle,
     predicted_cycle,
+    shown_profile,
 )
 
 if TYPE_CHECKING:  # the window shall not load the library of files before it reads one

@@ -12,15 +12,46 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.schema.channels import BASE
-from rigapp.schema.columns import PREDICTED_CURVES, prediction_columns
+from rigapp.schema.columns import (
+    PREDICTED_CURVES,
+    PROFILE_ANGLES_DEG,
+    PROFILE_CURVES,
+    prediction_columns,
+)
 from rigapp.schema.deviations import deviation_columns, deviation_sentence
-from rigapp.schema.messages import Cycle, Prediction, Snapshot, as_array
+from rigapp.schema.messages import Cycle, Prediction, Snapshot, WornProfile, as_array
 from rigapp.schema.rownumbers import RowNumbers
 from rigapp.viewer.channels import SIZE, table_of
-from rigapp.viewer.profiles import ShownProfile, shown_profile
 from rigapp.viewer.pyramid import KEPT, Pyramid
 
 Floats = NDArray[np.float64]
+
+ANGLES_DEG = np.asarray(PROFILE_ANGLES_DEG, dtype=np.float64)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ShownProfile:
+    """A worn profile, mm at ANGLES_DEG; NaN where nothing is known."""
+
+    revolution: int
+    measured: Floats
+    predicted: Floats
+    driven: Floats
+    uncertainty: Floats
+
+    @property
+    def deepest(self) -> float:
+        """Return the largest depth of all curves, 0 when there is none."""
+        curves = np.concatenate([self.measured + self.uncertainty, self.predicted, self.driven])
+        finite = curves[np.isfinite(curves)]
+        return max(float(finite.max(initial=0.0)), 0.0)
+
+
+def shown_profile(message: WornProfile) -> ShownProfile:
+    """Unpack a message."""
+    curves = {name: as_array(getattr(message, name)).astype(np.float64) for name in PROFILE_CURVES}
+    return ShownProfile(message.revolution, **curves)
+
 
 KEPT_CYCLES = 8
 """Newest whole cycles kept, so that a prediction that comes late still meets its own cycle."""

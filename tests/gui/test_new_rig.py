@@ -11,8 +11,8 @@ import pytest
 from patience import PATIENCE_MS
 
 from rigapp.config.loading import read_rig, read_test
-from rigapp.gui.panels import newrig
-from rigapp.gui.panels.newrig import NewRigPage
+from rigapp.gui.panels import start
+from rigapp.gui.panels.start import NewRigPage
 from rigapp.gui.window.window import MainWindow
 from rigapp.prepare.real_rig import NO_PORT
 from rigapp.schema.messages import RunState
@@ -49,7 +49,7 @@ def plugged_in(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[dict
         FakePort(ports["roboclaw"], "USB Roboclaw", 0x03EB, 0x2404),
     ]
     monkeypatch.setattr("serial.tools.list_ports.comports", lambda: listed)
-    known = newrig.search_ports.__globals__["drivers_of_usb_id"]
+    known = start.search_ports.__globals__["drivers_of_usb_id"]
 
     def drivers_of_usb_id(vendor: int | None, product: int | None, drivers: Any) -> Any:
         # A GSV-8 has no USB id of its own among the known ones.
@@ -116,7 +116,7 @@ def test_what_answers_is_chosen_and_the_files_are_written_once(
     shown = {page.files.item(row, 0).text() for row in range(page.files.rowCount())}
     assert shown == written
     launched: list[Any] = []
-    monkeypatch.setattr(newrig, "launch_process", lambda *given: launched.append(given))
+    monkeypatch.setattr(start, "launch_process", lambda *given: launched.append(given))
     page.open.click()
     assert launched == [(["gui", "--rig", str(folder / "rig.toml")], folder)]
     page.make.click()

@@ -18,8 +18,7 @@ from rigapp.gui.widgets.build import GuardedButton
 from rigapp.gui.window.places import RailPlace
 from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.tokens import LIGHT
-from rigapp.replay.alarms import RecordedAlarms
-from rigapp.replay.client import ReplayClient
+from rigapp.replay.client import RecordedAlarms, ReplayClient
 from rigapp.schema.alarms import exceeded, make_alarm
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import Alarm, Event, Flag, RunState, Severity

@@ -36,8 +36,7 @@ from rigapp.schema.messages import (
     Severity,
 )
 from rigapp.schema.queue import ItemState, QueuedTest
-from rigapp.viewer.commanding import CommandHolder
-from rigapp.viewer.connection import EngineConnection
+from rigapp.viewer.connection import CommandHolder, EngineConnection
 from rigapp.viewer.recording import StoredTest
 from rigapp.viewer.series import LiveData
 from rigapp.viewer.showntest import ShownTest

@@ -15,9 +15,8 @@ from rigapp.replay.messages import profile_message
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
 from rigapp.storage import open_test
 from rigapp.viewer.news import News
-from rigapp.viewer.profiles import shown_profile
 from rigapp.viewer.recording import load_history
-from rigapp.viewer.series import LiveData
+from rigapp.viewer.series import LiveData, shown_profile
 
 ANGLES = np.asarray(PROFILE_ANGLES_DEG, dtype=np.float64)
 

@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from rigapp.page.drawing import Curve, Drawing, Ribbon, svg
+from rigapp.page.plots import Curve, Drawing, Ribbon, svg
 from rigapp.viewer.ranges import SteadyRange
 
 X = np.arange(6.0)

@@ -24,7 +24,7 @@ from page.doubles import OpenPage, ServedEngine, eventually, heard
 from patience import PATIENCE_S
 from snapshots import ALARM, write_recorded
 
-from rigapp.page import connections, gate
+from rigapp.page import gate, serving
 from rigapp.schema.messages import HowEnded, RunState
 
 Serve = Callable[..., ServedEngine]
@@ -135,8 +135,8 @@ def test_many_pages_are_one_viewer_that_asks_nothing(
     rig: Path, serve: Serve, show: Show, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # Small enough that a page that does not read is behind within seconds.
-    monkeypatch.setattr(connections, "SEND_BYTES", 4096)
-    monkeypatch.setattr(connections, "READ_S", 2.0)
+    monkeypatch.setattr(serving, "SEND_BYTES", 4096)
+    monkeypatch.setattr(serving, "READ_S", 2.0)
     engine = serve(rig, in_command="Ann")
     page = show([rig])
     page.sees(lambda rigs: rigs and rigs[0]["line"] == "attached", ATTACHED)
@@ -249,7 +249,7 @@ def test_too_much_is_refused_by_what_is_too_much(rig: Path, show: Show) -> None:
 
 def test_connections_are_bounded(rig: Path, show: Show, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(gate, "MOST_CONNECTIONS", 8)
-    monkeypatch.setattr(connections, "REQUEST_S", 2.0)
+    monkeypatch.setattr(serving, "REQUEST_S", 2.0)
     page = show([rig])
     with ExitStack() as at_the_end:
         held = []

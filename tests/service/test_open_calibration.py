@@ -18,7 +18,7 @@ from commandline import rigapp
 from patience import PATIENCE_S
 from stories import NEVER_OVER, RIG, Running, recipe, until
 
-from rigapp.commands.live.release import release_calibration
+from rigapp.commands.live.engine_line import release_calibration
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp.presentation.states import state_line, state_word

@@ -8,7 +8,7 @@ import h5py
 import numpy as np
 import pytest
 
-from rigapp.storage.upkeep.filters import GZIP_LEVEL, fletcher32, write_chunks
+from rigapp.storage.upkeep.duplicate import GZIP_LEVEL, fletcher32, write_chunks
 
 ROWS, CHUNK = 1000, 128
 TABLES = {

@@ -1,26 +1,58 @@
-"""The page to begin with: four ways on, and the last tests."""
+"""The pages to begin with: four ways on, the last tests; and the files of a new rig.
+
+A new rig: which boxes there are, on which ports, into a folder, by the same functions as those of
+``rigapp init --real``.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
+from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import QSize, Signal
 from PySide6.QtGui import QHideEvent, QKeySequence, QShortcut, QShowEvent
-from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QComboBox, QFileDialog, QFrame, QLabel, QPushButton, QWidget
 
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.panel import Act, Host
 from rigapp.gui.panels.results import ShelfPump
+from rigapp.gui.results.documents import launch_process
 from rigapp.gui.results.resulttable import ROW_HEIGHT, ResultTable
-from rigapp.gui.widgets.build import button, column, key_text, named, prose, row
+from rigapp.gui.widgets.build import (
+    button,
+    choice,
+    choose_paths,
+    column,
+    edit,
+    key_text,
+    named,
+    prose,
+    row,
+    styled_label,
+    tell,
+)
 from rigapp.gui.widgets.labels import heading
-from rigapp.gui.widgets.reflow import WrappingGrid
+from rigapp.gui.widgets.reflow import WrappingGrid, flowing
+from rigapp.gui.widgets.tables import PlainTable
+from rigapp.prepare.folders import StartingFile, write_files
+from rigapp.prepare.real_rig import (
+    ABOUT_REAL,
+    ROLES,
+    Box,
+    FoundPort,
+    drivers_of,
+    real_files,
+    search_ports,
+)
 from rigapp.presentation.numbers import grouped
 from rigapp.presentation.states import occupied_text
-from rigapp.presentation.tokens import MARGIN, STEP, VALUE_PT, Theme
-from rigapp.presentation.translation import Text, tr
+from rigapp.presentation.tokens import GAP, MARGIN, STEP, VALUE_PT, Theme
+from rigapp.presentation.translation import Text, tr, translate
+from rigapp.schema.details import error_text
 from rigapp.schema.states import ACTIVE
+from rigapp.texts import capitalised
 from rigapp.viewer.news import News, Takes
 
 LAST = 20
@@ -184,3 +216,209 @@ class StartPage(QWidget):
 def start_page(host: Host) -> QWidget:
     """Make the page to begin with."""
     return host.add("start", StartPage(host))
+
+
+# Make the files of a rig with real devices: which boxes there are, on which ports, into a folder.
+#
+# The same functions as those of ``rigapp init --real`` search the ports and write the files.
+
+NEW_FOLDER: Final = "my-rig"
+CARD_WIDTH = 42 * STEP
+LEAST_CHARACTERS = 18
+"""Of a device and a port that can be seen at least; their names are longer."""
+FILES_HEIGHT = 34 * STEP
+"""All of them: nothing scrolls within the page that scrolls."""
+OPEN_PORT: Final[Text] = "May stay empty until the port is known; the check of the rig names it."
+
+
+class BoxCard(QFrame):
+    """One device of the new rig: which it is, on which port, and who answers there."""
+
+    def __init__(self, role: str) -> None:
+        super().__init__()
+        name, words = f"new_{role}", capitalised(translate(ROLES[role].words))
+        named(self, name, words, role="card")
+        self._role, self._ports = role, dict[str, FoundPort]()
+        self.drivers = drivers_of(role)
+        titles = [(info.title, driver) for driver, info in self.drivers.items()]
+        self.device = choice(f"{name}_device", tr("{}: device", words), titles, self._show_who)
+        self.port = choice(f"{name}_port", tr("{}: port", words), ())
+        for field in (self.device, self.port):
+            field.setSizeAdjustPolicy(
+                QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+            )
+            field.setMinimumContentsLength(LEAST_CHARACTERS)
+        hint: Text = "/dev/serial/by-id/..., can0"
+        typed = edit(f"{name}_port_text", tr("{}: port", words), hint=hint)
+        self.port.setLineEdit(typed)
+        self.port.currentTextChanged.connect(self._show_who)
+        self.who = prose(f"{name}_who", tr("{}: who answers", words), role="caption")
+        column(
+            styled_label(words, "title"),
+            flowing("Device", (self.device, 1), "Port", (self.port, 1)),
+            self.who,
+            on=self,
+            margins=(MARGIN, GAP),
+            spacing=STEP,
+        )
+        self._show_who()
+
+    @property
+    def box(self) -> Box:
+        """Return the device as it is chosen."""
+        driver = self.drivers[self.device.currentData()]
+        return Box(self._role, driver, self.port.currentText().strip())
+
+    def show_ports(self, found: Sequence[FoundPort]) -> None:
+        """Offer ports; take the first one on which a device of this kind answers."""
+        typed = self.port.currentText()
+        self._ports = {one.name: one for one in found}
+        self.port.clear()
+        self.port.addItems(list(self._ports))
+        answering = [one for one in found if one.driver in self.drivers]
+        chosen = typed or next((one.name for one in answering), "")
+        self.port.setEditText(chosen)
+        if chosen in self._ports and self._ports[chosen].driver in self.drivers:
+            self.device.setCurrentIndex(self.device.findData(self._ports[chosen].driver))
+        self._show_who()
+
+    def _show_who(self, *_: object) -> None:
+        port, driver = self.port.currentText().strip(), self.device.currentData()
+        found = self._ports.get(port)
+        another = found is not None and found.driver not in ("", driver)
+        text = tr(OPEN_PORT) if not port else translate(found.words) if found is not None else ""
+        tell(self.who, "role", "error" if another else "caption")
+        self.who.setText(f"✗ {tr('Another device answers there: {}', text)}" if another else text)
+
+
+class NewRigPage(QWidget):
+    """Ask for the boxes and the folder, write the files, and offer to open the rig."""
+
+    takes = Takes.STATUS
+
+    def __init__(self, host: Host) -> None:
+        super().__init__()
+        self._host = host
+        self._rig: Path | None = None
+        self._searching = self._in_test = False
+        named(self, "new_rig_page", "New rig")
+        about = prose(
+            "new_rig_about",
+            "What a new rig is",
+            "Writes rig file, test file and calibration settings for real devices, each key with"
+            " its meaning. Nothing is overwritten, and this window's rig stays as it is.",
+            role="secondary",
+        )
+        self.cards = {role: BoxCard(role) for role in ROLES}
+        grid = WrappingGrid(CARD_WIDTH)
+        for card in self.cards.values():
+            grid.addWidget(card)
+        self.search = button(
+            "new_rig_search",
+            "S&earch the ports",
+            self._search,
+            tip="Asks each USB device who it is. A port behind a USB adapter is listed, not asked.",
+        )
+        self.searched = prose("new_rig_searched", "What the search has found", role="secondary")
+        self.folder = edit("new_rig_folder", "Folder of the new rig", self._enable)
+        choose = button("new_rig_choose", "C&hoose…", self._choose, "Choose the folder")
+        self.make = button("new_rig_make", "&Make the files", self._make, rank="primary")
+        self.told = prose("new_rig_told", "What came of it")
+        self.files = PlainTable(
+            "new_rig_files", "Files of the new rig", ("File", "What it is"), stretch=(1,)
+        )
+        self.files.setMinimumHeight(FILES_HEIGHT)
+        self.files.hide()
+        self.open = button("new_rig_open", "&Open this rig", self._open)
+        self.open.hide()
+        column(
+            about,
+            grid,
+            row(self.search, (self.searched, 1)),
+            row("Folder", (self.folder, 1), choose, self.make),
+            row((self.told, 1), self.open),
+            (self.files, 1),
+            None,
+            on=self,
+            spacing=GAP,
+        )
+        self.folder.setText(str(Path.cwd() / NEW_FOLDER))
+
+    def show_news(self, news: News) -> None:
+        """Search no ports while a test runs."""
+        status = news.status
+        self._in_test = status is not None and status.engine.state in ACTIVE
+        self._enable()
+
+    def _enable(self, *_: object) -> None:
+        self.search.setEnabled(not self._searching and not self._in_test)
+        self.make.setEnabled(bool(self.folder.text().strip()))
+
+    def _search(self) -> None:
+        self._searching = self._host.worker.submit(search_ports, self._found, self._failed)
+        self.searched.setText(tr("Searching …"))
+        self._enable()
+
+    def _found(self, found: list[FoundPort]) -> None:
+        self._searching = False
+        answering = sum(bool(one.driver) for one in found)
+        self.searched.setText(
+            tr("Ports found: {}; known devices answer on {}.", len(found), answering)
+        )
+        for card in self.cards.values():
+            card.show_ports(found)
+        self._enable()
+
+    def _failed(self, error: Exception) -> None:
+        self._searching = False
+        self.searched.setText(translate(error_text(error, "The ports could not be searched.")))
+        self._enable()
+
+    def _choose(self) -> None:
+        mode = QFileDialog.FileMode.Directory
+        choose_paths(self, "Choose the folder", self._take_folder, mode)
+
+    def _take_folder(self, paths: Sequence[str]) -> None:
+        self.folder.setText(paths[0])
+
+    def _make(self) -> None:
+        folder = Path(self.folder.text().strip()).expanduser().absolute()
+        boxes = [card.box for card in self.cards.values()]
+        self.make.setEnabled(False)
+        self._host.worker.submit(
+            partial(_written, folder, boxes), partial(self._made, folder), self._not_made
+        )
+
+    def _made(self, folder: Path, files: list[StartingFile]) -> None:
+        self._rig = folder / "rig.toml"
+        tell(self.told, "role", "")
+        self.told.setText(tr("The files are in {}. Open the rig, then check it.", folder))
+        self.files.show_rows(
+            [(str(one.place), translate(ABOUT_REAL[str(one.place)])) for one in files]
+        )
+        self.files.show()
+        self.open.show()
+        self._enable()
+
+    def _not_made(self, error: Exception) -> None:
+        tell(self.told, "role", "error")
+        self.told.setText(f"✗ {translate(error_text(error, 'The files could not be written.'))}")
+        self.files.hide()
+        self.open.hide()
+        self._enable()
+
+    def _open(self) -> None:
+        if self._rig is not None:
+            launch_process(["gui", "--rig", str(self._rig)], self._rig.parent)
+            self._host.say(tr("A window with {} is being opened.", self._rig), True)
+
+
+def _written(folder: Path, boxes: Sequence[Box]) -> list[StartingFile]:
+    files = real_files(boxes)
+    write_files(folder, files)
+    return files
+
+
+def new_rig_page(host: Host) -> QWidget:
+    """Make the page of a new rig."""
+    return host.add("new_rig", NewRigPage(host))

@@ -29,10 +29,10 @@ from rigapp.presentation.translation import Text, tr
 from rigapp.viewer.channels import SIZE
 from rigapp.viewer.knownwear import WearReader
 from rigapp.viewer.news import News, Takes
-from rigapp.viewer.profiles import ANGLES_DEG as RECORDED_DEG
-from rigapp.viewer.profiles import ShownProfile
 from rigapp.viewer.quantities import LARGEST, UM_PER_MM
 from rigapp.viewer.ranges import SteadyRange
+from rigapp.viewer.series import ANGLES_DEG as RECORDED_DEG
+from rigapp.viewer.series import ShownProfile
 
 # The worn profile of the bushing, measured by the probes and by the model.
 #

@@ -11,8 +11,7 @@ from PySide6.QtGui import QFont
 
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.plots.curves import clear
-from rigapp.gui.plots.limitlines import limit_lines
-from rigapp.gui.plots.marks import CurveName
+from rigapp.gui.plots.marks import CurveName, limit_lines
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import (
     NO_REVOLUTION,

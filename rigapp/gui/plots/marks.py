@@ -6,7 +6,7 @@ more than the curves.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 
@@ -17,8 +17,10 @@ from rigapp.gui.look.fonts import sized
 from rigapp.gui.plots.palette import LinePen, line_pen
 from rigapp.presentation.tokens import CAPTION_PT, STEP, Theme
 from rigapp.schema.messages import Severity
+from rigapp.viewer.margins import watched
 from rigapp.viewer.moments import MarkedMoment
-from rigapp.viewer.shown import MARKS, Level
+from rigapp.viewer.news import News
+from rigapp.viewer.shown import MARKS, Level, level_of_limit
 
 Tick = tuple[float, str]
 """A place on an axis, and what stands there."""
@@ -420,3 +422,19 @@ def _shape(severity: Severity | None, x: float, y: float) -> QPolygonF:
         Severity.CRITICAL: ((0, -1.2), (1.2, 0), (0, 1.2), (-1.2, 0)),
     }[severity]
     return QPolygonF([QPointF(x + half * right, y + half * down) for right, down in corners])
+
+
+def alarm_token(news: News) -> tuple[tuple[str, str], ...]:
+    """Return what the colours of limits depend on: a plot is drawn anew when it changes."""
+    alarms = news.status.alarms if news.status is not None else ()
+    return tuple((one.key, one.state) for one in alarms)
+
+
+def limit_lines(news: News, columns: Collection[str]) -> tuple[LimitLine, ...]:
+    """Return the limits of columns as lines of a plot, each coloured by its alarm alone."""
+    alarms = news.status.alarms if news.status is not None else ()
+    return tuple(
+        LimitLine(one.limit, one.words, one.below, level_of_limit(alarms, one.key))
+        for one in watched(news)
+        if one.column in columns
+    )

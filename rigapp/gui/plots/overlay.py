@@ -10,8 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 
 from rigapp.gui.plots.curves import clear
-from rigapp.gui.plots.limitlines import alarm_token, limit_lines
-from rigapp.gui.plots.marks import CurveName, Spot
+from rigapp.gui.plots.marks import CurveName, Spot, alarm_token, limit_lines
 from rigapp.gui.plots.palette import MODEL, STALE_CURVE, LinePen
 from rigapp.gui.plots.plotting import (
     CursorPlot,

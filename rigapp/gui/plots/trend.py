@@ -10,8 +10,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton
 
 from rigapp.gui.plots.curves import ShadedBand, Trace
-from rigapp.gui.plots.limitlines import alarm_token, limit_lines
-from rigapp.gui.plots.marks import CurveName, Spot
+from rigapp.gui.plots.marks import CurveName, Spot, alarm_token, limit_lines
 from rigapp.gui.plots.palette import MODEL, LinePen
 from rigapp.gui.plots.plotting import (
     NO_REVOLUTION,

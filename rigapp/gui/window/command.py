@@ -9,7 +9,7 @@ from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import button, column, named
 from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, tr
-from rigapp.viewer.commanding import CommandHolder
+from rigapp.viewer.connection import CommandHolder
 
 KEY = "F2"
 

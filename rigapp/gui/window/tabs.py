@@ -22,12 +22,11 @@ from rigapp.gui.panels.cycle import cycle_page
 from rigapp.gui.panels.devices import device_page
 from rigapp.gui.panels.faults import fault_page
 from rigapp.gui.panels.logbook import log_page
-from rigapp.gui.panels.newrig import new_rig_page
 from rigapp.gui.panels.own import OwnPage, own_page
 from rigapp.gui.panels.queue import queue_page
 from rigapp.gui.panels.resultpage import has_result, result_page
 from rigapp.gui.panels.results import results_page
-from rigapp.gui.panels.start import may_begin, start_page
+from rigapp.gui.panels.start import may_begin, new_rig_page, start_page
 from rigapp.gui.panels.studies import StudiesPanel, studies_page
 from rigapp.gui.panels.trends import overview_page, trend_page, wear_page
 from rigapp.gui.panels.trip import trip_page

@@ -211,7 +211,7 @@ class TestWriter:
     ) -> None:
         """Put a whole cycle that may still be kept into the file, over the oldest of its kind.
 
-        It counts only after a crash: see ``rigapp.storage.upkeep.waiting``. One that is longer
+        It counts only after a crash: see ``rigapp.storage.upkeep.resume``. One that is longer
         than its place is left out. columns: see ``append_cycle``. why: as it is now, empty while
         nothing wants it.
         """
