@@ -76,6 +76,7 @@ def test_nonsense_from_the_device_ends_the_test(rig: MemoryRig) -> None:
 
 def test_stale_data_takes_the_power_off(rig: MemoryRig) -> None:
     rig.source.silent = True
+    rig.engine.set_limit("stale_data_s", 0.5)
     ended(rig, FinishReason.DEVICE, "no samples")
     first_zero = next(what for what, speed in rig.spindle.commands if speed == 0.0)
     assert first_zero == "off"

@@ -63,6 +63,9 @@ def on_a_pty(receive: Callable[[bytes, float], bytes]) -> Iterator[str]:
 def rig_file(folder: Path, daq: str, drive: str, **keys: str) -> Any:
     """Return a rig file whose two devices are on these ports; keys: of the table of ``daq``."""
     text = RIG.read_text().split("[simulation]")[0] + _after_simulation()
+    # Who does not answer is asked several times: the proof is not how long.
+    text = text.replace("sample_rate_Hz", "reply_timeout_s = 0.2\nsample_rate_Hz", 1)
+    text = text.replace("address = 128", "address = 128\nreply_timeout_ms = 40.0", 1)
     more = "".join(f'{key} = "{value}"\n' for key, value in keys.items())
     text = text.replace('port = "simulated"', f'port = "{daq}"\n{more}', 1)
     text = text.replace('port = "simulated"', f'port = "{drive}"', 1)

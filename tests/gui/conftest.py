@@ -41,6 +41,7 @@ from rigapp.schema.messages import (
 from rigapp.service.client import Client
 from rigapp.service.host import EngineHost
 from rigapp.service.launch import find_engine
+from rigapp.viewer import knownwear
 from rigapp.viewer.connection import EngineConnection
 from rigapp.viewer.recording import StoredTest
 from rigapp.viewer.series import LiveData
@@ -147,6 +148,16 @@ def _destroyed_at_once() -> Iterator[None]:
     """Destroy the widgets of the test before the next one, as an application would."""
     yield
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+
+
+@pytest.fixture(autouse=True)
+def _wear_is_not_computed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Start no ``rigapp identify`` beside each window: it takes seconds, and nobody looks."""
+
+    def refused(arguments: list[str]) -> str:
+        raise OSError(f"{arguments[0]}: not computed here")
+
+    monkeypatch.setattr(knownwear.known_wear, "__defaults__", (refused,))
 
 
 @pytest.fixture

@@ -25,6 +25,7 @@ from rigapp.viewer.knownwear import (
     known_wear,
     newest_wear,
     of_tree,
+    run_identify,
     wear_values,
 )
 from rigapp.viewer.news import News
@@ -251,3 +252,9 @@ def test_without_a_record_of_the_probes_one_sentence_says_so_with_the_way_out(
         assert ("no calibration record" in panel.why.text()) is lacking
         panel.show_news(replace(news, is_replay=True))
         assert panel.mend.isHidden(), "a replay has no rig to calibrate"
+
+
+@pytest.mark.long  # a program of its own
+def test_what_the_command_refuses_is_its_own_sentence(tmp_path: Path) -> None:
+    with pytest.raises(OSError, match=r"gone\.h5"):
+        run_identify([str(tmp_path / "gone.h5"), "--json"])

@@ -64,6 +64,10 @@ def test_every_text_of_the_window_is_translated(language: str) -> None:
     assert set(told) - contexts(language)[SENTENCES].keys() == set(), what
 
 
+def test_every_text_is_collected_without_its_details() -> None:
+    assert [one for one in gathered()[0] if "‹" in one or "›" in one] == []
+
+
 @pytest.mark.parametrize("language", TRANSLATED)
 def test_a_translation_keeps_values_access_keys_dots_and_units(language: str) -> None:
     for text, said in translations(language).items():

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from rigapp.gui.language.collect import ROOT, all_texts, said, texts_of
+from rigapp.gui.language.collect import ROOT, said, texts_of
 from rigapp.presentation.catalogue import LANGUAGES, contexts
 from rigapp.presentation.translation import translate
 from rigapp.schema.alarms import KINDS
@@ -239,7 +239,3 @@ def test_an_error_of_others_has_a_sentence_of_ours() -> None:
     assert sentence_of(error_text(missing.value, "no")) == (
         "/nowhere/t.h5: No such file or directory"
     )
-
-
-def test_every_text_is_collected_without_its_details() -> None:
-    assert [one for one in all_texts() if "‹" in one or "›" in one] == []

@@ -15,6 +15,7 @@ import tempfile
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 from typing import Final
 
@@ -101,13 +102,20 @@ def without_braces(template: str) -> str:
     return re.sub(r"\{[^{}]*\}", "", template)
 
 
-def said() -> Iterator[tuple[str, Text]]:
-    """Yield the module and the template of each sentence, without its details and its edges."""
-    for source in ("drivers", "model", "calibration", "rigapp"):
-        for path in sorted((ROOT / source).rglob("*.py")):
-            name = path.relative_to(ROOT).with_suffix("").as_posix()
-            if not name.startswith(ON_TERMINALS):
-                yield from ((name, one) for one in sentences_of(path))
+@cache  # the whole source is read, which takes seconds
+def said() -> tuple[tuple[str, Text], ...]:
+    """Return the module and the template of each sentence, without its details and its edges."""
+    paths = {
+        path.relative_to(ROOT).with_suffix("").as_posix(): path
+        for source in ("drivers", "model", "calibration", "rigapp")
+        for path in sorted((ROOT / source).rglob("*.py"))
+    }
+    return tuple(
+        (name, one)
+        for name, path in paths.items()
+        if not name.startswith(ON_TERMINALS)
+        for one in sentences_of(path)
+    )
 
 
 def sentences_of(module: Path) -> Iterator[Text]:
@@ -374,6 +382,7 @@ class _Reader(ast.NodeVisitor):
                 self._take(of, one)
 
 
+@cache
 def texts_of(*sources: Path) -> Texts:
     """Return the texts in the modules below folders, of the program without any."""
     modules = {
