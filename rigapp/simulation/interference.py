@@ -4,13 +4,14 @@ All of it is off by default. What depends on time or revolutions alone is the sa
 into chunks and for every test of one seed; creep of the cell remembers its load.
 """
 
+# mypy: disable-error-code="untyped-decorator, no-any-return"
 from __future__ import annotations
 
 import math
 from dataclasses import replace
 
 import numpy as np
-from scipy.signal import lfilter
+from numba import float64, types
 
 from rigapp.config.rig import PlantSection, RigFile
 from rigapp.schema.channels import BASE, LOAD_CELL, PROBES
@@ -20,6 +21,7 @@ from rigapp.simulation.layout import Array
 from rigapp.simulation.plant import Samples
 from rigapp.simulation.sensing import normal_pair
 from rigapp.simulation.surroundings import room_swing_K
+from rigapp_model.compiled import njit
 
 _WANDER = np.uint64(33)
 
@@ -84,6 +86,19 @@ def wander(at: Array, seed: np.uint64, place: int) -> Array:
     return np.asarray(np.cos(part) * knots[low] + np.sin(part) * knots[low + 1])
 
 
+@njit(types.Tuple((float64[::1], float64))(float64[::1], float64, float64), cache=True)
+def _lagging(values: Array, keeps: float, rest: float) -> tuple[Array, float]:
+    """Return values after a lag of first order, and what remains of it for those that follow.
+
+    A filter of ``scipy.signal`` does the same, and loads for a second at each start of a rig.
+    """
+    lag = np.empty_like(values)
+    for i in range(values.shape[0]):
+        lag[i] = (1.0 - keeps) * values[i] + rest
+        rest = keeps * lag[i]
+    return lag, rest
+
+
 class _Creep:
     """Let a bridge go on by a part of a lasting load."""
 
@@ -91,12 +106,10 @@ class _Creep:
         self._share = plant.cell_creep_percent / 100.0
         self._time_s = plant.cell_creep_time_s
         self._zero = zero
-        self._state: Array = np.zeros(1)
+        self._rest = 0.0
 
     def added(self, signal: Array, sample_rate_Hz: float) -> Array:
         """Return a signal (mV/V) with the creep of all that came before."""
         keeps = math.exp(-1.0 / (sample_rate_Hz * self._time_s))
-        lag, self._state = lfilter(
-            [1.0 - keeps], [1.0, -keeps], signal - self._zero, zi=self._state
-        )
+        lag, self._rest = _lagging(signal - self._zero, keeps, self._rest)
         return np.asarray(signal + self._share * lag)

@@ -17,7 +17,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
-from scipy.stats import norm
+from scipy.special import ndtri
 
 from rigapp.schema.deviations import (
     CLEARANCE_CAUSE,
@@ -55,7 +55,7 @@ EACH = 10
 """Revolutions after which a cause is looked for, and then each time."""
 FALSE_ALARM = 0.01
 """Probability that a healthy rig is said to differ, over all causes."""
-LIMIT = float(norm.isf(0.5 * FALSE_ALARM / (len(DEVIATIONS) - 1)))
+LIMIT = float(-ndtri(0.5 * FALSE_ALARM / (len(DEVIATIONS) - 1)))
 NEARLY = 4.0
 """Difference of squared scores up to which another cause explains nearly as much: odds of 7."""
 ALIKE_RAD = math.radians(12.0)

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 from rigapp.texts import say
 from rigapp_calibration.arrays import Array
@@ -143,14 +143,14 @@ def _expanded(
     """
     degrees = max(scatter.size - 4, 1)
     noise = math.sqrt(float(np.sum(scatter**2)) / degrees)
-    random = float(student.ppf(0.5 + 0.5 * COVERAGE, degrees)) * noise
+    random = float(stdtrit(degrees, 0.5 + 0.5 * COVERAGE)) * noise
     force = NORMAL_FACTOR * relative_force_uncertainty(settings.weights, settings.place) * weight
     turned = NORMAL_FACTOR * settings.angle_uncertainty * weight
     zeros = np.unique(rest, axis=0)
     of_mean = 0.0
     if len(zeros) > 1:
         spread = float(zeros.std(axis=0, ddof=1).max())
-        factor = float(student.ppf(0.5 + 0.5 * COVERAGE, len(zeros) - 1))
+        factor = float(stdtrit(len(zeros) - 1, 0.5 + 0.5 * COVERAGE))
         of_mean = factor * spread / math.sqrt(len(zeros))
     return math.hypot(force, random), math.hypot(turned, random), of_mean
 
