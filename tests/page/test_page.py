@@ -332,7 +332,7 @@ def test_no_malformed_request_is_answered_wrongly(rig: Path, serve: Serve, show:
     engine = serve(rig)
     page = show([rig])
     page.sees(lambda rigs: rigs and rigs[0]["line"] == "attached", ATTACHED)
-    ask_wrongly(page, 2000)
+    ask_wrongly(page, 500)
     assert page.rigs()[0]["line"] == "attached"
     assert engine.requests == []
 

@@ -33,10 +33,10 @@ def a_twin() -> Twin:
 
 
 @functools.cache
-def told() -> tuple[list[Prediction], list[bytes]]:
+def told(number: int = REVOLUTIONS) -> tuple[list[Prediction], list[bytes]]:
     """Return the predictions of a test at 1.1 times the model's coefficient, and checkpoints."""
     twin, predictions, kept = a_twin(), [], []
-    for measured, _ in revolutions(1.1, REVOLUTIONS):
+    for measured, _ in revolutions(1.1, number):
         predictions.append(twin.predict(measured))
         assert twin.changed, "every revolution tells something, so that none may be lost"
         kept.append(packed(twin))
@@ -146,14 +146,14 @@ def test_without_a_record_it_is_refused_in_words_and_the_columns_are_unknown(
     ],
 )
 def test_each_of_them_can_end_a_test(stop: StopSection, key: str) -> None:
-    predictions, _ = told()
+    predictions, _ = told(100)
     monitor = StopMonitor(stop)
     assert monitor.any
     met = []
     for number, one in enumerate(predictions, start=1):
         values = by_name(prediction_columns(), as_array(one.values, "<f8"))
         if key:
-            values[key] = -5.0 if number > 200 else 0.0
+            values[key] = -5.0 if number > 60 else 0.0
         met += [found for found in (monitor.prediction(number, values),) if found]
     assert met
     assert "in 3 revolutions in a row" in met[0].sentence

@@ -87,6 +87,7 @@ def test_a_worker_is_reached_through_a_port_where_the_folder_has_a_long_name(
         link.close()
 
 
+@pytest.mark.long  # in order before and after a restart, which the next one proves, too
 def test_every_revolution_is_predicted_in_order(link: TwinLink, inbox: Inbox) -> None:
     assert link.wait_ready(60.0)
     for number in range(1, 21):
