@@ -9,7 +9,8 @@ from __future__ import annotations
 import errno
 import os
 import sys
-from typing import Annotated, NoReturn
+from functools import cache
+from typing import Annotated, Any, NoReturn
 
 import typer
 
@@ -72,6 +73,11 @@ INTERRUPTED = 130
 """What the command line's library returns after Ctrl-C."""
 
 
+@cache  # who calls ``main`` again and again makes the tree of verbs once
+def _verbs() -> Any:
+    return typer.main.get_command(app)
+
+
 def main() -> NoReturn:
     """Run the command line and exit with its status."""
     # Threads of the linear algebra would fight the acquisition for the cores.
@@ -82,7 +88,7 @@ def main() -> NoReturn:
     debug = "--debug" in sys.argv
     arguments = [word for word in sys.argv[1:] if word != "--debug"]
     try:
-        status = app(args=arguments, prog_name="rigapp", standalone_mode=False)
+        status = _verbs()(args=arguments, prog_name="rigapp", standalone_mode=False)
     except (KeyboardInterrupt, typer.Abort):
         status = INTERRUPTED
     except Exception as error:
