@@ -29,6 +29,7 @@ _PATIENCE = 30
 @njit(
     "void(float64[:,::1], float64[:,::1], float64, float64[::1], float64[:,::1], float64[::1])",
     cache=True,
+    error_model="numpy",
 )
 def place_pin(surface, axis, pin_radius, pin, frame, gap):  # type: ignore[no-untyped-def]
     """Fill the frame and the rigid gap of every node for a pin centre."""
@@ -45,7 +46,12 @@ def place_pin(surface, axis, pin_radius, pin, frame, gap):  # type: ignore[no-un
         gap[i] = distance - pin_radius
 
 
-@njit("float64(float64[:,:,::1], float64[:,::1], int64, int64)", cache=True, inline="always")
+@njit(
+    "float64(float64[:,:,::1], float64[:,::1], int64, int64)",
+    cache=True,
+    error_model="numpy",
+    inline="always",
+)
 def normal_compliance(polar, frame, i, j):  # type: ignore[no-untyped-def]
     """Return the normal displacement at node i by a unit normal force at node j."""
     return frame[i, 2] * (polar[0, i, j] * frame[j, 2] + polar[1, i, j] * frame[j, 3]) + (
@@ -54,9 +60,38 @@ def normal_compliance(polar, frame, i, j):  # type: ignore[no-untyped-def]
 
 
 @njit(
+    "void(float64[:,:,::1], float64[:,::1], int64[::1], int64, float64[:,::1])",
+    cache=True,
+    error_model="numpy",
+)
+def assemble(polar, frame, nodes, count, a):  # type: ignore[no-untyped-def]
+    """Fill the upper triangle of a[:count, :count] with the normal compliance between nodes.
+
+    Nodes that follow each other, as a rule, are taken by slices, several at once.
+    """
+    radial, tangential = np.empty(count), np.empty(count)
+    for p in range(count):
+        radial[p], tangential[p] = frame[nodes[p], 2], frame[nodes[p], 3]
+    follow = nodes[count - 1] - nodes[0] == count - 1
+    for p in range(count):
+        i = nodes[p]
+        if not follow:
+            for q in range(p, count):
+                a[p, q] = normal_compliance(polar, frame, i, nodes[q])
+            continue
+        row, r, t, end = a[p, p:count], radial[p:count], tangential[p:count], i + count - p
+        rr, rt = polar[0, i, i:end], polar[1, i, i:end]
+        tr, tt = polar[2, i, i:end], polar[3, i, i:end]
+        r0, t0 = radial[p], tangential[p]
+        for q in range(row.size):
+            row[q] = r0 * (rr[q] * r[q] + rt[q] * t[q]) + (t0 * (tr[q] * r[q] + tt[q] * t[q]))
+
+
+@njit(
     "void(float64[:,:,::1], float64[:,::1], float64[::1], int64[::1], int64, float64,"
     " float64[::1])",
     cache=True,
+    error_model="numpy",
 )
 def displace(polar, frame, pressed, nodes, count, reach, gap):  # type: ignore[no-untyped-def]
     """Add to the gap of nodes its normal displacement by the pressed nodes.
@@ -69,21 +104,24 @@ def displace(polar, frame, pressed, nodes, count, reach, gap):  # type: ignore[n
         low += 1
     while high > low and gap[high - 1] > reach:
         high -= 1
-    n = gap.size
-    radial = np.zeros(n)
-    tangential = np.zeros(n)
+    # Slices, loops from 0 and one sum in each: so the compiler takes several nodes at once.
+    radial = np.zeros(high - low)
+    tangential = np.zeros(high - low)
     for p in range(count):
         j = nodes[p]
         r = pressed[j] * frame[j, 2]
         t = pressed[j] * frame[j, 3]
-        for i in range(low, high):
-            radial[i] += polar[0, j, i] * r + polar[2, j, i] * t
-            tangential[i] += polar[1, j, i] * r + polar[3, j, i] * t
+        by_r, by_t = polar[0, j, low:high], polar[2, j, low:high]
+        for i in range(radial.size):
+            radial[i] += by_r[i] * r + by_t[i] * t
+        by_r, by_t = polar[1, j, low:high], polar[3, j, low:high]
+        for i in range(radial.size):
+            tangential[i] += by_r[i] * r + by_t[i] * t
     for i in range(low, high):
-        gap[i] += frame[i, 2] * radial[i] + frame[i, 3] * tangential[i]
+        gap[i] += frame[i, 2] * radial[i - low] + frame[i, 3] * tangential[i - low]
 
 
-@njit("int64(boolean[::1], float64[::1], int64[::1])", cache=True)
+@njit("int64(boolean[::1], float64[::1], int64[::1])", cache=True, error_model="numpy")
 def list_touching(touching, gap, nodes):  # type: ignore[no-untyped-def]
     """List the touching nodes, the nearest ones made touching if there are fewer than two."""
     count = 0
@@ -105,6 +143,7 @@ def list_touching(touching, gap, nodes):  # type: ignore[no-untyped-def]
 @njit(
     "int64(float64[::1], boolean[::1], float64[::1], float64, float64, boolean)",
     cache=True,
+    error_model="numpy",
 )
 def revise(left, touching, pressed, reach, slack, single):  # type: ignore[no-untyped-def]
     """Drop what pulls, add what overlaps; return how many conditions were broken.
@@ -137,6 +176,7 @@ def revise(left, touching, pressed, reach, slack, single):  # type: ignore[no-un
 @njit(
     "float64[:,::1](float64[:,::1], float64[::1], float64[::1], int64[::1], int64, float64)",
     cache=True,
+    error_model="numpy",
 )
 def turning_stiffness(frame, gap, pressed, nodes, count, pin_radius):  # type: ignore[no-untyped-def]
     """Return how the forces given turn when the pin moves, (2, 2), N/m per metre of width.
@@ -154,7 +194,7 @@ def turning_stiffness(frame, gap, pressed, nodes, count, pin_radius):  # type: i
     return turning
 
 
-@njit("float64[::1](float64[:,::1], float64[:,::1], float64[::1])", cache=True)
+@njit("float64[::1](float64[:,::1], float64[:,::1], float64[::1])", cache=True, error_model="numpy")
 def pin_move(stiffness, turning, pull):  # type: ignore[no-untyped-def]
     """Solve for the pin's move, (2,); without the turning where that would be unstable.
 
@@ -179,6 +219,7 @@ def pin_move(stiffness, turning, pull):  # type: ignore[no-untyped-def]
 @njit(
     "int64(float64[::1], boolean[::1], float64[::1], float64[::1], float64[:,::1], float64)",
     cache=True,
+    error_model="numpy",
 )
 def verdict(force, touching, pressed, gap, frame, reach):  # type: ignore[no-untyped-def]
     """Return CARRIED if all conditions of contact hold, else NOT_SETTLED."""
@@ -200,6 +241,7 @@ def verdict(force, touching, pressed, gap, frame, reach):  # type: ignore[no-unt
     " float64, float64[::1], float64[::1], boolean[::1], float64[::1], float64[::1],"
     " float64[:,::1])",
     cache=True,
+    error_model="numpy",
 )
 def solve(  # type: ignore[no-untyped-def]
     surface, axis, polar, extra, pin_radius, force, pin, touching, pressed, gap, frame
@@ -221,10 +263,9 @@ def solve(  # type: ignore[no-untyped-def]
             a = np.empty((capacity, capacity))
             rows = np.empty((3, capacity))
         turning = turning_stiffness(frame, gap, pressed, nodes, count, pin_radius)
+        assemble(polar, frame, nodes, count, a)
         for p in range(count):
             i = nodes[p]
-            for q in range(p, count):
-                a[p, q] = normal_compliance(polar, frame, i, nodes[q])
             a[p, p] += extra[i]
             rows[0, p] = frame[i, 0]
             rows[1, p] = frame[i, 1]

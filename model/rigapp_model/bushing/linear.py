@@ -1,4 +1,8 @@
-"""Small dense linear algebra for compiled loops: inner loops run along rows."""
+"""Small dense linear algebra for compiled loops: inner loops run along rows.
+
+The rows are slices from the first element used on, and the loops count from 0: where a loop begins
+at a variable the compiler must expect places counted from the end, and takes one number at a time.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +11,7 @@ import numpy as np
 from rigapp_model.compiled import njit
 
 
-@njit("float64(float64[:,::1], int64)", cache=True)
+@njit("float64(float64[:,::1], int64)", cache=True, error_model="numpy")
 def factorise(a, n):  # type: ignore[no-untyped-def]
     """Replace the upper triangle of a[:n, :n] by U with U^T U = a; return the least pivot.
 
@@ -23,37 +27,41 @@ def factorise(a, n):  # type: ignore[no-untyped-def]
                 return pivot
             least = min(least, pivot)
             scale = 1.0 / np.sqrt(pivot)
-            for j in range(k, n):
-                a[k, j] *= scale
+            row = a[k, k:n]
+            for j in range(row.size):
+                row[j] *= scale
             for i in range(k + 1, last):
                 ratio = a[k, i]
-                for j in range(i, n):
-                    a[i, j] -= ratio * a[k, j]
+                row, above = a[i, i:n], a[k, i:n]
+                for j in range(row.size):
+                    row[j] -= ratio * above[j]
         if last - first < 4:
             break
         # Four rows at a time, so that the rest of the matrix passes through the cache once.
         for i in range(last, n):
             r0, r1, r2, r3 = a[first, i], a[first + 1, i], a[first + 2, i], a[first + 3, i]
-            for j in range(i, n):
-                a[i, j] -= (r0 * a[first, j] + r1 * a[first + 1, j]) + (
-                    r2 * a[first + 2, j] + r3 * a[first + 3, j]
-                )
+            row = a[i, i:n]
+            a0, a1, a2, a3 = a[first, i:n], a[first + 1, i:n], a[first + 2, i:n], a[first + 3, i:n]
+            for j in range(row.size):
+                row[j] -= (r0 * a0[j] + r1 * a1[j]) + (r2 * a2[j] + r3 * a3[j])
     return least
 
 
-@njit("void(float64[:,::1], int64, float64[:,::1], int64)", cache=True)
+@njit("void(float64[:,::1], int64, float64[:,::1], int64)", cache=True, error_model="numpy")
 def substitute(factor, n, rhs, rows):  # type: ignore[no-untyped-def]
     """Solve U^T U x = b in place for the vectors in rhs[:rows, :n]."""
     for c in range(rows):
         for i in range(n):
             value = rhs[c, i] / factor[i, i]
             rhs[c, i] = value
-            for k in range(i + 1, n):
-                rhs[c, k] -= value * factor[i, k]
+            rest, row = rhs[c, i + 1 : n], factor[i, i + 1 : n]
+            for k in range(rest.size):
+                rest[k] -= value * row[k]
         for i in range(n - 1, -1, -1):
             total = rhs[c, i]
-            for k in range(i + 1, n):
-                total -= factor[i, k] * rhs[c, k]
+            rest, row = rhs[c, i + 1 : n], factor[i, i + 1 : n]
+            for k in range(rest.size):
+                total -= row[k] * rest[k]
             rhs[c, i] = total / factor[i, i]
 
 
@@ -71,28 +79,31 @@ def invert(factor, n, lower, inverse):  # type: ignore[no-untyped-def]
     for i in range(n):
         scale = 1.0 / factor[i, i]
         whole = i - i % 4
+        row = lower[i]
         for k in range(0, whole, 4):
             r0, r1 = factor[k, i] * scale, factor[k + 1, i] * scale
             r2, r3 = factor[k + 2, i] * scale, factor[k + 3, i] * scale
+            a0, a1, a2, a3 = lower[k], lower[k + 1], lower[k + 2], lower[k + 3]
             for j in range(k + 4):
-                lower[i, j] -= (r0 * lower[k, j] + r1 * lower[k + 1, j]) + (
-                    r2 * lower[k + 2, j] + r3 * lower[k + 3, j]
-                )
+                row[j] -= (r0 * a0[j] + r1 * a1[j]) + (r2 * a2[j] + r3 * a3[j])
         for k in range(whole, i):
             ratio = factor[k, i] * scale
+            above = lower[k]
             for j in range(k + 1):
-                lower[i, j] -= ratio * lower[k, j]
+                row[j] -= ratio * above[j]
         lower[i, i] = scale
     whole = n - n % 4
     for k in range(0, whole, 4):
         for i in range(k + 4):
             r0, r1, r2, r3 = lower[k, i], lower[k + 1, i], lower[k + 2, i], lower[k + 3, i]
-            for j in range(i, k + 4):
-                inverse[i, j] += (r0 * lower[k, j] + r1 * lower[k + 1, j]) + (
-                    r2 * lower[k + 2, j] + r3 * lower[k + 3, j]
-                )
+            row, end = inverse[i, i : k + 4], k + 4
+            a0, a1 = lower[k, i:end], lower[k + 1, i:end]
+            a2, a3 = lower[k + 2, i:end], lower[k + 3, i:end]
+            for j in range(row.size):
+                row[j] += (r0 * a0[j] + r1 * a1[j]) + (r2 * a2[j] + r3 * a3[j])
     for k in range(whole, n):
         for i in range(k + 1):
             ratio = lower[k, i]
-            for j in range(i, k + 1):
-                inverse[i, j] += ratio * lower[k, j]
+            row, above = inverse[i, i : k + 1], lower[k, i : k + 1]
+            for j in range(row.size):
+                row[j] += ratio * above[j]

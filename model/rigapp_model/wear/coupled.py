@@ -15,9 +15,9 @@ from rigapp_model.bushing.active_set import (
     CARRIED,
     NOT_SETTLED,
     ONE_SIDED,
+    assemble,
     displace,
     list_touching,
-    normal_compliance,
     pin_move,
     place_pin,
     revise,
@@ -39,16 +39,16 @@ _GROWTH = 4
     "boolean(float64[:,:,::1], float64[:,::1], float64[::1], int64[::1], int64, float64[:,::1],"
     " float64[:,::1], float64[:,::1], float64[:,::1])",
     cache=True,
+    error_model="numpy",
 )
 def _invert(polar, frame, gap, nodes, count, rows, work, lower, inverse):  # type: ignore[no-untyped-def]
     """Fill the upper triangle of A^-1, and rows = A^-1 of the normals' x, y and of the gap.
 
     False when A is not positive definite. ``work``, ``lower``, ``inverse``: count x count at least.
     """
+    assemble(polar, frame, nodes, count, work)
     for p in range(count):
         i = nodes[p]
-        for q in range(p, count):
-            work[p, q] = normal_compliance(polar, frame, i, nodes[q])
         rows[0, p] = frame[i, 0]
         rows[1, p] = frame[i, 1]
         rows[2, p] = gap[i]
@@ -62,6 +62,7 @@ def _invert(polar, frame, gap, nodes, count, rows, work, lower, inverse):  # typ
 @njit(
     "void(float64[:,::1], int64[::1], int64, float64[:,::1], float64[:,::1])",
     cache=True,
+    error_model="numpy",
 )
 def _softness(frame, nodes, count, rows, turned):  # type: ignore[no-untyped-def]
     """Fill Q, the pin's move by a unit force, (2, 2); not a number when one-sided."""
@@ -80,6 +81,7 @@ def _softness(frame, nodes, count, rows, turned):  # type: ignore[no-untyped-def
     "void(float64[:,::1], int64[::1], int64, int64[::1], float64, float64[:,::1], float64[:,::1],"
     " float64[:,::1], float64[::1], float64[:,::1], float64[::1])",
     cache=True,
+    error_model="numpy",
 )
 def _gather(frame, nodes, count, place, slip, rows, inverse, q, force, system, pull):  # type: ignore[no-untyped-def]
     """Add one position's slip x T to the system and slip x b to its right-hand side."""
@@ -105,6 +107,7 @@ def _gather(frame, nodes, count, place, slip, rows, inverse, q, force, system, p
     "float64[::1](int64[::1], int64, float64[:,::1], float64[::1], float64[:,::1], float64[:,::1],"
     " float64[:,::1], float64[::1], float64[::1])",
     cache=True,
+    error_model="numpy",
 )
 def _press(nodes, count, frame, wear, rows, inverse, q, force, load):  # type: ignore[no-untyped-def]
     """Fill the normal forces of one position for a wear; return the pin's move, (2,)."""
@@ -127,7 +130,7 @@ def _press(nodes, count, frame, wear, rows, inverse, q, force, load):  # type: i
     return move
 
 
-@njit("float64(float64[:,::1])", cache=True)
+@njit("float64(float64[:,::1])", cache=True, error_model="numpy")
 def _least_angle(axis):  # type: ignore[no-untyped-def]
     """Return the least angle between neighbouring nodes, rad."""
     least = np.pi
@@ -137,7 +140,11 @@ def _least_angle(axis):  # type: ignore[no-untyped-def]
     return least
 
 
-@njit("float64[::1](float64[::1], float64[::1], float64[::1], float64, float64)", cache=True)
+@njit(
+    "float64[::1](float64[::1], float64[::1], float64[::1], float64, float64)",
+    cache=True,
+    error_model="numpy",
+)
 def _bounded(move, force, pin, pin_radius, spacing):  # type: ignore[no-untyped-def]
     """Return the pin's move, sideways to the force by no more than a few nodes.
 
@@ -164,6 +171,7 @@ def _bounded(move, force, pin, pin_radius, spacing):  # type: ignore[no-untyped-
     " float64, float64[:,::1], float64[::1], float64, float64[:,::1], boolean[:,::1],"
     " float64[:,::1], float64[:,::1])",
     cache=True,
+    error_model="numpy",
 )
 def wear_step(  # type: ignore[no-untyped-def]
     surface,
