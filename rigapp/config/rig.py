@@ -32,7 +32,8 @@ class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     touched_at_revolution. cell_creep_percent: what the cell adds to a lasting load, in
     cell_creep_time_s but for 1/e. bushing_creep_um_per_decade: what the bushing yields without
     wear, in each decade of time after the first minute. pin_mass_kg: of the pin outboard of the
-    gauges, whose weight turns about the cell once a revolution.
+    gauges, whose weight turns about the cell once a revolution. restitution: what part of its
+    normal speed an impact of the pin returns; without it the pin always touches the bushing.
     """
 
     slider_mass_factor: Annotated[float, FACTOR] = 1.01
@@ -74,6 +75,7 @@ class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     touched_at_revolution: Annotated[float, within(0.0, 1e9)] = 100.0
     bushing_creep_um_per_decade: Annotated[float, within(0.0, 1000.0)] = 0.0
     room_swing_hours: Annotated[float, within(0.01, 10_000.0)] = 24.0
+    restitution: Annotated[float | None, within(0.01, 1.0)] = None
 
 
 class SimulationSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import PlantSection, RigFile
+from rigapp.simulation.impacts import damping_of
 from rigapp.simulation.layout import Constants
 
 
@@ -148,6 +149,8 @@ def plant_constants(
         heating_time_s=plant.bushing_time_constant_s,
         pin_mass=plant.pin_mass_kg,
         creep=plant.bushing_creep_um_per_decade * 1e-6,
+        loose=0.0 if plant.restitution is None else 1.0,
+        impact_damping=0.0 if plant.restitution is None else damping_of(plant.restitution),
     )
     return Constants(*map(float, constants))
 

@@ -2,15 +2,19 @@
 
 Classical Runge-Kutta of fourth order, fixed step. Dry friction keeps its sense within a step; a
 step that would reverse the crank ends at rest, and the next one decides whether friction holds it.
+A joint that may lose contact takes shorter steps of its own (``impacts``).
 """
 
 # mypy: disable-error-code="untyped-decorator, no-any-return"
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numba import float64, int64, types, uint64
 from numpy.typing import NDArray
 
+from rigapp.simulation.impacts import crank_sense, loose_views, move, rates
 from rigapp.simulation.layout import (
     ACCELERATION,
     ANGLE,
@@ -30,6 +34,7 @@ from rigapp.simulation.layout import (
     RISE,
     SAMPLE,
     SPEED,
+    STATES,
     TIME,
     TORQUE,
     WARM,
@@ -175,33 +180,41 @@ def advance(
     size = ring.shape[1]
     table, wall_state = wall.table, wall.state
     cooling = 1.0 - dt / k.heating_time_s
+    slope = np.zeros(STATES)
     for step in range(steps):
         if wall_state[LASTS] <= 0.0 or state[FORCE] > wall_state[TOP]:
             renew(wall, bore(k), state[FORCE])
         start = step / steps
-        sense, held = friction_sense(k, d, state, start)
+        loose = k.loose == 1.0 and k.bench == 0.0
         angle = state[ANGLE]
         speed = state[SPEED]
         depth = state[DEPTH]
         torque, rate, current = motor(k, d, angle, speed, state[INTEGRAL], start)
-        if held == 1.0:
-            acceleration = 0.0
-            fx, fy, force = resting(k, angle, depth)
-            sliding = 0.0
-        else:
-            left = torque - sense * d.extra_friction_Nm
-            acceleration, fx, fy, force, _ = motion(
-                k, angle, speed, depth, left, sense, state[FORCE]
-            )
-            sliding = sense
-        position = geometry(k, angle, depth)
         seen_depth = depth
         if k.creep > 0.0 and counters[DEPARTURES] > 0:
             seen_depth += k.creep * np.log10(1.0 + (state[TIME] - state[WARM]) / CREEP_BEGINS_S)
         head = (counters[HEAD] + 1) % size
-        ring[0, head], ring[1, head], ring[2, head], ring[3, head] = views(
-            k, table, wall_state, position, seen_depth, fx, fy, sliding
-        )
+        position = geometry(k, angle, depth)
+        if loose:
+            sense, held = crank_sense(k, d, table, wall_state, state, start)
+            contact = rates(k, d, table, wall_state, state, sense, held, start, slope)
+            acceleration = slope[SPEED]
+            force = math.hypot(contact[0], contact[1])
+            view = loose_views(k, state, contact, seen_depth)
+        else:
+            sense, held = friction_sense(k, d, state, start)
+            if held == 1.0:
+                acceleration = 0.0
+                fx, fy, force = resting(k, angle, depth)
+                sliding = 0.0
+            else:
+                left = torque - sense * d.extra_friction_Nm
+                acceleration, fx, fy, force, _ = motion(
+                    k, angle, speed, depth, left, sense, state[FORCE]
+                )
+                sliding = sense
+            view = views(k, table, wall_state, position, seen_depth, fx, fy, sliding)
+        ring[0, head], ring[1, head], ring[2, head], ring[3, head] = view
         counters[HEAD] = head
         state[TORQUE] = torque
         state[CURRENT] = current
@@ -222,7 +235,9 @@ def advance(
             counters[SAMPLE] += 1
             samples += 1
         counters[PHASE] = (counters[PHASE] + 1) % steps_per_sample
-        if held == 1.0:
+        if loose:
+            move(k, d, wall, state, dt, start, (step + 1.0) / steps)
+        elif held == 1.0:
             state[INTEGRAL] += dt * rate
         else:
             turn(

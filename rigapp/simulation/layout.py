@@ -25,7 +25,8 @@ class Constants(NamedTuple):
     running_in, wear_change: how K changes with the depth, see ``Plant.wear_coefficient``.
     heating: how far above the room a power of friction in the joint brings the bushing in the end,
     and the time in which it gets there but for 1/e. pin_mass: kg, outboard of the gauges; its
-    weight turns about the cell. creep: m, of the bushing in a decade of time.
+    weight turns about the cell. creep: m, of the bushing in a decade of time. loose: 1 where the
+    pin may leave the wall (``impacts``), then with impact_damping; 0 where it always touches.
     """
 
     crank_radius: float
@@ -94,6 +95,8 @@ class Constants(NamedTuple):
     heating_time_s: float
     pin_mass: float
     creep: float
+    loose: float
+    impact_damping: float
 
 
 class Drive(NamedTuple):
@@ -127,10 +130,14 @@ OFF, VELOCITY, DUTY = 0.0, 1.0, 2.0
     ACCELERATION,
     WARM,
     RISE,
-) = range(14)
-STATES = 14
+    SLIDER,
+    SLIDER_SPEED,
+    FOLLOWER,
+    FOLLOWER_SPEED,
+) = range(18)
+STATES = 18
 """State vector: rad, rad/s, N m, m, m^2, N, s, N m, A, J, J, rad/s^2, s (when drift began),
-K (of the bushing above the room)."""
+K (of the bushing above the room); of a joint that may lose contact: m, m/s, rad, rad/s."""
 
 SAMPLE, PHASE, HEAD, DEPARTURES, DEPARTED_AT, HELD = range(6)
 COUNTERS = 6

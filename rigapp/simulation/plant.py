@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rigapp.simulation import kernels, layout, mechanics, sensing
+from rigapp.simulation import impacts, kernels, layout, mechanics, sensing
 from rigapp.simulation.layout import Array, Constants, Drive
 from rigapp.simulation.wall import APPROACH, Wall, looked_up, unworn_wall, worn_wall
 from rigapp.texts import say
@@ -127,6 +127,7 @@ class Plant:
         self._counters = np.zeros(layout.COUNTERS, dtype=np.int64)
         start = rest_angle(constants) - START_BEFORE_REST_RAD if angle_rad is None else angle_rad
         self._state[layout.ANGLE] = start
+        self._settle()
         self._rate = 0.0
         self._ring = np.empty((4, 0))
         self.set_sample_rate(sample_rate_Hz)
@@ -232,6 +233,7 @@ class Plant:
             slider_mass=together.slider_mass,
             stiffness=together.stiffness,
         )
+        self._settle()
 
     def wear_to(self, depth_m: float, area_m2: float | None = None) -> None:
         """Let the bushing be worn to a depth; the area is what such wear takes where none is given.
@@ -256,6 +258,7 @@ class Plant:
         self._state[layout.AREA] = area if area_m2 is None else area_m2
         angle = self._state[layout.ANGLE]
         self._state[layout.FORCE] = mechanics.resting(self.constants, angle, depth_m)[2]
+        self._settle()
 
     def approach_m(self, force_N: float) -> float:
         """Return how far a force brings pin and bushing nearer by elasticity, as they are now."""
@@ -271,13 +274,22 @@ class Plant:
         turns = math.floor(self._state[layout.ANGLE] / (2.0 * math.pi))
         self._state[layout.ANGLE] = 2.0 * math.pi * turns + angle_rad % (2.0 * math.pi)
         self._state[layout.SPEED] = 0.0
+        self._settle()
+
+    def _settle(self) -> None:
+        """Let slider and follower of a joint that may lose contact rest where the crank is."""
+        wall = self._wall
+        impacts.settle(self.constants, wall.table, wall.state, self._state)
 
     def state(self) -> PlantState:
         """Return the present state."""
         s = self._state
-        kinetic, potential = mechanics.energy(
-            self.constants, s[layout.ANGLE], s[layout.SPEED], s[layout.DEPTH]
-        )
+        k, wall = self.constants, self._wall
+        if k.loose == 1.0 and k.bench == 0.0:
+            kinetic, potential = impacts.loose_energy(k, wall.table, wall.state, s)
+        else:
+            place = (s[layout.ANGLE], s[layout.SPEED], s[layout.DEPTH])
+            kinetic, potential = mechanics.energy(k, *place)
         return PlantState(
             **{name: float(s[place]) for name, place in _STATES.items()},
             samples=int(self._counters[layout.SAMPLE]),

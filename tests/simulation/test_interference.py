@@ -185,4 +185,5 @@ def test_the_example_has_every_switch_on() -> None:
         "follower_mass_factor", "clearance_error_um", "cell_gain_error_percent",
         "cell_creep_percent", "pin_mass_kg", "probe_wander_um", "probe_temperature_um_per_K",
         "touched_probe_um", "bushing_creep_um_per_decade", "running_in_factor",
+        "restitution",
     }  # fmt: skip

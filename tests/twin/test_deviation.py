@@ -30,6 +30,7 @@ HARSH = {
     "cell_creep_percent": 0.1,
     "pin_mass_kg": 0.05,
     "running_in_factor": 2.0,
+    "restitution": 0.7,
 }
 """Of examples/harsh.toml, what shows in so few revolutions."""
 CAUSES = list(DEVIATIONS)
