@@ -44,11 +44,11 @@ class Answer:
 
 @dataclass(frozen=True, slots=True)
 class Inquiry:
-    """Tell what came of asking one port; asked: titles; problem: why it could not be asked."""
+    """Tell what came of asking one port; tried: titles; problem: why it could not be asked."""
 
     port: str
     answer: Answer | None
-    asked: tuple[str, ...]
+    tried: tuple[str, ...]
     problem: str = ""
 
 
@@ -63,7 +63,7 @@ def drivers_of_usb_id(
     )
 
 
-def may_be_asked(port: str, known: Sequence[DriverInfo]) -> bool:
+def may_be_probed(port: str, known: Sequence[DriverInfo]) -> bool:
     """Tell whether a port may be asked that the user has not named.
 
     known: drivers of its USB id. A UART adapter may lead to a device that obeys any byte.
@@ -83,24 +83,24 @@ def ask(port: str, drivers: Iterable[DriverInfo], timeout_s: float = QUESTION_S)
     alone.
     """
     asking = [info for info in drivers if info.probe is not None]
-    asked: list[str] = []
+    tried: list[str] = []
     problems: list[str] = []
     for baud_rate, infos in _rounds(asking, has_speed(port)):
         line = SerialPort("device", port, baud_rate or 115200)
         try:
             line.open()
             for info in infos:
-                if info.title not in asked:
-                    asked.append(info.title)
+                if info.title not in tried:
+                    tried.append(info.title)
                 identity = _ask_one(info, line, timeout_s, problems)
                 if identity is not None:
                     answer = Answer(info.name, info.title, identity, baud_rate, line.low_latency)
-                    return Inquiry(port, answer, tuple(asked))
+                    return Inquiry(port, answer, tuple(tried))
         except DeviceError as error:
-            return Inquiry(port, None, tuple(asked), error.sentence)
+            return Inquiry(port, None, tuple(tried), error.sentence)
         finally:
             line.close()
-    return Inquiry(port, None, tuple(asked), joined("; ", problems))
+    return Inquiry(port, None, tuple(tried), joined("; ", problems))
 
 
 def _rounds(

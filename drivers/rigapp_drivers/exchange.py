@@ -40,7 +40,7 @@ class OpenQuestions:
         self._setting, self._per_s = setting, per_s
         self._asked_s: deque[float] = deque()
 
-    def asked(self) -> None:
+    def requested(self) -> None:
         """Note that a question was sent."""
         self._asked_s.append(time.monotonic())
 
@@ -114,7 +114,7 @@ class NamedQuestions(OpenQuestions):
         self._name, self._tries_s = name, []
         self._left_s.pop(name, None)
 
-    def asked(self) -> None:
+    def requested(self) -> None:
         """Note that the question was sent."""
         self._tries_s.append(time.monotonic())
 

@@ -45,9 +45,9 @@ def calibrate_load_cell(
     """Calibrate the load cell from a CSV of readings or live; a bad fit is refused, not saved."""
     from rigapp.commands.live.terminal import calibrate
 
-    asked = {"plan": plan, "weights": weights}
+    requested = {"plan": plan, "weights": weights}
     return calibrate(
-        "load cell", asked, settings, to, readings, rig,
+        "load cell", requested, settings, to, readings, rig,
         journal=journal, practise=practise, as_json=json, former=former,
     )  # fmt: skip
 
@@ -89,9 +89,9 @@ def calibrate_probes(
     """Calibrate probes by micrometer steps, from a CSV or live; a bad fit is refused, not saved."""
     from rigapp.commands.live.terminal import calibrate
 
-    asked = {"which": probe, "plan": plan, "reach": reach_um, "positions": positions}
+    requested = {"which": probe, "plan": plan, "reach": reach_um, "positions": positions}
     return calibrate(
-        "probes", asked, settings, to, readings, rig,
+        "probes", requested, settings, to, readings, rig,
         journal=journal, practise=practise, as_json=json, former=former,
     )  # fmt: skip
 

@@ -205,7 +205,7 @@ def ports() -> Iterator[Observation]:
 
 
 def _port(port: Any, drivers: Sequence[DriverInfo]) -> Iterator[Observation]:
-    from rigapp_drivers.discovery import ask, drivers_of_usb_id, may_be_asked
+    from rigapp_drivers.discovery import ask, drivers_of_usb_id, may_be_probed
 
     known = drivers_of_usb_id(port.vid, port.pid, drivers)
     described = "" if port.description in (None, "n/a") else port.description
@@ -213,7 +213,7 @@ def _port(port: Any, drivers: Sequence[DriverInfo]) -> Iterator[Observation]:
     if not os.access(port.device, os.R_OK | os.W_OK):
         advice = f"{label}: {permission_advice(port.device)}"
         yield Observation(port.device, advice, False, NO_PERMISSION)
-    elif may_be_asked(port.device, known):
+    elif may_be_probed(port.device, known):
         others = [info for info in drivers if info not in known]
         yield from _inquiry_finding(ask(port.device, [*known, *others]), label, bool(known))
     else:
@@ -265,7 +265,7 @@ def ask_port(port: str) -> Iterator[Observation]:
     else:
         yield Observation(
             port,
-            f"nothing that is known answers (asked for: {', '.join(inquiry.asked)}); check power, "
+            f"nothing that is known answers (asked for: {', '.join(inquiry.tried)}); check power, "
             "cable and, on a UART, the device's baud rate.",
             False,
             SILENT,

@@ -38,12 +38,12 @@ def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: b
     """
     rig = read_rig(rig_path)
     host = EngineHost(rig, parse_speed(speed, rig), parse_bind(bind) if bind else None)
-    with termination_signals() as asked:
+    with termination_signals() as signals:
         Background(lambda: _connect_quietly(host, DEVICES_COME_S if stay else 0.0), "connect")
         if stay:
             host.tell_of_cut_off_test()
         lonely_since = time.monotonic()
-        while not host.ended.is_set() and not asked:
+        while not host.ended.is_set() and not signals:
             notice = host.notices.get(0.2)
             if isinstance(notice, Finished):
                 settle(notice)
@@ -51,18 +51,18 @@ def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: b
                 lonely_since = time.monotonic()
             elif time.monotonic() - lonely_since > LONELY_S:
                 break
-        close_host(host, asked)
+        close_host(host, signals)
     return 0
 
 
-def close_host(host: EngineHost, asked: list[str]) -> None:
+def close_host(host: EngineHost, signals: list[str]) -> None:
     """Close a host at the end of its process, which ends whatever hangs.
 
-    asked: as ``termination_signals`` collects them.
+    signals: as ``termination_signals`` collects them.
     """
     shutdown_with_timeout(
         host.close,
-        asked,
+        signals,
         turning=lambda: host.engine.state in ACTIVE,
         give_up=lambda: withdraw(os.getpid()),
         limit_s=CLOSE_S,

@@ -111,7 +111,7 @@ def _box(name: str, driver: str, port: str, found: Sequence[FoundPort]) -> Box:
     words, fitting = ROLES[name].words, drivers_of(name)
     answering = {one.driver: one for one in reversed(found) if one.driver in fitting}
     if not driver:
-        driver = _asked(
+        driver = _choose(
             f"Which {words}", list(fitting), next(iter(answering), ""), option=f"--{name}"
         )
     info = fitting.get(driver)
@@ -131,12 +131,12 @@ def _port_of(info: DriverInfo, found: Sequence[FoundPort]) -> str:
     if not sys.stdin.isatty():
         return ""
     if answering:
-        return _asked(f"Port of the {info.title}", answering, answering[0])
+        return _choose(f"Port of the {info.title}", answering, answering[0])
     print(f"{info.title}: answers on no port that may be asked.")
     return _typed(f"Port of the {info.title} (Enter: leave open): ")
 
 
-def _asked(question: str, choices: Sequence[str], first: str, option: str = "") -> str:
+def _choose(question: str, choices: Sequence[str], first: str, option: str = "") -> str:
     """Return one of some choices as somebody types it; a number or the word itself."""
     if not sys.stdin.isatty():
         raise UnusableInput(f"Say {option} {' or '.join(choices)}; there is no terminal to ask on.")

@@ -54,7 +54,7 @@ def start(rig: Path, operator: str) -> int:
     client = attach(rig, operator)
     try:
         _wait_for_devices(client)
-        return _shown(_asked(client, "queue_start"))
+        return _shown(_request(client, "queue_start"))
     finally:
         client.close()
 
@@ -69,7 +69,7 @@ def stop(rig: Path, operator: str) -> int:
         return _shown(_store(rig).change(halted))
     client = Client(entry, operator, look=False)
     try:
-        return _shown(_asked(client, "queue_stop"))
+        return _shown(_request(client, "queue_stop"))
     finally:
         client.close()
 
@@ -80,7 +80,7 @@ def _store(rig: Path) -> QueueStore:
     return QueueStore(kept_of(rig, "queues"), rig)
 
 
-def _asked(client: Any, verb: str) -> Queue:
+def _request(client: Any, verb: str) -> Queue:
     reply = client.request(verb)
     if not reply.ok:
         raise UnusableInput(reply.sentence)

@@ -139,7 +139,7 @@ def _conduct(
         raise UnusableInput(
             f"{record_wire}: the folder {record_wire.parent} does not exist; create it first."
         )
-    with termination_signals() as asked:
+    with termination_signals() as signals:
         host = EngineHost(
             rig_document, chosen, parse_bind(bind) if bind else None, record_wire=record_wire
         )
@@ -152,7 +152,7 @@ def _conduct(
                 ),
                 "start",
             )
-            return _follow(host, starting, shown, Interruption(host, asked), out)
+            return _follow(host, starting, shown, Interruption(host, signals), out)
         except DeviceError as error:
             end = Finished(FinishReason.DEVICE, str(error), "fault", 0, str(out))
             if progress == "json":
@@ -164,7 +164,7 @@ def _conduct(
             raise
         finally:
             shown.close()
-            close_host(host, asked)
+            close_host(host, signals)
             if host.engine.outcome is not None:
                 settle(host.engine.outcome)
 
@@ -214,9 +214,9 @@ class Interruption:
     third ends the process. Before, the first ends what starts, or the process if that hangs.
     """
 
-    def __init__(self, host: EngineHost, asked: list[str]) -> None:
+    def __init__(self, host: EngineHost, signals: list[str]) -> None:
         self._host = host
-        self._asked = asked
+        self._signals = signals
         self._stop: Background[None] | None = None
         self._off: Background[None] | None = None
         self._since = 0.0
@@ -224,18 +224,18 @@ class Interruption:
     @property
     def cause(self) -> str:
         """Return what asked first, empty while nothing did."""
-        return self._asked[0] if self._asked else ""
+        return self._signals[0] if self._signals else ""
 
     def obey(self, starting: Background[None]) -> None:
         """Do what is asked for; to be called again and again, never waits."""
-        if not self._asked:
+        if not self._signals:
             return
         host, now = self._host, time.monotonic()
         self._since = self._since or now
         host.cancel(f"interrupted by {self.cause}")
         if host.engine.state in ACTIVE:
             self._end_test(now)
-        elif not starting.done and (len(self._asked) > 1 or now - self._since > HANGING_S):
+        elif not starting.done and (len(self._signals) > 1 or now - self._since > HANGING_S):
             withdraw(os.getpid())
             end_at_once(
                 f"interrupted by {self.cause} while connecting; a device that did not answer was"
@@ -246,10 +246,10 @@ class Interruption:
         engine = self._host.engine
         if self._stop is None or (self._stop.done and isinstance(self._stop.error, Refused)):
             self._stop = Background(lambda: engine.stop("", self._words()), "interrupt")
-        if len(self._asked) > 1 and self._off is None:
+        if len(self._signals) > 1 and self._off is None:
             self._off = Background(lambda: engine.drive_off("", "interrupted twice"), "drive off")
             self._since = now
-        if len(self._asked) > 2 and self._off is not None and now - self._since > OFF_S:
+        if len(self._signals) > 2 and self._off is not None and now - self._since > OFF_S:
             withdraw(os.getpid())
             end_at_once("interrupted again: THE SPINDLE MAY STILL TURN; press the emergency stop.")
 

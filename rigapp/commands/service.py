@@ -123,7 +123,7 @@ def install(units: Sequence[SystemdUnit]) -> int:
         (folder / unit.name).write_text(unit.text, encoding="utf-8")
         print(f"Written: {folder / unit.name}")
     names = [unit.name for unit in units]
-    if not _asked("daemon-reload") or not _asked("enable", "--now", *names):
+    if not _systemctl("daemon-reload") or not _systemctl("enable", "--now", *names):
         return 1
     print(f"Started, and started with the computer: {', '.join(names)}")
     install_rules()
@@ -184,11 +184,11 @@ def remove(rigs: Sequence[Path]) -> int:
     known = [name for name, of in there.items() if of in wanted or not rigs]
     if not known:
         raise UnusableInput(f"{folder}: nothing of rigapp's is installed{' for it' * bool(rigs)}.")
-    done = _asked("disable", "--now", *known)
+    done = _systemctl("disable", "--now", *known)
     for name in known:
         (folder / name).unlink()
         print(f"Removed: {folder / name}")
-    return 0 if _asked("daemon-reload") and done else 1
+    return 0 if _systemctl("daemon-reload") and done else 1
 
 
 def _owner(path: Path) -> str:
@@ -203,7 +203,7 @@ def _owner(path: Path) -> str:
     return of.replace("%%", "%").replace("\\\\", "\\") or "another program"
 
 
-def _asked(*arguments: str) -> bool:
+def _systemctl(*arguments: str) -> bool:
     """Ask the user's systemd for something; say on standard error why it was not done."""
     return _ran("systemctl", "--user", *arguments)
 

@@ -21,7 +21,7 @@ def show_engines(rig: Path | None, *, as_json: bool) -> int:
 
     rig: only the engine of this rig file. An engine that does not answer is listed with the reason.
     """
-    found = [_asked(entry) for entry in _entries(rig)]
+    found = [_requested(entry) for entry in _entries(rig)]
     if as_json:
         print(json.dumps(found, indent=2))
     elif not found:
@@ -44,7 +44,7 @@ def _entries(rig: Path | None) -> list[Any]:
     return [*([read_entry(Path(elsewhere))] if elsewhere else []), *running_engines()]
 
 
-def _asked(entry: Any) -> dict[str, Any]:
+def _requested(entry: Any) -> dict[str, Any]:
     from rigapp.service.client import Client, EngineUnreachable
 
     shown: dict[str, Any] = {"pid": entry.pid, "rig_file": entry.rig}

@@ -101,7 +101,7 @@ def serve_page(
     print(f"The page is at {server.address}", flush=True)
     try:
         with ending_as_interrupt():
-            server.serve_until_asked()
+            server.serve_until_ended()
     except KeyboardInterrupt:
         return 0
     if server.failure:

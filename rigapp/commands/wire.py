@@ -52,8 +52,8 @@ def report_lines(rig: Path, to: Path, seconds: float) -> int:
     file = to.resolve()
     client = attach(rig, login_name())
     try:
-        asked = {"file": str(file), "duration_s": seconds, "reconnect": True}
-        reply = client.request("report_begin", asked)
+        requested = {"file": str(file), "duration_s": seconds, "reconnect": True}
+        reply = client.request("report_begin", requested)
         if not reply.ok:
             raise UnusableInput(reply.sentence)
         print(f"Recording for {seconds:g} s.", file=sys.stderr)

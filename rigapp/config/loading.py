@@ -110,7 +110,7 @@ def parse_test(text: str, name: str, *, recorded: bool = False) -> TestFile:
     return _record(Path(name), toml_tree(text, name), TestFile, recorded=recorded)
 
 
-def judged_test(tree: Mapping[str, Any]) -> tuple[TestFile | None, list[str]]:
+def validated_test(tree: Mapping[str, Any]) -> tuple[TestFile | None, list[str]]:
     """Return the test that nested tables mean, None where it is unusable, and all its mistakes."""
     try:
         record = _decode(Path("test"), tree, TestFile)

@@ -161,11 +161,11 @@ def _margin(
     """
     if connection is None or core.state not in ACTIVE:
         return None, ""
-    limits, judged = active.limits, active.run.judged
+    limits, evaluated = active.limits, active.run.evaluated
     margin = margin_to(limits.stale_data_s, connection.rig.data_age_s(), say("stale data"))
-    if core.state is RunState.RUNNING and judged is not None:
-        values = judged.named
-        step = active.run.step(judged.number)
+    if core.state is RunState.RUNNING and evaluated is not None:
+        values = evaluated.named
+        step = active.run.step(evaluated.number)
         margin = min(margin, least_margin(active.run.monitor, limits, values, step))
     return margin if math.isfinite(margin[0]) else (None, "")
 

@@ -154,15 +154,17 @@ def address(url: str) -> str:
 
 def inspected(ways: DeliveryChannels) -> list[str]:
     """Return why ways cannot be used as they stand, one sentence each; nothing is sent."""
-    asked: list[tuple[str, NotifySection | PingSection]] = [(one.name, one) for one in ways.ways]
-    asked += [("ping", ways.ping)] if ways.ping is not None and "{" in ways.ping.url else []
-    if not asked:
+    requested: list[tuple[str, NotifySection | PingSection]] = [
+        (one.name, one) for one in ways.ways
+    ]
+    requested += [("ping", ways.ping)] if ways.ping is not None and "{" in ways.ping.url else []
+    if not requested:
         return []
-    with ThreadPoolExecutor(len(asked)) as pool:
-        results = list(pool.map(lambda one: _inspect(one[1], ways.secrets), asked))
+    with ThreadPoolExecutor(len(requested)) as pool:
+        results = list(pool.map(lambda one: _inspect(one[1], ways.secrets), requested))
     return [
         f"notify, {name}: {one.reason}"
-        for (name, _), one in zip(asked, results, strict=True)
+        for (name, _), one in zip(requested, results, strict=True)
         if not one.ok
     ]
 

@@ -14,8 +14,8 @@ from rigapp.presentation.numbers import COEFFICIENT_SCALE, COEFFICIENT_UNIT, axi
 from rigapp.viewer.channels import SIZE
 from rigapp.viewer.comparison import CURVES, RevolutionCurves, binned, compose, stacked
 from rigapp.viewer.frames import COMPONENT_NAMES, ForceFrame
-from rigapp.viewer.judged import EVERYTHING, Drawn, Flagged, banded, drawn, rows_in_view
 from rigapp.viewer.knownwear import COEFFICIENT, REMAINING, newest_wear
+from rigapp.viewer.lines import EVERYTHING, Drawn, Flagged, banded, drawn, rows_in_view
 from rigapp.viewer.news import News
 from rigapp.viewer.quantities import (
     LARGEST,
@@ -212,8 +212,8 @@ class Painter:
         quantities = trend_quantities(news.data.channels)
         free = [one.name for one in news.data.channels.free]
         names = [one for one in (LARGEST, "wear", "residual", *free) if one in quantities]
-        asked = {name: quantities[name] for name in names} | _LIMITED
-        found = (self._trend(name, one, news) for name, one in asked.items())
+        requested = {name: quantities[name] for name in names} | _LIMITED
+        found = (self._trend(name, one, news) for name, one in requested.items())
         return [one for one in found if one is not None]
 
     def _trend(self, name: str, quantity: TrendQuantity, news: News) -> Plot | None:

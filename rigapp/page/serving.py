@@ -108,7 +108,7 @@ class BoundedConnection(H11Protocol):
         super().__init__(**given)
         self._gate = gate
         self._look_again: asyncio.TimerHandle | None = None
-        self.asked_at = self._taken_at = self.loop.time()
+        self.requested_at = self._taken_at = self.loop.time()
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Begin; where there are too many, the one that has been silent for longest ends."""
@@ -126,7 +126,7 @@ class BoundedConnection(H11Protocol):
                 and one.cycle is None
                 and not one.transport.is_closing()
             ]
-            min(silent, key=lambda one: one.asked_at).drop()
+            min(silent, key=lambda one: one.requested_at).drop()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """End."""
@@ -145,10 +145,10 @@ class BoundedConnection(H11Protocol):
         """Drop the connection when it takes too long to ask, or to take the answer."""
         now = self.loop.time()
         if self.cycle is not None and not self.cycle.response_complete:
-            self.asked_at = now
+            self.requested_at = now
         if self.transport.get_write_buffer_size() == 0:
             self._taken_at = now
-        if now - self.asked_at > REQUEST_S or now - self._taken_at > READ_S:
+        if now - self.requested_at > REQUEST_S or now - self._taken_at > READ_S:
             self.drop()
         else:
             self._look_again = self.loop.call_later(LOOK_S, self._look)
@@ -296,7 +296,7 @@ class PageServer(uvicorn.Server):
             )
         )
 
-    def serve_until_asked(self) -> None:
+    def serve_until_ended(self) -> None:
         """Serve until a signal, or ``should_exit``, asks for the end."""
         self.run([self._socket])
 

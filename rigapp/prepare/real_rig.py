@@ -22,7 +22,7 @@ from rigapp.prepare.schemas import schema_text
 from rigapp.prepare.shipped import examples_folder
 from rigapp.texts import joined, say
 from rigapp_drivers.api import DriverInfo, DriverKind
-from rigapp_drivers.discovery import ask, drivers_of_usb_id, may_be_asked
+from rigapp_drivers.discovery import ask, drivers_of_usb_id, may_be_probed
 from rigapp_drivers.registry import DriverNotFound, available_drivers, load_driver
 from rigapp_drivers.wire.ports import BY_ID, stable_name
 
@@ -136,7 +136,7 @@ def _looked_at(port: Any, drivers: Sequence[DriverInfo]) -> FoundPort:
     name = lasting_name(port.device)
     if not os.access(port.device, os.R_OK | os.W_OK):
         return FoundPort(name, say("{}: this user may not open it", label))
-    if not may_be_asked(port.device, known):
+    if not may_be_probed(port.device, known):
         return FoundPort(name, say("{}: not asked, it is no USB device itself", label))
     inquiry = ask(port.device, [*known, *(one for one in drivers if one not in known)])
     if inquiry.answer is None:

@@ -115,20 +115,20 @@ class Background(Generic[Result]):
 
 def shutdown_with_timeout(
     work: Callable[[], None],
-    asked: list[str],
+    signals: list[str],
     turning: Callable[[], bool],
     give_up: Callable[[], None],
     limit_s: float,
 ) -> None:
     """Do the last work of a program; when it hangs, or is asked again, end the process.
 
-    asked: as ``termination_signals`` collects them. While ``turning`` it takes two more, so that
+    signals: as ``termination_signals`` collects them. While ``turning`` it takes two more, so that
     nobody leaves a spindle alone by impatience. give_up: done before the process is ended.
     """
-    heard, deadline = len(asked), time.monotonic() + limit_s
+    heard, deadline = len(signals), time.monotonic() + limit_s
     closing = Background(work, "closing")
     while not closing.wait(0.05):
-        more = len(asked) - heard
+        more = len(signals) - heard
         if time.monotonic() > deadline or more > (2 if turning() else 0):
             give_up()
             end_at_once(say("what was still open could not be closed in time and was left."))

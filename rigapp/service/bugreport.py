@@ -79,11 +79,11 @@ class BugReports:
         if name not in PROGRAM and len(self._names) < MOST_NAMES:
             self._names.update(_spellings(name))
 
-    def begin(self, asked: LinesToReport) -> None:
+    def begin(self, request: LinesToReport) -> None:
         """Begin to record; raise Refused, UnusableInput."""
-        rig, file = self._rig(), Path(asked.file)
+        rig, file = self._rig(), Path(request.file)
         known = tuple(rig.record.devices)
-        for device in asked.devices:
+        for device in request.devices:
             if device not in known:
                 raise UnusableInput("{}: there is no device {}.", rig.path, repr(device))
         if file.suffix != ".zip" or not file.is_absolute():
@@ -93,7 +93,7 @@ class BugReports:
         with self._lock:
             if self._open is not None:
                 raise Refused("the lines are being recorded already; end that first")
-            devices = asked.devices or known
+            devices = request.devices or known
             with ExitStack() as opened:
                 folder = opened.enter_context(tempfile.TemporaryDirectory(prefix="rigapp-report-"))
                 self._folder = Path(folder)
@@ -102,13 +102,13 @@ class BugReports:
                 opened.callback(self._engine.end_report)
                 self._open = opened.pop_all()
             self.shown = LineReport(str(file), devices, time.time())
-        if asked.reconnect:
+        if request.reconnect:
             try:
                 self._connect()
             except Exception as error:  # what fails is what is reported
                 self._engine.log("device", sentence_of_error(error), "engine")
-        if asked.duration_s:
-            self._end_after(asked.duration_s)
+        if request.duration_s:
+            self._end_after(request.duration_s)
 
     def _end_after(self, seconds: float) -> None:
         with self._lock:

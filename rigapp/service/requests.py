@@ -121,50 +121,50 @@ class RequestHandler:
             "shutdown": lambda a, by: self._host.ended.set(),
         }
 
-    def _extend_request(self, asked: Extend, by: Request) -> None:
-        self._host.pins.judge(by.operator, asked.pin)
-        self._host.engine.extend(asked.revolutions, by.operator, asked.reason)
+    def _extend_request(self, requested: Extend, by: Request) -> None:
+        self._host.pins.judge(by.operator, requested.pin)
+        self._host.engine.extend(requested.revolutions, by.operator, requested.reason)
 
-    def _limit_request(self, asked: SetLimit, by: Request) -> None:
-        self._host.pins.judge(by.operator, asked.pin)
-        self._host.engine.set_limit(asked.name, asked.value, by.operator, asked.reason)
+    def _limit_request(self, requested: SetLimit, by: Request) -> None:
+        self._host.pins.judge(by.operator, requested.pin)
+        self._host.engine.set_limit(requested.name, requested.value, by.operator, requested.reason)
 
-    def _hand_request(self, asked: Hand, by: Request) -> dict[str, int]:
+    def _hand_request(self, requested: Hand, by: Request) -> dict[str, int]:
         """Let the simulated hands do something; return the first device sample after it."""
         simulated, behind = self._host.simulated, self._host.behind
         process = simulated.process
         for _ in range(HAND_LOOKS):
             behind.note(self._host.engine.samples_processed, int(process.state()["samples"]))
-        simulated.hand(asked.what, asked.details)
+        simulated.hand(requested.what, requested.details)
         return {"after_sample": behind.processed_at(int(process.state()["samples"]))}
 
-    def _begin_report(self, asked: LinesToReport, by: Request) -> Reply:
-        self._host.reports.begin(asked)
+    def _begin_report(self, requested: LinesToReport, by: Request) -> Reply:
+        self._host.reports.begin(requested)
         devices = joined(", ", self._host.reports.shown.devices)
         return Reply(ok=True, sentence=say("The lines of {} are recorded.", devices))
 
-    def _resume_paused(self, asked: Nothing, by: Request) -> None:
+    def _resume_paused(self, requested: Nothing, by: Request) -> None:
         self._host.calibration.judge_viewer(by.client)
         self._host.engine.resume(by.operator)
 
-    def _zero_request(self, asked: Zero, by: Request) -> Any:
+    def _zero_request(self, requested: Zero, by: Request) -> Any:
         self._host.calibration.judge()  # what hangs on the pin would be in the zero
-        return self._host.engine.zero(asked.what, by.operator, asked.reason)
+        return self._host.engine.zero(requested.what, by.operator, requested.reason)
 
-    def _begin_calibration(self, asked: BeginCalibration, by: Request) -> Any:
+    def _begin_calibration(self, requested: BeginCalibration, by: Request) -> Any:
         with self._host.starting:
             if self._host.engine.state in ACTIVE:
                 raise Refused("a test is under way; stop it first")
-            return self._host.calibration.begin(by, asked.what, asked.fastest_rpm)
+            return self._host.calibration.begin(by, requested.what, requested.fastest_rpm)
 
-    def _end_calibration(self, asked: CalibrationKey, by: Request) -> None:
-        self._host.calibration.end(asked.key, by)
+    def _end_calibration(self, requested: CalibrationKey, by: Request) -> None:
+        self._host.calibration.end(requested.key, by)
         self._put_together()
 
-    def _release_calibration(self, asked: ReleaseCalibration, by: Request) -> None:
+    def _release_calibration(self, requested: ReleaseCalibration, by: Request) -> None:
         if self._host.engine.state in ACTIVE:
             raise Refused("the spindle turns for the calibration; stop it first")
-        self._host.calibration.release(asked.since, asked.reason, by)
+        self._host.calibration.release(requested.since, requested.reason, by)
         self._put_together()
 
     def _put_together(self) -> None:
@@ -177,27 +177,31 @@ class RequestHandler:
                 "calibrating", say("the simulated rig is as it was left: {}", error), "engine"
             )
 
-    def _connect_request(self, asked: Nothing, by: Request) -> None:
+    def _connect_request(self, requested: Nothing, by: Request) -> None:
         with self._host.starting:
             self._host.connect()
 
-    def _start_request(self, asked: Start, by: Request) -> None:
-        test = with_revolutions(read_test(Path(asked.test)), asked.revolutions)
-        out, key = Path(asked.out), asked.calibration
+    def _start_request(self, requested: Start, by: Request) -> None:
+        test = with_revolutions(read_test(Path(requested.test)), requested.revolutions)
+        out, key = Path(requested.out), requested.calibration
         self._host.start(test, out, by.operator, resume=False, calibration=key)
 
-    def _queue_request(self, asked: QueueAdd, by: Request) -> None:
-        tests = [Path(one) for one in asked.tests]
-        add_tests(self._host.queue.store, self._host.records.rig.record, tests, Path(asked.folder))
+    def _queue_request(self, requested: QueueAdd, by: Request) -> None:
+        tests = [Path(one) for one in requested.tests]
+        add_tests(
+            self._host.queue.store, self._host.records.rig.record, tests, Path(requested.folder)
+        )
 
-    def _unqueue_request(self, asked: QueueRemove, by: Request) -> None:
-        self._host.queue.store.change(lambda queue: removed(queue, list(asked.numbers)))
+    def _unqueue_request(self, requested: QueueRemove, by: Request) -> None:
+        self._host.queue.store.change(lambda queue: removed(queue, list(requested.numbers)))
 
-    def _resume_request(self, asked: Resume, by: Request) -> Reply | None:
+    def _resume_request(self, requested: Resume, by: Request) -> Reply | None:
         self._host.calibration.judge()
-        path = Path(asked.file)
+        path = Path(requested.file)
         ended = end_whole_test(path)
         if ended is not None:
             return Reply(ok=True, sentence=ended.sentence)
-        self._host.start(recorded_test(path), path, by.operator, resume=True, reason=asked.reason)
+        self._host.start(
+            recorded_test(path), path, by.operator, resume=True, reason=requested.reason
+        )
         return None

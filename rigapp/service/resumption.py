@@ -391,7 +391,7 @@ def _of_zero(
     cell = past.calibration.get("load_cell", {})
     limit = ZERO_SHARE * rig.load_cell.full_scale_N
 
-    def judged(what: str, before: Any, now: Any, words: str) -> Compared:
+    def compared(what: str, before: Any, now: Any, words: str) -> Compared:
         shift = calibration.load_cell.matrix @ (np.asarray(now) - np.asarray(before))
         size = float(np.hypot(*shift))
         then, here = (
@@ -415,7 +415,7 @@ def _of_zero(
             cell_now, zero=np.array(cell["zero_mV_per_V"]), tare=np.array(tare), tare_angle=angle
         )
         before, now = cell_then.at_rest, cell_now.at_rest
-        yield judged(
+        yield compared(
             say("Zero of the load cell"), before, now, say("the zero of the load cell differs")
         )
     if rest is None or past.rest is None:
@@ -426,7 +426,7 @@ def _of_zero(
     where = [one.crank_angle_deg for one in (past.rest, rest)]
     if _same_angle(*where):
         words = say("with the crank at rest the load cell shows a force that differs")
-        yield judged(say("Load cell at rest"), past.rest.pair, rest.pair, words)
+        yield compared(say("Load cell at rest"), past.rest.pair, rest.pair, words)
         return
     then, here = (
         say("crank angle not known") if one is None else say("crank at {:.0f} deg", one)

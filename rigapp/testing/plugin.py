@@ -54,8 +54,8 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     if metafunc.definition.get_closest_marker(MARK) is None:
         return
     contracts = _contracts(metafunc.config)
-    asked = {name: ARGUMENTS[name] for name in ARGUMENTS if name in metafunc.fixturenames}
-    for argument, (kind, with_faults) in asked.items():
+    requested = {name: ARGUMENTS[name] for name in ARGUMENTS if name in metafunc.fixturenames}
+    for argument, (kind, with_faults) in requested.items():
         found = [one for one in contracts if kind in (None, one.info.kind)]
         if with_faults:
             pairs = [(one, fault) for one in found for fault in one.faults]

@@ -36,7 +36,7 @@ class CommandWatch:
 
     def __init__(self, clock: Callable[[], float]) -> None:
         self._clock = clock
-        self._asked_at = -ASK_EVERY_S
+        self._requested_at = -ASK_EVERY_S
         self._mine = False
         self.name = ""
 
@@ -53,10 +53,10 @@ class CommandWatch:
         if name != self.name:
             self.name = name
             self._mine = False
-            self._asked_at = -ASK_EVERY_S
-        if not name or now - self._asked_at < ASK_EVERY_S:
+            self._requested_at = -ASK_EVERY_S
+        if not name or now - self._requested_at < ASK_EVERY_S:
             return False
-        self._asked_at = now
+        self._requested_at = now
         return True
 
     def answered(self, reply: Reply) -> None:
@@ -68,7 +68,7 @@ class CommandWatch:
     def forget(self) -> None:
         """Know nothing: another engine may answer next."""
         self.name, self._mine = "", False
-        self._asked_at = -ASK_EVERY_S
+        self._requested_at = -ASK_EVERY_S
 
 
 log = logging.getLogger(__name__)

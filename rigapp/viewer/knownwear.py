@@ -25,7 +25,7 @@ from rigapp.process.children import module_command
 from rigapp.schema.columns import WEAR_MODELS
 from rigapp.schema.messages import RunState, last_set_speed
 from rigapp.viewer.channels import FreeValue
-from rigapp.viewer.judged import QUALITY
+from rigapp.viewer.lines import QUALITY
 from rigapp.viewer.news import News
 from rigapp.viewer.series import SeriesTable
 from rigapp.viewer.tasks import TaskWorker

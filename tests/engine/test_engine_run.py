@@ -517,9 +517,9 @@ def test_a_ramp_is_no_judged_revolution(rig: MemoryRig) -> None:
     session = rig.engine._core.test
     assert session is not None
     assert int(rig.store.column("quality")[0]) & Flag.RAMP
-    eventually(lambda: session.run.judged is not None)
-    assert session.run.judged is not None
-    assert not int(session.run.judged.values[BASE.place["quality"]]) & NOT_STEADY
+    eventually(lambda: session.run.evaluated is not None)
+    assert session.run.evaluated is not None
+    assert not int(session.run.evaluated.values[BASE.place["quality"]]) & NOT_STEADY
 
 
 def test_what_a_driver_warns_of_is_in_the_log(rig: MemoryRig) -> None:

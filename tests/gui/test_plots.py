@@ -39,7 +39,7 @@ from rigapp.schema.alarms import rule_key
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import Event, Flag, Severity
 from rigapp.storage import LargestForce
-from rigapp.viewer.judged import EVERYTHING, Drawn, Flagged, banded, drawn
+from rigapp.viewer.lines import EVERYTHING, Drawn, Flagged, banded, drawn
 from rigapp.viewer.moments import moments
 from rigapp.viewer.news import News
 from rigapp.viewer.ranges import round_places

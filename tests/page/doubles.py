@@ -102,7 +102,7 @@ class OpenPage:
         self.server = page_server(rigs, bind, *given)
         self._certificate = given[1] if len(given) > 1 else None
         self.port = int(re.search(r":(\d+)/$", self.server.address)[1])  # type: ignore[index]
-        self._thread = threading.Thread(target=self.server.serve_until_asked, name="page server")
+        self._thread = threading.Thread(target=self.server.serve_until_ended, name="page server")
         self._thread.start()
         eventually(lambda: self.server.started, "the page serves")
 

@@ -104,7 +104,7 @@ class CanNode:
         self._takers: dict[int, Taker] = {}
         self._sending = threading.Lock()
         self._transfer = threading.RLock()
-        self._asked = NamedQuestions(device, timeout_s, "sdo_timeout_ms", 1e3)
+        self._requested = NamedQuestions(device, timeout_s, "sdo_timeout_ms", 1e3)
         self._network = _Bus(self.send)
         self._sdo = self._client()
 
@@ -117,7 +117,7 @@ class CanNode:
         def answered(data: bytes, host_time_ns: int) -> None:
             # canopen compares the object of a read only, so a late answer could confirm a write.
             named = data[:1] and data[0] >> 5 in _NAMES_OBJECT
-            if named and not self._asked.is_answer(data[1:4]):
+            if named and not self._requested.is_answer(data[1:4]):
                 return
             client.on_response(0, data, 0)
 
@@ -319,30 +319,30 @@ class CanNode:
     ) -> Any:
         most = self.tries if tries is None else tries
         with self._transfer:
-            self._asked.begin(struct.pack("<HB", index, subindex))
+            self._requested.begin(struct.pack("<HB", index, subindex))
             for attempt in range(1, most + 1):
                 self._check()
                 self.beat()
                 self.retries += attempt > 1
-                self._asked.asked()
+                self._requested.requested()
                 try:
                     result = transfer()
-                    self._asked.leave(answered=True)
+                    self._requested.leave(answered=True)
                     return result
                 except canopen.SdoAbortedError as error:
-                    self._asked.leave(answered=True)
+                    self._requested.leave(answered=True)
                     raise self._refused(index, subindex, sentence_of_error(error)) from error
                 except canopen.SdoCommunicationError as error:
                     self._check()
                     if attempt < most and not self.hurry.is_set():
                         continue
-                    self._asked.leave(answered=False)
-                    if self._asked.late_s:
+                    self._requested.leave(answered=False)
+                    if self._requested.late_s:
                         raise ReplyTimeout.at(
                             self,
                             "no answer of node {} in time; {} ‹object {}›.",
                             self.node_id,
-                            self._asked.words(),
+                            self._requested.words(),
                             _shown(index, subindex),
                         ) from error
                     raise ReplyTimeout.at(

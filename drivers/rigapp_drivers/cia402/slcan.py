@@ -175,7 +175,7 @@ def _words(line: str) -> str:
         known = command in Nmt.__members__.values()
         return f"NMT {Nmt(command).name if known else command} to node {frame.data[1]}"
     if kind in (SDO_REQUEST_BASE, SDO_REPLY_BASE) and len(frame.data) == 8:
-        return _sdo(frame, node, asked=kind == SDO_REQUEST_BASE)
+        return _sdo(frame, node, requested=kind == SDO_REQUEST_BASE)
     if kind == HEARTBEAT_BASE and len(frame.data) == 1:
         state = frame.data[0] & 0x7F
         known = state in NodeState.__members__.values()
@@ -191,15 +191,17 @@ def _words(line: str) -> str:
     return f"{frame.identifier:03X}: {frame.data.hex(' ')}"
 
 
-def _sdo(frame: Frame, node: int, *, asked: bool) -> str:
+def _sdo(frame: Frame, node: int, *, requested: bool) -> str:
     head, index, subindex, value = struct.unpack("<BHBI", frame.data)
     shown = f"{index:04X}:{subindex}"
     if head & _SPECIFIER == _ABORT:
         return "SDO node {}: abort {} by {}".format(node, shown, f"{value:08X}")
-    name = _WORDS.get((asked, head & _SPECIFIER))
+    name = _WORDS.get((requested, head & _SPECIFIER))
     if name is None:
         return "SDO node {}: segment {}".format(node, frame.data.hex(" "))
     size = 4 - (head >> 2 & 3) if head & 1 else 4
     number = value & (1 << 8 * size) - 1
-    carries = (asked and head & _SPECIFIER == 0x20) or (not asked and head & _SPECIFIER == 0x40)
+    carries = (requested and head & _SPECIFIER == 0x20) or (
+        not requested and head & _SPECIFIER == 0x40
+    )
     return "SDO node {}: {} {}".format(node, name, f"{shown} = {number:#x}" if carries else shown)

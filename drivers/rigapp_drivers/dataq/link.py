@@ -36,7 +36,7 @@ class Link:
         self.heard = 0
         self.retries = 0
         self.tail = b""
-        self._asked = NamedQuestions(port.device, reply_timeout_s, "reply_timeout_s")
+        self._requested = NamedQuestions(port.device, reply_timeout_s, "reply_timeout_s")
 
     def set(self, command: bytes) -> None:
         """Send a command and wait for its echo; raise ReplyTimeout or ProtocolError."""
@@ -97,13 +97,13 @@ class Link:
         """Return the answering line; a line that is not for this command is passed over."""
         wanted = _words(command)
         stray, rest = "", b""
-        self._asked.timeout_s = self.reply_timeout_s
-        self._asked.begin(wanted)
+        self._requested.timeout_s = self.reply_timeout_s
+        self._requested.begin(wanted)
         for attempt in range(tries):
             self.retries += bool(attempt)
-            waits = self._asked.first_wait() if attempt == 0 and tries > 1 else 1.0
+            waits = self._requested.first_wait() if attempt == 0 and tries > 1 else 1.0
             self.port.write(command)
-            self._asked.asked()
+            self._requested.requested()
             deadline = time.monotonic() + waits * self.reply_timeout_s
             while (left := deadline - time.monotonic()) > 0.0:
                 rest += self.port.read_some(READ_BYTES, min(left, _SLICE_S))
@@ -111,13 +111,13 @@ class Link:
                 lines, rest = split_replies(rest)
                 for reply in filter(None, lines):
                     of_query = _question_of(reply)
-                    if self._asked.is_answer(of_query):
-                        self._asked.leave(answered=True)
+                    if self._requested.is_answer(of_query):
+                        self._requested.leave(answered=True)
                         return reply
                     stray = reply
-        self._asked.leave(answered=False)
-        if self._asked.late_s:
-            words = self._asked.words()
+        self._requested.leave(answered=False)
+        if self._requested.late_s:
+            words = self._requested.words()
             raise ReplyTimeout.at(self.port, "no answer in time; {} ‹{}›.", words, wanted)
         if stray:
             return stray

@@ -129,10 +129,10 @@ def split_replies(data: bytes) -> tuple[list[str], bytes]:
 
 def query_value(command: bytes, reply: str) -> str:
     """Return the value in the answer to a query; raise BadReply."""
-    asked = command.rstrip(b"\r").decode("ascii").strip()
-    value = reply.removeprefix(asked)
+    requested = command.rstrip(b"\r").decode("ascii").strip()
+    value = reply.removeprefix(requested)
     if value == reply or not value.strip():
-        raise BadReply(say("{} was answered with {}", repr(asked), repr(reply)))
+        raise BadReply(say("{} was answered with {}", repr(requested), repr(reply)))
     return value.strip()
 
 

@@ -225,7 +225,7 @@ class Link:
         self._pending = pending
         self._parser.response_expected = True
         self._open.timeout_s = self.reply_timeout_s
-        self._open.asked()
+        self._open.requested()
         self._write(command, parameters)
         return pending
 

@@ -31,7 +31,7 @@ class Setting:
     write: Command
     layout: str
     index: bytes = b""
-    asked: bytes | None = None
+    requested: bytes | None = None
     written: str = ""
     mask: int | None = None
     kind: Callable[[Any], Any] | None = None
@@ -76,7 +76,7 @@ def input_type(channel: int) -> Setting:
         Command.SET_INPUT_TYPE,
         ">B4x",
         u8(channel),
-        asked=u8(channel, 0xFF),
+        requested=u8(channel, 0xFF),
         written=">B",
         kind=InputType,
         patience=SLOW,
@@ -135,8 +135,8 @@ class Registers:
             return self._interface().objects
         if self._firmware < setting.since:
             return 0
-        asked = setting.index if setting.asked is None else setting.asked
-        data = self._link.command(setting.read, asked, reply=struct.calcsize(setting.layout))
+        requested = setting.index if setting.requested is None else setting.requested
+        data = self._link.command(setting.read, requested, reply=struct.calcsize(setting.layout))
         (value,) = struct.unpack(setting.layout, data)
         if setting.mask is not None:
             value &= setting.mask

@@ -71,7 +71,7 @@ def find_reply(
             return None
         whole = data[start : start + 6 + int.from_bytes(head[4:6], "big")]
         _, pdu = _TCP_FRAMER.handleFrame(whole, 0, 0)
-        return None if pdu is None else _judged(pdu, request[6], function, count)
+        return None if pdu is None else _checked(pdu, request[6], function, count)
     for start in range(len(data) - 4):
         if data[start] != request[0] or data[start + 1] & ~_EXCEPTION != function:
             continue
@@ -103,10 +103,10 @@ def decode_reply(data: bytes, device: int, function: int, count: int) -> ModbusR
     used, pdu = _FRAMER.handleFrame(data, 0, 0)
     if pdu is None:
         return ModbusReply(wrong=say("a damaged answer ‹wrong checksum›")) if used else None
-    return _judged(pdu, device, function, count)
+    return _checked(pdu, device, function, count)
 
 
-def _judged(pdu: Any, device: int, function: int, count: int) -> ModbusReply:
+def _checked(pdu: Any, device: int, function: int, count: int) -> ModbusReply:
     if pdu.dev_id != device:
         return ModbusReply(wrong=say("an answer of device {}", pdu.dev_id))
     if pdu.isError():
@@ -213,7 +213,7 @@ class ModbusLink:
                 raise DeviceFault.at(
                     self.port,
                     "{} is answered by {}; check the settings against the device's manual.",
-                    self._asked(function, address, count),
+                    self._requested(function, address, count),
                     reply.exception,
                 )
             if reply.words:
@@ -225,14 +225,14 @@ class ModbusLink:
                 self.port,
                 "{} was answered by {}; check the line, its termination, and that"
                 " addresses are used once.",
-                self._asked(function, address, count),
+                self._requested(function, address, count),
                 wrong,
             )
         if self._open.late_s:
             raise ReplyTimeout.at(
                 self.port,
                 "no answer from {} within {:g} s; {}.",
-                self._asked(function, address, count),
+                self._requested(function, address, count),
                 self.reply_timeout_s,
                 self._open.words(),
             )
@@ -240,7 +240,7 @@ class ModbusLink:
             self.port,
             "no answer from {} within {:g} s; check power, wires A and B, address, baud"
             " rate and parity.",
-            self._asked(function, address, count),
+            self._requested(function, address, count),
             self.reply_timeout_s,
         )
 
@@ -258,7 +258,7 @@ class ModbusLink:
         request = encode_request(self.device, function, address, count, transaction)
         stale = self.port.read_some(_MOST_BYTES, 0.0)
         self.port.write(request)
-        self._open.asked()
+        self._open.requested()
         wire_s = (8 + 5 + 2 * count) * self._byte_s
         wait_s = waits * self.reply_timeout_s + wire_s
         deadline = time.monotonic() + min(wait_s, max(left_s, wire_s))
@@ -306,9 +306,9 @@ class ModbusLink:
                     while self.port.read_some(_MOST_BYTES, self._pause_s):
                         pass
 
-    def _asked(self, function: int, address: int, count: int) -> str:
-        asked = say("function {}, {} from {} on", function, count, address)
-        return say("the device at Modbus address {} ‹{}›", self.device, asked)
+    def _requested(self, function: int, address: int, count: int) -> str:
+        requested = say("function {}, {} from {} on", function, count, address)
+        return say("the device at Modbus address {} ‹{}›", self.device, requested)
 
 
 _REQUEST: Final = struct.Struct(">BBHH")  # then the CRC
@@ -330,8 +330,8 @@ class Decoder:
             yield data.hex(" ")
             return
         self._device, self._function, address, self._count = _REQUEST.unpack(data[:-2])
-        asked = f"{self._count} registers from {address} on"
-        yield f"device {self._device}, function {self._function}: {asked}"
+        requested = f"{self._count} registers from {address} on"
+        yield f"device {self._device}, function {self._function}: {requested}"
 
     def received(self, data: bytes) -> Iterator[str]:
         """Yield the answer when it is whole, as unsigned words."""

@@ -106,8 +106,8 @@ def release_calibration(
         found = msgspec.convert(told, OpenCalibration) if told is not None else None
         if _may_end(rig, found, sure, read):
             assert found is not None
-            asked = {"since": found.since, "reason": reason}
-            result_of(client.request("calibration_release", asked))
+            requested = {"since": found.since, "reason": reason}
+            result_of(client.request("calibration_release", requested))
             print(ENDED)
     finally:
         client.close()

@@ -214,7 +214,7 @@ def sayer(as_json: bool) -> Say:
 
 def calibrate(
     name: str,
-    asked: Mapping[str, Any],
+    requested: Mapping[str, Any],
     settings: Path,
     to: Path,
     readings: Path | None,
@@ -228,12 +228,12 @@ def calibrate(
 ) -> int:
     """Keep the record of a subject when its readings are good, a table's or live; the exit status.
 
-    asked: what is wanted, by name (see the subject's ``plan``).
+    requested: what is wanted, by name (see the subject's ``plan``).
     """
     if (readings is None) == (rig is None):
         raise UnusableInput(ONE_SOURCE)
     if rig is None:
-        which = asked.get("which", "")
+        which = requested.get("which", "")
         return calibrate_table(
             name, readings, settings, to, which=which, former=former, as_json=as_json
         )
@@ -246,7 +246,7 @@ def calibrate(
     if practise and not simulated:
         raise UnusableInput(f"--practise: {rig} is not simulated; simulated hands move nothing.")
     sensitivity = document.record.probes.sensitivity_um_per_V
-    wanted = subject.plan({**asked, "sensitivity": sensitivity}, given)
+    wanted = subject.plan({**requested, "sensitivity": sensitivity}, given)
     refuse_existing(to)
     where = journal or to.with_name(f"{to.name}.journal")
     operator = operator_of(given)
@@ -256,7 +256,7 @@ def calibrate(
     try:
         with (
             engine_line(rig, operator, own=practise) as ask,
-            occupied(ask, "daily check" if asked.get("plan") == "daily" else name),
+            occupied(ask, "daily check" if requested.get("plan") == "daily" else name),
         ):
             hands = SimulatedHands(session, ask) if practise else None
             if hands is not None:

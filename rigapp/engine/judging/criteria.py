@@ -146,12 +146,12 @@ class StopMonitor:
         self._stop = stop
         self._last = 0
         self.running_h = 0.0
-        self._unjudged: deque[int] = deque(maxlen=MOST_UNJUDGED)
+        self._not_evaluated: deque[int] = deque(maxlen=MOST_UNJUDGED)
         watched = [_Watched(CRITERIA[key], level, stop) for key, level in levels(stop).items()]
         self._seen = {
             sight: [one for one in watched if one.criterion.sight is sight] for sight in Sight
         }
-        self._judged = self._seen[Sight.ROW] + self._seen[Sight.PREDICTION]
+        self._evaluated = self._seen[Sight.ROW] + self._seen[Sight.PREDICTION]
         self._rates = [one.rate for one in watched if one.rate is not None]
 
     @property
@@ -197,15 +197,15 @@ class StopMonitor:
         if met is not None:
             return met
         if int(at("quality")) & NOT_STEADY or number <= self._stop.hold_off_revolutions:
-            self._unjudged.append(number)
+            self._not_evaluated.append(number)
             return None
-        for one in self._judged:
+        for one in self._evaluated:
             one.since_value += 1
         return self._first(Sight.ROW, number, at)
 
     def judges(self, number: int) -> bool:
         """Tell whether the prediction of a revolution counts: it was whole and at the set speed."""
-        return number not in self._unjudged and number > self._stop.hold_off_revolutions
+        return number not in self._not_evaluated and number > self._stop.hold_off_revolutions
 
     def prediction(self, number: int, values: Mapping[str, float]) -> CriterionMet | None:
         """Judge the twin's answer: its columns by name, see ``prediction_columns``."""
@@ -220,11 +220,11 @@ class StopMonitor:
 
     def of_depth(self) -> list[str]:
         """Return the criteria that are set and follow from the measured wear depth."""
-        return [one.criterion.key for one in self._judged if one.criterion.of_depth]
+        return [one.criterion.key for one in self._evaluated if one.criterion.of_depth]
 
     def no_data(self) -> list[str]:
         """Return the criteria that have had no value for too long."""
-        return [one.criterion.key for one in self._judged if one.since_value >= one.patience]
+        return [one.criterion.key for one in self._evaluated if one.since_value >= one.patience]
 
     def nearest(self) -> tuple[float, str]:
         """Return how far before the nearest criterion it is, in percent of it, and its title.

@@ -35,7 +35,7 @@ class JointWatch:
         """
         beyond = self._beyond(values)
         # What is not known does not say that the pairing is back.
-        known = bool(beyond) or all(math.isfinite(one) for one in self._judged(values))
+        known = bool(beyond) or all(math.isfinite(one) for one in self._with_level(values))
         self._in_a_row = self._in_a_row + 1 if known and bool(beyond) != self._left else 0
         if self._in_a_row >= STAYS:
             self._in_a_row, self._left = 0, bool(beyond)
@@ -47,7 +47,7 @@ class JointWatch:
             how = say("faster") if values["wear_consistency"] > 0.0 else say("more slowly")
             yield make_alarm("wears_otherwise", since=since, how=how)
 
-    def _judged(self, values: Mapping[str, float]) -> Iterator[float]:
+    def _with_level(self, values: Mapping[str, float]) -> Iterator[float]:
         """Yield the values that have a level."""
         for key in self._pairing.__struct_fields__:
             if getattr(self._pairing, key) is not None:

@@ -80,7 +80,7 @@ class TestRun:
         self.start_sample: int | None = None
         self.complete = False
         self.newest: Row | None = None
-        self.judged: Row | None = None
+        self.evaluated: Row | None = None
         self._reducer = Reducer(calibration)
         self._utc = utc
         self._slow = slow
@@ -133,7 +133,7 @@ class TestRun:
         met = self.stops.row(row)
         self._ended_ns = ended_ns
         self.newest = Row(number, row, named, measured, verdicts, self.complete, met)
-        self.judged = self.newest if steady else self.judged
+        self.evaluated = self.newest if steady else self.evaluated
         return self.newest
 
     def _lasted_s(self, row: NDArray[np.float64], host_time_ns: int) -> float:

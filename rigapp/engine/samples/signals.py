@@ -42,7 +42,7 @@ class RecentSignals:
         self._means: deque[tuple[int, Array]] = deque(maxlen=kept)
         self._rest: Array = np.empty((inputs, 0))
         self._next = -1
-        self._asked = time.monotonic()
+        self._read_s = time.monotonic()
         self._lock = threading.Lock()
 
     @property
@@ -53,7 +53,7 @@ class RecentSignals:
     @property
     def forgotten(self) -> bool:
         """Tell whether nobody has asked for a while."""
-        return time.monotonic() - self._asked > FORGOTTEN_AFTER_S
+        return time.monotonic() - self._read_s > FORGOTTEN_AFTER_S
 
     def add(self, first_sample: int, signals: Array) -> None:
         """Add signals (inputs, n) that begin with a device sample."""
@@ -74,7 +74,7 @@ class RecentSignals:
     def read(self) -> Means:
         """Return what is kept."""
         with self._lock:
-            self._asked = time.monotonic()
+            self._read_s = time.monotonic()
             kept = list(self._means)
         return Means(
             end=np.array([end for end, _ in kept], dtype=np.int64),

@@ -98,7 +98,7 @@ class SlowDevice:
         self._on_open = on_open
         self._open = False
         self._reopen_s = REOPEN_S
-        self._asked = threading.Event()
+        self._answered = threading.Event()
         self._readings: dict[str, Reading] = {}
         self._recent: dict[str, deque[Reading]] = {}
 
@@ -117,7 +117,7 @@ class SlowDevice:
 
     def await_first(self, timeout_s: float) -> bool:
         """Wait until it has answered or failed to; False when neither came in time."""
-        return self._asked.wait(timeout_s)
+        return self._answered.wait(timeout_s)
 
     def close(self) -> None:
         """Release the device: its thread does, or whoever has ended it."""
@@ -141,14 +141,14 @@ class SlowDevice:
         for name, reading in self._readings.items():
             keep(self._recent, name, reading)
         self.answered_s, self.last_error, self._reopen_s = now, None, REOPEN_S
-        self._asked.set()
+        self._answered.set()
         self.worker.pause(PERIOD_S)
 
     def _failed(self, error: DeviceError) -> None:
         """Close the device, to be opened again: what it left half done is nobody's guess."""
         self.errors += 1
         self.last_error = error
-        self._asked.set()
+        self._answered.set()
         self.close()
         self.worker.pause(self._reopen_s)
         self._reopen_s = min(2.0 * self._reopen_s, LONGEST_REOPEN_S)

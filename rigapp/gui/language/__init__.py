@@ -26,8 +26,10 @@ def chosen_language(wanted: str, system: Sequence[str] | None = None) -> str:
     wanted: as chosen by the user, empty: as the system. system: its languages, the best first
     (``de-DE``), asked for unless given. English where none of them is spoken.
     """
-    asked = [wanted] if wanted else system if system is not None else QLocale.system().uiLanguages()
-    codes = (one.replace("_", "-").partition("-")[0] for one in asked)
+    requested = (
+        [wanted] if wanted else system if system is not None else QLocale.system().uiLanguages()
+    )
+    codes = (one.replace("_", "-").partition("-")[0] for one in requested)
     return next((code for code in codes if code in LANGUAGES), ENGLISH)
 
 

@@ -19,7 +19,7 @@ from rigapp.gui.widgets.reflow import flowing
 from rigapp.presentation.tokens import STEP, Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import BASE
-from rigapp.viewer.judged import EVERYTHING, Drawn, Flagged, drawn
+from rigapp.viewer.lines import EVERYTHING, Drawn, Flagged, drawn
 from rigapp.viewer.quantities import compared_columns, grouped_quantities, scale_of
 from rigapp.viewer.ranges import SteadyRange
 from rigapp.viewer.recording import StoredTest, load_history

@@ -180,16 +180,16 @@ class LimitPanel(QGroupBox):
             return
         reason = self.reason.text().strip()
         self.reason.clear()
-        asked = (
+        arguments = (
             {"reason": reason}
             if self.pin.isHidden()
             else {"reason": reason, "pin": self.pin.text()}
         )
         self.pin.clear()
         if name == REVOLUTIONS:
-            self.wanted.emit("extend", {"revolutions": number, **asked})
+            self.wanted.emit("extend", {"revolutions": number, **arguments})
         else:
-            self.wanted.emit("set_limit", {"name": name, "value": number, **asked})
+            self.wanted.emit("set_limit", {"name": name, "value": number, **arguments})
 
 
 def _number(value: float) -> str:

@@ -54,7 +54,7 @@ class EndPage(QWidget):
     def __init__(self, host: Host) -> None:
         super().__init__()
         self._host = host
-        self._asked = ""
+        self._requested = ""
         self._status: Status | None = None
         named(self, "result_page", "Result of the test")
         theme = host.theme
@@ -158,14 +158,14 @@ class EndPage(QWidget):
         tripped = news.trip is not None and news.trip.cycle is not None
         self.plots.setCurrentIndex(self.plots.indexOf(self.trip) if tripped else 0)
         if not has_result(news):
-            self._asked = ""
+            self._requested = ""
             return
         test = news.status.test if news.status is not None else None
         assert test is not None
         wanted = f"{test.file} {test.committed}"
-        if wanted == self._asked:
+        if wanted == self._requested:
             return
-        self._asked = wanted
+        self._requested = wanted
         self.card.show_result(None, READING)
         self._enable(None)
         self._host.results.ask(Path(test.file), self._show)

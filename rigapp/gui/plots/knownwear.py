@@ -27,7 +27,6 @@ from rigapp.presentation.numbers import COEFFICIENT_SCALE, COEFFICIENT_UNIT, gro
 from rigapp.presentation.tokens import BODY_PT, GAP, Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.messages import Status
-from rigapp.viewer.judged import EVERYTHING, Flagged, drawn
 from rigapp.viewer.knownwear import (
     COEFFICIENT,
     REMAINING,
@@ -38,6 +37,7 @@ from rigapp.viewer.knownwear import (
     WearReader,
     wear_of,
 )
+from rigapp.viewer.lines import EVERYTHING, Flagged, drawn
 from rigapp.viewer.news import News, Takes
 from rigapp.viewer.quantities import UM_PER_MM
 from rigapp.viewer.ranges import SteadyRange

@@ -29,7 +29,7 @@ from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, marked, tr
 from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.viewer.channels import SIZE
-from rigapp.viewer.judged import Drawn, Flagged, View, banded, drawn
+from rigapp.viewer.lines import Drawn, Flagged, View, banded, drawn
 from rigapp.viewer.moments import moments
 from rigapp.viewer.news import News, Takes
 from rigapp.viewer.quantities import (

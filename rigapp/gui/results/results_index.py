@@ -100,7 +100,7 @@ class ResultShelf:
         self._read: dict[str, Stamp] = {}
         self._reader: ResultReader | None = None
         self._found = 0
-        self._asked: list[tuple[ResultReader, Done]] = []
+        self._documents: list[tuple[ResultReader, Done]] = []
 
     @property
     def paths(self) -> list[str]:
@@ -110,7 +110,7 @@ class ResultShelf:
     @property
     def reading(self) -> bool:
         """Tell whether more is to come."""
-        return self._looking or self._reader is not None or bool(self._asked)
+        return self._looking or self._reader is not None or bool(self._documents)
 
     def result(self, path: str) -> TestResult | None:
         """Return what is known of a file, None before it was read."""
@@ -134,15 +134,15 @@ class ResultShelf:
 
     def ask(self, path: Path, done: Done) -> None:
         """Read one file at once with the uncertainty of its force; the answer comes from pump."""
-        self._asked.append((ResultReader([path], closely=True), done))
+        self._documents.append((ResultReader([path], closely=True), done))
 
     def pump(self) -> None:
         """Take what has been read."""
-        for reader, done in list(self._asked):
+        for reader, done in list(self._documents):
             for result in reader.take():
                 done(result)
             if reader.done:
-                self._asked.remove((reader, done))
+                self._documents.remove((reader, done))
         if self._reader is None:
             return
         found = self._reader.take()
@@ -157,10 +157,10 @@ class ResultShelf:
 
     def close(self) -> None:
         """End all reading."""
-        for reader in [self._reader, *(one for one, _ in self._asked)]:
+        for reader in [self._reader, *(one for one, _ in self._documents)]:
             if reader is not None:
                 reader.close()
-        self._reader, self._asked = None, []
+        self._reader, self._documents = None, []
 
     def _listed(self, stamps: dict[str, Stamp]) -> None:
         self._looking = False

@@ -155,8 +155,8 @@ class PreparePanel(QWidget):
         self._records: RigRecords | None = None
         self._problem = ""
         self._disk: DiskFacts | None = None
-        self._asked: object = None
-        self._asked_at = 0.0
+        self._requested: object = None
+        self._requested_at = 0.0
         self._looked_at: float | None = None
         named(self, "prepare_page", "Prepare a test")
         self.recipe = RecipePanel()
@@ -266,9 +266,9 @@ class PreparePanel(QWidget):
         test, now = self._test, self._clock()
         if test is None:
             return
-        if (test, rate) == self._asked and now < self._asked_at + LOOK_AGAIN_S:
+        if (test, rate) == self._requested and now < self._requested_at + LOOK_AGAIN_S:
             return
-        self._asked, self._asked_at = (test, rate), now
+        self._requested, self._requested_at = (test, rate), now
         self._worker.submit(
             lambda: disk_facts(test, rate, self._folder), self._got_disk, self._no_disk
         )

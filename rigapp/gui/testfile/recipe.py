@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import judged_test
+from rigapp.config.loading import validated_test
 from rigapp.config.recipe import TestFile, ViewSection
 from rigapp.config.writing import whole_file
 from rigapp.gui.look.fonts import sized
@@ -322,7 +322,9 @@ class RecipePanel(QWidget):
         if not self._filled:
             return
         tree, errors = self._read()
-        self.test, wrong = judged_test(tree if not errors else self._with_the_file_s(tree, errors))
+        self.test, wrong = validated_test(
+            tree if not errors else self._with_the_file_s(tree, errors)
+        )
         others = self._place_faults(wrong, errors)
         if errors:
             self.test = None

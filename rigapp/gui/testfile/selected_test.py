@@ -15,7 +15,7 @@ from tomlkit import aot, document, dumps, item, nl, parse, table
 from tomlkit.items import AoT
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import judged_test
+from rigapp.config.loading import validated_test
 from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
 from rigapp.config.toml import toml_tree
@@ -55,7 +55,7 @@ def read_selected(path: Path, text: str | None = None) -> SelectedTest:
     """Return a test file, read from the disk unless its text is told; raise UnusableInput."""
     text = read_text(path) if text is None else text
     tree = toml_tree(text, path)
-    test, wrong = judged_test(tree)
+    test, wrong = validated_test(tree)
     return SelectedTest(path, text, tree, test, in_form_words(translate(wrong[0])) if wrong else "")
 
 

@@ -83,9 +83,9 @@ def main(
     QTimer.singleShot(LOADED_MS, window, end_of_loading)
     if start_test is not None:
         window.start_when_idle(start_test)
-    with termination_signals() as asked:
+    with termination_signals() as signals:
         look = QTimer(window)
-        look.timeout.connect(lambda: _end_when_asked(asked, window, application))
+        look.timeout.connect(lambda: _end_on_signal(signals, window, application))
         look.start(LOOK_MS)
         return application.exec()
 
@@ -103,10 +103,10 @@ def _results_folder(preferences: Preferences, started: Path) -> Path:
     return Path(chosen)
 
 
-def _end_when_asked(asked: list[str], window: MainWindow, application: QApplication) -> None:
+def _end_on_signal(signals: list[str], window: MainWindow, application: QApplication) -> None:
     """Close for Ctrl-C, kill and a closed terminal; asked again, end at once."""
-    if len(asked) > 1:
-        end_at_once(f"interrupted twice by {asked[-1]}; the engine goes on.")
-    if asked:
-        window.close_unasked()
+    if len(signals) > 1:
+        end_at_once(f"interrupted twice by {signals[-1]}; the engine goes on.")
+    if signals:
+        window.close_without_question()
         application.quit()

@@ -178,8 +178,8 @@ class CalibrationGuide(QObject):
 
         self._next, choice = "", CHOICES[which]
         fastest = SUBJECTS[choice.subject].fastest_rpm
-        asked = {"what": choice.what, "fastest_rpm": fastest}
-        self._connection.request("calibration_begin", asked, partial(self._begun, which))
+        arguments = {"what": choice.what, "fastest_rpm": fastest}
+        self._connection.request("calibration_begin", arguments, partial(self._begun, which))
 
     def show(self, guide: QWidget) -> None:
         """Show a guide in the place of the rig's pages; strip, Stop and notes stay."""

@@ -128,7 +128,7 @@ class ControlRow(QFrame):
         super().__init__()
         self._send = send
         self._theme = theme
-        self._asked_why = self._told = self._details = ""
+        self._reason_for = self._told = self._details = ""
         self._armed = ""
         self._good = True
         self._tight = False
@@ -183,8 +183,8 @@ class ControlRow(QFrame):
         stop = self.buttons["stop"]
         stop.setFixedSize(STOP_SIZE)
         stop.setFont(sized(stop.font(), VALUE_PT, QFont.Weight.DemiBold))
-        asked = (self.buttons["connect"], self.start_place, self.buttons["pause"])
-        whole = row((identity, 3), *asked, (self.text, 3), self.note, on=self)
+        requested = (self.buttons["connect"], self.start_place, self.buttons["pause"])
+        whole = row((identity, 3), *requested, (self.text, 3), self.note, on=self)
         whole.addSpacing(STEP)
         filled(whole, (self.command_line,))
         whole.addSpacing(STEP)
@@ -329,8 +329,8 @@ class ControlRow(QFrame):
         if not text:
             self._to_text()
             return
-        if self._asked_why:
-            text = f"Reason why the test was {self._asked_why}: {text}"
+        if self._reason_for:
+            text = f"Reason why the test was {self._reason_for}: {text}"
         self.send("note", {"text": text[:NOTE_CHARACTERS]})
         self.text.clear()
         self._ask_nothing()
@@ -412,19 +412,19 @@ class ControlRow(QFrame):
         self.text.selectAll()
 
     def _ask_why(self, what: str) -> None:
-        self._asked_why = what
+        self._reason_for = what
         self._show_hint()
         self._to_text()
 
     def _ask_nothing(self) -> None:
-        self._asked_why = ""
+        self._reason_for = ""
         self._show_hint()
 
     def _show_hint(self) -> None:
         hint = tr(NOTE_HINT)
-        if self._asked_why:
-            hint = tr("Why was the test {}? Enter adds it to the log", tr(self._asked_why))
-        short: Text = "Why?" if self._asked_why else "Note"
+        if self._reason_for:
+            hint = tr("Why was the test {}? Enter adds it to the log", tr(self._reason_for))
+        short: Text = "Why?" if self._reason_for else "Note"
         self.text.setPlaceholderText(tr(short) if self._tight else hint)
         shown = tr(short) if self._tight else tr(NOTE_HINT)
         room = self.text.fontMetrics().horizontalAdvance(shown)

@@ -75,7 +75,7 @@ class RecoverPanel(QFrame):
         super().__init__()
         self._theme = theme
         self._status: Status | None = None
-        self._asked = self._tight = False
+        self._requested = self._tight = False
         self._why = ""
         named(self, "recover_panel", "Recover")
         self.title = named(QLabel(tr("Recover")), "recover_title", "Recover")
@@ -116,7 +116,7 @@ class RecoverPanel(QFrame):
         before, self._status = self._status, status
         changed = before is None or status is None or _situation(before) != _situation(status)
         if changed:
-            self._asked = False
+            self._requested = False
         if status is None or status.engine.state in UNDER_WAY:
             self.hide()
         elif needs_recovery(status) and self.isHidden():
@@ -128,7 +128,7 @@ class RecoverPanel(QFrame):
 
     def answered(self) -> None:
         """Take note that a request was answered: the button may be pressed again."""
-        self._asked = False
+        self._requested = False
         self._show()
 
     def press(self) -> None:
@@ -139,12 +139,12 @@ class RecoverPanel(QFrame):
         """Ask for the next step."""
         status = self._status
         verb = status.recovery.verb if status is not None else ""
-        if status is None or not verb or self._asked:
+        if status is None or not verb or self._requested:
             return
         if verb == "start":
             self.start_wanted.emit()
             return
-        self._asked = True
+        self._requested = True
         self._show()
         self.wanted.emit(
             verb, {"file": (status.test or NO_TEST).file} if verb == "resume_file" else {}
@@ -174,7 +174,7 @@ class RecoverPanel(QFrame):
         if told.step is Remedy.NONE:
             text = tr("Wait")
         self.button.setText(f"{tr(text)}  {KEY}")
-        self.button.setEnabled(bool(told.verb) and not self._asked)
+        self.button.setEnabled(bool(told.verb) and not self._requested)
         self.button.setToolTip(translate(told.sentence))
         self.other.setVisible(told.verb == "resume_file")
         self.away.setVisible(told.step is Remedy.RESUME)

@@ -112,7 +112,7 @@ class Tabs(QTabWidget):
     made = Signal(QWidget)
     wanted = Signal(str, dict)
     said = Signal(str, bool)
-    asked = Signal(Act)
+    requested = Signal(Act)
     help_wanted = Signal(str)
 
     def __init__(
@@ -138,7 +138,7 @@ class Tabs(QTabWidget):
             self.wanted.emit,
             self.said.emit,
             test.ask_revolution,
-            self.asked.emit,
+            self.requested.emit,
             self.help_wanted.emit,
             preferences,
             WearReader(worker),

@@ -382,7 +382,7 @@ class MainWindow(QMainWindow):
         recipe.ask_before("closing the window", self._close_for_good)
         return True
 
-    def close_unasked(self) -> None:
+    def close_without_question(self) -> None:
         """Close without a question: a signal asks for it, or the terminal is gone."""
         self._closing = "now"
         self._close_for_good()
@@ -520,8 +520,8 @@ class MainWindow(QMainWindow):
         self.start_bar.setParent(self.body)
         self.start_bar.installEventFilter(self)
         self.setCentralWidget(self.body)
-        asked = self.messages.findChildren(QPushButton)
-        follow_in_tab_order(self.rail.help_button, *asked, self.page_bar.choice)
+        buttons = self.messages.findChildren(QPushButton)
+        follow_in_tab_order(self.rail.help_button, *buttons, self.page_bar.choice)
         self._show_place()
         self.setMinimumSize(*LEAST)
         screen = QGuiApplication.primaryScreen()
@@ -635,7 +635,7 @@ class MainWindow(QMainWindow):
         self.viewer_bar.wanted.connect(self.controls.send)
         self.tabs.wanted.connect(self.controls.send)
         self.tabs.said.connect(self._say_answer)
-        self.tabs.asked.connect(self._do)
+        self.tabs.requested.connect(self._do)
         self.tabs.made.connect(self._forbid_buttons)
         self.tabs.help_wanted.connect(self.help_with)
         self.preferences.changed.connect(self._take_choice)

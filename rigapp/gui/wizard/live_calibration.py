@@ -96,7 +96,7 @@ class LiveCalibration(QObject):
     looked = Signal()
     moved = Signal()
     said = Signal(str)
-    judged = Signal()
+    evaluated = Signal()
 
     def __init__(self, line: AskLater, rig: Rig, session_type: type[AnySession]) -> None:
         """Take the engine, where the readings come from, and what is calibrated."""
@@ -113,7 +113,7 @@ class LiveCalibration(QObject):
         self.mistake: StrEnum = next(iter(self.practice.mistakes))
         self.goes_ahead = False
         self._since, self._acted_at = 0, -1
-        self._asked = False
+        self._requested = False
         self._done_for = NOWHERE
         self._hands = HandsQueue(line, self._acted, self._failed)
         self._worker = TaskWorker("calibration-fit", bound=4)
@@ -157,12 +157,12 @@ class LiveCalibration(QObject):
     def tick(self) -> None:
         """Ask the engine again unless an answer is still due."""
         self._worker.deliver()
-        if not self._asked:
-            self._asked = True
+        if not self._requested:
+            self._requested = True
             self._line(*self.question, self._heard)
 
     def _heard(self, reply: Reply) -> None:
-        self._asked = False
+        self._requested = False
         if not reply.ok:
             self.window = self.readiness = None
             if self.session is not None:
@@ -214,7 +214,7 @@ class LiveCalibration(QObject):
         """Fit and check off the screen's thread; ``judged`` tells when it is done."""
         self.outcome = None
         if self.session is not None:
-            self.run(self.session.judge, self._judged)
+            self.run(self.session.judge, self._evaluated)
 
     def run(self, work: Callable[[], Any], done: Callable[[Any], None]) -> None:
         """Do work off the screen's thread; a failure is said."""
@@ -226,9 +226,9 @@ class LiveCalibration(QObject):
         """Ask the engine for something without arguments; the handler is called later."""
         self._line(verb, {}, handler)
 
-    def _judged(self, outcome: Outcome) -> None:
+    def _evaluated(self, outcome: Outcome) -> None:
         self.outcome = outcome
-        self.judged.emit()
+        self.evaluated.emit()
 
     # --- simulated hands -------------------------------------------------------------------------
 

@@ -139,7 +139,7 @@ def _describe_probes(plan: ProbePlan, values: Values, settings: ProbeFile) -> st
     return text
 
 
-def _propose_reach(view: Any, values: Values, settings: ProbeFile) -> Values:
+def _propose_range(view: Any, values: Values, settings: ProbeFile) -> Values:
     """Propose 80 % of the range, once the engine has told the sensitivity in use."""
     known, range_V = view["sensitivity_um_per_V"], settings.probe.range_V
     return {"reach": usual_reach_um(known, range_V, values["positions"])}
@@ -188,7 +188,7 @@ MEASURING = Questions(
     ),
     culprit="reach",
     describe=_describe_probes,
-    propose=_propose_reach,
+    propose=_propose_range,
 )
 
 # --- the run-out ----------------------------------------------------------------------------------

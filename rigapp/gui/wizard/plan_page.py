@@ -130,11 +130,11 @@ class PlanPage(GuidePage):
         label = QLabel(tr("&Settings file"))
         label.setBuddy(self.settings)
         form.addRow(label, row((self.settings, 1), self.browse))
-        self._asked = (*asks.fields, OPERATOR)
+        self._fields = (*asks.fields, OPERATOR)
         self._typed: set[str] = set()
         self.fields: dict[str, Any] = {}
         found = {"operator": live.rig.operator, "test": live.rig.test, **(chosen or {})}
-        for one in self._asked:
+        for one in self._fields:
             widget = one.make(f"{stem}_{one.name}", tr(one.spoken) or tr(one.text).replace("&", ""))
             self.fields[one.name] = widget
             if isinstance(widget, QLineEdit):
@@ -170,7 +170,7 @@ class PlanPage(GuidePage):
         A setting that follows from others stays as it is.
         """
         given, derived, values = self._given, self.asks.derived(self._given), self.values
-        for one in self._asked:
+        for one in self._fields:
             if one.kept in (PLAN, RIG):
                 continue
             if one.name in derived and attrgetter(one.kept)(given) is None:
@@ -204,7 +204,7 @@ class PlanPage(GuidePage):
 
     def _show_settings(self) -> None:
         derived = self.asks.derived(self._given)
-        for one in self._asked:
+        for one in self._fields:
             if one.kept not in (PLAN, RIG):
                 stated = attrgetter(one.kept)(self._given)
                 value = derived.get(one.name) if stated is None else stated
@@ -246,7 +246,7 @@ class PlanPage(GuidePage):
     def summarise(self) -> None:
         """Say what the fields mean."""
         anew = not self.begin.currentData()
-        for one in self._asked:
+        for one in self._fields:
             self.fields[one.name].setEnabled(anew or one.kept != PLAN)
         if not anew:
             self.summary.setText(tr("The plan and all readings are those of the journal."))

@@ -125,7 +125,7 @@ class CertificatePage(GuidePage):
         self.used = sentence(f"{prefix}use_words", "What happens to the rig file")
         upper = (about, self.saved, flowing(self.pdf, self.html), self.words)
         self.hold(*upper, self.used, flowing(self.use, self.no), None)
-        self._asked = False
+        self._requested = False
         live.said.connect(self.words.setText)
         self.setFinalPage(True)
 
@@ -161,7 +161,7 @@ class CertificatePage(GuidePage):
         """Ask nothing; say what would put the record to use."""
         file, outcome = self._live.rig.file, self._live.outcome
         whole = outcome is not None and self._place.alone(outcome.kind)
-        self._asked = False
+        self._requested = False
         self.no.hide()
         self.use.setVisible(file is not None and whole)
         self.use.setText(tr(USE))
@@ -182,8 +182,8 @@ class CertificatePage(GuidePage):
         file, outcome = self._live.rig.file, self._live.outcome
         if file is None or outcome is None or outcome.saved is None:
             return
-        if not self._asked:
-            self._asked = True
+        if not self._requested:
+            self._requested = True
             found = " ".join(map(translate, outcome.as_found[1])) if outcome.changed else ""
             self.used.setText(
                 f"{found}\n" * bool(found)
@@ -202,7 +202,7 @@ class CertificatePage(GuidePage):
             self._leave()
             self.used.setText(translate(sentence_of_error(error)))
             return
-        self._asked = False
+        self._requested = False
         self.use.hide()
         self.no.hide()
         words = tr("{} names the record now; the former file is {}.", file.name, copy.name)
@@ -251,7 +251,7 @@ class ResultPage(GuidePage):
         plots = ((one, 4) for one in (plot, self._charts) if one is not None)
         last = row(self.target_label, (self.target, 1))
         self.hold(*upper, *plots, None, self.problem, last)
-        live.judged.connect(self._show)
+        live.evaluated.connect(self._show)
         live.said.connect(self._said)
 
     def initializePage(self) -> None:

@@ -61,7 +61,7 @@ class RollingCalibration(LiveCalibration):
         self._line("stop", {"reason": "the slow roll was stopped in the wizard"}, self._answered)
 
     def _heard(self, reply: Reply) -> None:
-        self._asked = False
+        self._requested = False
         self.view = reply.result if reply.ok else None
         if not reply.ok:
             self.said.emit(translate(reply.sentence))
@@ -76,14 +76,14 @@ class RollingCalibration(LiveCalibration):
             self._end(sentence_of_error(error))
             return
         if action is not None:
-            self._asked = True
-            asked = {**action.arguments, "calibration": self.key}
-            self._line(action.verb, asked, self._answered)
+            self._requested = True
+            requested = {**action.arguments, "calibration": self.key}
+            self._line(action.verb, requested, self._answered)
         elif session.runs.done:
             self._end("")
 
     def _answered(self, reply: Reply) -> None:
-        self._asked = False
+        self._requested = False
         if not reply.ok:
             if self.session is not None:
                 self.session.runs.forget()

@@ -126,7 +126,7 @@ class CalibrationWizard(QWizard):
         self.live = face.live(line, rig, session)
         self.live.key = key
         self._held: QWidget | None = None
-        self.live.judged.connect(self._hold_focus)
+        self.live.evaluated.connect(self._hold_focus)
         self.plan = PlanPage(
             self.live, folder, settings, face.asks, of.plan, face.sketch, theme, fields
         )

@@ -114,7 +114,7 @@ class Rows:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Judged:
+class _RowQuality:
     """The numbers and the quality flags of the rows; first, last: good rows at each end."""
 
     number: RowNumbers
@@ -153,12 +153,12 @@ def rows_of(reader: TestReader) -> Rows | None:
     quality = table.column("quality").astype(np.int32, copy=False)
     good = np.flatnonzero(quality == 0)
     ends = good[:ENDS].copy(), good[-ENDS:].copy()
-    judged, all_good = _Judged(number, quality, *ends), int(good.size)
+    rated, all_good = _RowQuality(number, quality, *ends), int(good.size)
     del good
     host_span, test_s = table.ends("host_time"), table.ends("time")[1]
     known = int(sum(Flag))
     channels = tuple(
-        _channel(table, one, judged)
+        _channel(table, one, rated)
         for one in reader.plan.table.channels
         if all(name in table for name in _columns(one))
     )
@@ -176,7 +176,7 @@ def rows_of(reader: TestReader) -> Rows | None:
         test_s=test_s,
         host_span=host_span,
         channels=channels,
-        speed=_channel(table, SPEED, judged) if "speed_max" in table else None,
+        speed=_channel(table, SPEED, rated) if "speed_max" in table else None,
         gaps=_gaps(table, number, quality),
     )
 
@@ -252,7 +252,7 @@ def _columns(channel: Channel) -> tuple[str, ...]:
     return f"{channel.name}_max", f"{channel.name}_min", f"{channel.name}_rms"
 
 
-def _channel(table: _Table, channel: Channel, rows: _Judged) -> ChannelFacts:
+def _channel(table: _Table, channel: Channel, rows: _RowQuality) -> ChannelFacts:
     slow, oldest = channel.kind is Kind.SLOW, np.nan
     if slow:
         value, age = _columns(channel)
@@ -298,7 +298,7 @@ def _steady_range(
     return (low, high) if math.isfinite(low) else None
 
 
-def _peak(values: NDArray[Any], rows: _Judged, sign: float) -> Peak:
+def _peak(values: NDArray[Any], rows: _RowQuality, sign: float) -> Peak:
     place = furthest(values, lambda part: sign * part)
     if place is None:
         return Peak(float("nan"), 0, 0)

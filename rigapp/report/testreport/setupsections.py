@@ -138,7 +138,7 @@ def step_section(reader: TestReader) -> list[Section]:
     if sequence is None or not rows:
         return []
     revolutions = reader.column("revolution", 0, rows).astype(np.int64)
-    judged = (reader.column("quality", 0, rows).astype(np.int64) & NOT_STEADY) == 0
+    steady = (reader.column("quality", 0, rows).astype(np.int64) & NOT_STEADY) == 0
     of = step_numbers(sequence, revolutions)
     columns = {
         name: reader.column(name, 0, rows).astype(float)
@@ -150,7 +150,7 @@ def step_section(reader: TestReader) -> list[Section]:
         mine = of == step
         if not mine.any():
             continue
-        good = mine & judged
+        good = mine & steady
         stage = sequence.at(int(revolutions[mine][0]))
         peak = float(columns["force_max"][good].max()) if good.any() else float("nan")
         table.append(

@@ -196,7 +196,7 @@ def picture(found: Worn) -> Figure:
             found.angle, 1e3 * found.curves["driven"], color=plots.DRIVEN, ls="-.", lw=1.1,
             label=tr("model by\nmeasured\nforces"),
         )  # fmt: skip
-        reach = _reach(found)
+        reach = _extent(found)
         axes.set_xlim(-reach, reach)
         axes.set_ylim(bottom=0.0)
         axes.set_xlabel(tr("angle from the initial contact point (°), follower frame"))
@@ -220,7 +220,7 @@ def _depth(extent: Extent) -> str:
     return text if text == tr(UNKNOWN) else f"{text} µm"
 
 
-def _reach(found: Worn) -> float:
+def _extent(found: Worn) -> float:
     """Return the angle, in steps of 30 degrees, up to which there is something to see."""
     depth = np.fmax.reduce([np.nan_to_num(curve) for curve in found.curves.values()])
     worn = np.flatnonzero(depth > 0.005 * max(float(depth.max()), 1e-12))

@@ -33,7 +33,7 @@ OWN_ALARMS = "engine"
 """The source of an alarm that nobody asked for."""
 
 
-def asked_for(event: Event) -> bool:
+def is_requested(event: Event) -> bool:
     """Tell whether an event is there because somebody asked the engine for something."""
     return event.kind in ASKED_KINDS or (event.kind == "alarm" and event.source != OWN_ALARMS)
 

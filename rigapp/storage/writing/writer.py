@@ -24,7 +24,7 @@ from rigapp.storage.filesystem.folder import refuse_little_space
 from rigapp.storage.filesystem.system import FILES
 from rigapp.storage.structure.build import PAGE
 from rigapp.storage.structure.checksum import cycle_checksum, load_kernel
-from rigapp.storage.structure.events import asked_for, columns_of, rows_of, seed_of
+from rigapp.storage.structure.events import columns_of, is_requested, rows_of, seed_of
 from rigapp.storage.structure.layout import (
     CHECKPOINT_BYTES,
     END_TIME,
@@ -407,7 +407,7 @@ class TestWriter:
         the end of the test always find room.
         """
         half = self._streams["events"].planned // 2
-        return self._append_event(event, half if asked_for(event) else EVENTS_KEPT_BACK)
+        return self._append_event(event, half if is_requested(event) else EVENTS_KEPT_BACK)
 
     def note_gap(self, event: Event) -> None:
         """Count an interruption of the data and log where it is."""

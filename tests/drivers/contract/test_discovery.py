@@ -17,7 +17,7 @@ from rigapp.testing.bench import Port
 from rigapp.testing.contracts import read_contracts
 from rigapp_drivers.api import DriverInfo, DriverKind, Probe
 from rigapp_drivers.cia402.probe import ABILITIES, listen, node_words
-from rigapp_drivers.discovery import ask, drivers_of_usb_id, has_speed, may_be_asked
+from rigapp_drivers.discovery import ask, drivers_of_usb_id, has_speed, may_be_probed
 from rigapp_drivers.registry import load_driver
 
 Make = Callable[..., Any]
@@ -97,7 +97,7 @@ def test_a_stranger_is_not_mistaken(device: Callable[[Any], Port], answer: bytes
     inquiry = ask(device(Mute(answer)).url, _drivers(), 0.05)
     assert inquiry.answer is None
     assert inquiry.problem == ""
-    assert len(inquiry.asked) == len(_drivers())
+    assert len(inquiry.tried) == len(_drivers())
 
 
 def test_a_port_that_is_not_there_is_told(tmp_path: Path) -> None:
@@ -124,7 +124,7 @@ def test_a_faulty_question_of_another_package_ends_nothing(device: Callable[[Any
         raise KeyError("oops")
 
     inquiry = ask(device(Mute()).url, [_info(Probe(fail)), load_driver("gsv8")], 0.05)
-    assert len(inquiry.asked) == 2
+    assert len(inquiry.tried) == 2
     assert "its driver other failed while it was identified" in inquiry.problem
 
 
@@ -153,10 +153,10 @@ def test_usb_ids_name_devices_and_decide_who_is_asked() -> None:
     assert [d.name for d in drivers_of_usb_id(0x0683, 0x2108, drivers)] == ["dataq"]
     assert drivers_of_usb_id(0x0403, 0x6001, drivers) == ()
     assert drivers_of_usb_id(None, None, drivers) == ()
-    assert may_be_asked("/dev/ttyACM0", ())
-    assert may_be_asked("COM3", [load_driver("roboclaw")])
-    assert not may_be_asked("/dev/ttyUSB0", ()), "a motor controller may obey any byte"
-    assert not may_be_asked("/dev/ttyS0", ())
+    assert may_be_probed("/dev/ttyACM0", ())
+    assert may_be_probed("COM3", [load_driver("roboclaw")])
+    assert not may_be_probed("/dev/ttyUSB0", ()), "a motor controller may obey any byte"
+    assert not may_be_probed("/dev/ttyS0", ())
     assert has_speed("/dev/ttyUSB0")
     assert has_speed("COM3")
     assert not has_speed("/dev/ttyACM0")

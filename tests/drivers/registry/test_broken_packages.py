@@ -79,7 +79,7 @@ def test_a_question_that_fails_does_not_end_the_search(
 
     infos = [dataclasses.replace(INFO, title=title, probe=Probe(asks)) for title in ("one", "two")]
     inquiry = ask(unused_line, infos, 0.01)
-    assert inquiry.asked == ("one", "two")
+    assert inquiry.tried == ("one", "two")
     assert inquiry.problem.count("its driver acme failed while it was identified") == 2
 
 

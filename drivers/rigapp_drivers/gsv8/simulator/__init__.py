@@ -24,7 +24,7 @@ _PARAMETER_TIMEOUT_S = 0.2
 _TOO_LATE, _WRONG_CHECKSUM = 0x5A, 0x43
 
 
-class Asked(NamedTuple):
+class RequestRead(NamedTuple):
     """A request, with the status to answer with (0: obey)."""
 
     command: int
@@ -44,9 +44,9 @@ class RequestReader:
         self._buffer = b""
         self._begun_s = 0.0
 
-    def take(self, data: bytes, now_s: float) -> list[Asked]:
+    def take(self, data: bytes, now_s: float) -> list[RequestRead]:
         """Return the requests that these bytes complete."""
-        requests: list[Asked] = []
+        requests: list[RequestRead] = []
         late = self._too_late(now_s)
         if late is not None:
             requests.append(late)
@@ -82,7 +82,7 @@ class RequestReader:
         head = self._buffer[1]
         return 4 + (head & 0x0F) + (1 if head & 0x20 else 0)
 
-    def _too_late(self, now_s: float) -> Asked | None:
+    def _too_late(self, now_s: float) -> RequestRead | None:
         """Give up a request whose parameters did not arrive in time."""
         if not self._buffer or now_s - self._begun_s <= _PARAMETER_TIMEOUT_S:
             return None
@@ -90,16 +90,16 @@ class RequestReader:
         if len(begun) < 3:
             self.broken = True
             return None
-        return Asked(begun[2], b"", _TOO_LATE, bool(begun[1] & 0x20))
+        return RequestRead(begun[2], b"", _TOO_LATE, bool(begun[1] & 0x20))
 
 
-def _decode(frame: bytes) -> Asked | None:
+def _decode(frame: bytes) -> RequestRead | None:
     if frame[-1] != SUFFIX:
         return None
     count, checksum = frame[1] & 0x0F, bool(frame[1] & 0x20)
     wrong = checksum and crc8(frame[1:-2]) != frame[-2]
     status = _WRONG_CHECKSUM if wrong else 0
-    return Asked(frame[2], frame[3 : 3 + count], status, checksum)
+    return RequestRead(frame[2], frame[3 : 3 + count], status, checksum)
 
 
 _BROKEN_REQUEST = 0x42
@@ -208,18 +208,18 @@ class Gsv8Simulator:
 
     # --- replies --------------------------------------------------------------------------------
 
-    def _answer(self, asked: Asked) -> bytes:
+    def _answer(self, requested: RequestRead) -> bytes:
         self._measured.convert_again()
-        command, strike = asked.command, self._plan.strike
+        command, strike = requested.command, self._plan.strike
         if strike(Gsv8Fault.LOST_COMMAND, command) is not None:
             return b""
         refused = strike(Gsv8Fault.REFUSED, command, WRITE_ACCESS_ELSEWHERE)
-        status = asked.status if refused is None else int(refused)
-        if command == Command.GET_VALUE and not (status or asked.parameters):
+        status = requested.status if refused is None else int(refused)
+        if command == Command.GET_VALUE and not (status or requested.parameters):
             reply = b"" if self._device.state.transmitting else self._measured.one_frame()
         else:
-            response = self._response(command, asked.parameters, status)
-            reply = encode_response(response, checksum=asked.checksum)
+            response = self._response(command, requested.parameters, status)
+            reply = encode_response(response, checksum=requested.checksum)
         if strike(Gsv8Fault.NO_REPLY, command) is not None:
             return b""
         return self._plan.in_time(reply, Gsv8Fault.SLOW_REPLY, command, 0.3)

@@ -117,13 +117,13 @@ def _transmit(on: bool) -> Callable[[Device, bytes], bytes]:
 
 
 def _protocol_error(d: Device, a: bytes) -> bytes:
-    asked = _among(a[0], 0, 1)
-    return u32(d.state.asynchronous_error if asked else d.state.synchronous_error)
+    requested = _among(a[0], 0, 1)
+    return u32(d.state.asynchronous_error if requested else d.state.synchronous_error)
 
 
 def _value_error(d: Device, a: bytes) -> bytes:
-    faults, asked = d.state.faults, _among(a[0], 0, 1)
-    if asked == 0:
+    faults, requested = d.state.faults, _among(a[0], 0, 1)
+    if requested == 0:
         return u8(len(faults), len(faults), 0, 0, 0, 0)
     return encode_value_fault(faults[-1]) if faults else bytes(6)
 
@@ -257,10 +257,10 @@ def _write_floats(values: list[float], a: bytes) -> bytes:
 
 
 def _get_input_type(d: Device, a: bytes) -> bytes:
-    place, asked = _analog(a[0]), a[1]
-    if asked != 0xFF and asked not in tuple(InputType):
+    place, requested = _analog(a[0]), a[1]
+    if requested != 0xFF and requested not in tuple(InputType):
         raise RequestRefused(0x52)
-    kind = d.settings.input_types[place] if asked == 0xFF else InputType(asked)
+    kind = d.settings.input_types[place] if requested == 0xFF else InputType(requested)
     nominal = p.NOMINAL_RANGE.get(kind, 0.0)
     return u8(kind) + u32(round(nominal * (100_000 if kind is InputType.SINGLE_ENDED else 100)))
 
