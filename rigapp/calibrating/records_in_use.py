@@ -19,6 +19,7 @@ from rigapp.config.loading import Document, RigRecords, parse_rig, read_rig
 from rigapp.config.reading import read_bytes
 from rigapp.config.rig import ChannelSection, LoadCellSection, ProbesSection, RigFile
 from rigapp.config.writing import whole_file
+from rigapp.schema.wire import tree_of
 from rigapp.texts import joined, say
 from rigapp_calibration.load_cell.force_uncertainty import too_uncertain
 from rigapp_calibration.records import (
@@ -93,7 +94,7 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
         try:
             with_numbers, labels = place.use(rig, section, [record for _, record in found])
             # What a record states must be what the rig file itself could state.
-            with_numbers = msgspec.convert(msgspec.to_builtins(with_numbers), type(section))
+            with_numbers = msgspec.convert(tree_of(with_numbers), type(section))
             checked = [(verified(text.encode()), record) for text, record in found]
             each = [(again, _faults(rig, record, again, now)) for again, record in checked]
         except MALFORMED as error:
