@@ -95,8 +95,11 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
             with_numbers, labels = place.use(rig, section, [record for _, record in found])
             # What a record states must be what the rig file itself could state.
             with_numbers = msgspec.convert(tree_of(with_numbers), type(section))
-            checked = [(verified(text.encode()), record) for text, record in found]
-            each = [(again, _faults(rig, record, again, now)) for again, record in checked]
+            each = []
+            for text, record in found:
+                again = verified(text.encode())
+                faults = [*_faults(rig, record, again, now), *_unsigned(record, trusted)]
+                each.append((text, record, again, joined(say(" and "), faults)))
         except MALFORMED as error:
             named = joined(", ", (names,) if one else names)
             raise UnusableInput(
@@ -109,15 +112,13 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
             ) from error
         used = place.put(used, with_numbers)
         override = getattr(section, f"{place.key}_override")
-        for at, label in enumerate(labels):
-            (text, record), (found_again, against_it) = found[at % len(found)], each[at % len(each)]
+        # One record may say all of both probes.
+        for label, (text, record, again, against) in zip(labels, each * len(labels), strict=False):
             texts[label] = text
-            faults = [*against_it, *_unsigned(record, trusted)]
-            against = joined(say(" and "), faults)
             if not against:
                 due = say("record {}, due {}", record.number, str(record.content["due_at"])[:10])
                 remarks[label] = joined(
-                    ". ", (joined(", ", (due, *_signer(record, trusted))), *found_again.unverified)
+                    ". ", (joined(", ", (due, *_signer(record, trusted))), *again.unverified)
                 )
             elif override.strip():
                 remarks[label] = say(

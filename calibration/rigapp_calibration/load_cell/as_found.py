@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -215,14 +216,11 @@ def trend(records: Sequence[Record]) -> list[tuple[Record, tuple[Change, ...]]]:
     Raises RecordError for two that cannot be compared.
     """
     ordered = sorted(records, key=lambda one: str(one.content["calibrated_at"]))
-    found: list[tuple[Record, tuple[Change, ...]]] = []
-    for place, one in enumerate(ordered):
-        before = ordered[place - 1] if place else None
+    found: list[tuple[Record, tuple[Change, ...]]] = [(one, ()) for one in ordered[:1]]
+    for before, one in pairwise(ordered):
         try:
-            results = () if before is None else (before.content["result"], one.content["result"])
-            found.append((one, changes(one.kind, *results) if results else ()))
+            told = changes(one.kind, before.content["result"], one.content["result"])
         except MALFORMED as error:
-            assert before is not None
             raise RecordError(
                 "the records {} and {} cannot be compared, a number is missing or wrong in one"
                 " ‹{}›; rigapp calibrate verify names it",
@@ -230,4 +228,5 @@ def trend(records: Sequence[Record]) -> list[tuple[Record, tuple[Change, ...]]]:
                 one.number,
                 repr(error),
             ) from error
+        found.append((one, told))
     return found
