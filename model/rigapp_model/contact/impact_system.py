@@ -198,8 +198,11 @@ def _placed(system: ClearanceSystem, time: float) -> Array:
     """Return slider position and follower angle with the pin pressed where the force points."""
     m = system.mechanism
     angle = system.start_angle + system.speed * time
-    motion = inverse_dynamics(m, angle, system.speed)
     at_crank = system.location == "crank"
+    # Friction at the pin turns the follower and so changes the force: a pin placed by the force
+    # without it would swing about its rest for the whole cycle, as there is no damping but friction.
+    joint = system.joint if at_crank else None
+    motion = inverse_dynamics(m, angle, system.speed, contact=joint)
     force = motion.force if at_crank else -motion.wrist_force
     sliding = (system.speed if at_crank else 0.0) - float(motion.follower_speed)
     direction = float(np.arctan2(force[1], force[0]))
