@@ -177,7 +177,7 @@ def _given(
     names = ("angle", "speed", "acceleration", "clearance")
     arrays = [np.asarray(a, dtype=np.float64) for a in (angle, speed, acceleration, clearance)]
     try:
-        shape = np.broadcast_shapes(*(array.shape for array in arrays))
+        shape = np.broadcast(*arrays).shape
     except ValueError as problem:
         shapes = joined(
             ", ", (say("{} {}", n, a.shape) for n, a in zip(names, arrays, strict=True))

@@ -96,12 +96,7 @@ def continuous_contact(
     other wall bears: the same equations with -clearance. Raises ModelError.
     """
     gap = joint.clearance if clearance is None else clearance
-    require_not_negative("clearance", gap, "m")
-    motion = inverse_dynamics(mechanism, angle, speed, acceleration, gap, joint)
-    wall = np.where(motion.force_follower[0] > 0.0, -1.0, 1.0)
-    along = motion.force_follower[0]
-    if np.any(wall < 0.0):
-        motion = inverse_dynamics(mechanism, angle, speed, acceleration, gap * wall, joint)
+    motion, wall, along = motion_on_walls(mechanism, joint, angle, speed, acceleration, gap)
     return ContinuousContact(
         motion=motion,
         wall=wall,
@@ -109,6 +104,27 @@ def continuous_contact(
         compression=_ranges_above_zero(np.atleast_1d(motion.angle), np.atleast_1d(along)),
         contact_angle=contact_direction(motion, joint.friction_coefficient),
     )
+
+
+def motion_on_walls(
+    mechanism: Mechanism,
+    joint: Joint,
+    angle: ArrayLike,
+    speed: ArrayLike,
+    acceleration: ArrayLike,
+    clearance: float,
+) -> tuple[MechanismMotion, Array, Array]:
+    """Return the motion of technique 2, the wall at each angle, and the force that decides it.
+
+    The force along e2 (N) is that of the follower in tension. See ``continuous_contact``.
+    """
+    require_not_negative("clearance", clearance, "m")
+    motion = inverse_dynamics(mechanism, angle, speed, acceleration, clearance, joint)
+    along = motion.force_follower[0]
+    wall = np.where(along > 0.0, -1.0, 1.0)
+    if np.any(wall < 0.0):
+        motion = inverse_dynamics(mechanism, angle, speed, acceleration, clearance * wall, joint)
+    return motion, wall, along
 
 
 def contact_direction(motion: MechanismMotion, friction_coefficient: float = 0.0) -> Array:

@@ -138,12 +138,15 @@ def simpson_weights(surface: Array) -> Array:
     Simpson's rule in each element on the polygon through its three nodes, so it is the current
     arc length that counts. Pressure = force / weight.
     """
-    step = np.roll(surface, -1, axis=0) - surface
+    step = np.empty_like(surface)
+    np.subtract(surface[1:], surface[:-1], out=step[:-1])
+    np.subtract(surface[0], surface[-1], out=step[-1])
     ahead = np.hypot(step[:, 0], step[:, 1])
     element = ahead[0::2] + ahead[1::2]
     weights = np.empty(len(surface))
     weights[1::2] = element * (4.0 / 6.0)
-    weights[0::2] = (element + np.roll(element, 1)) / 6.0
+    weights[2::2] = (element[1:] + element[:-1]) / 6.0
+    weights[0] = (element[0] + element[-1]) / 6.0
     return weights
 
 

@@ -153,10 +153,17 @@ def sectors_at_least(wanted: float) -> int:
 
 def arc_nodes(sectors: int, directions: ArrayLike, half_angle: float) -> NDArray[np.int64]:
     """Return the surface nodes within a half-angle (rad) of any of the directions (rad)."""
-    angle = surface_angles(sectors)
-    apart = angle[:, None] - np.atleast_1d(np.asarray(directions, dtype=np.float64))[None, :]
-    near = np.abs((apart + np.pi) % (2.0 * np.pi) - np.pi).min(axis=1) <= half_angle
-    return np.flatnonzero(near)
+    count = 2 * sectors
+    at = np.atleast_1d(np.asarray(directions, dtype=np.float64)) / np.pi * sectors + sectors
+    reach = min(half_angle / np.pi, 1.0) * sectors
+    first = np.ceil(at - reach).astype(np.int64)
+    last = np.minimum(np.floor(at + reach).astype(np.int64), first + count - 1)
+    # Arcs may pass the end of the numbering: they are counted on two rounds and these are added.
+    begin = first % count
+    arcs = np.bincount(begin, minlength=2 * count + 1)
+    arcs -= np.bincount(begin + last - first + 1, minlength=2 * count + 1)
+    covered = np.cumsum(arcs[:-1]).reshape(2, count)
+    return np.flatnonzero(covered.any(axis=0))
 
 
 @dataclass(frozen=True, slots=True)

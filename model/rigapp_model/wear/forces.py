@@ -10,7 +10,7 @@ from typing import Protocol
 
 import numpy as np
 
-from rigapp_model.joints import continuous_contact
+from rigapp_model.joints import continuous_contact, motion_on_walls
 from rigapp_model.parameters import ARCHARD, Joint, Parameters, WearLaw
 from rigapp_model.wear.coefficient import switched
 from rigapp_model.wear.front import Front
@@ -155,7 +155,7 @@ class Constrained:
     def _loads(self, positions: int, gap: float) -> CycleLoads:
         mechanism, joint = self._parameters.mechanism, self._parameters.joint
         angle = 2.0 * np.pi * np.arange(positions) / positions
-        motion = continuous_contact(mechanism, joint, angle, self._speed, 0.0, gap).motion
+        motion, _, _ = motion_on_walls(mechanism, joint, angle, self._speed, 0.0, gap)
         rate = motion.slip_rate(joint.pin_radius)
         weight = np.abs(rate)
         slip = 2.0 * np.pi * joint.pin_radius * weight / weight.sum()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -304,13 +305,21 @@ def worn_area(problem: WearProblem, surface: Array) -> float:
     of the pressure belong: so the area is that of the worn length times depth, also on few nodes.
     """
 
-    def area(nodes: Array) -> float:
-        first, middle = nodes[0::2], nodes[1::2]
-        last = np.roll(first, -1, axis=0)
-        bulged = _cross(first, middle) + _cross(middle, last)
-        return float(np.sum(4.0 * bulged - _cross(first, last))) / 6.0
+    return _inside(surface) - _unworn_area(problem.ring, problem.sectors)
 
-    return area(surface) - area(problem.ring.circle(problem.sectors))
+
+@lru_cache(maxsize=32)
+def _unworn_area(ring: Ring, sectors: int) -> float:
+    """Return the area inside the unworn surface on a mesh, m^2; it is wanted for every step."""
+    return _inside(ring.circle(sectors))
+
+
+def _inside(nodes: Array) -> float:
+    """Return the area inside a surface, m^2."""
+    first, middle = nodes[0::2], nodes[1::2]
+    last = np.concatenate([first[1:], first[:1]])
+    bulged = _cross(first, middle) + _cross(middle, last)
+    return float(np.sum(4.0 * bulged - _cross(first, last))) / 6.0
 
 
 def _cross(one: Array, other: Array) -> Array:

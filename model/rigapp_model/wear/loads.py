@@ -108,8 +108,10 @@ def loads_of_cycle(
     turn = -np.sign(np.asarray(sliding)) * np.arctan(friction_coefficient)
     share = 1.0 / np.sqrt(1.0 + friction_coefficient**2)
     c, s = share * np.cos(turn), share * np.sin(turn)
-    force = np.stack([c * fx - s * fy, s * fx + c * fy], axis=1)
-    return CycleLoads(force, np.broadcast_to(np.asarray(slip, dtype=np.float64), fx.shape).copy())
+    force, over = np.empty((*fx.shape, 2)), np.empty(fx.shape)
+    force[..., 0], force[..., 1] = c * fx - s * fy, s * fx + c * fy
+    over[...] = slip
+    return CycleLoads(force, over)
 
 
 WIDE_SWING = 1.0

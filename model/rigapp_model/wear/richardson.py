@@ -34,6 +34,8 @@ LoadsAt = Callable[[Front, float], CycleLoads]
 EARLY_TOLERANCE = 5.0
 # No step is made smaller than this part of the cycles done by then.
 SMALLEST_PART = 0.15
+LARGEST_GROWTH = 5.0
+"""No step is longer than so many times the one before: what it costs to refuse it is a step."""
 _RUNS = (1, 2, 4)  # two extrapolations need three runs
 
 
@@ -93,7 +95,6 @@ def integrate(
     done, step, refused = 0.0, float(rows[0]), np.inf
     for row in rows:
         while done < row:
-            step = min(step, row - done)
             # A step that would leave a crumb goes on to the row.
             target = row if row - done < 1.3 * step else done + step
             after = _advance(problem, loads_at, runs, done, target)
@@ -110,7 +111,10 @@ def integrate(
                 refused = moment.time_error
                 continue
             refused = np.inf
-            step = (target - done) * (3.0 if moment.time_error < 0.2 * allowed else 1.5)
+            # A step that a row cut short says nothing against the longer one that was wanted.
+            share = np.sqrt(allowed / max(moment.time_error, 1e-300))
+            growth = float(np.clip(0.8 * share, 1.5, LARGEST_GROWTH))
+            step = max(step, (target - done) * growth)
             runs, done = after, target
             yield moment
 
