@@ -199,8 +199,8 @@ def _placed(system: ClearanceSystem, time: float) -> Array:
     m = system.mechanism
     angle = system.start_angle + system.speed * time
     at_crank = system.location == "crank"
-    # Friction at the pin turns the follower and so changes the force: a pin placed by the force
-    # without it would swing about its rest for the whole cycle, as there is no damping but friction.
+    # Friction at the pin turns the follower and so changes the force. A pin placed by the force
+    # without it swings about its rest for the whole cycle: nothing damps it but friction.
     joint = system.joint if at_crank else None
     motion = inverse_dynamics(m, angle, system.speed, contact=joint)
     force = motion.force if at_crank else -motion.wrist_force

@@ -304,7 +304,6 @@ def worn_area(problem: WearProblem, surface: Array) -> float:
     The edges of the elements are parabolas through their three nodes, to which Simpson's weights
     of the pressure belong: so the area is that of the worn length times depth, also on few nodes.
     """
-
     return _inside(surface) - _unworn_area(problem.ring, problem.sectors)
 
 
