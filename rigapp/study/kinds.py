@@ -139,7 +139,13 @@ def _life(parameters: Parameters | None, run: LifeRun, seed: int) -> Noted:
 
     assert parameters is not None
     found = life(
-        parameters, _speed(run.rpm), run.cycles, run.joint, run.tolerance, force=run.force_N
+        parameters,
+        _speed(run.rpm),
+        run.cycles,
+        run.joint,
+        run.tolerance,
+        force=run.force_N,
+        rows=(run.cycles,),  # a study keeps the end alone, and each row between costs steps
     )
     numbers = {
         "max_depth_mm": float(found.max_depth[-1] / MM),
