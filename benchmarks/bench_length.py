@@ -3,7 +3,8 @@
 Run with ``python benchmarks/bench_length.py [--rows 1e5 1e7] [--folder DIR] [--only VERB]``. The
 files have every column, of the prediction too (``longtest.py``); 10^7 rows take 6 GB of disk, the
 CSV of their package 6 GB more. Each verb is a process of its own: its whole time, imports
-included, and its largest resident memory.
+included, and its largest resident memory. ``--docs`` puts table and picture into
+docs/performance.md.
 """
 
 from __future__ import annotations
@@ -101,6 +102,10 @@ class Verb:
     ended: bool = True
 
 
+PAGE = Path(__file__).parents[1] / "docs" / "performance.md"
+PICTURE = PAGE.parent / "images" / "length.svg"
+TABLE_BEGINS, TABLE_ENDS = "<!-- cost against length -->\n", "<!-- end -->\n"
+
 VERBS = {
     "resume": Verb(RESUME, ended=False),
     "replay": Verb(REPLAY),
@@ -148,11 +153,14 @@ def cost_of(verb: Verb, path: Path, folder: Path) -> Cost:
 def main() -> None:
     """Print the table and the figures of the longest file."""
     parser = argparse.ArgumentParser(description=__doc__)
-    lengths, usual = size([1e6, 1e7], [2e3]), ["resume", "replay", "picture", "report"]
+    lengths = size([1e4, 1e5, 1e6, 1e7], [2e3])
+    usual = ["resume", "replay", "picture", "report"]
     parser.add_argument("--rows", type=float, nargs="+", default=lengths)
     parser.add_argument("--folder", type=Path, default=None, help="with room for the files")
     parser.add_argument("--only", nargs="+", choices=list(VERBS), default=usual)
+    parser.add_argument("--docs", action="store_true", help="write table and picture of the docs")
     options = parser.parse_args()
+    costs: dict[str, dict[int, Cost]] = {verb: {} for verb in options.only}
     print(f"{'verb':<10}{'rows':>12}{'s':>9}{'processor s':>13}{'MB':>8}")
     for rows in map(int, options.rows):
         with tempfile.TemporaryDirectory(dir=options.folder) as name:
@@ -170,8 +178,48 @@ def main() -> None:
                 for verb in verbs:
                     cost = cost_of(VERBS[verb], path, folder)
                     show(verb, rows, cost)
+                    costs[verb][rows] = cost
                     if rows == int(options.rows[-1]) and not cost.status:
                         compare(verb, cost)
+    if options.docs:
+        before, rest = PAGE.read_text("utf-8").split(TABLE_BEGINS)
+        after = rest.partition(TABLE_ENDS)[2]
+        PAGE.write_text(before + TABLE_BEGINS + table(costs) + TABLE_ENDS + after, "utf-8")
+        draw(costs)
+
+
+def table(costs: dict[str, dict[int, Cost]]) -> str:
+    """Return processor time and peak memory of each verb at each length, as Markdown."""
+    lengths = sorted({rows for course in costs.values() for rows in course})
+    lines = [
+        "| revolutions | " + " | ".join(f"{rows:,}" for rows in lengths) + " |",
+        "| --- |" + " --- |" * len(lengths),
+    ]
+    for verb, course in costs.items():
+        cells = (f"{course[n].processor_s:.1f} s, {course[n].memory_MB:.0f} MB" for n in lengths)
+        lines.append(f"| {verb} | " + " | ".join(cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def draw(costs: dict[str, dict[int, Cost]]) -> None:
+    """Draw processor time and peak memory over the length, a line a verb with its name."""
+    from matplotlib.figure import Figure
+
+    from rigapp.report.page.figures import in_style
+
+    with in_style():
+        figure = Figure(figsize=(7.0, 2.8), layout="constrained")
+        values = {
+            "processor time, s": lambda cost: cost.processor_s,
+            "peak memory, MB": lambda cost: cost.memory_MB,
+        }
+        for axes, (title, value) in zip(figure.subplots(1, 2), values.items(), strict=True):
+            for verb, course in costs.items():
+                axes.plot(list(course), list(map(value, course.values())), "o-", label=verb)
+            axes.set(xscale="log", xlabel="revolutions", ylabel=title)
+            axes.set_ylim(bottom=0.0)
+        axes.legend(loc="lower left")
+        figure.savefig(PICTURE, metadata={"Date": None})
 
 
 def show(verb: str, rows: int, cost: Cost) -> None:
