@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Final
 
 
@@ -77,6 +78,7 @@ MISTAKEN: Final[Mapping[str, tuple[tuple[str, float, float], ...]]] = {
 NO_UNIT: Final = Unit("", "", "1", 1.0)
 
 
+@lru_cache(1024)  # a window asks for the same few keys two thousand times
 def unit_of_key(key: str) -> Unit:
     """Return the unit that the end of a key names, ``NO_UNIT`` when none."""
     return next((unit for unit in UNITS if key.endswith(unit.ending)), NO_UNIT)

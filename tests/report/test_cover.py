@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import io
 import re
+import shutil
 from datetime import datetime
 from pathlib import Path
 
 import pytest
 from pypdf import PdfReader
-from report_samples import eventful
 from reportpage import Page
 
 from rigapp.commands.files import draw_figure, write_report
@@ -31,12 +31,12 @@ signatures = ["Head of laboratory"]
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def folder(tmp_path_factory: pytest.TempPathFactory, eventful_file: Path) -> Path:
     """Return a folder with a test and the settings of a laboratory beside it."""
     from matplotlib.image import imsave
 
     path = tmp_path_factory.mktemp("laboratory")
-    eventful(path / "test.h5")
+    shutil.copy(eventful_file, path / "test.h5")
     imsave(path / "logo.png", [[0.0, 1.0]], dpi=72)
     (path / "report.toml").write_text(SETTINGS)
     return path

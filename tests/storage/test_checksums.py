@@ -65,9 +65,10 @@ def test_the_checksum_of_a_row_is_that_of_its_stored_bytes(quick_folder: Path) -
     with h5py.File(path) as file, open_test(path) as reader:
         rows = file["/entry/revolutions"]
         names = list(reader.column_units())
+        columns, checksums = [rows[name][:] for name in names], rows["checksum"][:]
         for i in range(30):
-            data = b"".join(rows[name][i].tobytes() for name in names)
-            assert rows["checksum"][i] == google_crc32c.value(data)
+            data = b"".join(column[i].tobytes() for column in columns)
+            assert checksums[i] == google_crc32c.value(data)
         whole = cycle(20)
         samples = b"".join(
             values.astype(one.dtype).tobytes()
@@ -121,16 +122,22 @@ def test_a_changed_setting_or_unit_is_named(quick_folder: Path) -> None:
     assert any("configuration" in one for one in damage_of(path))
 
 
-def test_a_flipped_bit_in_what_says_that_there_are_checksums_is_named(quick_folder: Path) -> None:
+@pytest.mark.sampled
+@pytest.mark.parametrize("what", [b'"checksums":true', b"configuration_sha256\0"])
+def test_a_flipped_bit_in_what_says_that_there_are_checksums_is_named(
+    quick_folder: Path, what: bytes
+) -> None:
+    path = ended(quick_folder, 60)
+    damaged = flipped(path, quick_folder / "flipped.h5", path.read_bytes().index(what) + 1, 0)
+    assert any("configuration" in one for one in damage_of(damaged))
+    found = salvage_test(damaged, quick_folder / "new.h5")
+    assert found.kept["revolutions"] == 60
+    assert found.damage
+
+
+def test_a_plan_that_cannot_be_read_is_named(quick_folder: Path) -> None:
     path = ended(quick_folder, 60)
     data = path.read_bytes()
-    for what in (b'"checksums":true', b"configuration_sha256\0"):
-        damaged = flipped(path, quick_folder / "flipped.h5", data.index(what) + 1, 0)
-        assert any("configuration" in one for one in damage_of(damaged)), what
-        found = salvage_test(damaged, quick_folder / "new.h5")
-        assert found.kept["revolutions"] == 60
-        assert found.damage
-        (quick_folder / "new.h5").unlink()
     place = data.index(b'"prediction_points":360') + len(b'"prediction_points":')
     damaged = flipped(path, quick_folder / "flipped.h5", place, 0)
     assert any("its plan cannot be read" in one for one in damage_of(damaged))

@@ -62,20 +62,24 @@ def kill_one_writer(
     path.unlink()
 
 
-def test_killed_writers_lose_no_committed_row(quick_folder: Path) -> None:
+@pytest.mark.parametrize("kills", [3, pytest.param(8, marks=pytest.mark.long)])
+def test_killed_writers_lose_no_committed_row(quick_folder: Path, kills: int) -> None:
     def kill(number: int) -> None:
         kill_one_writer(quick_folder, random.Random(number), number)
 
     with ThreadPoolExecutor(2) as pool:
-        assert len(list(pool.map(kill, range(8)))) == 8
+        assert len(list(pool.map(kill, range(kills)))) == kills
 
 
-def test_kills_while_a_file_is_ended_and_gives_room_back_lose_no_row(quick_folder: Path) -> None:
+@pytest.mark.parametrize("kills", [2, pytest.param(4, marks=pytest.mark.long)])
+def test_kills_while_a_file_is_ended_and_gives_room_back_lose_no_row(
+    quick_folder: Path, kills: int
+) -> None:
     def kill(number: int) -> None:
         kill_one_writer(quick_folder, random.Random(number), number, ends=True)
 
     with ThreadPoolExecutor(2) as pool:
-        assert len(list(pool.map(kill, range(4)))) == 4
+        assert len(list(pool.map(kill, range(kills)))) == kills
 
 
 @pytest.mark.soak
@@ -156,7 +160,7 @@ def examine(image: bytes, folder: Path, announced: int) -> None:
         assert file["/entry/revolutions/committed"][()] >= announced
 
 
-@pytest.mark.parametrize("every", [5, pytest.param(1, marks=pytest.mark.long)])
+@pytest.mark.parametrize("every", [9, pytest.param(1, marks=pytest.mark.long)])
 def test_cut_at_every_write_loses_no_committed_row(
     recording: Recording, quick_folder: Path, every: int
 ) -> None:

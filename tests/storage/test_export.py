@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pyarrow.parquet
 import pytest
-from storage_samples import PLAN, cycle, new_test, row, write
+from storage_samples import PLAN, cycle, ended, row
 
 from rigapp.config.errors import UnusableInput
 from rigapp.storage import compact_test, export_test
@@ -19,10 +19,7 @@ from rigapp.storage.reading import export as export_module
 @pytest.fixture
 def recorded(quick_folder: Path) -> Path:
     """Return a test of 45 revolutions, 4 of them with their whole cycle."""
-    with new_test(quick_folder) as writer:
-        write(writer, 1, 45)
-        writer.finish("stopped", "operator", "stop button")
-    return quick_folder / "test.h5"
+    return ended(quick_folder, 45, "stopped")
 
 
 def read_csv(path: Path) -> tuple[list[str], np.ndarray]:

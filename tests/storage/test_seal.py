@@ -50,8 +50,11 @@ def with_new_checksums(file: h5py.File) -> None:
     rows = file["/entry/revolutions"]
     with open_test(Path(file.filename)) as reader:
         names = list(reader.column_units())
-    for i in range(len(rows["checksum"])):
-        rows["checksum"][i] = google_crc32c.value(b"".join(rows[n][i].tobytes() for n in names))
+    columns = [rows[name][:] for name in names]
+    rows["checksum"][:] = [
+        google_crc32c.value(b"".join(column[i].tobytes() for column in columns))
+        for i in range(len(rows["checksum"]))
+    ]
 
 
 def scaled_force(file: h5py.File) -> None:

@@ -107,13 +107,16 @@ def write_duplicate(
                 if lost is None:
                     raise
                 lost(path)
+        # By address: for the name of a scale HDF5 searches the whole file.
+        scales: dict[int, str] = {}
         for path, item in _items(old):
             if isinstance(item, h5py.Dataset) and item.is_scale and path in new:
+                scales[h5py.h5o.get_info(item.id).addr] = path
                 name = scale_label(not is_bare(item), path.rpartition("/")[2], len(new[path]))
                 new[path].make_scale(name)
         for path, item in _items(old):
             if isinstance(item, h5py.Dataset) and not item.is_scale and path in new:
-                _attach_scales(item, new, path)
+                _attach_scales(item, new, path, scales)
 
 
 def open_copy(copy: Path) -> h5py.File:
@@ -199,11 +202,14 @@ def _pieces(dataset: h5py.Dataset, first: int, stop: int) -> Iterator[slice]:
         yield slice(start, min(stop, start + step))
 
 
-def _attach_scales(old: h5py.Dataset, file: h5py.File, path: str) -> None:
+def _attach_scales(
+    old: h5py.Dataset, file: h5py.File, path: str, scales: Mapping[int, str]
+) -> None:
     for position, dimension in enumerate(old.dims):
         for scale in dimension.values():
-            if scale.name in file:
-                file[path].dims[position].attach_scale(file[scale.name])
+            name = scales.get(h5py.h5o.get_info(scale.id).addr)
+            if name is not None:
+                file[path].dims[position].attach_scale(file[name])
 
 
 def _differing_attribute(old: Any, new: Any) -> str:

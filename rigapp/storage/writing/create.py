@@ -8,6 +8,8 @@ import os
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from itertools import groupby
+from operator import itemgetter
 from pathlib import Path
 from typing import BinaryIO
 
@@ -220,17 +222,18 @@ def check_places(disk: Disk, file: Path, streams: Mapping[str, FileStream], plac
     for _, _, offset, mark in marks:
         disk.write(mark, offset)
     with open_for_reading(file) as opened:
-        for path, row, offset, mark in marks:
-            found = np.asarray(opened[path][row])
-            if found.tobytes() != mark:
-                raise StorageFailed(
-                    "{}: {} row {} is not where HDF5 says ({}); no test can be stored"
-                    " with this HDF5 library, run rigapp doctor",
-                    disk.path,
-                    path,
-                    row,
-                    offset,
-                )
+        for path, here in groupby(marks, key=itemgetter(0)):
+            dataset = opened[path]  # once: to open it costs more than to read it
+            for _, row, offset, mark in here:
+                if np.asarray(dataset[row]).tobytes() != mark:
+                    raise StorageFailed(
+                        "{}: {} row {} is not where HDF5 says ({}); no test can be stored"
+                        " with this HDF5 library, run rigapp doctor",
+                        disk.path,
+                        path,
+                        row,
+                        offset,
+                    )
     for _, _, offset, mark in marks:
         disk.write(bytes(len(mark)), offset)
     for stream in streams.values():
