@@ -158,7 +158,7 @@ class Independent:
         pytest.param(
             replace(JOINT, bushing_width=50e-3), POLYMER, "pereira", marks=pytest.mark.long
         ),
-        (JOINT, STEEL, "elements"),
+        pytest.param(JOINT, STEEL, "elements", marks=pytest.mark.long),
     ],
 )
 def test_slip_work_and_peaks_of_impacts_are_those_of_another_integration(
