@@ -12,11 +12,11 @@ from rigapp.engine.devices import Devices
 from rigapp.engine.drive.driving import SpindleControl
 from rigapp.engine.drive.sequences import StandstillEvidence
 from rigapp.engine.identifying import told_by
-from rigapp.engine.judging.lateness import Lateness
 from rigapp.engine.processing import Processor
-from rigapp.engine.samples.blockqueue import BlockQueue
+from rigapp.engine.samples.buffers import BlockQueue
 from rigapp.engine.samples.slow import SlowChannels, SlowDevice
 from rigapp.engine.values.calibrate import Calibration
+from rigapp.process.processclock import Lateness
 from rigapp.process.threads import Worker
 from rigapp.schema.alarms import Cause, make_alarm
 from rigapp.schema.channels import LOAD_CELL

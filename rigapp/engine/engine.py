@@ -28,10 +28,9 @@ from rigapp.engine.drive.driving import Ramp
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.identifying import identity_words
 from rigapp.engine.judging.limits import changed_limits
-from rigapp.engine.listening import SignalView, hear
 from rigapp.engine.publish import Subscription
 from rigapp.engine.recording.store import OpenRequest, OpenStore, open_file
-from rigapp.engine.resting import note_rest, signals_at_rest, take_zero
+from rigapp.engine.resting import SignalView, hear, note_rest, signals_at_rest, take_zero
 from rigapp.engine.starting import check_start, open_test
 from rigapp.engine.supervisor import Supervisor
 from rigapp.engine.values.calibrate import Calibration, calibration_of

@@ -38,7 +38,7 @@ JUMP_LATE_S = 0.1
 """The same where the count has jumped as well."""
 
 SLIP = 0.15
-"""Of the turns in a window: slip, or a wrong gear ratio, is less (``speeds.AGREE``)."""
+"""Of the turns in a window: slip, or a wrong gear ratio, is less (``judging.checks.AGREE``)."""
 
 HALF_TURN = 0.5
 """The encoder counts within a turn: only whole turns are missing from its count."""

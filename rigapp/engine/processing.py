@@ -11,12 +11,11 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.engine.judging.checks import PeakForce
-from rigapp.engine.judging.saturation import SaturationWatch, full_samples
+from rigapp.engine.judging.checks import PeakForce, SaturationWatch, full_samples
 from rigapp.engine.samples.assembler import Assembler, Revolution
+from rigapp.engine.samples.buffers import Means, RecentSignals
 from rigapp.engine.samples.motion import MotionWindow, Point
 from rigapp.engine.samples.sampleclock import TICKS_PER_S, EncoderClock
-from rigapp.engine.samples.signals import Means, RecentSignals
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.channels import LOAD_CELL, PROBES
 from rigapp_drivers.api import Block, SampleClock

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from rigapp.engine.drive.timing import Timing
-from rigapp.engine.judging.speeds import ANSWERS
+from rigapp.engine.judging.checks import ANSWERS
 from rigapp.schema.messages import Alarm, FinishReason, Flag, PathReport, RunState, Severity
 from rigapp.schema.notices import Finished
 from rigapp.schema.states import ENDED, Refused

@@ -8,7 +8,7 @@ import msgspec
 import pytest
 
 from rigapp.engine.drive.timing import Timing
-from rigapp.engine.judging.lateness import Lateness
+from rigapp.process.processclock import Lateness
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import InFault
 from tests.engine.engine_doubles import MemoryRig, a_test, eventually

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import LimitRule
 from rigapp.engine.recording.store import Opened, OpenRequest
-from rigapp.engine.recovery import AT_REST, WAITING, Situation, recovery
+from rigapp.engine.views import AT_REST, WAITING, Situation, recovery
 from rigapp.schema.messages import Alarm, Ends, FinishReason, Remedy, RunState, Severity
 from rigapp.schema.states import ACTIVE, ENDED, InFault, Refused
 from rigapp_drivers.api import DeviceError, DeviceFault, ProtocolError

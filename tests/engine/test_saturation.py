@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from rigapp.engine.judging.saturation import BACK_S, STAYS_S, SaturationWatch
+from rigapp.engine.judging.checks import BACK_S, STAYS_S, SaturationWatch
 from rigapp.engine.samples.assembler import EncoderSetup
 from rigapp.schema.messages import Alarm, FinishReason, Flag, RunState, Severity
 from rigapp.schema.states import ENDED, Refused

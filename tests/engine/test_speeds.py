@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from rigapp.engine.judging.speeds import ANSWERS, LATE_S, SpeedComparison
+from rigapp.engine.judging.checks import ANSWERS, LATE_S, SpeedComparison
 from rigapp.schema.messages import FinishReason, RunState
 from rigapp.schema.states import ENDED
 from rigapp_drivers.api import Block

@@ -20,7 +20,7 @@ from rigapp.engine.drive.sequences import (
 )
 from rigapp.engine.gapwatch import LATE_S, LagWatch
 from rigapp.engine.publish import NoticeStream
-from rigapp.engine.samples.blockqueue import BlockQueue
+from rigapp.engine.samples.buffers import BlockQueue
 from rigapp.engine.samples.motion import MotionWindow, Point
 from rigapp.process.threads import Worker
 from rigapp.schema.messages import FinishReason, RunState

@@ -17,8 +17,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig
 from rigapp.config.rig import RigFile
 from rigapp.engine.judging.checks import PeakForce
-from rigapp.engine.listening import _quadratic
 from rigapp.engine.processing import Processor
+from rigapp.engine.resting import _quadratic
 from rigapp.engine.samples.assembler import Assembler
 from rigapp.engine.values.calibrate import Calibration, Measured, calibrate, calibration_of
 from rigapp.engine.values.reduce import Reducer

@@ -1,8 +1,11 @@
-"""Look at every sample of a block before anything else: the fastest of the interlocks."""
+"""Check blocks and speeds at once: largest force, saturated inputs, encoder against drive."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +14,8 @@ from rigapp.engine.samples.assembler import Values
 from rigapp.engine.values.bend import linearised
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.channels import LOAD_CELL
+from rigapp.texts import say
+from rigapp_drivers.api import Block, Quality
 from rigapp_model.compiled import njit
 
 Array = NDArray[np.float64]
@@ -90,3 +95,167 @@ class PeakForce:
             *(turning or (0.0, 0.0)),
         )
         return math.sqrt(square) if not math.isnan(square) else math.nan
+
+
+AT_THE_END: Final = 0.98
+"""A flagged sample belongs to every input whose signal is beyond this share of its range."""
+
+STAYS_S: Final = 0.1
+"""An input counts as saturated after so long without a sound sample: a spike is none."""
+
+FLAG: Final = int(Quality.SATURATED)
+"""The flag as a plain number: numpy asks an enumeration for its protocols at every use."""
+
+BACK_S: Final = 0.5
+"""It counts as sound again after so long without a saturated one."""
+
+
+class SaturationWatch:
+    """Follow the inputs of one connection, block by block."""
+
+    def __init__(self, calibration: Calibration) -> None:
+        self._names = calibration.names
+        self._stays = max(1, round(STAYS_S * calibration.sample_rate_Hz))
+        self._back = max(1, round(BACK_S * calibration.sample_rate_Hz))
+        self._full = [0] * len(self._names)
+        self._sound = [0] * len(self._names)
+        self._calm = True
+        self.inputs: frozenset[str] = frozenset()
+
+    def mark(self, inputs: Iterable[str]) -> None:
+        """Count inputs as saturated at once."""
+        self.inputs |= frozenset(inputs)
+        self._calm = False
+
+    def look(self, full: NDArray[np.bool_] | None, samples: int) -> bool:
+        """Take a block, ``full_samples`` of it; return whether ``inputs`` has changed."""
+        if full is None:
+            if self._calm:
+                return False
+            full = np.zeros((len(self._names), samples), np.bool_)
+        for i, row in enumerate(full):
+            self._full[i] = _trailing(row, self._full[i])
+            self._sound[i] = _trailing(~row, self._sound[i])
+        before = self.inputs
+        for i, name in enumerate(self._names):
+            if self._full[i] >= self._stays:
+                self.inputs |= {name}
+            elif self._sound[i] >= self._back:
+                self.inputs -= {name}
+        self._calm = not self.inputs and not any(self._full)
+        return self.inputs != before
+
+
+def full_samples(block: Block, calibration: Calibration) -> NDArray[np.bool_] | None:
+    """Return where each input is saturated, (inputs, samples); None where none is flagged."""
+    if not np.bitwise_or.reduce(block.quality) & FLAG:
+        return None
+    share = np.abs(calibration.signals(block.values)) / calibration.ranges[:, None]
+    return np.asarray((share >= AT_THE_END) & ((block.quality & FLAG) != 0), np.bool_)
+
+
+def _trailing(condition: NDArray[np.bool_], before: int) -> int:
+    """Return for how many samples up to the last one a condition has held."""
+    broken = np.flatnonzero(~condition)
+    if broken.size == 0:
+        return int(before + condition.size)
+    return int(condition.size - 1 - broken[-1])
+
+
+# Compare, once after every start, the crank's speed by its encoder and by the drive.
+#
+# A gear ratio, a number of counts or a belt that is not what the rig file says shows here and
+# nowhere else: the drive holds the speed it believes in, and every revolution looks whole. In a
+# ramp both speeds are of different moments: there only a difference counts that no lateness
+# explains, so that a test is also judged that ends before it reaches its set speed.
+
+AGREE: Final = 0.1
+"""Share of the set speed within which both must tell the same; ripple and age of the drive's answer
+stay well below at a steady speed, a wrong gear or pulley does not."""
+
+LATE_S: Final = 0.5
+"""How far apart the moments of two speeds of a ramp may be, of the rig's time: the drive is asked
+each 0.1 s and filters its speed over some of that, and the encoder's is a mean over 0.1 s."""
+
+RAMP_FROM: Final = 0.25
+"""Share of the set speed from which a ramp is judged: below, a drive's speed is a few counts."""
+
+ANSWERS: Final = 5
+"""Answers of the drive in a row that decide: one may be as old as the ramp, five may not."""
+
+
+TURNING: Final = 0.5
+"""Share of the set speed that the encoder must show: one that stands is lost, not wrong."""
+
+
+@dataclass(slots=True)
+class SpeedComparison:
+    """What is known since the last start; undecided until enough answers in a row say the same."""
+
+    decided: bool = True
+    last_answer_s: float = 0.0
+    agreed: int = 0
+    differed: int = 0
+
+    def begin(self) -> None:
+        """Compare anew, from the drive's next answer on."""
+        self.decided = False
+        self.agreed = self.differed = 0
+
+    def differs(
+        self,
+        answered_s: float,
+        encoder_rpm: float,
+        drive_rpm: float,
+        target_rpm: float,
+        late_rpm: float | None = None,
+    ) -> bool:
+        """Take both speeds, rpm; True once when they differ for good.
+
+        answered_s: when the drive answered; an answer counts once. A speed that is no number, of a
+        drive that measures none, agrees with every other. late_rpm: by how much a ramp changes the
+        speed within ``LATE_S``, None at the set speed; agreement in a ramp decides nothing.
+        """
+        if self.decided or answered_s == self.last_answer_s:
+            return False
+        if late_rpm is None:
+            allowed_rpm, turning = AGREE * target_rpm, encoder_rpm >= TURNING * target_rpm
+        else:
+            faster_rpm = max(encoder_rpm, drive_rpm)
+            allowed_rpm = AGREE * faster_rpm + late_rpm
+            turning = faster_rpm >= RAMP_FROM * target_rpm and encoder_rpm > AGREE * faster_rpm
+        if not turning:
+            return False
+        self.last_answer_s = answered_s
+        if abs(encoder_rpm - drive_rpm) > allowed_rpm:
+            self.agreed, self.differed = 0, self.differed + 1
+        else:
+            self.agreed, self.differed = self.agreed + (late_rpm is None), 0
+        self.decided = max(self.agreed, self.differed) >= ANSWERS
+        return self.decided and self.differed > 0
+
+
+def direction_mismatch(encoder_back: bool, drive_back: bool, directions: tuple[int, int]) -> str:
+    """Return what to do when encoder or drive show the crank turning backwards.
+
+    directions: present values of encoder.direction and spindle.direction.
+    """
+    encoder, spindle = directions
+    if encoder_back and drive_back:
+        return say(
+            "Encoder and drive show the crank turning backwards, though forwards was"
+            " commanded: check the motor's leads, and A and B of the drive's encoder."
+        )
+    if encoder_back:
+        return say(
+            "The encoder shows the crank turning backwards, while the drive turns"
+            " forwards. If the crank turned counter-clockwise, exchange A and B of the"
+            " crank encoder or set encoder.direction = {} in the rig file; if it did"
+            " not, set spindle.direction = {}.",
+            -encoder,
+            -spindle,
+        )
+    return say(
+        "The drive reports that it turns backwards, while the encoder shows forwards:"
+        " exchange A and B of the drive's own encoder."
+    )
