@@ -235,7 +235,7 @@ def calibrate_certificate(
     issued: Annotated[str, option("--issued", "Date of issue; else that of the record.")] = "",
 ) -> int:
     """Write the certificate of a record, the same bytes each time."""
-    from rigapp.commands.records import certify
+    from rigapp.commands.calibrate import certify
 
     return certify(record, to, issued)
 
@@ -249,7 +249,7 @@ def calibrate_verify(
     json: JsonOption = False,
 ) -> int:
     """Fit the readings of a record again and compare; status 1 where they differ."""
-    from rigapp.commands.records import verify_record
+    from rigapp.commands.calibrate import verify_record
 
     return verify_record(record, public_key, as_json=json)
 
@@ -259,7 +259,7 @@ def calibrate_key(
     to: Annotated[Path, file_option("--to", "Private key to make; FILE.pub beside.")],
 ) -> int:
     """Make the key with which a laboratory signs records, and its public key."""
-    from rigapp.commands.records import make_key
+    from rigapp.commands.calibrate import make_key
 
     return make_key(to)
 
@@ -271,6 +271,6 @@ def calibrate_sign(
     to: RecordOption,
 ) -> int:
     """Sign a record that follows from its readings; the signed one is a new file."""
-    from rigapp.commands.records import sign_record
+    from rigapp.commands.calibrate import sign_record
 
     return sign_record(record, key, to)

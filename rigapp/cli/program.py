@@ -14,7 +14,7 @@ from typing import Annotated, Any, NoReturn
 
 import typer
 
-from rigapp.cli import calibrations, models, recorded, rig
+from rigapp.cli import calibrations, files, rig
 from rigapp.cli.options import WholeSentences, option
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.details import error_text, indented
@@ -29,9 +29,9 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 app.add_typer(rig.verbs)
-app.add_typer(recorded.verbs)
-app.add_typer(models.study_verbs)
-app.add_typer(models.model_verbs, name="model")
+app.add_typer(files.verbs)
+app.add_typer(files.study_verbs)
+app.add_typer(files.model_verbs, name="model")
 app.add_typer(calibrations.calibrate_verbs, name="calibrate")
 app.add_typer(rig.queue_verbs, name="queue")
 app.add_typer(rig.service_verbs, name="service")

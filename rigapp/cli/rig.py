@@ -205,7 +205,7 @@ def notify(
     test: Annotated[bool, option("--test", "Send one message by every way.")] = False,
 ) -> int:
     """Show by which ways an absent operator is told, and what waits; or try them."""
-    from rigapp.commands.notify import show_ways, try_ways
+    from rigapp.commands.unattended import show_ways, try_ways
 
     return try_ways(rig) if test else show_ways(rig)
 
@@ -275,17 +275,17 @@ def queue_add(
     to: Annotated[Path, option("--to", "Folder for the recorded files.")] = Path("results"),
 ) -> int:
     """Put tests at the end of the queue; each file is named after its test and the moment."""
-    from rigapp.commands import queue
+    from rigapp.commands.unattended import queue_tests
 
-    return queue.add(tests, rig, to)
+    return queue_tests(tests, rig, to)
 
 
 @queue_verbs.command("list")
 def queue_list(rig: RigOption, json: JsonOption = False) -> int:
     """Show the queue: number, state, file, how it ended."""
-    from rigapp.commands import queue
+    from rigapp.commands.unattended import show_queue
 
-    return queue.show(rig, as_json=json)
+    return show_queue(rig, as_json=json)
 
 
 @queue_verbs.command("remove")
@@ -294,9 +294,9 @@ def queue_remove(
     rig: RigOption,
 ) -> int:
     """Take tests out of the queue; what they have recorded stays."""
-    from rigapp.commands import queue
+    from rigapp.commands.unattended import unqueue_tests
 
-    return queue.remove(numbers, rig)
+    return unqueue_tests(numbers, rig)
 
 
 @queue_verbs.command("start")
@@ -305,17 +305,17 @@ def queue_start(rig: RigOption, operator: OperatorOption = "") -> int:
 
     It stops at the first test that does not end as planned.
     """
-    from rigapp.commands import queue
+    from rigapp.commands.unattended import start_queue
 
-    return queue.start(rig, operator)
+    return start_queue(rig, operator)
 
 
 @queue_verbs.command("stop")
 def queue_stop(rig: RigOption, operator: OperatorOption = "") -> int:
     """Begin no other test; the one that runs goes on to its end."""
-    from rigapp.commands import queue
+    from rigapp.commands.unattended import stop_queue
 
-    return queue.stop(rig, operator)
+    return stop_queue(rig, operator)
 
 
 @service_verbs.command("install")

@@ -1,21 +1,38 @@
-"""Show, export and report a recorded test."""
+"""Work on recorded tests: show, verify, salvage, export, report, publish, identify."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+import socket
+import sys
+from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 from rigapp.commands.progress import bar
 from rigapp.config.errors import UnusableInput
+from rigapp.config.toml import toml_text
 from rigapp.config.writing import whole_file
 from rigapp.presentation.numbers import bytes_text
 from rigapp.presentation.results import key_numbers, outcome_text, trust_lines
 from rigapp.report.page.document import Manuscript
 from rigapp.report.results import result_of_open, sequence_of, step_numbers
-from rigapp.storage import AS_EVER, Dialect, export_test, open_test
+from rigapp.storage import (
+    AS_EVER,
+    Dialect,
+    StorageFailed,
+    broken_seals,
+    close_test,
+    compact_test,
+    export_test,
+    found_damage,
+    open_test,
+    salvage_test,
+    seal_words,
+)
+from rigapp.texts import say, sentence_of_error
 from rigapp_calibration.load_cell.force_uncertainty import force_uncertainty
 
 
@@ -123,7 +140,7 @@ def draw_figure(path: Path, to: Path, figure: str, width_mm: float) -> int:
     cannot be written.
     """
     ending = _checked_ending(to, "a figure", (".svg", ".pdf", ".png"))
-    from rigapp.report.testreport.pictures import FIGURES, figure_of
+    from rigapp.report.testreport.compose import FIGURES, figure_of
 
     if figure and figure not in FIGURES:
         raise UnusableInput("--figure {}: is none of {}.", figure, ", ".join(FIGURES))
@@ -157,3 +174,226 @@ def _write(document: Manuscript, to: Path, ending: str) -> None:
         data = as_pdf(document)
     with whole_file(to) as part:
         part.write_bytes(data)
+
+
+NAMES = {
+    "revolutions": say("revolutions"),
+    "cycles": say("whole cycles"),
+    "unfinished": say("unfinished revolutions"),
+    "prediction": say("predicted rows"),
+    "curves": say("predicted curves"),
+    "profiles": say("worn profiles"),
+    "events": say("rows of the log"),
+}
+
+
+def verify_file(path: Path, *, as_json: bool) -> int:
+    """Check a file by its checksums and say which part differs; return 1 where one does."""
+    with open_test(path) as reader:
+        checksums, compressed = reader.plan.checksums, reader.compressed
+        damage = list(found_damage(reader))
+        try:
+            damage += broken_seals(reader)
+            sealed = seal_words(reader)
+        except UnusableInput as error:
+            damage.append(sentence_of_error(error))
+            sealed = ""
+    if as_json:
+        print(json.dumps({"checksums": checksums, "damage": damage, "seal": sealed}))
+    elif damage:
+        for one in damage:
+            print(one)
+        print(say("Salvage the rest: rigapp salvage {} --to NEW.h5", path))
+    elif checksums:
+        print(say("{}: rows, cycles, log and configuration are as they were written.", path))
+        print(sealed)
+    else:
+        what = (
+            say("what was compressed can be read") if compressed else say("only the log is checked")
+        )
+        print(
+            say(
+                "{}: this file is of an older version, in which rows cannot be proved; {}.",
+                path,
+                what,
+            )
+        )
+    return 1 if damage else 0
+
+
+def close_file(path: Path) -> int:
+    """End a file whose writer is gone, and trim it; return the exit status."""
+    close_test(path)
+    try:
+        trimmed = compact_test(path)
+    except StorageFailed as error:
+        print(f"rigapp: {error}", file=sys.stderr)
+        return 1
+    with open_test(path) as reader:
+        revolutions = reader.committed()
+        status = reader.stored_status()
+    if not trimmed:
+        raise UnusableInput("{}: the test has ended and its file is trimmed already", path)
+    print(say("{}: {} with {} revolutions; the file is trimmed.", path, status, revolutions))
+    return 0
+
+
+def salvage_file(path: Path, to: Path) -> int:
+    """Write what checksums confirm into a new file and say what is lost; return the status."""
+    found = salvage_test(path, to)
+    print(say("{}: salvaged from {}.", to, path))
+    for name, rows in found.kept.items():
+        if rows or found.lost[name]:
+            print(say("{}: {} kept, {} lost", NAMES[name], rows, found.lost[name]))
+    for one in found.missing:
+        print(say("Lost: {}", one))
+    for sentence in found.damage:
+        print(sentence)
+    return 0
+
+
+SHORTEST_NAME = 4
+"""Shorter names of computers stand in many words by chance."""
+
+
+def package_tests(
+    paths: Sequence[Path], to: Path, authors: Sequence[str], licence: str, *, allow_private: bool
+) -> int:
+    """Write the package of tests; return the exit status, 1 when something private is in them.
+
+    Raises UnusableInput for a test that runs, no author, an unknown licence, an existing target.
+    """
+    from rigapp.publishing.package import private_in, published, refuse_target, write_package
+
+    refuse_target(to)
+    given = published(paths, authors, licence)
+    found = private_in(given, _this_computer())
+    for one in found:
+        print(f"{'note' if allow_private else 'rigapp'}: {one.sentence}", file=sys.stderr)
+    if found and not allow_private:
+        print(
+            "rigapp: nothing is written. Name people as authors (--author 'Family, Given'), or"
+            " publish it all the same (--allow-private); the test files stay as they are.",
+            file=sys.stderr,
+        )
+        return 1
+    with bar("Package") as progress:
+        files = write_package(given, to, progress)
+    names = "; ".join(one.name for one in given.authors)
+    print(f"The package is {to}: {len(files)} files, by {names}, {given.licence.identifier}.")
+    return 0
+
+
+def _this_computer() -> frozenset[str]:
+    """Return the names of this computer by which it can be told from others."""
+    name = socket.gethostname()
+    names = {name, name.partition(".")[0]}
+    return frozenset(one for one in names if len(one) >= SHORTEST_NAME and one != "localhost")
+
+
+def identify_tests(
+    paths: Sequence[Path], to: Path | None, *, as_json: bool, after: int | None = None
+) -> int:
+    """Say what is known of the wear of tests, and write it; return the exit status.
+
+    after: as it was known after a revolution. Status 1 when nothing can be told of one of them.
+    Raises UnusableInput for a file that is no test, or a target that cannot be written.
+    """
+    make = _maker(to) if to is not None else None
+    from rigapp.report.testreport.identified import identified_tests
+
+    with bar("Identify") as progress:
+        found = identified_tests(paths, after, progress)
+    if to is not None and make is not None:
+        data = make(found)
+        with whole_file(to) as part:
+            part.write_bytes(data)
+    if as_json:
+        print(json.dumps(_tree(found)))
+    else:
+        _say(found)
+        if to is not None:
+            print(f"Written to {to}.")
+    return 1 if any(one.refused for one in found.tests) else 0
+
+
+def _tree(found: Any) -> dict[str, Any]:
+    from rigapp.report.testreport.identifiedtree import as_tree
+
+    return as_tree(found)
+
+
+def _json(found: Any) -> bytes:
+    return json.dumps(_tree(found), indent=1).encode() + b"\n"
+
+
+def _csv(found: Any) -> bytes:
+    from rigapp.report.testreport.identifiedtree import as_csv
+
+    return as_csv(found)
+
+
+def _html(found: Any) -> bytes:
+    from rigapp.report.page.document import as_html
+    from rigapp.report.testreport.identifiedsections import identified_document
+
+    return as_html(identified_document(found))
+
+
+def _pdf(found: Any) -> bytes:
+    from rigapp.report.page.pdf import as_pdf
+    from rigapp.report.testreport.identifiedsections import identified_document
+
+    return as_pdf(identified_document(found))
+
+
+FORMS: dict[str, Callable[[Any], bytes]] = {
+    ".html": _html,
+    ".pdf": _pdf,
+    ".csv": _csv,
+    ".json": _json,
+}
+"""What is written, by the ending of the name."""
+
+
+def _maker(to: Path) -> Callable[[Any], bytes]:
+    """Return what makes the target, before anything is computed; raise UnusableInput."""
+    form = FORMS.get(to.suffix.lower())
+    if form is None:
+        raise UnusableInput(f"--to {to}: the name must end with one of {', '.join(FORMS)}.")
+    if to.is_dir() or not to.absolute().parent.is_dir():
+        raise UnusableInput(f"--to {to}: there is no such folder, or it is one itself.")
+    return form
+
+
+def _say(found: Any) -> None:
+    from rigapp.report.testreport.identifiedsections import (
+        credible_text,
+        pairing_rows,
+        remaining_text,
+    )
+
+    for test in found.tests:
+        print(f"{test.path}: {test.said}")
+        if test.known is not None:
+            print(f"  wear coefficient  {credible_text(test.known.coefficient)}")
+            print(f"  remaining         {remaining_text(test)}")
+    if len(found.tests) > 1:
+        for name, text in pairing_rows(found):
+            print(f"{name}: {text}")
+        if found.why_not:
+            print(f"Not counted: {found.why_not}")
+    if found.pairing is not None:
+        print("What the test file of the next test may begin with:")
+        print(_prior_lines(found.pairing.prior))
+
+
+def _prior_lines(prior: Any) -> str:
+    """Return a prior as the section of a test file."""
+    from rigapp.config.recipe import PriorSection
+    from rigapp.report.testreport.identifiedtree import PER_UNIT
+
+    coefficient, spread = float(f"{PER_UNIT * prior.coefficient:.4g}"), float(f"{prior.spread:.3g}")
+    return (
+        f"[prediction.prior]\n{toml_text(PriorSection(coefficient, spread, prior.source))}".rstrip()
+    )

@@ -18,7 +18,7 @@ from rigapp.calibrating.records_in_use import with_records
 from rigapp.calibrating.running_check import running_result, runs_csv
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.calibrating.verification import verified, verify
-from rigapp.commands.records import make_key, sign_record, verify_record
+from rigapp.commands.calibrate import make_key, sign_record, verify_record
 from rigapp.config.calibration_settings import (
     CellSection,
     LoadCellFile,

@@ -11,7 +11,7 @@ import msgspec
 import pytest
 import typer
 
-from rigapp.cli.models import model_verbs
+from rigapp.cli.files import model_verbs
 from rigapp.config.parameters import ParameterFile
 
 ROOT = Path(__file__).parents[2]
@@ -61,10 +61,8 @@ def sentences(path: Path) -> Iterator[str]:
     ("module", "names"),
     [
         ("rigapp/commands/model/forces.py", ("forces",)),
-        ("rigapp/commands/model/impacts.py", ("forces",)),
-        ("rigapp/commands/model/wear.py", ("wear", "pressure")),
+        ("rigapp/commands/model/wear.py", ("wear", "pressure", "paper")),
         ("rigapp/commands/progress.py", ("forces", "wear", "paper")),
-        ("rigapp/commands/model/paper.py", ("paper",)),
         ("rigapp/report/paper/__init__.py", ("paper",)),
         ("rigapp/report/paper/pages.py", ("paper",)),
         ("rigapp/report/paper/table2.py", ("paper",)),

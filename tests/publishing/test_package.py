@@ -18,8 +18,7 @@ import yaml
 from publishing_samples import ADA, event, new_test, recorded
 from rocrate.rocrate import ROCrate
 
-from rigapp.commands.files import export_file
-from rigapp.commands.package import package_tests
+from rigapp.commands.files import export_file, package_tests
 from rigapp.config.errors import UnusableInput
 from rigapp.publishing import package as packaging
 from rigapp.publishing.package import write_archive

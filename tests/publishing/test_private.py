@@ -11,7 +11,7 @@ import pytest
 from commandline import program, rigapp
 from publishing_samples import ADA, RIG_TEXT, event, recorded
 
-from rigapp.commands.package import package_tests
+from rigapp.commands.files import package_tests
 from rigapp.publishing.findings import RIG, Passage, found_in
 from rigapp.publishing.package import private_in, published
 from rigapp_calibration.records import seal

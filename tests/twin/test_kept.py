@@ -13,7 +13,7 @@ import pytest
 from plant_revolutions import EXAMPLES
 from recorded_plants import RECORDED, REVOLUTIONS, record
 
-from rigapp.commands.identify import identify_tests
+from rigapp.commands.files import identify_tests
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_test
 from rigapp.report.testreport.identified import identified_test, identified_tests

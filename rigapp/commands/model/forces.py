@@ -1,10 +1,11 @@
-"""`rigapp model forces`: one cycle of the mechanism as a table."""
+"""`rigapp model forces`: one cycle as a table, of separate bodies a sample or means of many."""
 
 from __future__ import annotations
 
 import math
 import sys
-from dataclasses import replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,20 +19,300 @@ from rigapp.commands.model.cycle import (
     joint_technique,
     plane_words,
 )
-from rigapp.commands.model.impacts import (
-    Impacting,
-    check_impacting,
-    impact_cycle,
-    with_contact_law,
-)
+from rigapp.commands.progress import check_time_limit, watched
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameters
 from rigapp.config.parameters import MM
 from rigapp.report.tables import check_target, write_table
-from rigapp_model.wear.techniques import TECHNIQUES, listed
+from rigapp_model.wear.techniques import SOLVABLE, TECHNIQUES, listed
 
 if TYPE_CHECKING:
+    from rigapp_model.contact.ensemble import Ensemble, Mean
+    from rigapp_model.contact.impact import ContactCycle
+    from rigapp_model.contact.impact_system import ClearanceSystem
     from rigapp_model.parameters import Parameters
+
+
+CONTACT_COLUMNS = ("contact", "penetration_um", "contact_angle_deg")
+FEWEST_REVOLUTIONS, MOST_REVOLUTIONS = 2, 1_000_000
+LARGEST_NOISE = 1e-3
+"""Of the force: numerical noise above is said."""
+SMALLEST_TOLERANCE, LARGEST_TOLERANCE = 1e-12, 0.1
+
+Array = np.ndarray
+
+
+@dataclass(frozen=True, slots=True)
+class Impacting:
+    """Hold what only separate bodies have: revolutions to average, tolerance, time limit (s).
+
+    contact_law, restitution: None takes the parameter file's.
+    """
+
+    revolutions: int | None = None
+    tolerance: float | None = None
+    time_limit_s: float | None = None
+    contact_law: str | None = None
+    restitution: float | None = None
+
+
+def check_impacting(joint: str, options: Impacting) -> None:
+    """Refuse options that another joint has no use for, or that are out of range."""
+    check_contact_options(
+        joint,
+        {
+            "--revolutions": options.revolutions,
+            "--tolerance": options.tolerance,
+            "--contact-law": options.contact_law,
+            "--restitution": options.restitution,
+        },
+    )
+    number, tolerance = options.revolutions, options.tolerance
+    if number is not None and not FEWEST_REVOLUTIONS <= number <= MOST_REVOLUTIONS:
+        raise UnusableInput(
+            f"--revolutions {number}: give {FEWEST_REVOLUTIONS} to {MOST_REVOLUTIONS}."
+        )
+    if tolerance is not None and not SMALLEST_TOLERANCE <= tolerance <= LARGEST_TOLERANCE:
+        raise UnusableInput(
+            f"--tolerance {tolerance:g}: give {SMALLEST_TOLERANCE:g} to {LARGEST_TOLERANCE:g}."
+        )
+    check_time_limit(options.time_limit_s)
+
+
+def check_contact_options(joint: str, options: Mapping[str, object]) -> None:
+    """Refuse options (name -> value, None where not given) that another joint has no use for."""
+    for name, value in options.items():
+        if value is not None and joint in SOLVABLE:
+            others = listed(tuple(one for one in TECHNIQUES if one not in SOLVABLE))
+            raise UnusableInput(f"{name} has no meaning for --joint {joint}; use --joint {others}.")
+
+
+def with_contact_law(
+    parameters: Parameters, law: str | None, restitution: float | None
+) -> Parameters:
+    """Return the parameters with a law or a restitution instead of the file's."""
+    from rigapp_model.errors import ModelError
+    from rigapp_model.restitution import check_law
+
+    joint = parameters.joint
+    law = joint.contact_law if law is None else law
+    restitution = joint.restitution if restitution is None else restitution
+    try:
+        check_law(law, restitution)
+    except ModelError as error:
+        shown = f"--contact-law {law}" if error.quantity == "contact_law" else ""
+        shown = shown or f"--restitution {restitution:g}"
+        raise UnusableInput(f"{shown}: {error.remedy}.") from error
+    return replace(parameters, joint=replace(joint, contact_law=law, restitution=restitution))
+
+
+def impact_cycle(
+    parameters: Parameters, speed: float, degrees: Array, options: Impacting
+) -> CycleTable:
+    """Return one revolution, and with ``options.revolutions`` their means beside it.
+
+    One alone is the second revolution after a start in contact. Raises the model's OutOfTime when
+    time runs out before there is one.
+    """
+    from rigapp_model.contact.ensemble import ensemble
+    from rigapp_model.contact.impact import contact_cycle
+    from rigapp_model.contact.impact_system import clearance_system
+    from rigapp_model.contact_law import ContactModel
+
+    joint = parameters.joint
+    law = ContactModel(joint.contact_law, joint.restitution)
+    if options.tolerance is not None:
+        law = replace(law, tolerance=options.tolerance)
+    system = clearance_system(
+        parameters.mechanism,
+        parameters.joint,
+        parameters.bushing.material,
+        parameters.pin,
+        speed,
+        law,
+    )
+    with watched("revolutions", options.time_limit_s) as tell:
+        if options.revolutions is None:
+            sample, many = contact_cycle(system, len(degrees), progress=tell), None
+        else:
+            many = ensemble(system, options.revolutions, len(degrees), progress=tell)
+            sample = many.sample
+        noise = _noise_of(system, sample, many, len(degrees), tell)
+    columns = _sample_columns(system, degrees, sample)
+    if many is not None:
+        columns |= _mean_columns(many)
+    if speed < 0.0:
+        columns = {name: _backwards(name, column) for name, column in columns.items()}
+    complete = many is None or many.revolutions == options.revolutions
+    sentences = [*_noise(system, sample, noise), *_sentences(system, sample, many)]
+    if many is not None and not complete:
+        sentences.append(
+            f"--time-limit-s {options.time_limit_s:g}: over after {many.revolutions} of"
+            f" {options.revolutions} revolutions; the means are of these."
+        )
+    return CycleTable(columns, _remark(system, sample, many), tuple(sentences), complete)
+
+
+def _sample_columns(
+    system: ClearanceSystem, degrees: Array, cycle: ContactCycle
+) -> dict[str, Array]:
+    """Return the columns of one revolution."""
+    columns = columns_of(degrees, cycle.motion, system.joint.pin_radius)
+    values = (
+        cycle.touching.astype(np.int64),
+        1e6 * np.maximum(cycle.penetration, 0.0),
+        np.degrees(cycle.contact_angle),
+    )
+    columns["slip_mm"] = 1e3 * cycle.slip
+    return columns | dict(zip(CONTACT_COLUMNS, values, strict=True))
+
+
+def _mean_columns(many: Ensemble) -> dict[str, Array]:
+    """Return mean and standard error beside each force, the torque and the contact."""
+    means: dict[str, Mean] = {"f_N": many.force_magnitude, "torque_Nm": many.drive_torque}
+    columns = {}
+    for frame, mean in (
+        ("", many.force),
+        ("_crank", many.force_crank),
+        ("_follower", many.force_follower),
+    ):
+        for axis, value, error in zip("xy", mean.value, mean.standard_error, strict=True):
+            columns[f"f{axis}{frame}_N_mean"] = value
+            columns[f"f{axis}{frame}_N_standard_error"] = error
+    means["contact"] = many.touching
+    for name, mean in means.items():
+        columns[f"{name}_mean"] = mean.value
+        columns[f"{name}_standard_error"] = mean.standard_error
+    return columns
+
+
+def _remark(system: ClearanceSystem, cycle: ContactCycle, many: Ensemble | None) -> str:
+    """Return what is printed about the contact."""
+    if many is None:
+        remark = (
+            f" In contact {100.0 * cycle.contact_fraction:.1f} % of the revolution,"
+            f" {len(cycle.impacts)} impacts, greatest force {cycle.greatest_force:.4g} N between"
+            " the angles too."
+        )
+    else:
+        fraction, impacts, mean, most = (
+            (float(found.value), float(found.standard_error))
+            for found in (
+                many.contact_fraction,
+                many.impacts,
+                many.mean_force,
+                many.greatest_force,
+            )
+        )
+        remark = (
+            f" Over {many.revolutions} revolutions (mean +/- standard error): in contact"
+            f" {100.0 * fraction[0]:.2f} +/- {100.0 * fraction[1]:.2f} % of the time,"
+            f" {impacts[0]:.2f} +/- {impacts[1]:.2f} impacts a revolution, mean force"
+            f" {mean[0]:.4g} +/- {mean[1]:.2g} N, greatest {most[0]:.4g} +/- {most[1]:.2g} N"
+            f" between the angles too.{_peaks(many.peaks)}"
+        )
+    low, high = system.contact.friction_ramp
+    if system.joint.friction_coefficient > 0.0:
+        remark += (
+            f" The ripple of the force depends on the friction ramp ({low:g} to {high:g} m/s) and"
+            " is no measurement of the real joint."
+        )
+    return remark
+
+
+def _peaks(peaks: Array) -> str:
+    """Return the distribution of the greatest forces of impacts (N) in words; none of none."""
+    if not len(peaks):
+        return ""
+    half, most, rare = np.quantile(peaks, (0.5, 0.9, 0.99))
+    return (
+        f" Greatest force of each of {len(peaks)} impacts: half above {half:.4g} N, one in 10 above"
+        f" {most:.4g} N, one in 100 above {rare:.4g} N, the largest {peaks.max():.4g} N."
+    )
+
+
+def _noise_of(
+    system: ClearanceSystem,
+    sample: ContactCycle,
+    many: Ensemble | None,
+    points: int,
+    tell: Callable[[float], None],
+) -> float | None:
+    """Return what the tolerance leaves in the force, N RMS; NaN, or None where time ran out."""
+    from rigapp_model.contact.impact import contact_cycle, numerical_noise
+    from rigapp_model.contact_law import ContactModel
+    from rigapp_model.errors import OutOfTime
+
+    if not sample.contact_is_continuous and system.contact.tolerance <= ContactModel().tolerance:
+        return float("nan")
+    try:
+        # Of means the sample is a later revolution than that of the finer run.
+        first = contact_cycle(system, points, progress=tell) if many else sample
+        return numerical_noise(system, first, points, progress=tell)
+    except OutOfTime:
+        return None
+
+
+def _noise(system: ClearanceSystem, cycle: ContactCycle, noise: float | None) -> list[str]:
+    """Say what the tolerance leaves in the force (N RMS, NaN: not known), where it matters."""
+    from rigapp_model.contact_law import ContactModel
+
+    given, usual = system.contact.tolerance, ContactModel().tolerance
+    if noise is None:
+        return []
+    if math.isnan(noise):
+        if given <= usual:
+            return []
+        return [
+            f"--tolerance {given:g} is coarser than {usual:g}; where contact is lost its numerical"
+            f" noise cannot be told from the motion: compare means of both."
+        ]
+    size = float(np.sqrt(np.mean(cycle.motion.force_magnitude**2)))
+    if noise <= LARGEST_NOISE * size:
+        return []
+    return [
+        f"--tolerance {given:g} leaves numerical noise of {noise:.2g} N RMS in a force of"
+        f" {size:.3g} N RMS; give a smaller one, {usual:g} by default."
+    ]
+
+
+def _sentences(system: ClearanceSystem, cycle: ContactCycle, many: Ensemble | None) -> list[str]:
+    """Return what must be read: that a curve is one sample, and where the law does not hold."""
+    sentences = [sentence for sentence in [system.contact.sentence()] if sentence]
+    lost = many.contact_fraction.value < 1.0 if many else not cycle.contact_is_continuous
+    if lost:
+        advice = (
+            "--revolutions N gives means over N of them with standard errors"
+            if many is None
+            else "the columns ending in _mean and _standard_error are over all of them"
+        )
+        sentences.append(
+            "Pin and bushing lose contact: the motion is chaotic and this curve is one sample of"
+            f" it, no revolution is like the next; {advice}."
+        )
+    fastest, full = float(np.abs(cycle.sliding).max()), system.contact.friction_ramp[1]
+    if system.joint.friction_coefficient > 0.0 and fastest < full:
+        sentences.append(
+            f"The pin slides at {1e3 * fastest:.2g} mm/s at most; friction acts in full only from"
+            f" {1e3 * full:.2g} mm/s on, so this curve has too little of it."
+        )
+    deepest = float(cycle.penetration.max())
+    if deepest > system.deepest:
+        sentences.append(
+            f"The pin presses {1e6 * deepest:.0f} um into the bushing; the contact law"
+            f" {system.contact.law} does not hold beyond {1e6 * system.deepest:.0f} um."
+        )
+    return sentences
+
+
+def _backwards(name: str, column: Array) -> Array:
+    """Return a column that was sampled at falling angles in the order of rising ones."""
+    if name == "crank_angle_deg":
+        return column
+    if name == "slip_mm":
+        return column[::-1]
+    return np.roll(column[::-1], 1)
+
 
 FEWEST_POINTS, MOST_POINTS = 4, 1_000_000
 

@@ -1,4 +1,4 @@
-"""`rigapp model wear` and `rigapp model pressure`: life and contact of the bushing as tables."""
+"""`rigapp model wear`, `pressure` and `paper`: life and contact of the bushing, the comparisons."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 import numpy as np
 
 from rigapp.commands.model.cycle import check_rpm, demand, joint_technique, plane_words
-from rigapp.commands.model.impacts import check_contact_options, with_contact_law
+from rigapp.commands.model.forces import check_contact_options, with_contact_law
 from rigapp.commands.progress import check_time_limit, watched
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameters
@@ -22,6 +22,7 @@ from rigapp.report.tables import check_target, write_table
 
 if TYPE_CHECKING:
     from rigapp_model.wear.life import Life
+
 
 METHODS = ("implicit", "explicit")
 CONTACTS = ("finite-element", "winkler")
@@ -234,3 +235,26 @@ def _plain(params_path: Path, force_N: float | None) -> Iterator[None]:
         raise UnusableInput(f"{params_path}: {load}: {error.remedy}.") from error
     except ValueError as error:
         raise UnusableInput(f"{params_path}: {error}.") from error
+
+
+def write_paper(folder: Path, recorded: Path | None, time_limit_s: float | None) -> int:
+    """Write the comparisons into a folder and print the files' names.
+
+    recorded: a test file for Figs 20 and 21. Returns the exit status: 0, or 1 when time ran out.
+    Raises UnusableInput naming what cannot be used.
+    """
+    from rigapp.report.paper import make_paper
+
+    check_time_limit(time_limit_s)
+    with watched("comparisons", time_limit_s) as tell:
+        made = make_paper(folder, recorded, tell)
+    for path in made.files:
+        print(path)
+    if made.complete:
+        return 0
+    print(
+        f"--time-limit-s {time_limit_s:g}: over before all comparisons were made; the pages hold"
+        " those that were.",
+        file=sys.stderr,
+    )
+    return 1

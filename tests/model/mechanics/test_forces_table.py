@@ -11,8 +11,7 @@ import pytest
 
 from rigapp.commands import progress as model_progress
 from rigapp.commands.model.cycle import COLUMNS
-from rigapp.commands.model.forces import write_forces
-from rigapp.commands.model.impacts import CONTACT_COLUMNS, Impacting
+from rigapp.commands.model.forces import CONTACT_COLUMNS, Impacting, write_forces
 from rigapp.config.errors import UnusableInput
 from rigapp_model.dynamics import inverse_dynamics
 from rigapp_model.parameters import Mechanism, Spring

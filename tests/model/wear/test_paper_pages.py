@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rigapp.commands.model.paper import write_paper
+from rigapp.commands.model.wear import write_paper
 from rigapp.config.errors import UnusableInput
 from rigapp.report.paper import EXPERIMENT, SIMULATION, STEEL, make_paper
 from rigapp.report.paper.pages import provenance
