@@ -52,7 +52,7 @@ def _settings_of_nobody(tmp_path_factory: pytest.TempPathFactory) -> Iterator[No
         patch.setenv("XDG_CONFIG_HOME", str(tmp_path_factory.mktemp("config")))
         patch.setenv("XDG_DATA_HOME", str(tmp_path_factory.mktemp("data")))
         # An engine shares the memory of a test with the window, which may grow more than an engine.
-        patch.setattr("rigapp.service.connections.GROWTH_BYTES", 1_000_000_000)
+        patch.setattr("rigapp.service.server.GROWTH_BYTES", 1_000_000_000)
         yield
 
 

@@ -24,8 +24,7 @@ from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from rigapp.config.errors import UnusableInput
 from rigapp.page import fragments
-from rigapp.page.access import HEAD_BYTES, Access, access_to
-from rigapp.page.gate import Gate, reset
+from rigapp.page.access import HEAD_BYTES, Access, Gate, access_to, reset
 from rigapp.page.metrics import Metrics, PageNumbers
 from rigapp.page.rig import engine_named, engines_here
 from rigapp.page.watch import Rigs, Watch

@@ -50,15 +50,16 @@ from rigapp.schema.states import ACTIVE, Refused
 from rigapp.service.bounds import refusal
 from rigapp.service.bugreport import BugReports
 from rigapp.service.calibration import RigCalibration
-from rigapp.service.command import ControlLock
-from rigapp.service.lasttest import cut_off, last_wear, remember
 from rigapp.service.pins import PinCheck
 from rigapp.service.recorded import (
     bushing_left,
     checkpoint,
     complete_test,
+    cut_off,
     end_whole_test,
+    last_wear,
     recorded_test,
+    remember,
 )
 from rigapp.service.registry import (
     EngineEntry,
@@ -68,7 +69,7 @@ from rigapp.service.registry import (
     runtime_folder,
     withdraw,
 )
-from rigapp.service.requests import EXPECTED, RequestHandler
+from rigapp.service.requests import EXPECTED, ControlLock, RequestHandler
 from rigapp.service.resumption import (
     Past,
     Resumption,

@@ -15,7 +15,7 @@ from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.tokens import DARK, LIGHT
 from rigapp.schema.messages import Reply, Request, RunState, Snapshot
 from rigapp.schema.states import Refused
-from rigapp.service.command import ControlLock
+from rigapp.service.requests import ControlLock
 from rigapp.viewer.connection import EngineConnection
 from rigapp.viewer.showntest import ShownTest
 

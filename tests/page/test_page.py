@@ -24,7 +24,7 @@ from page.doubles import OpenPage, ServedEngine, eventually, heard
 from patience import PATIENCE_S
 from snapshots import ALARM, write_recorded
 
-from rigapp.page import gate, serving
+from rigapp.page import access, serving
 from rigapp.schema.messages import HowEnded, RunState
 
 Serve = Callable[..., ServedEngine]
@@ -248,7 +248,7 @@ def test_too_much_is_refused_by_what_is_too_much(rig: Path, show: Show) -> None:
 
 
 def test_connections_are_bounded(rig: Path, show: Show, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(gate, "MOST_CONNECTIONS", 8)
+    monkeypatch.setattr(access, "MOST_CONNECTIONS", 8)
     monkeypatch.setattr(serving, "REQUEST_S", 2.0)
     page = show([rig])
     with ExitStack() as at_the_end:
@@ -257,7 +257,7 @@ def test_connections_are_bounded(rig: Path, show: Show, monkeypatch: pytest.Monk
             with suppress(ConnectionResetError):  # one too many, closed before it was open here
                 line = socket.create_connection(("127.0.0.1", page.port), PATIENCE_S)
                 held.append(at_the_end.enter_context(line))
-        assert len(held) >= gate.MOST_CONNECTIONS
+        assert len(held) >= access.MOST_CONNECTIONS
         for line in held[::2]:
             with suppress(ConnectionError):  # closed already: one too many
                 line.sendall(b"GET / HTTP/1.1\r\nHost: loc")

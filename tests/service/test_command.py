@@ -9,7 +9,7 @@ from patience import PATIENCE_S
 
 from rigapp.schema.messages import Reply, Request
 from rigapp.schema.states import Refused
-from rigapp.service.command import ASLEEP_S, GONE_AFTER_S, ControlLock
+from rigapp.service.requests import ASLEEP_S, GONE_AFTER_S, ControlLock
 
 ADA = {"operator": "Ada", "client": "a"}
 BOB = {"operator": "Bob", "client": "b"}

@@ -11,8 +11,8 @@ import pytest
 from stories import COMMAND, NEVER_OVER, RIG, Running, end_soon, numbers, recipe, summary, until
 
 from rigapp.service.client import Client
-from rigapp.service.lasttest import cut_off, remember
 from rigapp.service.launch import find_engine
+from rigapp.service.recorded import cut_off, remember
 
 
 @pytest.fixture(autouse=True)

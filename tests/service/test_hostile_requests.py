@@ -39,7 +39,7 @@ NOT_SENT = frozenset({"shutdown", "inject_fault", "hand"})
 @pytest.fixture
 def host(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[EngineHost]:
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
-    monkeypatch.setattr("rigapp.service.connections.GROWTH_BYTES", GROWTH_BYTES)
+    monkeypatch.setattr("rigapp.service.server.GROWTH_BYTES", GROWTH_BYTES)
     host = EngineHost(read_rig(RIG), 1.0)
     yield host
     host.close()

@@ -16,7 +16,7 @@ from rigapp.report.testreport.identified import identified_test
 from rigapp.schema.messages import Request
 from rigapp.schema.states import ENDED
 from rigapp.service.host import EngineHost
-from rigapp.service.lasttest import last_wear
+from rigapp.service.recorded import last_wear
 from rigapp.service.simulated import SimulatedDevices, parse_speed
 from rigapp.storage import believed_until, open_test
 
