@@ -19,15 +19,10 @@ from rigapp.storage.reading.blocks import (
     rows_up_to,
 )
 from rigapp.storage.reading.export import AS_EVER, Dialect, export_columns, export_test
-from rigapp.storage.reading.reader import (
-    Columns,
-    StoredCycle,
-    StoredVariable,
-    TestReader,
-    open_test,
-)
+from rigapp.storage.reading.reader import StoredCycle, TestReader, open_test
 from rigapp.storage.reading.resample import on_grid
 from rigapp.storage.reading.seal import broken_seals, seal_words
+from rigapp.storage.reading.streams import Columns, StoredVariable
 from rigapp.storage.reading.trip import (
     LargestForce,
     Trip,

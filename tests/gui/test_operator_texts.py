@@ -133,7 +133,7 @@ TAKEN = {
     "rigapp/storage/reading/reader", "rigapp/storage/structure/hdf", "rigapp/commands/check",
     "rigapp/commands/run", "rigapp/commands/engine", "rigapp/twin/worker", "rigapp/service/host",
     "rigapp/engine/engine",
-    "rigapp/storage/writing/create", "rigapp/storage/writing/keeper",
+    "rigapp/storage/writing/create", "rigapp/storage/filesystem/rescue",
     "rigapp/storage/upkeep/compact",
 }  # fmt: skip
 """They look into the text of an error, put it among details elsewhere, know it as their own, or

@@ -38,7 +38,7 @@ from rigapp.schema.messages import (
     Status,
 )
 from rigapp.service.faults import fault_choices
-from rigapp.storage.reading.oldlog import translated
+from rigapp.storage.structure.events import translated
 from rigapp.viewer.news import News
 from rigapp.viewer.recording import load_history
 from rigapp.viewer.showntest import ShownTest

@@ -23,7 +23,7 @@ from rigapp.schema.alarms import exceeded, make_alarm
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import Alarm, Event, Flag, RunState, Severity
 from rigapp.schema.rownumbers import RowNumbers
-from rigapp.storage.reading.oldlog import translated
+from rigapp.storage.structure.events import translated
 from rigapp.viewer.connection import EngineConnection
 from rigapp.viewer.pyramid import Pyramid
 from rigapp.viewer.recording import load_history

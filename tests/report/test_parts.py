@@ -28,7 +28,7 @@ from rigapp.report.testreport.envelope import BUCKETS, envelope
 from rigapp.report.testreport.formatting import flags, number, quantity, settings, size, stamp
 from rigapp.report.testreport.logsections import AlarmRecord, alarms_of, limits_of
 from rigapp.schema.messages import Event
-from rigapp.storage.reading.oldlog import translated
+from rigapp.storage.structure.events import translated
 
 
 @given(st.integers(0, 6000), st.integers(0, 2**32 - 1))

@@ -14,8 +14,8 @@ from storage_samples import PLAN, check, new_test, write
 
 from rigapp.schema.messages import Event, PathReport
 from rigapp.storage import StorageFailed, TestWriter, compact_test, open_test, reopen_test
+from rigapp.storage.filesystem import rescue
 from rigapp.storage.filesystem.system import FILES
-from rigapp.storage.writing import pathwatcher
 
 Deed = Callable[[Path], object]
 
@@ -126,14 +126,14 @@ def test_writing_while_the_file_is_copied_is_not_lost(
     monkeypatch.setattr("rigapp.storage.writing.backlog.SOFT_LIMIT", 4096)
     path = quick_folder / "results" / "test.h5"
     inside, go_on = threading.Event(), threading.Event()
-    copy = pathwatcher.copy_content
+    copy = rescue.copy_content
 
     def slowly(source: int, target: int) -> None:
         copy(source, target)
         inside.set()
         assert go_on.wait(60.0)
 
-    monkeypatch.setattr(pathwatcher, "copy_content", slowly)
+    monkeypatch.setattr(rescue, "copy_content", slowly)
     with begun(path.parent) as writer:
         path.unlink()
         found: list[PathReport | None] = []

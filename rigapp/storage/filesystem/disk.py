@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from rigapp.storage.filesystem.calls import Bytes, StorageFailed
-from rigapp.storage.filesystem.rescue import copy_ranges
 from rigapp.storage.filesystem.system import FILES
 from rigapp.texts import say
 
@@ -123,3 +122,12 @@ class Disk:
             error.strerror,
         )
         return StorageFailed(self._failure)
+
+
+def copy_ranges(source: int, target: int, ranges: Iterable[tuple[int, int]]) -> None:
+    """Copy ranges (offset, length) of an open file to the same places of another."""
+    for offset, length in ranges:
+        data = FILES.read_at(source, length, offset)
+        done = 0
+        while done < len(data):
+            done += FILES.write_at(target, (memoryview(data)[done:],), offset + done)

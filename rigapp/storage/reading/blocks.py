@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.schema.rownumbers import RowNumbers
-from rigapp.storage.reading.reader import Columns, TestReader
+from rigapp.storage.reading.streams import Columns, StreamReader
 
 BLOCK_ROWS = 1 << 18
 """2 MB of a column: what a read costs beside its bytes is less than the bytes cost then."""
 
 
 def blocks(
-    reader: TestReader,
+    reader: StreamReader,
     names: Sequence[str],
     stream: str = "revolutions",
     *,
@@ -49,7 +49,7 @@ def blocks(
 class StoredColumns(Mapping[str, NDArray[Any]]):
     """The columns of a stream by name, each read when it is asked for and not kept."""
 
-    def __init__(self, reader: TestReader, stream: str) -> None:
+    def __init__(self, reader: StreamReader, stream: str) -> None:
         self._reader = reader
         self._stream = stream
         self._names = tuple(reader.column_units(stream))
@@ -69,7 +69,7 @@ class StoredColumns(Mapping[str, NDArray[Any]]):
         return len(self._names)
 
 
-def row_numbers(reader: TestReader, stream: str = "revolutions") -> RowNumbers:
+def row_numbers(reader: StreamReader, stream: str = "revolutions") -> RowNumbers:
     """Return the revolution of every committed row of a stream.
 
     Numbers rise, so that a run without a gap is known by its ends: what lies between is not read.
@@ -93,7 +93,7 @@ def row_numbers(reader: TestReader, stream: str = "revolutions") -> RowNumbers:
     return found
 
 
-def rows_up_to(reader: TestReader, revolution: float, stream: str = "revolutions") -> int:
+def rows_up_to(reader: StreamReader, revolution: float, stream: str = "revolutions") -> int:
     """Return how many rows of a stream belong to revolutions up to this one, numbers ascending.
 
     By bisection: a handful of rows is read, not the column.
@@ -109,7 +109,7 @@ def rows_up_to(reader: TestReader, revolution: float, stream: str = "revolutions
 
 
 def newest_known(
-    reader: TestReader, names: Sequence[str], count: int, stop: int | None = None
+    reader: StreamReader, names: Sequence[str], count: int, stop: int | None = None
 ) -> dict[str, NDArray[Any]]:
     """Return the newest ``count`` predictions of which all the columns are known, in order."""
     found: list[Columns] = []

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import contextlib
-import math
 import os
-import re
 import zlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import h5py
-import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -22,36 +19,27 @@ from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.schema.columns import PROFILE_ANGLES_DEG
 from rigapp.schema.messages import Event
 from rigapp.storage.filesystem.system import FILES
-from rigapp.storage.reading.oldlog import texts_of, translated
 from rigapp.storage.reading.resample import Method, resample_channels
+from rigapp.storage.reading.streams import Columns, StreamReader
 from rigapp.storage.structure.digest import SEAL, settings_digest
-from rigapp.storage.structure.events import events_of, first_broken_link
-from rigapp.storage.structure.hdf import is_bare, open_for_reading, telling_damage
+from rigapp.storage.structure.events import events_of, first_broken_link, translated
+from rigapp.storage.structure.hdf import open_for_reading, telling_damage
 from rigapp.storage.structure.layout import (
     CALIBRATION,
     CHECKPOINT_BYTES,
     CHECKPOINT_SLOTS,
-    CHECKSUMS,
-    COMPRESSED,
     CONFIGURATION,
     CONFIGURATION_DIGEST,
     END_TIME,
-    ENTRY,
-    FORM_ATTRIBUTE,
-    PLAN,
     SCHEMA,
     SCHEMA_ATTRIBUTE,
     START_TIME,
     STATE,
     STATE_FIELDS,
     FileColumn,
-    FilePlan,
-    FileStream,
     streams_of,
 )
-from rigapp.texts import joined, say, sentence_of_error
-
-Columns = dict[str, NDArray[Any]]
+from rigapp.texts import say, sentence_of_error
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,20 +66,6 @@ class StoredCycle:
         return replace(self, columns={**even})
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class StoredVariable:
-    """Describe a column in a file: its stream, the shape of its safe rows, what it says of itself.
-
-    attributes: units, long_name and whatever else CF and NeXus want, without those of HDF5 itself.
-    """
-
-    name: str
-    stream: str
-    shape: tuple[int, ...]
-    dtype: np.dtype[Any]
-    attributes: dict[str, Any]
-
-
 def open_test(path: str | os.PathLike[str]) -> TestReader:
     """Open a test file for reading; a running test is not disturbed.
 
@@ -102,73 +76,8 @@ def open_test(path: str | os.PathLike[str]) -> TestReader:
     return TestReader(target, _opened(target))
 
 
-class TestReader:
+class TestReader(StreamReader):
     """Answer questions about one test file; only committed rows count as data."""
-
-    __test__ = False
-
-    def __init__(self, path: Path, file: h5py.File) -> None:
-        self.path = path
-        self._file = file
-        self._known: dict[str, int] = {}
-        with telling_damage(path, say("its plan")):
-            plan = msgspec.json.decode(self._text(PLAN), type=FilePlan)
-            # That word of the plan may be what is damaged: what is there decides.
-            self.plan = replace(plan, checksums=plan.checksums or _proves(file))
-            self._streams = streams_of(self.plan)
-        strange = next(filter(None, map(strange_name, _names(self._streams))), "")
-        if strange:
-            raise UnusableInput(
-                "{}: {}; rigapp writes no such file: do not use it, and ask who sent it",
-                path,
-                strange,
-            )
-
-    def close(self) -> None:
-        """Close the file."""
-        self._file.close()
-
-    def __enter__(self) -> TestReader:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    @property
-    def compressed(self) -> bool:
-        """Tell whether the file is the trimmed, compressed copy of a finished test."""
-        with telling_damage(self.path, FORM_ATTRIBUTE):
-            return bool(self._file.attrs[FORM_ATTRIBUTE] == COMPRESSED)
-
-    def committed(self, stream: str = "revolutions") -> int:
-        """Return the safe rows of a stream.
-
-        stream: as in ``streams_of``; of ``samples`` and ``unfinished_samples`` those of their
-        cycles.
-        """
-        found = self._streams[stream]
-        if stream == "samples":
-            return self.first_free_sample(self.committed("cycles"))
-        if stream == "checkpoints":
-            return CHECKPOINT_SLOTS
-        if stream == "waiting":
-            return 0
-        if stream == "unfinished_samples":
-            return self.first_free_sample(self.committed("unfinished"), found.group)
-        if stream in self._known:
-            return self._known[stream]
-        rows = int(self._read(found.path(found.counter)))
-        with telling_damage(self.path, found.path(found.counter)):
-            if rows < 0:
-                raise ValueError(say("rows {} to {} are wanted and there are fewer", 0, rows))
-        with contextlib.suppress(UnusableInput):  # that word may be what is damaged
-            if self.stored_status() != "running":  # no more come
-                self._known[stream] = rows
-        return rows
-
-    def stored_status(self) -> str:
-        """Return the word in the file: running, complete, stopped or fault."""
-        return self._state_text("status")
 
     def summary(self) -> dict[str, Any]:
         """Return what ``rigapp info`` shows; its keys are a promise to users."""
@@ -236,26 +145,6 @@ class TestReader:
         """Return the committed rows from row ``first`` on, one array a column."""
         return self._table("revolutions", first)
 
-    def column(
-        self, name: str, first: int = 0, stop: int | None = None, stream: str = "revolutions"
-    ) -> NDArray[Any]:
-        """Return committed rows ``first`` .. ``stop`` of one column of a stream."""
-        found, known = self._streams[stream], self.column_units(stream)
-        if name not in known:
-            raise UnusableInput(
-                "{}: there is no column {} in {}; there are {}",
-                self.path,
-                repr(name),
-                found.group,
-                joined(", ", known),
-            )
-        end = self.committed(stream) if stop is None else min(stop, self.committed(stream))
-        return self._rows(found.path(name), first, end)
-
-    def column_units(self, stream: str = "revolutions") -> dict[str, str]:
-        """Return the units of a stream's columns by name, in their order."""
-        return {one.name: one.unit for one in self._streams[stream].fields}
-
     def cycle_revolutions(self) -> NDArray[np.int64]:
         """Return the numbers of the revolutions whose whole cycle is saved."""
         return self.column("revolution", stream="cycles")
@@ -271,14 +160,6 @@ class TestReader:
         if not self.plan.cycle_reason:
             return np.zeros(self.committed("cycles"), dtype=np.int64)
         return self.column("quality", stream="cycles").astype(np.int64)
-
-    def first_free_sample(self, cycles: int, group: str = "/entry/cycles") -> int:
-        """Return the number of samples in the first ``cycles`` saved cycles."""
-        if cycles == 0:
-            return 0
-        return sum(
-            int(self._rows(f"{group}/{one}", cycles - 1, cycles)[0]) for one in ("first", "count")
-        )
 
     def cycle(self, index: int) -> StoredCycle:
         """Return the saved cycle ``index``, negative from the end; raises IndexError."""
@@ -393,11 +274,6 @@ class TestReader:
         number = self.committed("events")
         return bytes(self._rows("/entry/events/digest", number - 1, number)[0]) if number else b""
 
-    def texts(self) -> Iterator[tuple[str, str]]:
-        """Yield every text of the file with its path, the lines of the log left out."""
-        with telling_damage(self.path, say("its texts")):
-            yield from texts_of(self._file)
-
     def configuration(self) -> dict[str, Any]:
         """Return the configuration: texts ``rig`` and ``test``, ``parameters``, ``versions``."""
         return self._below(CONFIGURATION)
@@ -405,86 +281,6 @@ class TestReader:
     def calibration(self) -> dict[str, Any]:
         """Return the calibration records that the test was measured with, nested by name."""
         return self._below(CALIBRATION)
-
-    def used_bytes(self, size: int) -> int:
-        """Return how many of the bytes of the file, ``size``, hold data.
-
-        A file that is written in place has room for everything that was planned.
-        """
-        if self.compressed:
-            return size
-        each = {
-            name: sum(np.dtype(one.dtype).itemsize * math.prod(one.shape) for one in found.fields)
-            for name, found in self._streams.items()
-        }
-        return min(size, sum(self.committed(name) * octets for name, octets in each.items()))
-
-    def variables(self, stream: str) -> tuple[StoredVariable, ...]:
-        """Return what a stream holds as it stands in the file, shapes cut to the safe rows.
-
-        stream: as in ``streams_of``; of ``prediction`` without its curves and profiles.
-        """
-        found, rows = self._streams[stream], self.committed(stream)
-        with telling_damage(self.path, found.group):
-            return tuple(
-                StoredVariable(
-                    one.name,
-                    stream,
-                    (rows, *one.shape),
-                    np.dtype(one.dtype),
-                    _attributes(self._file[found.path(one.name)]),
-                )
-                for one in found.fields
-            )
-
-    def attributes(self, stream: str) -> dict[str, dict[str, Any]]:
-        """Return what each column says of itself, also those that the file is too old to have."""
-        whole = streams_of(replace(self.plan, event_details=True, profiles=1))[stream]
-        found = {
-            one.name: {"units": one.unit, "long_name": one.description} for one in whole.fields
-        }
-        if stream in self._streams:
-            found |= {one.name: one.attributes for one in self.variables(stream)}
-        return found
-
-    def fields(self, stream: str) -> tuple[FileColumn, ...]:
-        """Return the columns of a stream, without its checksum."""
-        return self._streams[stream].fields
-
-    def has_checksum(self, stream: str) -> bool:
-        """Tell whether each row of a stream has a checksum; files of before have none."""
-        return self._streams[stream].checksum is not None
-
-    def raw_rows(
-        self, stream: str, first: int, stop: int
-    ) -> tuple[list[NDArray[Any]], NDArray[Any]]:
-        """Return rows of a stream as they are stored, committed or not: columns, and checksums."""
-        found = self._streams[stream]
-        columns = [self._rows(found.path(one.name), first, stop) for one in found.fields]
-        if found.checksum is None:
-            return columns, np.empty(0, np.uint32)
-        return columns, self._rows(found.path(found.checksum.name), first, stop)
-
-    def row_bytes(self, stream: str) -> int:
-        """Return the bytes of a row, of a cycle with the samples that it has as a rule."""
-        found = self._streams[stream]
-        if stream in ("cycles", "unfinished"):
-            return (
-                found.row_bytes + self.plan.samples_per_cycle * self._streams["samples"].row_bytes
-            )
-        return found.row_bytes
-
-    def declared(self, stream: str) -> int:
-        """Return the rows that a stream can have in this file."""
-        found = self._streams[stream]
-        with telling_damage(self.path, found.group):
-            first = found.fields[0]
-            dataset = self._file[found.path(first.name)]
-            return len(dataset) if self.compressed else _room_of(dataset) // first.row_bytes
-
-    def stored_rows(self, path: str, first: int, stop: int) -> NDArray[Any]:
-        """Return rows of a dataset as they are stored, committed or not."""
-        return self._rows(path, first, stop)
 
     def settings_confirmed(self) -> bool:
         """Tell whether all that was fixed before the first row is as it was then."""
@@ -508,18 +304,9 @@ class TestReader:
         path = f"{SEAL}/seal"
         return self._text(path) if self._holds(path) else ""
 
-    def has(self, stream: str) -> bool:
-        """Tell whether the file keeps a stream; those of before keep fewer."""
-        return stream in self._streams
-
     def angles(self) -> NDArray[np.float64]:
         """Return the crank angles of the predicted curves, deg."""
         return np.asarray(self._read("/entry/prediction/angle"), dtype=np.float64)
-
-    def _table(self, stream: str, first: int) -> Columns:
-        found: FileStream = self._streams[stream]
-        end = self.committed(stream)
-        return {one.name: self._rows(found.path(one.name), first, end) for one in found.fields}
 
     def _status(self, revolutions: int) -> tuple[str, str]:
         stored = self.stored_status()
@@ -550,119 +337,6 @@ class TestReader:
     def writer(self) -> str:
         """Return the process that writes or wrote the file, ``process N on HOST`` while it does."""
         return self._state_text("writer")
-
-    def _holds(self, path: str) -> bool:
-        with telling_damage(self.path, path):
-            return path in self._file
-
-    def _state_text(self, name: str) -> str:
-        return self._text(f"{STATE}/{name}")
-
-    def _text(self, path: str) -> str:
-        value = self._read(path)
-        with telling_damage(self.path, path):
-            return value.decode() if isinstance(value, bytes) else str(value)
-
-    def _rows(self, path: str, first: int, end: int) -> NDArray[Any]:
-        """Return rows ``first`` .. ``end`` of a dataset, which has them all.
-
-        Those beyond the length that it shows to others are read at their place in the file: they
-        are not committed, or were after this file was opened.
-        """
-        with telling_damage(self.path, path):
-            dataset = self._file[path]
-            if end > len(dataset) and dataset.chunks is None:
-                return self._placed_rows(dataset, first, end)
-            rows = np.asarray(dataset[first:end])
-            if len(rows) != max(0, end - first):
-                raise ValueError(
-                    say("rows {} to {} are wanted and there are {}", first, end, len(rows))
-                )
-        return rows
-
-    def _placed_rows(self, dataset: h5py.Dataset, first: int, end: int) -> NDArray[Any]:
-        shape, dtype = (max(0, end - first), *dataset.shape[1:]), np.dtype(dataset.dtype.str)
-        row_bytes = dtype.itemsize * math.prod(shape[1:])
-        offset = dataset.id.get_offset()
-        if offset is None or end * row_bytes > _room_of(dataset):
-            raise ValueError(say("rows {} to {} are wanted and there are fewer", first, end))
-        handle = self._file.id.get_vfd_handle()
-        data = FILES.read_at(handle, shape[0] * row_bytes, offset + first * row_bytes)
-        return np.frombuffer(data, dtype).reshape(shape)
-
-    def _read(self, path: str) -> Any:
-        """Return a dataset; raise UnusableInput where the file is damaged."""
-        with telling_damage(self.path, path):
-            return self._file[path][()]
-
-    def _below(self, group: str) -> dict[str, Any]:
-        with telling_damage(self.path, group):
-            return _tree(self._file[group])
-
-
-def _proves(file: h5py.File) -> bool:
-    """Tell whether a file has the checksum of anything, whatever it says of itself."""
-    groups = ("revolutions", "cycles", "prediction")
-    checksums = (f"{ENTRY}/{group}/{CHECKSUMS[group].name}" for group in groups)
-    return any(path in file for path in (f"{STATE}/{CONFIGURATION_DIGEST}", *checksums))
-
-
-def _room_of(dataset: h5py.Dataset) -> int:
-    """Return the bytes that a dataset has in the file, whatever the length that it shows."""
-    return int(dataset.id.get_storage_size())
-
-
-_OF_HDF5 = ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "DIMENSION_LABELS")
-"""Attributes that make a dataset a dimension, or join it to one."""
-
-
-def _attributes(dataset: h5py.Dataset) -> dict[str, Any]:
-    return {
-        name: value.decode() if isinstance(value, bytes) else value
-        for name, value in dataset.attrs.items()
-        if name not in _OF_HDF5 and not name.startswith("_Netcdf4")
-    }
-
-
-def _tree(group: h5py.Group) -> dict[str, Any]:
-    found: dict[str, Any] = {}
-    for name, item in group.items():
-        if isinstance(item, h5py.Group):
-            found[name] = _tree(item)
-            continue
-        if item is None:
-            raise KeyError(name)
-        if is_bare(item):
-            continue
-        value = item[()]
-        if h5py.check_string_dtype(item.dtype) is not None:
-            texts = np.asarray(value, dtype=object)
-            value = texts.item().decode() if texts.ndim == 0 else [one.decode() for one in texts]
-        elif isinstance(value, np.ndarray):
-            value = value.tolist()
-        else:
-            value = value.item()
-        found[name] = value
-    return found
-
-
-COLUMN_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,99}")
-"""Columns head tables, and channels name files: what else they hold would act there."""
-LONGEST_UNIT = 40
-
-
-def strange_name(column: FileColumn) -> str:
-    """Return why a column cannot be one that this program wrote, or nothing."""
-    if not COLUMN_NAME.fullmatch(column.name):
-        return say("{} is no name of a column", repr(column.name[:80]))
-    if len(column.unit) > LONGEST_UNIT or not column.unit.isprintable() or '"' in column.unit:
-        return say("{} is no unit of a column", repr(column.unit[:80]))
-    return ""
-
-
-def _names(streams: Mapping[str, FileStream]) -> Iterator[FileColumn]:
-    for stream in streams.values():
-        yield from stream.fields
 
 
 def _opened(path: Path) -> h5py.File:

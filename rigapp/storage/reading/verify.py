@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
 from rigapp.storage.reading.reader import TestReader, open_test
+from rigapp.storage.reading.streams import StreamReader
 from rigapp.storage.structure.checksum import cycle_checksum, row_checksums
 from rigapp.storage.structure.hdf import telling_damage
 from rigapp.texts import joined, say, sentence_of_error
@@ -91,7 +92,7 @@ def _few(rows: NDArray[np.int64]) -> str:
     return shown if rows.size <= 8 else say("{} and others", shown)
 
 
-def wrong_rows(reader: TestReader, stream: str, first: int, stop: int) -> NDArray[np.int64]:
+def wrong_rows(reader: StreamReader, stream: str, first: int, stop: int) -> NDArray[np.int64]:
     """Return the rows ``first`` .. ``stop`` of a stream that their checksum does not confirm."""
     if stream in RAGGED:
         return np.flatnonzero(~_confirmed_cycles(reader, stream, first, stop)) + first
@@ -105,7 +106,9 @@ def wrong_rows(reader: TestReader, stream: str, first: int, stop: int) -> NDArra
     return np.concatenate(found)
 
 
-def _confirmed_cycles(reader: TestReader, stream: str, first: int, stop: int) -> NDArray[np.bool_]:
+def _confirmed_cycles(
+    reader: StreamReader, stream: str, first: int, stop: int
+) -> NDArray[np.bool_]:
     found = np.zeros(stop - first, bool)
     fields = reader.fields(stream)
     columns, stored = reader.raw_rows(stream, first, stop)

@@ -6,30 +6,24 @@ import os
 import socket
 import threading
 import time
-import zlib
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
-from rigapp.schema.columns import PROFILE_CURVES, prediction_columns, profile_columns
 from rigapp.schema.messages import Event, PathReport
 from rigapp.storage.filesystem.calls import DiskFull, StorageFailed
 from rigapp.storage.filesystem.disk import Disk
 from rigapp.storage.filesystem.folder import refuse_little_space
-from rigapp.storage.filesystem.system import FILES
+from rigapp.storage.filesystem.rescue import PathWatcher
 from rigapp.storage.structure.build import PAGE
-from rigapp.storage.structure.checksum import cycle_checksum, load_kernel
+from rigapp.storage.structure.checksum import load_kernel
 from rigapp.storage.structure.events import columns_of, is_requested, rows_of, seed_of
 from rigapp.storage.structure.layout import (
-    CHECKPOINT_BYTES,
     END_TIME,
     STATE,
-    WAITING_FIELDS,
     FilePlan,
     FileStream,
     planned_rows,
@@ -44,7 +38,7 @@ from rigapp.storage.writing.create import (
     lengths_of,
     reserve_stream,
 )
-from rigapp.storage.writing.pathwatcher import PathWatcher
+from rigapp.storage.writing.records import CycleWriter, PredictionWriter
 from rigapp.storage.writing.streams import (
     COUNTERS,
     FINAL_STATUSES,
@@ -79,7 +73,8 @@ class TestWriter:
     """Write one test file in place.
 
     ``append_*`` may be called from any thread and never wait for the disk's sync; ``commit`` is
-    meant for a thread of its own, about once a second.
+    meant for a thread of its own, about once a second. Those of cycles are ``CycleWriter``'s, those
+    of the twin ``PredictionWriter``'s.
     """
 
     __test__ = False
@@ -117,10 +112,6 @@ class TestWriter:
             for name, stream in self._streams.items()
         }
         self._rows = self._row_buffer("revolutions", counts.revolutions)
-        self._predictions = self._row_buffer("prediction", counts.prediction)
-        known = [one.name for one in prediction_columns()]
-        stored = (one.name for one in plan.prediction_columns)
-        self._stored_predictions = [known.index(name) for name in stored if name in known]
         self._records = {
             name: RecordPlacer(
                 self._backlog,
@@ -131,16 +122,30 @@ class TestWriter:
             for name in self._streams
             if name not in ("revolutions", "prediction")
         }
-        self._cycle_lock = threading.Lock()
-        self._curve_lock = threading.Lock()
         self._event_lock = threading.Lock()
         self._count_lock = threading.Lock()
         self._commit_lock = threading.Lock()
-        self._keeper = PathWatcher(disk, self._reserve, self._commit_lock)
+        cycles = CycleWriter(self._backlog, self._streams, self._records, counts, self._count_lock)
+        self._twin = PredictionWriter(
+            plan,
+            self._row_buffer("prediction", counts.prediction),
+            self._streams,
+            self._records,
+            counts,
+            self._count_lock,
+            disk,
+            places,
+        )
+        self.append_cycle, self.hold_cycle = cycles.append, cycles.hold
+        self.append_unfinished = cycles.append_unfinished
+        self.append_prediction = self._twin.append
+        self.append_curves, self.append_profile = (
+            self._twin.append_curves,
+            self._twin.append_profile,
+        )
+        self.keep_checkpoint = self._twin.keep_checkpoint
+        self._path_watcher = PathWatcher(disk, self._reserve, self._commit_lock)
         self._samples_synced = counts.samples
-        self._checkpoint: tuple[int, bytes] | None = None
-        self._slot: int | None = None
-        self._held = 0
         self._closed = False
         self._finished = False
         if plan.checksums and plan.revolutions > LONG_TEST:
@@ -187,67 +192,6 @@ class TestWriter:
                 self._rows.count,
             )
 
-    def append_cycle(
-        self,
-        revolution: int,
-        columns: Mapping[str, ArrayLike] | NDArray[Any],
-        why: str = "scheduled",
-        quality: int = 0,
-    ) -> bool:
-        """Append the samples of one whole cycle; False when there is no reserved room for it.
-
-        columns: name -> (samples,) array, or an array (columns, samples) in the plan's order; they
-        must not change afterwards: whoever places them copies them. why, quality: kept
-        where the plan has ``cycle_reason``.
-        """
-        kept = self._append_ragged("cycles", "samples", revolution, columns, why, quality)
-        if not kept:
-            with self._count_lock:
-                self._counts.cycles_refused += 1
-        return kept
-
-    def hold_cycle(
-        self, revolution: int, columns: Mapping[str, ArrayLike], why: str = "", quality: int = 0
-    ) -> None:
-        """Put a whole cycle that may still be kept into the file, over the oldest of its kind.
-
-        It counts only after a crash: see ``rigapp.storage.upkeep.resume``. One that is longer
-        than its place is left out. columns: see ``append_cycle``. why: as it is now, empty while
-        nothing wants it.
-        """
-        stream = self._streams.get("waiting")
-        if stream is None:
-            return
-        values = self._cycle_values(columns)
-        number = len(next(iter(values.values())))
-        row: dict[str, ArrayLike] = {
-            "revolution": [revolution],
-            "count": [number],
-            "quality": [quality],
-            "why": [why],
-        }
-        sampled = [one for one in stream.fields if one.shape]
-        if number > sampled[0].shape[0]:
-            return
-        with self._cycle_lock:
-            slot = self._held % stream.capacity
-            self._held += 1
-            self._backlog.put_later(_size(values), partial(self._place_held, slot, values, row))
-        self._backlog.assist(2)
-
-    def _place_held(
-        self, slot: int, values: Mapping[str, NDArray[Any]], row: dict[str, ArrayLike]
-    ) -> None:
-        stream = self._streams["waiting"]
-        samples = {
-            one.name: np.ascontiguousarray(values[one.name], one.dtype)
-            for one in stream.fields
-            if one.shape
-        }
-        if stream.checksum is not None:
-            row[stream.checksum.name] = [cycle_checksum(samples.values(), WAITING_FIELDS, row)]
-        self._records["waiting"].place(slot, 1, {**row, **samples}, over=True)
-
     def forget_stale(self) -> None:
         """Take the checksums of rows after the last ones away, that a crash left uncounted.
 
@@ -261,144 +205,6 @@ class TestWriter:
                 number = min(STALE_ROWS, stream.capacity - rows)
                 size = stream.checksum.row_bytes
                 self._backlog.put_over([(memoryview(bytes(number * size)), offset + rows * size)])
-
-    def append_unfinished(
-        self, revolution: int, columns: Mapping[str, ArrayLike], quality: int
-    ) -> bool:
-        """Append a revolution that was cut off; False when the file has no room for it."""
-        if "unfinished" not in self._streams:
-            return False
-        return self._append_ragged(
-            "unfinished", "unfinished_samples", revolution, columns, "", quality
-        )
-
-    def _append_ragged(
-        self,
-        index_name: str,
-        samples_name: str,
-        revolution: int,
-        columns: Mapping[str, ArrayLike] | NDArray[Any],
-        why: str,
-        quality: int,
-    ) -> bool:
-        values = self._cycle_values(columns)
-        with self._cycle_lock:
-            counts = self._counts
-            first, row = getattr(counts, samples_name), getattr(counts, index_name)
-            number = len(next(iter(values.values())))
-            samples, index = self._records[samples_name], self._records[index_name]
-            if not (samples.holds(first + number) and index.holds(row + 1)):
-                return False
-            place: dict[str, list[Any]] = {
-                "revolution": [revolution],
-                "first": [first],
-                "count": [number],
-                "quality": [quality],
-                "why": [why],
-            }
-            self._backlog.put_later(
-                _size(values),
-                partial(self._place_ragged, index_name, samples_name, row, values, place),
-            )
-            with self._count_lock:
-                setattr(counts, samples_name, first + number)
-                setattr(counts, index_name, row + 1)
-        self._backlog.assist(2)
-        return True
-
-    def _place_ragged(
-        self,
-        index_name: str,
-        samples_name: str,
-        row: int,
-        values: Mapping[str, NDArray[Any]],
-        place: dict[str, list[Any]],
-    ) -> None:
-        stored = {
-            one.name: np.ascontiguousarray(values[one.name], one.dtype)
-            for one in self._streams[samples_name].fields
-        }
-        self._records[samples_name].place(place["first"][0], place["count"][0], stored)
-        stream = self._streams[index_name]
-        if stream.checksum is not None:
-            crc = cycle_checksum(stored.values(), stream.fields, place)
-            place[stream.checksum.name] = [crc]
-        self._records[index_name].place(row, 1, place)
-
-    def append_prediction(
-        self,
-        values: NDArray[np.float64] | Sequence[float],
-        curves: Mapping[str, ArrayLike] | NDArray[Any] | None = None,
-    ) -> bool:
-        """Append what the twin predicted for one revolution; False when there is no room.
-
-        values: float64, in the order of the plan's prediction columns, the revolution first; in a
-        file of an older version those of ``prediction_columns`` that it has are stored.
-        curves: name -> (points,) array, or (curves, points) in the plan's order, or None.
-        """
-        kept = curves is None or self.append_curves(int(values[0]), curves)
-        if len(values) != len(self.plan.prediction_columns):
-            values = np.asarray(values)[self._stored_predictions]
-        return self._predictions.append(values) and kept
-
-    def append_curves(
-        self, revolution: int, curves: Mapping[str, ArrayLike] | NDArray[Any]
-    ) -> bool:
-        """Append the predicted curves of a revolution; False when there is no room."""
-        names = self.plan.predicted_curves
-        if not isinstance(curves, Mapping):
-            curves = dict(zip(names, np.asarray(curves), strict=True))
-        place: dict[str, ArrayLike] = {f"curve_{name}": curves[name] for name in names}
-        place["curve_revolution"] = [revolution]
-        return self._append_record("curves", place)
-
-    def append_profile(
-        self, values: NDArray[np.float64] | Sequence[float], curves: Mapping[str, ArrayLike]
-    ) -> bool:
-        """Append a worn profile; False when there is no room for it, or the file keeps none.
-
-        values: float64, in the order of ``profile_columns``; curves: mm, by PROFILE_CURVES.
-        """
-        if "profiles" not in self._streams:
-            return False
-        names = [one.name for one in profile_columns()]
-        place: dict[str, ArrayLike] = {
-            f"profile_{name}": [value] for name, value in zip(names, values, strict=True)
-        }
-        place |= {f"profile_{name}": curves[name] for name in PROFILE_CURVES}
-        return self._append_record("profiles", place)
-
-    def _append_record(self, stream: str, values: Mapping[str, ArrayLike]) -> bool:
-        """Append a row to a stream of the twin; False when there is no room for it."""
-        with self._curve_lock:
-            row = getattr(self._counts, stream)
-            if not self._records[stream].holds(row + 1):
-                return False
-            self._records[stream].place(row, 1, values)
-            with self._count_lock:
-                setattr(self._counts, stream, row + 1)
-        return True
-
-    def keep_checkpoint(self, revolution: int, state: bytes) -> None:
-        """Keep the twin's checkpoint; the next commit writes the newest one over the older slot."""
-        if "checkpoints" in self._streams and len(state) <= CHECKPOINT_BYTES:
-            with self._curve_lock:
-                self._checkpoint = (revolution, state)
-
-    def _place_checkpoint(self, checkpoint: tuple[int, bytes]) -> None:
-        revolution, state = checkpoint
-        values: dict[str, ArrayLike] = {
-            "checkpoint_revolution": [revolution],
-            "checkpoint_length": [len(state)],
-            "checkpoint_crc": [zlib.crc32(state)],
-            "checkpoint_state": np.frombuffer(state.ljust(CHECKPOINT_BYTES, b"\0"), np.uint8),
-        }
-        if self._slot is None:
-            offset = self._places["/entry/prediction/checkpoint_revolution"][0]
-            first, second = np.frombuffer(FILES.read_at(self._disk.fd, 16, offset), "<i8")
-            self._slot = 0 if first <= second else 1
-        self._records["checkpoints"].place(self._slot, 1, values, over=True)
-        self._slot = 1 - self._slot
 
     def append_event(self, event: Event) -> bool:
         """Append an event to the log; False, and counted, when the log is full.
@@ -491,8 +297,8 @@ class TestWriter:
 
     def watch_path(self, notice: Callable[[str], object] = lambda _: None) -> PathReport | None:
         """Give a file that was deleted, moved or replaced a name again; see ``PathWatcher``."""
-        with self._keeper.looking:
-            return None if self._closed else self._keeper.look(notice)
+        with self._path_watcher.looking:
+            return None if self._closed else self._path_watcher.look(notice)
 
     def _reserve(self, disk: Disk) -> None:
         for name, stream in self._streams.items():
@@ -537,7 +343,7 @@ class TestWriter:
         if stream == "revolutions":
             return self._rows.count
         if stream == "prediction":
-            return self._predictions.count
+            return self._twin.rows.count
         if stream == "waiting":
             return 0
         with self._count_lock:
@@ -545,7 +351,7 @@ class TestWriter:
 
     def close(self) -> None:
         """Let go of the file; what was not committed is committed if the disk allows it."""
-        with self._keeper.looking, self._commit_lock:
+        with self._path_watcher.looking, self._commit_lock:
             if self._closed:
                 return
             try:
@@ -557,7 +363,7 @@ class TestWriter:
 
     def discard(self) -> None:
         """Let go of a file in which nothing is recorded, and delete it under its name."""
-        with self._keeper.looking, self._commit_lock:
+        with self._path_watcher.looking, self._commit_lock:
             if self._closed:
                 return
             self._closed = self._finished = True
@@ -581,12 +387,11 @@ class TestWriter:
                 if name not in ("revolutions", "prediction")
             }
             samples = self._counts.samples
-        with self._curve_lock:
-            checkpoint, self._checkpoint = self._checkpoint, None
+        checkpoint = self._twin.take_checkpoint()
         now["revolutions"] = self._rows.hand_over_pending()
-        now["prediction"] = self._predictions.hand_over_pending()
+        now["prediction"] = self._twin.rows.hand_over_pending()
         if checkpoint is not None:
-            self._place_checkpoint(checkpoint)
+            self._twin.place_checkpoint(checkpoint)
         self._backlog.drain()
         for room in self._rooms.values():  # before the counters, which never count beyond
             room.show()
@@ -624,23 +429,6 @@ class TestWriter:
                 self._counts.events = first + len(rows)
         return True
 
-    def _cycle_values(
-        self, columns: Mapping[str, ArrayLike] | NDArray[Any]
-    ) -> dict[str, NDArray[Any]]:
-        names = [one.name for one in self._streams["samples"].fields]
-        if isinstance(columns, Mapping):
-            if set(columns) != set(names):
-                odd = joined(", ", sorted(set(columns) ^ set(names)))
-                raise ValueError(
-                    say("a cycle needs exactly the columns of the plan; check {}", odd)
-                )
-            values = {name: np.asarray(columns[name]) for name in names}
-        else:
-            values = dict(zip(names, columns, strict=True))
-        if len({one.shape for one in values.values()}) != 1:
-            raise ValueError(say("the columns of a cycle differ in length"))
-        return values
-
     def _row_buffer(self, name: str, count: int) -> RowBuffer:
         stream = self._streams[name]
         return RowBuffer(
@@ -649,7 +437,3 @@ class TestWriter:
 
     def _offsets(self, stream: FileStream) -> dict[str, int]:
         return {one.name: self._places[stream.path(one.name)][0] for one in stream.stored}
-
-
-def _size(values: Mapping[str, NDArray[Any]]) -> int:
-    return sum(one.nbytes for one in values.values())
