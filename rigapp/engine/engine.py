@@ -9,31 +9,34 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
-from rigapp.checks.check import refuse_blocked
-from rigapp.checks.fit import overload_check
-from rigapp.config.consistency import overspeed_faults
-from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
-from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
+from rigapp.engine.commands import (
+    ended_by,
+    extend,
+    set_limit,
+    start_test,
+)
 from rigapp.engine.connectedrig import ConnectedRig
 from rigapp.engine.connection import Connection, lost_device
-from rigapp.engine.core import NO_FILE, Core
+from rigapp.engine.core import Core
 from rigapp.engine.devices import Devices, LoadDriver, make_devices
-from rigapp.engine.drive.driving import Ramp
 from rigapp.engine.drive.timing import Timing
-from rigapp.engine.identifying import identity_words
-from rigapp.engine.judging.limits import changed_limits
 from rigapp.engine.publish import Subscription
-from rigapp.engine.recording.store import OpenRequest, OpenStore, open_file
-from rigapp.engine.resting import SignalView, hear, note_rest, signals_at_rest, take_zero
-from rigapp.engine.starting import check_start, open_test
+from rigapp.engine.recording.store import OpenStore, open_file
+from rigapp.engine.resting import (
+    RigAtRest,
+    SignalView,
+    hear,
+    signals_at_rest,
+    take_zero,
+    use_records,
+)
 from rigapp.engine.supervisor import Supervisor
-from rigapp.engine.values.calibrate import Calibration, calibration_of
+from rigapp.engine.values.calibrate import calibration_of
 from rigapp.engine.views import build_status, next_step
 from rigapp.engine.wirerecording import WireRecording
 from rigapp.process.awake import StayAwake
@@ -41,7 +44,7 @@ from rigapp.process.memory import give_back
 from rigapp.process.threads import CommandLock
 from rigapp.schema.alarms import Cause, make_alarm
 from rigapp.schema.details import error_text
-from rigapp.schema.loglines import LIMIT_CHANGED, SPECIMEN, LimitChange, RestSignals, SpecimenWear
+from rigapp.schema.loglines import LogEntry, SpecimenWear
 from rigapp.schema.messages import (
     Ends,
     FinishReason,
@@ -63,34 +66,12 @@ from rigapp.schema.states import (
     refuse_long,
     transition,
 )
-from rigapp.texts import Sentence, capitalised, joined, say
+from rigapp.texts import joined, say
 from rigapp_drivers.api import DeviceError, DeviceFault
 from rigapp_drivers.registry import load_driver
 
 COMMAND_WAIT_S = 10.0
 """A command waits so long for the one before it; stopping waits for none."""
-
-EXTENDABLE = frozenset({RunState.STARTING, RunState.RUNNING, RunState.PAUSING, RunState.PAUSED})
-
-
-@dataclass(frozen=True, slots=True)
-class LogEntry:
-    """An entry for the log: kind, text, who, values before and after."""
-
-    kind: str
-    text: str
-    who: str
-    before: str = ""
-    after: str = ""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class RigAtRest:
-    """The rig before a test: calibration in use, device settings, the load cell at rest (mV/V)."""
-
-    calibration: Calibration
-    devices: Mapping[str, Mapping[str, str | float | int]]
-    signals: RestSignals | None
 
 
 class Engine:
@@ -272,54 +253,18 @@ class Engine:
             raise Refused("no devices are connected; connect first")
         give_back()  # what the test before had: the crank stands, and a pause harms nothing
         self._operator = operator
-        processor = connection.rig.processor
-        processor.use(processor.calibration.under(test.record.model.mechanism.gravity_m_s2))
-        monitor = check_start(core, connection.rig, test)
-        rest = signals_at_rest(core, connection.rig)
-        request = OpenRequest(
-            path=path,
-            rig=core.rig,
-            test=test,
-            calibration=processor.calibration,
-            devices=dict(connection.devices.readback),
-            records=self._records,
+        start_test(
+            core,
+            connection,
+            self._open_store,
+            test,
+            path,
             operator=operator,
             resume=resume,
-            rest=rest,
+            remarks=remarks,
             worn=worn,
+            records=self._records,
         )
-        active = open_test(core, connection.rig, request, monitor, self._open_store)
-        core.publisher.restart(active.recorder.rows)
-        core.test = active
-        if core.awake is not None:
-            core.awake.begin()
-        connection.rig.control.arm(Ramp(active.target_rpm, active.ramp_rpm_per_s))
-        try:
-            core.fire(Trigger.START, say("started by {}", operator) if operator else "")
-        except Refused as error:
-            active.finished = True
-            sentence = say("The test did not start: {}", core.reason or error)
-            if not active.recorder.finish(
-                "fault", core.fault_code.value, sentence, keep_empty=resume
-            ):
-                sentence = say("{} {}", sentence, NO_FILE)
-            active.outcome = Finished(core.fault_code, sentence, "fault", 0, str(path))
-            core.sleep_again()
-            raise
-        for name, readback in connection.devices.readback.items():
-            core.event("device", name, identity_words(readback))
-        for remark in remarks:
-            core.event(remark.kind, remark.who, remark.text, remark.before, remark.after)
-        if worn is not None:
-            words = say("worn by {:.1f} +/- {:.1f} um", worn.depth_um, worn.uncertainty_um)
-            where = say("revolution {} of {}", worn.revolution, worn.file)
-            core.event(
-                SPECIMEN, "engine", say("the specimen is {} since {}", words, where), data=worn
-            )
-        note_rest(core, rest)
-        connection.motion.begin_test()
-        with connection.motion.turning():
-            connection.rig.control.run()
 
     def pause(self, operator: str = "", reason: str = "") -> None:
         """Slow down and come to rest at the safe angle; the drive holds the crank there.
@@ -468,24 +413,7 @@ class Engine:
         of the test, for example ``force_max.critical_above``. Raises Refused, UnusableInput.
         """
         with self._command:
-            active = self._core.test
-            if active is None or self._core.state not in ACTIVE:
-                raise Refused("limits are changed in the test file while no test is under way")
-            before, limits = changed_limits(active.limits, name, value, self._core.table)
-            for fault in overspeed_faults(limits, active.sequence):
-                raise UnusableInput(fault)
-            refuse_blocked([overload_check(limits.overload_N, self._core.rig.record)])
-            active.run.monitor.replace(limits.rule)
-            active.limits = limits
-            self._core.event(
-                LIMIT_CHANGED,
-                operator or "operator",
-                say("limit {} changed{}", name, _why(reason)),
-                before=f"{before:g}" if before is not None else "none",
-                after=f"{value:g}",
-                key=name,
-                data=LimitChange(before, float(value)),
-            )
+            set_limit(self._core, name, value, operator, reason)
 
     def extend(self, revolutions: int, operator: str = "", reason: str = "") -> None:
         """Let the test under way end after another number of revolutions; logged.
@@ -494,26 +422,7 @@ class Engine:
         or the disk has no room for them.
         """
         with self._command:
-            core, active = self._core, self._core.test
-            if active is None or core.state not in EXTENDABLE or active.run.complete:
-                raise Refused("the number of revolutions is changed while a test runs or is paused")
-            run = active.run
-            wrong = refusal("run.revolutions", revolutions)
-            if wrong:
-                raise UnusableInput(wrong)
-            core.require(
-                revolutions > run.number + 1,
-                say(
-                    "revolution {} is made already; the test can end after a later one than {}",
-                    run.number,
-                    run.number + 1,
-                ),
-            )
-            before = run.planned
-            active.recorder.extend(revolutions)
-            run.planned = revolutions
-            text = say("the test shall end after {} revolutions{}", revolutions, _why(reason))
-            core.event("command", operator or "operator", text, str(before), str(revolutions))
+            extend(self._core, revolutions, operator, reason)
 
     def zero(
         self, what: Sequence[str] = ("load_cell",), operator: str = "", reason: str = ""
@@ -538,17 +447,8 @@ class Engine:
         Refused and UnusableInput; nothing is changed then.
         """
         with self._command:
-            core, connection = self._core, self._connection
-            if core.state in ACTIVE:
-                raise Refused("a test is under way; stop it first")
-            if connection is not None:
-                before = connection.rig.processor.calibration
-                calibration = calibration_of(rig.record, connection.rig.setup)
-                if rig.record.load_cell == core.rig.record.load_cell:
-                    cell = before.load_cell
-                    calibration = calibration.with_tare(cell.tare.tolist(), cell.tare_angle)
-                connection.rig.processor.use(calibration)
-            core.rig, self._records = rig, dict(records)
+            use_records(self._core, self._connection, rig)
+            self._records = dict(records)
 
     def set_tare(self, tare: Sequence[float], angle: float | None = None) -> None:
         """Use the tare of an earlier part of a test (mV/V); only while no test is under way.
@@ -637,15 +537,3 @@ class Engine:
         core.publisher.prediction(values, prediction)
         if self._connection is not None:
             self._connection.guard.predicted(active, values)
-
-
-def ended_by(operator: str, reason: str, *, off: bool) -> Sentence:
-    """Return that somebody ended a test; reason: in their own words, never translated."""
-    who = capitalised(operator) or say("The operator")
-    done = say("{} switched the drive off", who) if off else say("{} stopped the test", who)
-    return done + (_why(reason) or ".")
-
-
-def _why(reason: str) -> str:
-    """Return a reason as it follows what was done; empty without one."""
-    return say(": {}", reason.strip()) if reason.strip() else ""

@@ -12,13 +12,13 @@ from rigapp.engine.activetest import ActiveTest
 from rigapp.engine.connectedrig import ConnectedRig
 from rigapp.engine.core import Core
 from rigapp.engine.crankmotion import CrankMotion
-from rigapp.engine.gapwatch import GapWatch
 from rigapp.engine.judging.checks import LATE_S, SpeedComparison, direction_mismatch
 from rigapp.engine.judging.criteria import CriterionMet
 from rigapp.engine.judging.depthwatch import DEPTH_COLUMNS
 from rigapp.engine.judging.limits import LevelPassed
 from rigapp.engine.judging.testrun import Row
 from rigapp.engine.samples.assembler import Revolution
+from rigapp.engine.watches import GapWatch
 from rigapp.schema.alarms import key_of, make_alarm
 from rigapp.schema.channels import LOAD_CELL
 from rigapp.schema.columns import by_name, prediction_columns

@@ -7,23 +7,27 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Mapping
 from contextlib import suppress
+from dataclasses import dataclass
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.checks.fit import LIGHT_PIN
+from rigapp.config.loading import Document
+from rigapp.config.rig import RigFile
 from rigapp.engine.activetest import ActiveTest, Rest
 from rigapp.engine.connectedrig import ConnectedRig
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
 from rigapp.engine.processing import Averaging
-from rigapp.engine.values.calibrate import Calibration
+from rigapp.engine.values.calibrate import Calibration, calibration_of
 from rigapp.schema.channels import LOAD_CELL
 from rigapp.schema.loglines import REST, RestSignals
 from rigapp.schema.messages import RunState
-from rigapp.schema.states import Refused
+from rigapp.schema.states import ACTIVE, Refused
 from rigapp.texts import say
 from rigapp_drivers.api import DeviceError
 
@@ -31,6 +35,15 @@ Array = NDArray[np.float64]
 
 REST_SHARE = 0.4
 """The signals at rest are averaged over this share of the time for a zero."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RigAtRest:
+    """The rig before a test: calibration in use, device settings, the load cell at rest (mV/V)."""
+
+    calibration: Calibration
+    devices: Mapping[str, Mapping[str, str | float | int]]
+    signals: RestSignals | None
 
 
 def take_zero(core: Core, rig: ConnectedRig | None, operator: str, reason: str) -> Array:
@@ -65,6 +78,20 @@ def take_zero(core: Core, rig: ConnectedRig | None, operator: str, reason: str) 
     shown = [np.array2string(one, precision=6) for one in (before, tare)]
     core.event("zero", operator or "operator", say("load cell zeroed{}", why), shown[0], shown[1])
     return tare
+
+
+def use_records(core: Core, connection: Connection | None, rig: Document[RigFile]) -> None:
+    """Use a rig file with the numbers of other records; see ``Engine.use_records``."""
+    if core.state in ACTIVE:
+        raise Refused("a test is under way; stop it first")
+    if connection is not None:
+        before = connection.rig.processor.calibration
+        calibration = calibration_of(rig.record, connection.rig.setup)
+        if rig.record.load_cell == core.rig.record.load_cell:
+            cell = before.load_cell
+            calibration = calibration.with_tare(cell.tare.tolist(), cell.tare_angle)
+        connection.rig.processor.use(calibration)
+    core.rig = rig
 
 
 def averaged(rig: ConnectedRig, seconds: float, patience_s: float) -> Averaging:
@@ -197,9 +224,9 @@ def hear(
 
 def _quadratic(calibration: Calibration) -> list[list[float]] | None:
     cell = calibration.load_cell
-    if not cell.bend.any():
+    if not cell.quadratic_terms.any():
         return None
-    quadratic: list[list[float]] = np.linalg.solve(cell.matrix, cell.bend).tolist()
+    quadratic: list[list[float]] = np.linalg.solve(cell.matrix, cell.quadratic_terms).tolist()
     return quadratic
 
 

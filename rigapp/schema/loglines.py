@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import Final, Literal, TypeVar
 
 import msgspec
@@ -30,6 +31,17 @@ WORDS: Final[dict[str, Sentence]] = {
     "unshelved": say("no longer shelved"),
 }
 What = Literal["raised", "cleared", "acknowledged", "shelved", "unshelved", "reset"]
+
+
+@dataclass(frozen=True, slots=True)
+class LogEntry:
+    """An entry for the log: kind, text, who, values before and after."""
+
+    kind: str
+    text: str
+    who: str
+    before: str = ""
+    after: str = ""
 
 
 class AlarmChange(msgspec.Struct, frozen=True, omit_defaults=True):

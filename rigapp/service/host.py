@@ -25,7 +25,7 @@ from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.config.sequence import Sequence
 from rigapp.engine.devices import plan_devices
-from rigapp.engine.engine import Engine, LogEntry
+from rigapp.engine.engine import Engine
 from rigapp.notify.channels import DeliveryChannels, inspected, ways_of
 from rigapp.notify.facts import NotifierSetup
 from rigapp.notify.link import NotifierLink
@@ -34,7 +34,7 @@ from rigapp.process.logs import beside, in_file
 from rigapp.process.private import private_folder
 from rigapp.process.threads import CommandLock
 from rigapp.queue.worker import QueueActions
-from rigapp.schema.loglines import SpecimenWear
+from rigapp.schema.loglines import LogEntry, SpecimenWear
 from rigapp.schema.messages import (
     AT_REST,
     Recovery,

@@ -25,11 +25,11 @@ from rigapp.checks.start import record_advice
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_rig
 from rigapp.config.rig import DeviceSection, RigFile
-from rigapp.engine.engine import LogEntry
 from rigapp.engine.recording.store import calibration_record, missing_channels
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.channels import ChannelTable, Kind
 from rigapp.schema.loglines import (
+    LogEntry,
     RestSignals,
     SpecimenWear,
     rest_signals,

@@ -28,7 +28,7 @@ def calibration_by_hand(
     latency_s: Sequence[float] | Array = (0.0, 0.0, 0.0, 0.0),
     scale: Sequence[float] | Array = (1.0, 1.0, 1.0, 1.0),
     offset: Sequence[float] | Array = (0.0, 0.0, 0.0, 0.0),
-    bend: Array | None = None,
+    quadratic_terms: Array | None = None,
     tare: Array | None = None,
     index_angle_rad: float = 0.0,
     correction: Any = None,
@@ -63,7 +63,7 @@ def calibration_by_hand(
             matrix,
             np.zeros(2) if zero is None else zero,
             np.zeros(2) if tare is None else tare,
-            np.zeros((2, 3)) if bend is None else bend,
+            np.zeros((2, 3)) if quadratic_terms is None else quadratic_terms,
         ),
         probes=ProbePair(
             sensitivity,

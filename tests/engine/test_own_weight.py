@@ -33,7 +33,7 @@ def cell(weight_N: float = WEIGHT_N, bend: float = 0.0) -> Calibration:
         matrix=np.array([[200.0, 3.0], [-4.0, 190.0]]),
         sensitivity=np.array([100.0, 90.0]),
         zero=np.array([0.01, -0.02]),
-        bend=np.full((2, 3), bend),
+        quadratic_terms=np.full((2, 3), bend),
         index_angle_rad=0.3,
     )
     return replace(kind, load_cell=replace(kind.load_cell, pin_weight=weight_N))
@@ -47,7 +47,7 @@ def felt(kind: Calibration, angle: np.ndarray, joint: tuple[float, float]) -> np
     on_pin = -np.array(joint)[:, None] - WEIGHT_N * np.array([np.sin(angle), np.cos(angle)])
     force = -on_pin
     one, two = force
-    linear = force - kind.load_cell.bend @ np.array([one * one, one * two, two * two])
+    linear = force - kind.load_cell.quadratic_terms @ np.array([one * one, one * two, two * two])
     return np.linalg.solve(kind.load_cell.matrix, -linear) + kind.load_cell.zero[:, None]
 
 

@@ -18,10 +18,10 @@ from rigapp.engine.drive.sequences import (
     StandstillEvidence,
     StopSequence,
 )
-from rigapp.engine.gapwatch import LATE_S, LagWatch
 from rigapp.engine.publish import NoticeStream
 from rigapp.engine.samples.buffers import BlockQueue
 from rigapp.engine.samples.motion import MotionWindow, Point
+from rigapp.engine.watches import LATE_S, LagWatch
 from rigapp.process.threads import Worker
 from rigapp.schema.messages import FinishReason, RunState
 from rigapp.schema.notices import Committed, Finished, StateChanged

@@ -19,7 +19,7 @@ from rigapp.config.loading import parse_rig, parse_test, read_parameters
 from rigapp.config.ranges import keys_of, refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
-from rigapp.engine.engine import ended_by
+from rigapp.engine.commands import ended_by
 from rigapp.gui.language import speak_language
 from rigapp.presentation.catalogue import LANGUAGES, contexts
 from rigapp.presentation.translation import ENGLISH, translate

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.engine.samples.assembler import Values
-from rigapp.engine.values.bend import linearised
 from rigapp.engine.values.calibrate import Calibration
+from rigapp.engine.values.quadratic import linearised
 from rigapp.schema.channels import LOAD_CELL
 from rigapp.texts import say
 from rigapp_drivers.api import Block, Quality
@@ -31,7 +31,7 @@ def _peak(
     raw_2: Array,
     gain: Array,
     bias: Array,
-    bend: Array,
+    quadratic_terms: Array,
     own: Array,
     count: float,
     step: float,
@@ -40,12 +40,12 @@ def _peak(
     turn = own.shape[1]
     curved = False
     for j in range(3):
-        curved = curved or bend[0, j] != 0.0 or bend[1, j] != 0.0
+        curved = curved or quadratic_terms[0, j] != 0.0 or quadratic_terms[1, j] != 0.0
     for i in range(raw_1.shape[0]):
         x = gain[0, 0] * raw_1[i] + gain[0, 1] * raw_2[i] + bias[0]
         y = gain[1, 0] * raw_1[i] + gain[1, 1] * raw_2[i] + bias[1]
         if curved:
-            x, y = linearised(x, y, bend)
+            x, y = linearised(x, y, quadratic_terms)
         if turn > 0:
             k = math.floor(count + step * i) % turn
             x += own[0, k]
@@ -73,7 +73,7 @@ class PeakForce:
     def __init__(self, calibration: Calibration) -> None:
         self._rows = [calibration.rows[i] for i in calibration.place(LOAD_CELL)]
         self._gain, self._bias = calibration.force_gain()
-        self._bend = calibration.load_cell.bend
+        self._quadratic_terms = calibration.load_cell.quadratic_terms
         self._own = calibration.own_weight
         self.needs_angle = self._own.size > 0
 
@@ -90,7 +90,7 @@ class PeakForce:
             values[second],
             self._gain,
             self._bias,
-            self._bend,
+            self._quadratic_terms,
             own,
             *(turning or (0.0, 0.0)),
         )

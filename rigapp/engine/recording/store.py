@@ -277,7 +277,7 @@ def calibration_record(calibration: Calibration) -> dict[str, Any]:
         LOAD_CELL: {
             "record": cell.record,
             "matrix_N_per_mV_per_V": cell.matrix.tolist(),
-            "bend_per_N": cell.bend.tolist(),
+            "bend_per_N": cell.quadratic_terms.tolist(),
             "zero_mV_per_V": cell.zero.tolist(),
             "tare_mV_per_V": cell.tare.tolist(),
             "pin_weight_in_plane_N": cell.pull.tolist(),

@@ -31,9 +31,9 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
 from rigapp.engine.samples.assembler import EncoderSetup, Margins, Revolution, Values
 from rigapp.engine.samples.sampleclock import PulseRate
-from rigapp.engine.values.bend import invertible, straight
 from rigapp.engine.values.instruments import Counter, InputLine, LoadCell, ProbePair, Wire
 from rigapp.engine.values.probes import probe_correction
+from rigapp.engine.values.quadratic import invertible, linearised_forces
 from rigapp.engine.values.table import follow
 from rigapp.schema.channels import LOAD_CELL, PROBES, ChannelTable, Kind
 from rigapp.texts import joined
@@ -141,7 +141,9 @@ class Calibration:
         values = np.empty_like(raw)
         pair = self.place(LOAD_CELL)
         gain, bias = self.force_gain()
-        values[pair] = straight(gain @ raw[pair] + bias[:, None], self.load_cell.bend)
+        values[pair] = linearised_forces(
+            gain @ raw[pair] + bias[:, None], self.load_cell.quadratic_terms
+        )
         own = self.own_weight
         if own.size and counts is not None:
             values[pair] += own[:, counts % own.shape[1]]
@@ -343,7 +345,7 @@ def _load_cell(rig: RigFile) -> LoadCell:
     return LoadCell(
         matrix=matrix,
         zero=np.array(rig.load_cell.zero_mV_per_V, np.float64),
-        bend=_bend(rig, matrix),
+        quadratic_terms=_quadratic_terms(rig, matrix),
         record=rig.load_cell.calibration,
         pin_weight=rig.load_cell.pin_weight_N,
     )
@@ -397,17 +399,17 @@ def _spec(setup: StreamSetup, name: str, key: str) -> tuple[int, ChannelSpec]:
     )
 
 
-def _bend(rig: RigFile, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+def _quadratic_terms(rig: RigFile, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the quadratic terms for joint forces (2, 3), 1/N; raise UnusableInput."""
     cell = rig.load_cell
     if cell.quadratic_mV_per_V_per_N2 is None:
         return np.zeros((2, 3))
-    bend = np.ascontiguousarray(matrix @ np.array(cell.quadratic_mV_per_V_per_N2, np.float64))
-    reach = math.sqrt(2.0) * cell.range_mV_per_V * float(np.linalg.norm(matrix, 2))
-    if not invertible(bend, reach):
+    terms = np.ascontiguousarray(matrix @ np.array(cell.quadratic_mV_per_V_per_N2, np.float64))
+    largest_N = math.sqrt(2.0) * cell.range_mV_per_V * float(np.linalg.norm(matrix, 2))
+    if not invertible(terms, largest_N):
         raise UnusableInput(
             "rig file: load_cell.quadratic_mV_per_V_per_N2: the quadratic terms are so"
             " large that signals within the input range mean two forces; calibrate the"
             " load cell again over the range that is used"
         )
-    return bend
+    return terms

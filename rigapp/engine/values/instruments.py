@@ -54,9 +54,10 @@ class Counter:
 class LoadCell:
     """Two bridges in the pin: the joint force F follows from both signals at once.
 
-    With the linear force G = - matrix (signal - zero - tare) it is G + bend (F1^2, F1 F2, F2^2).
+    With the linear force G = - matrix (signal - zero - tare) it is G + B (F1^2, F1 F2, F2^2).
     matrix: (2, 2) N per signal unit. zero: (2,) signal units; tare: (2,) found with the pin
-    unloaded, at tare_angle (rad, None where it was not known). bend: (2, 3) 1/N, see ``bend``.
+    unloaded, at tare_angle (rad, None where it was not known). quadratic_terms: B, (2, 3) 1/N, see
+    ``quadratic``.
     record: name of the calibration record, empty without. pin_weight: N, of the pin outboard of the
     gauges, which is no force of the follower and turns about the cell; pull: (2,) N, what of it
     acts in the plane of the crank, along the slider's way and across it, by the gravity of a test.
@@ -65,7 +66,7 @@ class LoadCell:
     matrix: Array
     zero: Array = field(default_factory=lambda: np.zeros(2))
     tare: Array = field(default_factory=lambda: np.zeros(2))
-    bend: Array = field(default_factory=lambda: np.zeros((2, 3)))
+    quadratic_terms: Array = field(default_factory=lambda: np.zeros((2, 3)))
     record: str = ""
     pin_weight: float = 0.0
     pull: Array = field(default_factory=lambda: np.zeros(2))

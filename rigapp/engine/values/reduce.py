@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.engine.samples.assembler import STANDSTILL_S, Revolution
-from rigapp.engine.values.bend import straighten
 from rigapp.engine.values.calibrate import Calibration, Measured, with_margins
+from rigapp.engine.values.quadratic import linearise_rows
 from rigapp.engine.values.table import follow
 from rigapp.schema.channels import LOAD_CELL, STATISTICS
 from rigapp_model.compiled import njit
@@ -144,7 +144,7 @@ def _forces(
     part: Array,
     gain: Array,
     bias: Array,
-    bend: Array,
+    quadratic_terms: Array,
     own: Array,
     counts: NDArray[np.int64],
     segments: NDArray[np.int64],
@@ -185,9 +185,9 @@ def _forces(
             total[i] = math.sqrt(x * x + y * y)
     curved = False
     for j in range(3):
-        curved = curved or bend[0, j] != 0.0 or bend[1, j] != 0.0
+        curved = curved or quadratic_terms[0, j] != 0.0 or quadratic_terms[1, j] != 0.0
     if curved:
-        straighten(first, second, total, n, bend)
+        linearise_rows(first, second, total, n, quadratic_terms)
     turn = own.shape[1]
     if turn > 0:
         for i in range(n):
@@ -335,7 +335,7 @@ class Reducer:
             self._pair_part,
             self._gain,
             self._bias,
-            self.calibration.load_cell.bend,
+            self.calibration.load_cell.quadratic_terms,
             self.calibration.own_weight,
             counts,
             revolution.segments,

@@ -5,8 +5,8 @@ the linear joint force G = -inverse(A) (signal - zero) and F = -f it becomes
 
     F = G + B (F1^2, F1 F2, F2^2),    B = inverse(A) Q  (2, 3), 1/N,
 
-which Newton's method solves from F = G. ``STEPS`` steps are exact to rounding wherever
-``invertible`` holds; every quantity that the engine tells of a force goes through here.
+which Newton's method solves from F = G; B is ``b`` below. ``STEPS`` steps are exact to rounding
+wherever ``invertible`` holds; every quantity of a force in the engine goes through here.
 """
 
 # mypy: disable-error-code="untyped-decorator, no-any-return"
@@ -27,12 +27,12 @@ LARGEST_SLOPE = 0.4
 """How far the quadratic terms may turn the slope of the cell before it cannot be inverted."""
 
 
-def invertible(bend: Array, reach: float) -> bool:
-    """Tell whether forces up to ``reach`` (N) follow from signals without doubt.
+def invertible(b: Array, largest: float) -> bool:
+    """Tell whether forces up to ``largest`` (N) follow from signals without doubt.
 
     The slope of B q(F) is at most 2 |B| |F|; below ``LARGEST_SLOPE`` the map is one to one.
     """
-    return bool(2.0 * float(np.linalg.norm(bend)) * reach <= LARGEST_SLOPE)
+    return bool(2.0 * float(np.linalg.norm(b)) * largest <= LARGEST_SLOPE)
 
 
 @njit(
@@ -41,16 +41,16 @@ def invertible(bend: Array, reach: float) -> bool:
     nogil=True,
     error_model="numpy",
 )
-def linearised(x: float, y: float, bend: Array) -> tuple[float, float]:
+def linearised(x: float, y: float, b: Array) -> tuple[float, float]:
     """Return the joint force (N) whose linear image is (x, y)."""
     u, v = x, y
     for _ in range(STEPS):
-        r1 = u - x - bend[0, 0] * u * u - bend[0, 1] * u * v - bend[0, 2] * v * v
-        r2 = v - y - bend[1, 0] * u * u - bend[1, 1] * u * v - bend[1, 2] * v * v
-        j11 = 1.0 - 2.0 * bend[0, 0] * u - bend[0, 1] * v
-        j12 = -bend[0, 1] * u - 2.0 * bend[0, 2] * v
-        j21 = -2.0 * bend[1, 0] * u - bend[1, 1] * v
-        j22 = 1.0 - bend[1, 1] * u - 2.0 * bend[1, 2] * v
+        r1 = u - x - b[0, 0] * u * u - b[0, 1] * u * v - b[0, 2] * v * v
+        r2 = v - y - b[1, 0] * u * u - b[1, 1] * u * v - b[1, 2] * v * v
+        j11 = 1.0 - 2.0 * b[0, 0] * u - b[0, 1] * v
+        j12 = -b[0, 1] * u - 2.0 * b[0, 2] * v
+        j21 = -2.0 * b[1, 0] * u - b[1, 1] * v
+        j22 = 1.0 - b[1, 1] * u - 2.0 * b[1, 2] * v
         scale = 1.0 / (j11 * j22 - j12 * j21)
         u -= scale * (j22 * r1 - j12 * r2)
         v -= scale * (j11 * r2 - j21 * r1)
@@ -63,19 +63,19 @@ def linearised(x: float, y: float, bend: Array) -> tuple[float, float]:
     nogil=True,
     error_model="numpy",
 )
-def straighten(first: Array, second: Array, total: Array, n: int, bend: Array) -> None:
+def linearise_rows(first: Array, second: Array, total: Array, n: int, b: Array) -> None:
     """Replace linear joint forces first[:n], second[:n] by the true ones; total[:n] becomes |F|."""
     for i in range(n):
-        x, y = linearised(first[i], second[i], bend)
+        x, y = linearised(first[i], second[i], b)
         first[i] = x
         second[i] = y
         total[i] = math.sqrt(x * x + y * y)
 
 
-def straight(force: Array, bend: Array) -> Array:
+def linearised_forces(force: Array, b: Array) -> Array:
     """Return the joint forces (2, samples) of linear ones (2, samples)."""
-    if not bend.any():
+    if not b.any():
         return force
     first, second = np.array(force[0], np.float64), np.array(force[1], np.float64)
-    straighten(first, second, np.empty_like(first), len(first), bend)
+    linearise_rows(first, second, np.empty_like(first), len(first), b)
     return np.stack((first, second))
