@@ -135,6 +135,13 @@ def check_shape(record: Record) -> None:
             ) from error
 
 
+def checked_record(data: bytes) -> Record:
+    """Read a record and verify its digest, parts and dates; raise RecordError."""
+    record = unseal(data)
+    check_shape(record)
+    return record
+
+
 def in_future(record: Record, now: float) -> str:
     """Return why the date of a record cannot be, empty when it can."""
     stated = str(record.content["calibrated_at"])

@@ -165,7 +165,7 @@ def wire(
     seconds: Annotated[float, option("--seconds", "How long to record, with --bug-report.")] = 10.0,
 ) -> int:
     """Show what a device and the program said on a recorded line, decoded by its driver."""
-    from rigapp.commands.wire import report_lines, show_line
+    from rigapp.commands.status import report_lines, show_line
 
     if report is not None:
         return report_lines(file, report, seconds)

@@ -26,10 +26,9 @@ from rigapp_calibration.records import (
     Record,
     RecordChanged,
     RecordError,
-    check_shape,
+    checked_record,
     in_future,
     seal,
-    unseal,
 )
 from rigapp_calibration.signatures import UnusableKey, fingerprint, new_key, public_key_of, sign
 from rigapp_calibration.taking.readings import ReadingsError
@@ -104,9 +103,7 @@ def make_worksheet(settings: Path, to: Path, plan: str, weights: str) -> int:
 def read_record(path: Path) -> Record:
     """Return a record; raise UnusableInput for what is none."""
     try:
-        record = unseal(read_bytes(path))
-        check_shape(record)
-        return record
+        return checked_record(read_bytes(path))
     except OSError as error:
         raise UnusableInput(f"{path}: the record cannot be read ({error.strerror}).") from error
     except RecordError as error:
@@ -120,8 +117,7 @@ def show_trend(folder: Path, to: Path | None, *, as_json: bool) -> int:
     series: dict[tuple[str, str], list[Record]] = {}
     for path in sorted(folder.rglob("*.json")):
         try:
-            record = unseal(path.read_bytes())
-            check_shape(record)
+            record = checked_record(path.read_bytes())
             series.setdefault((record.kind, item_of(record)), []).append(record)
         except (OSError, *MALFORMED):
             continue  # journals, results, records that were changed: verify names these
@@ -295,9 +291,7 @@ def _read(path: Path) -> tuple[bytes, Record]:
     """Return a record and its bytes; raise RecordChanged, or UnusableInput for what is none."""
     try:
         data = path.read_bytes()
-        record = unseal(data)
-        check_shape(record)
-        return data, record
+        return data, checked_record(data)
     except FileNotFoundError as error:
         raise UnusableInput(f"{path}: there is no such record; check the name.") from error
     except RecordChanged:

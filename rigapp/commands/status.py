@@ -1,17 +1,25 @@
-"""`rigapp status`: the engines that run, each in a few lines."""
+"""What is said of rigs: `rigapp status` of engines that run, `rigapp wire` of recorded lines."""
 
 from __future__ import annotations
 
 import json
+import os
+import sys
+import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
+from rigapp.config.names import login_name
 from rigapp.engine.devices import LoadDriver, make_devices
-from rigapp.service.launch import find_engine
+from rigapp.schema.messages import Status
+from rigapp.service.client import Client, EngineUnreachable
+from rigapp.service.launch import attach, find_engine
 from rigapp_drivers.api import DriveStatus
-from rigapp_drivers.registry import load_driver
+from rigapp_drivers.registry import DriverNotFound, load_driver
+from rigapp_drivers.wire.trace import RecordKind, TraceError, WireRecord, WireTrace, read_trace
 
 ANSWER_S = 5.0  # far longer than an engine that runs takes
 
@@ -32,9 +40,6 @@ def show_engines(rig: Path | None, *, as_json: bool) -> int:
 
 
 def _entries(rig: Path | None) -> list[Any]:
-    import os
-
-    from rigapp.service.launch import find_engine
     from rigapp.service.registry import read_entry, running_engines
 
     if rig is not None:
@@ -45,8 +50,6 @@ def _entries(rig: Path | None) -> list[Any]:
 
 
 def _requested(entry: Any) -> dict[str, Any]:
-    from rigapp.service.client import Client, EngineUnreachable
-
     shown: dict[str, Any] = {"pid": entry.pid, "rig_file": entry.rig}
     try:
         client = Client(entry, look=False)
@@ -61,7 +64,7 @@ def _requested(entry: Any) -> dict[str, Any]:
     if not reply.ok:
         return {**shown, "problem": reply.sentence}
     status = reply.result
-    shown |= _told(status)
+    shown |= _state_words(status)
     names = (
         "state", "reason", "rig", "test", "file", "revolution", "planned", "committed",
         "speed_rpm", "data_age_s", "in_command", "simulated",
@@ -81,14 +84,13 @@ def _requested(entry: Any) -> dict[str, Any]:
     }
 
 
-def _told(result: Any) -> dict[str, str]:
+def _state_words(result: Any) -> dict[str, str]:
     """Return the state of a status in a word and in a line, as the window says them."""
     from rigapp.presentation.states import state_details, state_line, state_word
-    from rigapp.schema.messages import Status
 
     status = Status.of_tree(result)
-    told = {"state_word": state_word, "state_line": state_line, "state_details": state_details}
-    return {name: tell(status) for name, tell in told.items()}
+    texts = {"state_word": state_word, "state_line": state_line, "state_details": state_details}
+    return {name: text_of(status) for name, text_of in texts.items()}
 
 
 def _indented(text: str) -> list[str]:
@@ -150,3 +152,86 @@ def _held(status: DriveStatus) -> str:
     """Return what keeps a drive from turning, in words; empty when nothing does."""
     stop = ("the emergency stop",) if status.emergency_stop else ()
     return ", ".join((*stop, *status.faults))
+
+
+PACKING_S = 120.0
+"""Recordings of all devices, each bounded to some hundred megabytes, are packed within it."""
+LOOK_S = 0.2
+MARKS = {RecordKind.SENT: ">", RecordKind.RECEIVED: "<", RecordKind.NOTE: "#"}
+SHOWN_BYTES = 64
+
+
+def show_line(path: Path, *, raw: bool = False) -> int:
+    """Print a recorded line; status 1 where the file is damaged. Raises UnusableInput."""
+    try:
+        trace = read_trace(path)
+    except TraceError as error:
+        raise UnusableInput(str(error)) from error
+    header = trace.header
+    words = ", ".join(
+        f"{key} {header[key]}" for key in ("device", "driver", "port") if key in header
+    )
+    print(f"# {words}, recorded {header.get('started', 'at an unknown time')}")
+    for line in shown(trace, raw=raw):
+        print(line)
+    if trace.problem:
+        print(trace.problem, file=sys.stderr)
+    return 1 if trace.problem else 0
+
+
+def report_lines(rig: Path, to: Path, seconds: float) -> int:
+    """Record the lines of a rig's devices for a report of an error; exit status.
+
+    Its engine does it, started where none runs; the devices are connected anew unless the rig is
+    occupied. Raises UnusableInput, EngineUnreachable.
+    """
+    read_rig(rig)
+    file = to.resolve()
+    client = attach(rig, login_name())
+    try:
+        requested = {"file": str(file), "duration_s": seconds, "reconnect": True}
+        reply = client.request("report_begin", requested)
+        if not reply.ok:
+            raise UnusableInput(reply.sentence)
+        print(f"Recording for {seconds:g} s.", file=sys.stderr)
+        deadline = time.monotonic() + seconds + PACKING_S
+        while not (sentence := _report_sentence(client)):
+            if time.monotonic() > deadline:
+                raise UnusableInput("{}: was not written in {:g} s.", file, PACKING_S)
+            time.sleep(LOOK_S)
+    finally:
+        client.close()
+    print(sentence)
+    return 0 if file.exists() else 1
+
+
+def _report_sentence(client: Client) -> str:
+    """Return what came of the report, empty while it is recorded."""
+    report = Status.of_tree(client.request("status").result).engine.line_report
+    return report.sentence if report is not None else ""
+
+
+def shown(trace: WireTrace, *, raw: bool = False) -> Iterator[str]:
+    """Yield the lines: seconds since the first record, direction, meaning."""
+    decoder = None
+    if not raw:
+        try:
+            make = load_driver(str(trace.header["driver"])).decoder
+            decoder = make() if make is not None else None
+        except DriverNotFound as error:
+            yield f"# {error}"
+    began_ns = trace.records[0].time_ns if trace.records else 0
+    for record in trace.records:
+        head = f"{(record.time_ns - began_ns) / 1e9:11.6f} {MARKS[record.kind]}"
+        if record.kind is RecordKind.NOTE:
+            yield f"{head} {', '.join(f'{key} {value}' for key, value in record.note.items())}"
+        elif decoder is None:
+            yield f"{head} {_hex(record)}"
+        else:
+            decode = decoder.sent if record.kind is RecordKind.SENT else decoder.received
+            yield from (f"{head} {text}" for text in decode(record.data))
+
+
+def _hex(record: WireRecord) -> str:
+    more = len(record.data) - SHOWN_BYTES
+    return record.data[:SHOWN_BYTES].hex(" ") + (f" ... and {more} more" if more > 0 else "")

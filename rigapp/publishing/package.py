@@ -20,8 +20,18 @@ from urllib.parse import quote
 from rigapp.config.errors import UnusableInput, from_extra
 from rigapp.config.names import name_refusal
 from rigapp.publishing.findings import Finding, findings
-from rigapp.publishing.packaged import PackagedTest, packaged_tests, refuse_changed
-from rigapp.publishing.packed import JSON, TEXT, YAML, PackedFile, Progress, files_of, text_file
+from rigapp.publishing.packaged import (
+    JSON,
+    TEXT,
+    YAML,
+    PackagedTest,
+    PackedFile,
+    Progress,
+    files_of,
+    packaged_tests,
+    refuse_changed,
+    text_file,
+)
 from rigapp.publishing.publication import (
     KEYWORDS,
     VERSION,

@@ -1,16 +1,22 @@
-"""What a test file says of its test, as it is needed to publish it."""
+"""The tests of a package and their files: what is said of each, what each is called and holds."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import hashlib
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+import msgspec
+
 from rigapp.config.errors import UnusableInput
-from rigapp.report.results import sequence_of
+from rigapp.report.results import sequence_of, step_numbers
 from rigapp.schema.messages import Event
-from rigapp.storage import TestReader, export_columns, open_test
+from rigapp.schema.wire import json_bytes
+from rigapp.storage import TestReader, export_columns, export_test, open_test, trimmed_copy
 
 STEP_COLUMN = ("step", "1", "number of the step of the test")
 
@@ -111,3 +117,125 @@ def _columns(reader: TestReader) -> tuple[tuple[str, str, str], ...]:
         for name, (_, unit, sentence) in export_columns(reader, cycles=False).items()
     ]
     return (*columns, *([STEP_COLUMN] if sequence_of(reader) is not None else []))
+
+
+HDF5, HTML, CSV = "application/x-hdf5", "text/html", "text/csv"
+JSON, TOML, TEXT, YAML = "application/json", "application/toml", "text/plain", "application/yaml"
+RECORD = "record_"
+"""How a sealed record is called in the group ``/entry/calibration``."""
+AT_A_TIME = 1 << 20
+
+Progress = Callable[[int], None]
+
+
+@dataclass(frozen=True, slots=True)
+class PackedFile:
+    """One file of a package.
+
+    place: its path there. source: its bytes. about: what it is. media: its media type. packed:
+    whether its bytes are compressed already.
+    """
+
+    place: str
+    source: Path
+    about: str
+    media: str
+    packed: bool = False
+
+    @property
+    def size(self) -> int:
+        """Return its bytes."""
+        return self.source.stat().st_size
+
+    def digest(self, progress: Progress) -> str:
+        """Return the SHA-256 of its bytes in hexadecimal."""
+        found = hashlib.sha256()
+        for part in self.parts():
+            found.update(part)
+            progress(len(part))
+        return found.hexdigest()
+
+    def parts(self) -> Iterator[bytes]:
+        """Yield its bytes, never many at once."""
+        with self.source.open("rb") as stream:
+            while part := stream.read(AT_A_TIME):
+                yield part
+
+
+def files_of(test: PackagedTest, work: Path) -> Iterator[PackedFile]:
+    """Yield the files of a test; what is made of it is written into the folder ``work``."""
+    folder = work / test.folder
+    folder.mkdir()
+    about = "the test as it was recorded: NeXus/HDF5, see docs/file-format.md of rigapp"
+    table = folder / "statistics.csv"
+    with ThreadPoolExecutor(1, "trimmed copy") as pool:
+        # It is compressed by other processors than the one that makes the table.
+        copied = pool.submit(_whole, test, folder)
+        report = _report(test.path)
+        _export(test.path, table)
+        source = copied.result()
+    yield PackedFile(f"{test.folder}/{test.path.name}", source, about, HDF5, packed=True)
+    make = partial(_made, folder)
+    shown = "the report of the test, for a browser: figures, log, calibration, settings"
+    yield make("report.html", shown, HTML, report)
+    statistics = "one line a revolution; README.txt explains the columns"
+    yield PackedFile(f"{test.folder}/statistics.csv", table, statistics, CSV)
+    for name, about in (("rig", "what hung on which port"), ("test", "how the test was to run")):
+        text = str(test.configuration.get(name, ""))
+        if text:
+            yield make(f"{name}.toml", f"the {name} file as given: {about}", TOML, text.encode())
+    numbers = "the calibration with which the test was measured, as in the test's file"
+    yield make("calibration.json", numbers, JSON, _json(test.calibration))
+    for name, record in _records(test.calibration):
+        sealed = "a calibration record with its readings; rigapp calibrate verify fits them again"
+        yield make(f"{name}.json", sealed, JSON, record.encode())
+    versions = test.configuration.get("versions", {})
+    yield make("versions.json", "versions of what wrote the test's file", JSON, _json(versions))
+
+
+def _whole(test: PackagedTest, folder: Path) -> Path:
+    """Return the file of a test that goes into its package."""
+    if test.compressed:
+        return test.path
+    # What is written in place has rows beyond the committed ones, which others take for data.
+    trimmed_copy(test.path, folder / test.path.name)
+    return folder / test.path.name
+
+
+def text_file(work: Path, place: str, about: str, media: str, text: str) -> PackedFile:
+    """Write a text of the package as a whole, and return it."""
+    source = work / place
+    source.write_text(text, encoding="utf-8")
+    return PackedFile(place, source, about, media)
+
+
+def _made(folder: Path, name: str, about: str, media: str, data: bytes) -> PackedFile:
+    source = folder / name
+    source.write_bytes(data)
+    return PackedFile(f"{folder.name}/{name}", source, about, media)
+
+
+def _report(path: Path) -> bytes:
+    from rigapp.report.page.document import as_html
+    from rigapp.report.testreport import report_of
+
+    return as_html(report_of(path))
+
+
+def _export(path: Path, table: Path) -> None:
+    with open_test(path) as reader:
+        sequence = sequence_of(reader)
+    steps = partial(step_numbers, sequence) if sequence is not None else None
+    export_test(path, table, steps=steps)
+
+
+def _records(calibration: Any) -> Iterator[tuple[str, str]]:
+    """Yield the sealed records of a test with their names, as they were given."""
+    for name, values in sorted(calibration.items()):
+        if name.startswith(RECORD) and isinstance(values, dict) and "record" in values:
+            yield name, str(values["record"])
+
+
+def _json(value: Any) -> bytes:
+    """Return a value as JSON, its keys in order; numbers that are none become null."""
+    return msgspec.json.format(json_bytes(value, order="deterministic"), indent=1) + b"\n"

@@ -22,7 +22,7 @@ from rigapp.commands.files import export_file, package_tests
 from rigapp.config.errors import UnusableInput
 from rigapp.publishing import package as packaging
 from rigapp.publishing.package import write_archive
-from rigapp.publishing.packed import AT_A_TIME, PackedFile
+from rigapp.publishing.packaged import AT_A_TIME, PackedFile
 from rigapp.storage import compact_test, open_test
 from rigapp_calibration.records import unseal
 

@@ -13,7 +13,7 @@ import pytest
 from patience import PATIENCE_S
 from stories import until
 
-from rigapp.commands.wire import shown
+from rigapp.commands.status import shown
 from rigapp.config.loading import read_rig, read_test
 from rigapp.process import logs
 from rigapp.publishing.private import without_private

@@ -10,7 +10,7 @@ import pytest
 from stories import RIG, recipe
 
 from rigapp.commands.files import print_info
-from rigapp.commands.status import _lines, _told
+from rigapp.commands.status import _lines, _state_words
 from rigapp.config.loading import read_rig, read_test
 from rigapp.engine.engine import Engine
 from rigapp.gui.window.headline import NewestMeasured, headline
@@ -34,7 +34,7 @@ def live_figures(status: Status) -> dict[str, int]:
     """Return the revolutions that strip, page and terminal say are done."""
     head = headline(status, ConnectionState.ATTACHED, "", NewestMeasured())
     tile = next(one for one in _tiles(News(status)) if one.title == "Revolution")
-    shown = {**status.tree(), **_told(status.tree()), "pid": 1, "rig_file": "rig.toml"}
+    shown = {**status.tree(), **_state_words(status.tree()), "pid": 1, "rig_file": "rig.toml"}
     line = next(one for one in _lines(shown) if ": revolution " in one)
     texts = {"strip": head.cycle.value, "page": tile.value, "terminal": line.rpartition(": ")[2]}
     numbers = {

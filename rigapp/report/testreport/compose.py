@@ -24,13 +24,15 @@ from rigapp.presentation.times import duration
 from rigapp.presentation.translation import Text, tr, translate
 from rigapp.report.page.document import Figure, Manuscript, Section, Table
 from rigapp.report.results import result_of_open
-from rigapp.report.testreport import datasections, logsections, plots, setupsections
+from rigapp.report.testreport import datasections, logsections, plots
 from rigapp.report.testreport.cover import (
     cover_of,
     numbered,
     parameters_of,
     report_settings,
     scheme,
+    setup_sections,
+    step_section,
 )
 from rigapp.report.testreport.facts import (
     ChannelFacts,
@@ -50,7 +52,6 @@ from rigapp.report.testreport.formatting import (
     stamp,
 )
 from rigapp.report.testreport.model_facts import agreement_of, bursts_of, cycles_of, wear_of
-from rigapp.report.testreport.setupsections import step_section
 from rigapp.report.testreport.worn import picture, worn_of
 from rigapp.schema.channels import LOAD_CELL
 from rigapp.schema.results import TestResult
@@ -140,7 +141,7 @@ def _document(reader: TestReader, path: Path, settings: tuple[ReportFile, bytes]
         datasections.wear(agreement, worn_of(reader)),
         *([] if agreement is None else [_known(reader)]),
         datasections.quality(rows),
-        *setupsections.sections(reader),
+        *setup_sections(reader),
         _file_section(identity, summary, reader),
     ]
     title = about["title"] or path.stem

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rigapp.commands.wire import shown
+from rigapp.commands.status import shown
 from rigapp.config.errors import UnusableInput
 from rigapp.testing.traces import check_trace
 from rigapp_drivers.api import ConnectionFailed, DataRequest, ReplyTimeout, SlowRequest
@@ -125,7 +125,7 @@ def test_no_flipped_bit_gives_other_bytes_in_silence(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("content", [b"", b"x", MAGIC, b"\0" * 1000, MAGIC + b"\xff" * 500])
 def test_what_is_no_recording_is_refused_in_a_sentence(tmp_path: Path, content: bytes) -> None:
-    from rigapp.commands.wire import show_line
+    from rigapp.commands.status import show_line
 
     path = tmp_path / "a.wire"
     path.write_bytes(content)
