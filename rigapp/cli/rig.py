@@ -336,21 +336,21 @@ def service_install(
     show: Annotated[bool, option("--show", "Print the units; write and start nothing.")] = False,
 ) -> int:
     """Start engines and page with the computer; an engine connects and tells, nothing turns."""
-    from rigapp.commands import service
+    from rigapp.commands import unattended
 
     if rules:
         if rig or page or show:
             raise UnusableInput("--rules is for root, the other options are for a user; part them.")
-        return service.install_rules()
+        return unattended.install_rules()
 
-    units = [service.engine_unit(one) for one in rig or []]
+    units = [unattended.engine_unit(one) for one in rig or []]
     if page:
-        units.append(service.page_unit(page_bind, token, certificate, key))
+        units.append(unattended.page_unit(page_bind, token, certificate, key))
     if not units:
         raise UnusableInput(
             "Name what is to start with the computer: --rig RIG.toml, --page; or --rules."
         )
-    return service.show(units) if show else service.install(units)
+    return unattended.show_units(units) if show else unattended.install_units(units)
 
 
 @service_verbs.command("remove")
@@ -360,6 +360,6 @@ def service_remove(
     ] = None,
 ) -> int:
     """Stop them and start them no more; what runs is ended as by a signal."""
-    from rigapp.commands import service
+    from rigapp.commands import unattended
 
-    return service.remove(rig or [])
+    return unattended.remove_units(rig or [])

@@ -1,17 +1,26 @@
-"""What runs unattended: `rigapp queue` with its tests, `rigapp notify` with its messages."""
+"""What runs unattended: the queue of tests, messages, and what starts with the computer."""
 
 from __future__ import annotations
 
+import os
+import re
+import shutil
+import subprocess
+import sys
 import time
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import msgspec
+import platformdirs
 
+from rigapp.commands.doctor import RULES_FOLDERS, RULES_NAME, installed_drivers, port_rules
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp.config.notify import NotifySection
+from rigapp.config.writing import whole_file
 from rigapp.notify.channels import (
     DeliveryChannels,
     address,
@@ -24,6 +33,7 @@ from rigapp.notify.channels import (
 from rigapp.notify.delivery import AttemptRequest, DeliveryResult
 from rigapp.notify.message import Message, clock
 from rigapp.notify.store import identity, read_state, state_file
+from rigapp.process.children import module_command
 from rigapp.queue.items import Queue, halted, line, removed
 from rigapp.queue.store import QueueStore
 from rigapp.schema.queue import ItemState
@@ -175,3 +185,233 @@ def _ways(rig: Path | None) -> DeliveryChannels:
             " see examples/notify.toml."
         )
     return ways
+
+
+# `rigapp service`: engines and page that start with the computer, as systemd units of the user.
+#
+# An engine that is started so connects its devices and tells of a test that was cut off; nothing
+# turns by itself.
+
+PAGE = "rigapp-page.service"
+STOP_S = 150
+"""An engine stops the spindle and ends its file within 120 s, its messages included."""
+SYSTEMCTL_S = 60.0
+
+UNIT = """\
+[Unit]
+Description=rigapp {what}
+StartLimitIntervalSec=600
+StartLimitBurst=5
+
+[Service]
+X-Of={of}
+Type=exec
+ExecStart={command}
+Restart=on-failure
+RestartSec=10
+{ending}
+[Install]
+WantedBy=default.target
+"""
+ENGINE_ENDING = f"KillMode=mixed\nTimeoutStopSec={STOP_S}\n"
+"""The engine alone is asked to end, and ends simulation, twin and messages when the spindle stands.
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class SystemdUnit:
+    """One unit: name of its file, its text, and what it is of (a rig file, or the page)."""
+
+    name: str
+    text: str
+    of: str
+
+
+def engine_unit(rig: Path) -> SystemdUnit:
+    """Return the unit of a rig's engine; raise UnusableInput where the rig file is not usable."""
+    document = read_rig(rig)
+    of = str(rig.resolve())
+    name = " ".join(document.record.name.split()) or rig.stem
+    command = command_line([*PROGRAM, "engine", of, "--stay"])
+    what = f"engine of {escaped(name)}"
+    text = UNIT.format(what=what, of=escaped(of), command=command, ending=ENGINE_ENDING)
+    return SystemdUnit(_unit_name(rig), text, of)
+
+
+def _unit_name(rig: Path) -> str:
+    words = re.sub(r"[^A-Za-z0-9_.-]+", "-", rig.stem).strip("-.") or "rig"
+    return f"rigapp-engine-{words}.service"
+
+
+def page_unit(
+    bind: str, token: Path | None = None, certificate: Path | None = None, key: Path | None = None
+) -> SystemdUnit:
+    """Return the unit of the page, which listens as ``rigapp page`` does."""
+    words = [*PROGRAM, "page", "--bind", bind]
+    for option, path in (("--token", token), ("--certificate", certificate), ("--key", key)):
+        if path is not None:
+            words += [option, str(path.resolve())]
+    text = UNIT.format(what="page", of="page", command=command_line(words), ending="")
+    return SystemdUnit(PAGE, text, "page")
+
+
+PROGRAM = module_command("rigapp")
+
+
+def escaped(text: str) -> str:
+    """Return a text as a unit's value: what systemd would replace stands for itself."""
+    return text.replace("\\", "\\\\").replace("%", "%%")
+
+
+def command_line(words: Sequence[str]) -> str:
+    """Return words as ``ExecStart=`` takes them (systemd.service, section Command lines)."""
+    return " ".join(
+        '"{}"'.format(escaped(word).replace('"', '\\"').replace("$", "$$")) for word in words
+    )
+
+
+def units_folder() -> Path:
+    """Return where the user's units are."""
+    return platformdirs.user_config_path("systemd") / "user"
+
+
+def install_units(units: Sequence[SystemdUnit]) -> int:
+    """Write units, enable and start them; print what was done. Exit status.
+
+    Raises UnusableInput where a unit of that name is another rig's.
+    """
+    folder = units_folder()
+    for unit in units:
+        owner = _owner(folder / unit.name)
+        if owner not in ("", unit.of):
+            raise UnusableInput(
+                f"{folder / unit.name}: is of {owner}; give one of the two rig files another name."
+            )
+    folder.mkdir(parents=True, exist_ok=True)
+    for unit in units:
+        (folder / unit.name).write_text(unit.text, encoding="utf-8")
+        print(f"Written: {folder / unit.name}")
+    names = [unit.name for unit in units]
+    if not _systemctl("daemon-reload") or not _systemctl("enable", "--now", *names):
+        return 1
+    print(f"Started, and started with the computer: {', '.join(names)}")
+    install_rules()
+    if not _lingers():
+        print(
+            "They start when you log in and end when you log out; to have them from the start of"
+            " the computer on: loginctl enable-linger"
+        )
+    return 0
+
+
+def rules_folder() -> Path:
+    """Return where the rules of this computer are."""
+    return RULES_FOLDERS[0]
+
+
+def install_rules(folder: Path | None = None) -> int:
+    """Write the udev rules for the ports where this user may; else print what to run. Exit status.
+
+    Rules that are there as they would be written, and a system without udev, need nothing.
+    """
+    folder = folder or rules_folder()
+    path, text = folder / RULES_NAME, port_rules(installed_drivers([]))
+    if not folder.is_dir():
+        print("Rules for ports: this system has no udev, and needs none.")
+        return 0
+    if path.is_file() and path.read_text("utf-8", "replace") == text:
+        print(f"Rules for ports: {path} is up to date.")
+        return 0
+    if not os.access(folder, os.W_OK):
+        program = command_line(module_command("rigapp", "service", "install", "--rules"))
+        print(f"Rules for ports: not installed, only root may. Run once: sudo {program}")
+        return 1
+    with whole_file(path) as part:
+        part.write_text(text, "utf-8")
+    print(f"Written: {path}")
+    done = [_ran("udevadm", *words) for words in (("control", "--reload"), ("trigger",))]
+    if not all(done):
+        print("Restart the computer, or plug the boxes in again, so that the rules are used.")
+    return 0
+
+
+def show_units(units: Sequence[SystemdUnit]) -> int:
+    """Print units as they would be written. Exit status."""
+    for unit in units:
+        print(f"# {units_folder() / unit.name}\n{unit.text}")
+    return 0
+
+
+def remove_units(rigs: Sequence[Path]) -> int:
+    """Stop and disable the engines of rigs, without rigs all and the page. Exit status.
+
+    Raises UnusableInput where nothing of the kind is installed.
+    """
+    folder = units_folder()
+    there = {path.name: _owner(path) for path in sorted(folder.glob("rigapp-*.service"))}
+    wanted = {str(one.resolve()) for one in rigs}
+    known = [name for name, of in there.items() if of in wanted or not rigs]
+    if not known:
+        raise UnusableInput(f"{folder}: nothing of rigapp's is installed{' for it' * bool(rigs)}.")
+    done = _systemctl("disable", "--now", *known)
+    for name in known:
+        (folder / name).unlink()
+        print(f"Removed: {folder / name}")
+    return 0 if _systemctl("daemon-reload") and done else 1
+
+
+def _owner(path: Path) -> str:
+    """Return what a unit file is of, empty where there is none."""
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except FileNotFoundError:
+        return ""
+    except (OSError, ValueError) as error:
+        raise UnusableInput(f"{path}: cannot be read ‹{error}›.") from error
+    of = next((line.removeprefix("X-Of=") for line in lines if line.startswith("X-Of=")), "")
+    return of.replace("%%", "%").replace("\\\\", "\\") or "another program"
+
+
+def _systemctl(*arguments: str) -> bool:
+    """Ask the user's systemd for something; say on standard error why it was not done."""
+    return _ran("systemctl", "--user", *arguments)
+
+
+def _ran(program: str, *arguments: str) -> bool:
+    """Run a program of the system; say on standard error why it did not do what it should."""
+    command = " ".join((program, *arguments[:2]))
+    if shutil.which(program) is None:
+        print(f"rigapp: there is no {program} here; the files are as told.", file=sys.stderr)
+        return False
+    try:
+        done = subprocess.run(
+            [program, *arguments],
+            capture_output=True,
+            text=True,
+            timeout=SYSTEMCTL_S,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        print(f"rigapp: {command} did not answer in a minute.", file=sys.stderr)
+        return False
+    if done.returncode:
+        why = " ".join(done.stderr.split()) or f"exit status {done.returncode}"
+        print(f"rigapp: {command}: {why}", file=sys.stderr)
+    return done.returncode == 0
+
+
+def _lingers() -> bool:
+    """Tell whether the user's units live without a login; yes where nobody can tell."""
+    if shutil.which("loginctl") is None:
+        return True
+    try:
+        told = subprocess.run(
+            ["loginctl", "show-user", "--property=Linger", "--value"],
+            capture_output=True,
+            text=True,
+            timeout=SYSTEMCTL_S,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return True
+    return told.returncode != 0 or told.stdout.strip() == "yes"

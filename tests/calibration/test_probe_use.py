@@ -19,7 +19,7 @@ from rigapp.config.rig import RigFile
 from rigapp.engine.recording.store import calibration_record
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
 from rigapp.engine.values.calibrate import Calibration, Measured, calibrate
-from rigapp.engine.values.probes import probe_correction
+from rigapp.engine.values.corrections import probe_correction
 from rigapp.engine.values.reduce import Reducer
 from rigapp.report.testreport.facts import stated_uncertainties
 from rigapp.schema.channels import BASE

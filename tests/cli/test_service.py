@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from rigapp.commands import service
+from rigapp.commands import unattended
 from rigapp.commands.doctor import RULES_NAME
 from rigapp.config.errors import UnusableInput
 
@@ -37,7 +37,7 @@ def asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], list[
     monkeypatch.setenv("PATH", f"{programs}:/usr/bin:/bin")
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
     # The tests may run as root, and the computer's own rules are no business of theirs.
-    monkeypatch.setattr(service, "rules_folder", lambda: tmp_path / "no udev")
+    monkeypatch.setattr(unattended, "rules_folder", lambda: tmp_path / "no udev")
     return lambda: notes.read_text("utf-8").splitlines()
 
 
@@ -47,7 +47,7 @@ def value(text: str, key: str) -> str:
 
 
 def test_an_engines_unit_stays_and_is_stopped_alone(rig: Path) -> None:
-    unit = service.engine_unit(rig)
+    unit = unattended.engine_unit(rig)
     assert unit.name == "rigapp-engine-rig-A-100-HOME.service"
     words = shlex.split(value(unit.text, "ExecStart").replace("%%", "%").replace("$$", "$"))
     assert words[1:] == ["-P", "-m", "rigapp", "engine", str(rig), "--stay"]
@@ -61,7 +61,7 @@ def test_the_pages_unit_names_its_files_wherever_it_is_started(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    unit = service.page_unit("10.0.0.7:8750", Path("token"), Path("c.pem"), Path("k.pem"))
+    unit = unattended.page_unit("10.0.0.7:8750", Path("token"), Path("c.pem"), Path("k.pem"))
     words = shlex.split(value(unit.text, "ExecStart"))
     assert words[4:7] == ["page", "--bind", "10.0.0.7:8750"]
     assert words[7:] == [
@@ -73,26 +73,26 @@ def test_the_pages_unit_names_its_files_wherever_it_is_started(
 def test_units_are_enabled_and_taken_away_again(
     rig: Path, asked: Callable[[], list[str]], capsys: pytest.CaptureFixture[str]
 ) -> None:
-    engine, page = service.engine_unit(rig), service.page_unit("127.0.0.1:8750")
-    assert service.install([engine, page]) == 0
-    assert service.install([engine, page]) == 0  # once more changes nothing
+    engine, page = unattended.engine_unit(rig), unattended.page_unit("127.0.0.1:8750")
+    assert unattended.install_units([engine, page]) == 0
+    assert unattended.install_units([engine, page]) == 0  # once more changes nothing
     for unit in (engine, page):
-        assert (service.units_folder() / unit.name).read_text("utf-8") == unit.text
+        assert (unattended.units_folder() / unit.name).read_text("utf-8") == unit.text
     assert asked()[:3] == [
         "systemctl --user daemon-reload",
         f"systemctl --user enable --now {engine.name} {page.name}",
         "loginctl show-user --property=Linger --value",
     ]
     assert "loginctl enable-linger" in capsys.readouterr().out
-    assert service.remove([rig]) == 0
+    assert unattended.remove_units([rig]) == 0
     assert asked()[-2:] == [
         f"systemctl --user disable --now {engine.name}",
         "systemctl --user daemon-reload",
     ]
-    assert [one.name for one in service.units_folder().iterdir()] == [page.name]
-    assert service.remove([]) == 0
+    assert [one.name for one in unattended.units_folder().iterdir()] == [page.name]
+    assert unattended.remove_units([]) == 0
     with pytest.raises(UnusableInput, match="nothing of rigapp's"):
-        service.remove([])
+        unattended.remove_units([])
 
 
 def test_the_rules_for_ports_are_written_once_where_one_may(
@@ -102,43 +102,45 @@ def test_the_rules_for_ports_are_written_once_where_one_may(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     folder = tmp_path / "rules.d"
-    assert service.install_rules(folder) == 0
+    assert unattended.install_rules(folder) == 0
     assert "no udev" in capsys.readouterr().out
     folder.mkdir()
     udevadm = tmp_path / "programs" / "udevadm"
     shutil.copy(tmp_path / "programs" / "systemctl", udevadm)
-    assert service.install_rules(folder) == 0
+    assert unattended.install_rules(folder) == 0
     path = folder / RULES_NAME
     assert "ID_MM_PORT_IGNORE" in path.read_text("utf-8")
     assert len(asked()) == 2
-    assert service.install_rules(folder) == 0
+    assert unattended.install_rules(folder) == 0
     assert "up to date" in capsys.readouterr().out
     assert len(asked()) == 2, "nothing is asked twice"
     path.write_text("# of an older version\n", "utf-8")
     monkeypatch.setattr("os.access", lambda *_: False)
-    assert service.install_rules(folder) == 1
+    assert unattended.install_rules(folder) == 1
     told = capsys.readouterr().out
     assert "Run once: sudo" in told
     assert shlex.split(told.partition("sudo ")[2])[1:] == [
         "-P", "-m", "rigapp", "service", "install", "--rules",
     ]  # fmt: skip
     monkeypatch.undo()
-    assert service.install_rules(folder) == 0
+    assert unattended.install_rules(folder) == 0
     assert path.read_text("utf-8").startswith(f"# {RULES_NAME}")
 
 
 def test_the_unit_of_another_rig_is_never_overwritten(
     rig: Path, tmp_path: Path, asked: Callable[[], list[str]]
 ) -> None:
-    service.install([service.engine_unit(rig)])
+    unattended.install_units([unattended.engine_unit(rig)])
     other = tmp_path / "elsewhere" / rig.name
     other.parent.mkdir()
     shutil.copy(rig, other)
     before = asked()
     with pytest.raises(UnusableInput, match="give one of the two rig files another name"):
-        service.install([service.page_unit("127.0.0.1:1"), service.engine_unit(other)])
+        unattended.install_units(
+            [unattended.page_unit("127.0.0.1:1"), unattended.engine_unit(other)]
+        )
     assert asked() == before
-    assert len(list(service.units_folder().iterdir())) == 1
+    assert len(list(unattended.units_folder().iterdir())) == 1
 
 
 def test_without_systemd_it_says_so(
@@ -146,7 +148,7 @@ def test_without_systemd_it_says_so(
 ) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
-    assert service.install([service.engine_unit(rig)]) == 1
+    assert unattended.install_units([unattended.engine_unit(rig)]) == 1
     assert "no systemctl" in capsys.readouterr().err
 
 
@@ -156,4 +158,4 @@ def test_a_rig_file_that_is_not_usable_is_refused_before_anything_is_written(
     path = tmp_path / "rig.toml"
     path.write_text("schema = 1\n", "utf-8")
     with pytest.raises(UnusableInput, match=r"rig\.toml"):
-        service.engine_unit(path)
+        unattended.engine_unit(path)

@@ -29,9 +29,9 @@ from rigapp.engine.recording.store import missing_channels, open_file
 from rigapp.engine.samples import slow
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup
 from rigapp.engine.values.calibrate import Measured, calibrate
+from rigapp.engine.values.corrections import follow
 from rigapp.engine.values.instruments import InputLine
 from rigapp.engine.values.reduce import Reducer
-from rigapp.engine.values.table import follow
 from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.states import ENDED

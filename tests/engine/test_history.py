@@ -13,9 +13,9 @@ from rigapp.engine.recording.history import (
     History,
     RetainedCycle,
     RetentionReason,
+    Schedule,
     triggered_cycles,
 )
-from rigapp.engine.recording.schedule import Schedule
 from rigapp.engine.samples.assembler import EncoderSetup, Revolution
 from rigapp.engine.values.calibrate import Measured
 from rigapp.schema.messages import Flag

@@ -15,7 +15,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import CyclesSection, LimitRule, LimitsSection
 from rigapp.engine.judging.alarms import AlarmBook
 from rigapp.engine.judging.limits import RuleMonitor, changed_limits, check_rules
-from rigapp.engine.recording.schedule import Schedule, logarithmic
+from rigapp.engine.recording.history import Schedule, logarithmic
 from rigapp.schema.alarms import make_alarm
 from rigapp.schema.channels import BASE
 from rigapp.schema.loglines import AlarmChange

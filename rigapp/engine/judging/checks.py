@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from rigapp.engine.samples.assembler import Values
 from rigapp.engine.values.calibrate import Calibration
-from rigapp.engine.values.quadratic import linearised
+from rigapp.engine.values.corrections import linearised
 from rigapp.schema.channels import LOAD_CELL
 from rigapp.texts import say
 from rigapp_drivers.api import Block, Quality

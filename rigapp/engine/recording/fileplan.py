@@ -8,8 +8,7 @@ import numpy as np
 
 from rigapp.config.recipe import TestFile
 from rigapp.config.sequence import Sequence
-from rigapp.engine.recording.history import triggered_cycles, waiting_cycles
-from rigapp.engine.recording.schedule import Schedule
+from rigapp.engine.recording.history import Schedule, triggered_cycles, waiting_cycles
 from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.storage import FilePlan, profile_rows
 

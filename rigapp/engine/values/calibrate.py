@@ -31,10 +31,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
 from rigapp.engine.samples.assembler import EncoderSetup, Margins, Revolution, Values
 from rigapp.engine.samples.sampleclock import PulseRate
+from rigapp.engine.values.corrections import follow, invertible, linearised_forces, probe_correction
 from rigapp.engine.values.instruments import Counter, InputLine, LoadCell, ProbePair, Wire
-from rigapp.engine.values.probes import probe_correction
-from rigapp.engine.values.quadratic import invertible, linearised_forces
-from rigapp.engine.values.table import follow
 from rigapp.schema.channels import LOAD_CELL, PROBES, ChannelTable, Kind
 from rigapp.texts import joined
 from rigapp_drivers.api import ChannelSpec, SampleClock, StreamSetup

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.engine.samples.sampleclock import PulseRate
-from rigapp.engine.values.probes import ProbeCorrection
+from rigapp.engine.values.corrections import ProbeCorrection
 from rigapp.schema.channels import Channel
 from rigapp_calibration.load_cell.weights import STANDARD_GRAVITY
 from rigapp_drivers.api import SampleClock
@@ -57,7 +57,7 @@ class LoadCell:
     With the linear force G = - matrix (signal - zero - tare) it is G + B (F1^2, F1 F2, F2^2).
     matrix: (2, 2) N per signal unit. zero: (2,) signal units; tare: (2,) found with the pin
     unloaded, at tare_angle (rad, None where it was not known). quadratic_terms: B, (2, 3) 1/N, see
-    ``quadratic``.
+    ``corrections``.
     record: name of the calibration record, empty without. pin_weight: N, of the pin outboard of the
     gauges, which is no force of the follower and turns about the cell; pull: (2,) N, what of it
     acts in the plane of the crank, along the slider's way and across it, by the gravity of a test.

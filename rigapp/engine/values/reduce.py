@@ -16,8 +16,7 @@ from numpy.typing import NDArray
 
 from rigapp.engine.samples.assembler import STANDSTILL_S, Revolution
 from rigapp.engine.values.calibrate import Calibration, Measured, with_margins
-from rigapp.engine.values.quadratic import linearise_rows
-from rigapp.engine.values.table import follow
+from rigapp.engine.values.corrections import follow, linearise_rows
 from rigapp.schema.channels import LOAD_CELL, STATISTICS
 from rigapp_model.compiled import njit
 
