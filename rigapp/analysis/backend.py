@@ -79,11 +79,11 @@ class RigappBackend(BackendEntrypoint):  # type: ignore[misc]
             raise UnusableInput(f"group {group!r}: there is no such group; {', '.join(_GROUPS)}")
         path = Path(filename_or_obj)
         with open_test(path) as reader:
-            found = _GROUPS[group](reader, path)
+            result = _GROUPS[group](reader, path)
         dropped = [drop_variables] if isinstance(drop_variables, str) else drop_variables or ()
-        found = found.drop_vars(dropped, errors="ignore")
+        result = result.drop_vars(dropped, errors="ignore")
         return xarray.decode_cf(
-            found, mask_and_scale=False, decode_coords=False, decode_timedelta=False
+            result, mask_and_scale=False, decode_coords=False, decode_timedelta=False
         )
 
     def guess_can_open(self, filename_or_obj: object) -> bool:
@@ -109,8 +109,8 @@ def _columns(
     if not reader.has(stream):
         return {}
     return {
-        one.name.removeprefix(prefix): _variable(path, one, dims[: len(one.shape)])
-        for one in reader.variables(stream)
+        variable.name.removeprefix(prefix): _variable(path, variable, dims[: len(variable.shape)])
+        for variable in reader.variables(stream)
     }
 
 
@@ -119,8 +119,8 @@ def _angle(values: NDArray[np.float64], words: str) -> xarray.Variable:
 
 
 def _revolutions(reader: TestReader, path: Path) -> xarray.Dataset:
-    found = _columns(reader, path, "revolutions", "revolution")
-    return xarray.Dataset(found).set_coords([one for one in ("host_time",) if one in found])
+    result = _columns(reader, path, "revolutions", "revolution")
+    return xarray.Dataset(result).set_coords([one for one in ("host_time",) if one in result])
 
 
 def _cycles(reader: TestReader, path: Path) -> xarray.Dataset:
@@ -137,11 +137,11 @@ def _cycles(reader: TestReader, path: Path) -> xarray.Dataset:
 
 
 def _prediction(reader: TestReader, path: Path) -> xarray.Dataset:
-    found = _columns(reader, path, "prediction", "revolution")
-    found |= _columns(reader, path, "curves", "curve_revolution", "angle")
-    if any("angle" in one.dims for one in found.values()):
-        found["angle"] = _angle(reader.angles(), "crank angle")
-    return xarray.Dataset(found)
+    result = _columns(reader, path, "prediction", "revolution")
+    result |= _columns(reader, path, "curves", "curve_revolution", "angle")
+    if any("angle" in one.dims for one in result.values()):
+        result["angle"] = _angle(reader.angles(), "crank angle")
+    return xarray.Dataset(result)
 
 
 def _events(reader: TestReader, path: Path) -> xarray.Dataset:
@@ -152,27 +152,27 @@ def _events(reader: TestReader, path: Path) -> xarray.Dataset:
         "data": lambda one: json_bytes(one.data).decode() if one.data else "",
     }
     names = ("time", "revolution", "kind", "source", "text", "before", "after", "key", "level")
-    found = {}
+    result = {}
     for name in (*names, "data"):
         value = columns.get(name, lambda one, name=name: getattr(one, name))
         kind = {"time": "f8", "revolution": "i8"}.get(name, "U")
-        values = np.array([value(one) for one in events], dtype=kind)
-        found[name] = xarray.Variable("event", values, attributes[name])
-    return xarray.Dataset(found).set_coords("time")
+        values = np.array([value(event) for event in events], dtype=kind)
+        result[name] = xarray.Variable("event", values, attributes[name])
+    return xarray.Dataset(result).set_coords("time")
 
 
 def _profiles(reader: TestReader, path: Path) -> xarray.Dataset:
-    found = _columns(reader, path, "profiles", "revolution", "angle", prefix=_PROFILE)
-    if not found:  # a file of before, or of a test without a twin
+    result = _columns(reader, path, "profiles", "revolution", "angle", prefix=_PROFILE)
+    if not result:  # a file of before, or of a test without a twin
         empty = reader.profiles()
         del empty["angle"]
         dims, about = ("revolution", "angle"), reader.attributes("profiles")
-        found = {
+        result = {
             name: xarray.Variable(dims[: one.ndim], one, about[f"{_PROFILE}{name}"])
             for name, one in empty.items()
         }
-    found["angle"] = _angle(np.asarray(reader.profiles()["angle"]), PROFILE_ANGLE)
-    return xarray.Dataset(found)
+    result["angle"] = _angle(np.asarray(reader.profiles()["angle"]), PROFILE_ANGLE)
+    return xarray.Dataset(result)
 
 
 _GROUPS: Mapping[str, Callable[[TestReader, Path], xarray.Dataset]] = {

@@ -128,14 +128,14 @@ class RecordedTest:
         """
         source = self.cycles
         with open_test(self.path) as reader:
-            cycles = [one.resampled(points, method).columns for one in reader.cycles()]
+            cycles = [cycle.resampled(points, method).columns for cycle in reader.cycles()]
             revolutions = reader.cycle_revolutions()
         count = min(len(cycles), source.sizes["revolution"])
         names = [name for name in (cycles[0] if cycles else {}) if name != "angle"]
-        found = {
+        result = {
             name: (
                 ("revolution", "angle"),
-                np.stack([one[name] for one in cycles[:count]]),
+                np.stack([cycle[name] for cycle in cycles[:count]]),
                 source[name].attrs,
             )
             for name in names
@@ -143,20 +143,20 @@ class RecordedTest:
         angle = 360.0 / points * np.arange(points)
         about = {"units": "deg", "long_name": "crank angle"}
         return xarray.Dataset(
-            found, {"revolution": revolutions[:count], "angle": ("angle", angle, about)}
+            result, {"revolution": revolutions[:count], "angle": ("angle", angle, about)}
         )
 
     def _dataset(self, group: str) -> xarray.Dataset:
         with open_test(self.path) as reader:
             streams = ("revolutions", "cycles", "prediction", "curves", "events", "profiles")
-            rows = tuple(reader.committed(one) for one in streams if reader.has(one))
+            rows = tuple(reader.committed(stream) for stream in streams if reader.has(stream))
         held = self._held.get(group)
         if held is not None and held[0] == rows:
             return held[1]
         chunks = None if self._chunks is None or group == "events" else {ROWS[group]: self._chunks}
-        found = xarray.open_dataset(self.path, engine=RigappBackend, group=group, chunks=chunks)
-        self._held[group] = (rows, found)
-        return found
+        result = xarray.open_dataset(self.path, engine=RigappBackend, group=group, chunks=chunks)
+        self._held[group] = (rows, result)
+        return result
 
 
 class RecordedTests(Sequence[RecordedTest]):
@@ -194,7 +194,7 @@ class RecordedTests(Sequence[RecordedTest]):
         columns = {
             name: (
                 "test",
-                _column([getattr(one, field) for one in self._results], name),
+                _column([getattr(result, field) for result in self._results], name),
                 {"long_name": words, **({"units": unit} if unit else {})},
             )
             for name, field, unit, words in _TABLE
@@ -283,10 +283,10 @@ def _column(values: list[Any], name: str) -> NDArray[Any]:
     if name not in _TIMES:
         return np.array(values)
     utc = [
-        datetime.datetime.fromisoformat(one).astimezone(datetime.UTC).replace(tzinfo=None)
-        if one
+        datetime.datetime.fromisoformat(value).astimezone(datetime.UTC).replace(tzinfo=None)
+        if value
         else "NaT"
-        for one in values
+        for value in values
     ]
     return np.array(utc, dtype="datetime64[us]").astype("datetime64[ns]")
 
@@ -294,14 +294,14 @@ def _column(values: list[Any], name: str) -> NDArray[Any]:
 def _files(paths: Paths) -> tuple[Path, ...]:
     """Return the files of a pattern, of a folder, or as they are given; raise UnusableInput."""
     if not isinstance(paths, (str, os.PathLike)):
-        found = tuple(Path(one) for one in paths)
+        result = tuple(Path(path) for path in paths)
     elif Path(paths).is_dir():
-        found = tuple(sorted(Path(paths).glob("*.h5")))
+        result = tuple(sorted(Path(paths).glob("*.h5")))
     else:
-        found = tuple(Path(one) for one in sorted(glob.glob(os.fspath(paths), recursive=True)))
-    if not found:
+        result = tuple(Path(path) for path in sorted(glob.glob(os.fspath(paths), recursive=True)))
+    if not result:
         raise UnusableInput(f"{paths}: there are no such files")
-    return found
+    return result
 
 
 def _require_dask(chunks: int) -> None:

@@ -51,20 +51,20 @@ def preflight(
     when it cannot be reached.
     """
     rig = records.rig.record if records is not None else None
-    found = [*_of_test(test, rig), *disk_checks(disk)]
+    result = [*_of_test(test, rig), *disk_checks(disk)]
     if records is not None:
-        found += record_checks(records)
+        result += record_checks(records)
     if status is None:
-        found.append(
+        result.append(
             Check(say("Engine"), BLOCKS, say("not reachable"), say("Wait, or start rigapp again"))
         )
-        return found
-    found += [*_of_engine(status), *drive_checks(status), *_of_channels(status, rig)]
+        return result
+    result += [*_of_engine(status), *drive_checks(status), *_of_channels(status, rig)]
     if test is not None:
-        found += _of_rate(test, status)
+        result += _of_rate(test, status)
     if records is None:
-        found += _of_calibrations(status)
-    return found
+        result += _of_calibrations(status)
+    return result
 
 
 def _of_test(test: TestFile | None, rig: RigFile | None) -> Iterator[Check]:
@@ -259,7 +259,7 @@ def _of_channels(status: Status, rig: RigFile | None) -> Iterator[Check]:
     else:
         yield Check(say("Samples"), GOOD, say("{:.1f} s old", status.rig.data_age_s))
     table = channel_table(rig) if rig is not None else BASE
-    ranges = {one.name: one for one in table.sampled}
+    ranges = {channel.name: channel for channel in table.sampled}
     for channel in status.rig.channels:
         known = ranges.get(channel.name)
         # Without the rig file no range is known (0): its end cannot be near.

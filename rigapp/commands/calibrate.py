@@ -170,18 +170,18 @@ def item_of(record: Record) -> str:
 
 def show_history(store: Path, to: Path | None, rig: str | None, *, as_json: bool) -> int:
     """Print the history and draw its charts; status 1 when a rule asks for action."""
-    found = read_history(store, rig)
+    result = read_history(store, rig)
     if as_json:
-        print(json.dumps(history_result(found)))
+        print(json.dumps(history_result(result)))
     else:
-        print("\n".join(history_lines(found)))
+        print("\n".join(history_lines(result)))
     if to is not None:
         from rigapp.calibrating.daily_history import write_chart
 
-        write_chart(found, to)
+        write_chart(result, to)
         if not as_json:
             print(f"The chart is {to}.")
-    return 0 if found.in_control else 1
+    return 0 if result.in_control else 1
 
 
 UNSIGNED = "It is not signed: nothing shows which laboratory made it."
@@ -274,8 +274,8 @@ def sign_record(path: Path, key: Path, to: Path) -> int:
     if record.signature is not None:
         raise UnusableInput(f"{path}: it is signed already.")
     refuse_existing(to)
-    for one in verified(data).differences:
-        print(f"rigapp: {path}: it is not signed: {one}", file=sys.stderr)
+    for difference in verified(data).differences:
+        print(f"rigapp: {path}: it is not signed: {difference}", file=sys.stderr)
         return 1
     secret = _secret(key)
     try:

@@ -56,14 +56,14 @@ def _all_checks(rig_path: Path, test_path: Path) -> list[Check]:
     test = read_test(test_path).record
     channels = channel_table(records.rig.record)
     check_rules(test.limits.rule, channels, f"{test_path}: ")
-    status, found = look(records, test)
+    status, result = look(records, test)
     rate = _rate(status) or _configured_rate(records.rig.record)
     disk = disk_facts(test, rate, Path.cwd(), channels) if rate else None
     checks = preflight(test, records, disk, status)
     if status is None:
         checks = [check for check in checks if check.name != "Engine"]
     computer = () if records.rig.record.simulated_samples else computer_checks()
-    return [*checks, *found, *message_checks(records.rig), *computer]
+    return [*checks, *result, *message_checks(records.rig), *computer]
 
 
 def _print_table(checks: Sequence[Check]) -> None:
@@ -112,7 +112,7 @@ def computer_checks(settings: Path = APT_SETTINGS) -> Iterator[Check]:
             say("Leave the lid of a laptop open"),
         )
     try:
-        texts = [one.read_text("utf-8") for one in sorted(settings.glob("*"))]
+        texts = [path.read_text("utf-8") for path in sorted(settings.glob("*"))]
     except (OSError, UnicodeDecodeError):
         return
     if any(_RESTARTS.search(text) for text in texts):
@@ -216,7 +216,7 @@ def self_check(
         except DeviceError as error:
             yield Check(what, CheckVerdict.ATTENTION, f"not possible: {error.sentence}")
             return
-        wrong = [one for one in results if not one.right]
+        wrong = [result for result in results if not result.right]
         if wrong:
             found = ", ".join(
                 f"{one.name} {one.measured:.4g} {one.unit} in place of {one.expected:.4g}"
@@ -225,7 +225,7 @@ def self_check(
             action = "Compare scales and order of the device's channels with the rig file"
             yield Check(what, CheckVerdict.BLOCKS, found, action)
         else:
-            names = ", ".join(one.name for one in results)
+            names = ", ".join(result.name for result in results)
             yield Check(what, CheckVerdict.GOOD, f"half of the range arrives on {names}")
     finally:
         devices.close()

@@ -98,8 +98,8 @@ def print_rules() -> int:
 def _as_json(findings: Sequence[Observation]) -> int:
     good = all(finding.good for finding in findings)
     told = [
-        {key: value for key, value in asdict(one).items() if key != "help" or value}
-        for one in findings
+        {key: value for key, value in asdict(finding).items() if key != "help" or value}
+        for finding in findings
     ]
     print(json.dumps({"good": good, "findings": told}, indent=2))
     return 0 if good else 1

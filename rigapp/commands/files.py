@@ -52,7 +52,7 @@ def print_info(path: Path, *, as_json: bool) -> int:
     else:
         summary["outcome"] = outcome_text(result)
         summary |= {one.caption: f"{one.value}, {one.line}" for one in key_numbers(result)}
-        summary |= {one.text: one.line for one in trust_lines(result) if not one.good}
+        summary |= {line.text: line.line for line in trust_lines(result) if not line.good}
         summary["size"] = bytes_text(result.size_bytes)
         width = max(len(key) for key in summary)
         for key, value in summary.items():
@@ -201,8 +201,8 @@ def verify_file(path: Path, *, as_json: bool) -> int:
     if as_json:
         print(json.dumps({"checksums": checksums, "damage": damage, "seal": sealed}))
     elif damage:
-        for one in damage:
-            print(one)
+        for sentence in damage:
+            print(sentence)
         print(say("Salvage the rest: rigapp salvage {} --to NEW.h5", path))
     elif checksums:
         print(say("{}: rows, cycles, log and configuration are as they were written.", path))
@@ -279,7 +279,7 @@ def package_tests(
         return 1
     with bar("Package") as progress:
         files = write_package(given, to, progress)
-    names = "; ".join(one.name for one in given.authors)
+    names = "; ".join(author.name for author in given.authors)
     print(f"The package is {to}: {len(files)} files, by {names}, {given.licence.identifier}.")
     return 0
 
@@ -288,7 +288,7 @@ def _this_computer() -> frozenset[str]:
     """Return the names of this computer by which it can be told from others."""
     name = socket.gethostname()
     names = {name, name.partition(".")[0]}
-    return frozenset(one for one in names if len(one) >= SHORTEST_NAME and one != "localhost")
+    return frozenset(name for name in names if len(name) >= SHORTEST_NAME and name != "localhost")
 
 
 def identify_tests(
@@ -303,18 +303,18 @@ def identify_tests(
     from rigapp.report.testreport.identified import identified_tests
 
     with bar("Identify") as progress:
-        found = identified_tests(paths, after, progress)
+        result = identified_tests(paths, after, progress)
     if to is not None and make is not None:
-        data = make(found)
+        data = make(result)
         with whole_file(to) as part:
             part.write_bytes(data)
     if as_json:
-        print(json.dumps(_tree(found)))
+        print(json.dumps(_tree(result)))
     else:
-        _say(found)
+        _say(result)
         if to is not None:
             print(f"Written to {to}.")
-    return 1 if any(one.refused for one in found.tests) else 0
+    return 1 if any(test.refused for test in result.tests) else 0
 
 
 def _tree(found: Any) -> dict[str, Any]:

@@ -91,9 +91,9 @@ def _fill(folder: Path, files: list[StartingFile], about: Mapping[str, str]) -> 
     """Write files into a folder and list them; about: place -> what it is."""
     write_files(folder, files)
     print(f"{folder} holds now:")
-    width = max(len(str(one.place)) for one in files)
-    for one in files:
-        print(f"  {one.place!s:<{width}}  {about.get(str(one.place), '')}".rstrip())
+    width = max(len(str(file.place)) for file in files)
+    for file in files:
+        print(f"  {file.place!s:<{width}}  {about.get(str(file.place), '')}".rstrip())
 
 
 def _print_next(folder: Path, commands: Sequence[str]) -> None:

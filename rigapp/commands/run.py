@@ -108,13 +108,13 @@ def examine_test(file: Path, rig: Path) -> int:
     with ending_as_interrupt():
         host = EngineHost(document, parse_speed(None, document))
         try:
-            found = host.resumption(file)
+            result = host.resumption(file)
         except Refused as error:
             raise UnusableInput(f"The rig cannot be looked at: {error}.") from error
         finally:
             host.close()
-    show_resumption(found)
-    return 1 if found.blocked or found.asks_reason else 0
+    show_resumption(result)
+    return 1 if result.blocked or result.asks_reason else 0
 
 
 def _conduct(
@@ -143,7 +143,13 @@ def _conduct(
         host = EngineHost(
             rig_document, chosen, parse_bind(bind) if bind else None, record_wire=record_wire
         )
-        shown: Progress = _Json() if progress == "json" else _bar(test.record)
+        shown: Progress = (
+            _Json()
+            if progress == "json"
+            else _Bar(test.record)
+            if sys.stderr.isatty()
+            else _Quiet()
+        )
         operator = test.record.metadata.operator
         try:
             starting = Background(
@@ -180,11 +186,13 @@ def show_resumption(found: Resumption) -> None:
         f"{found.revolutions} revolutions are in it, up to number {found.last_revolution} of"
         f" {found.planned}{last}.",
     ]
-    for one in found.findings:
-        same = one.before == one.now or not one.before
-        values = one.now if same else f"{one.before} -> {one.now}"
-        text = ": ".join(part for part in (one.what, values) if part)
-        lines.append(f"  {one.fit.value:14} {text}{f' ({one.sentence})' if one.sentence else ''}")
+    for finding in found.findings:
+        same = finding.before == finding.now or not finding.before
+        values = finding.now if same else f"{finding.before} -> {finding.now}"
+        text = ": ".join(part for part in (finding.what, values) if part)
+        lines.append(
+            f"  {finding.fit.value:14} {text}{f' ({finding.sentence})' if finding.sentence else ''}"
+        )
     print("\n".join(map(indented, lines)), file=sys.stderr)
 
 
@@ -245,16 +253,15 @@ class Interruption:
     def _end_test(self, now: float) -> None:
         engine = self._host.engine
         if self._stop is None or (self._stop.done and isinstance(self._stop.error, Refused)):
-            self._stop = Background(lambda: engine.stop("", self._words()), "interrupt")
+            self._stop = Background(
+                lambda: engine.stop("", f"interrupted by {self.cause}"), "interrupt"
+            )
         if len(self._signals) > 1 and self._off is None:
             self._off = Background(lambda: engine.drive_off("", "interrupted twice"), "drive off")
             self._since = now
         if len(self._signals) > 2 and self._off is not None and now - self._since > OFF_S:
             withdraw(os.getpid())
             end_at_once("interrupted again: THE SPINDLE MAY STILL TURN; press the emergency stop.")
-
-    def _words(self) -> str:
-        return f"interrupted by {self.cause}"
 
 
 def _follow(
@@ -354,7 +361,3 @@ class _Bar:
     def close(self) -> None:
         with suppress(OSError):  # of a terminal that was closed
             self._progress.stop()
-
-
-def _bar(test: TestFile) -> Progress:
-    return _Bar(test) if sys.stderr.isatty() else _Quiet()

@@ -29,14 +29,14 @@ def show_engines(rig: Path | None, *, as_json: bool) -> int:
 
     rig: only the engine of this rig file. An engine that does not answer is listed with the reason.
     """
-    found = [_requested(entry) for entry in _entries(rig)]
+    result = [_requested(entry) for entry in _entries(rig)]
     if as_json:
-        print(json.dumps(found, indent=2))
-    elif not found:
+        print(json.dumps(result, indent=2))
+    elif not result:
         print(f"No engine runs{f' for {rig}' if rig is not None else ''}.")
     else:
-        print("\n".join(line for one in found for line in _lines(one)))
-    return 0 if found else 1
+        print("\n".join(line for one in result for line in _lines(one)))
+    return 0 if result else 1
 
 
 def _entries(rig: Path | None) -> list[Any]:
@@ -111,7 +111,7 @@ def _lines(one: dict[str, Any]) -> list[str]:
         return [head, *_indented(one["problem"])]
     word, line = one["state_word"], one["state_line"]
     lines = [head, f"  {line}" if line.startswith(word) else f"  {word}. {line}"]
-    lines += [f"      {one}" for one in one["state_details"].splitlines()]
+    lines += [f"      {line}" for line in one["state_details"].splitlines()]
     if one["file"]:
         lines.append(
             f"  {one['test']}: revolution {one['revolution']} of {one['planned']},"

@@ -30,7 +30,7 @@ from rigapp.notify.channels import (
     user_folder,
     ways_of,
 )
-from rigapp.notify.delivery import AttemptRequest, DeliveryResult
+from rigapp.notify.delivery import AttemptRequest
 from rigapp.notify.message import Message, clock
 from rigapp.notify.store import identity, read_state, state_file
 from rigapp.process.children import module_command
@@ -121,10 +121,10 @@ def _wait_for_devices(client: Any) -> None:
 
 
 def _shown_queue(queue: Queue) -> int:
-    left = sum(one.state is not ItemState.DONE for one in queue.items)
+    left = sum(item.state is not ItemState.DONE for item in queue.items)
     print(f"{left} to be done, the queue {'works' if queue.working else 'stands'}")
-    for one in queue.items:
-        print(line(one))
+    for item in queue.items:
+        print(line(item))
     return 0
 
 
@@ -164,12 +164,9 @@ def try_ways(rig: Path | None) -> int:
         request = AttemptRequest("ping", ways.ping.url, str(ways.secrets))
         results.append((f"ping, {address(ways.ping.url)}", attempt(request)))
     for way, result in results:
-        print(f"{way}: {_outcome(result)}.")
+        outcome = "sent" if result.ok else f"NOT SENT: {result.reason.rstrip('.')}"
+        print(f"{way}: {outcome}.")
     return 0 if all(result.ok for _, result in results) else 1
-
-
-def _outcome(result: DeliveryResult) -> str:
-    return "sent" if result.ok else f"NOT SENT: {result.reason.rstrip('.')}"
 
 
 def _named(way: NotifySection) -> str:
@@ -349,7 +346,7 @@ def remove_units(rigs: Sequence[Path]) -> int:
     """
     folder = units_folder()
     there = {path.name: _owner(path) for path in sorted(folder.glob("rigapp-*.service"))}
-    wanted = {str(one.resolve()) for one in rigs}
+    wanted = {str(rig.resolve()) for rig in rigs}
     known = [name for name, of in there.items() if of in wanted or not rigs]
     if not known:
         raise UnusableInput(f"{folder}: nothing of rigapp's is installed{' for it' * bool(rigs)}.")

@@ -57,20 +57,20 @@ def open_window(rig: Path | None, test: Path | None, *, start: bool, language: s
 
 def _tests(rig: Path, test: Path | None) -> list[Path]:
     """Return the test files to offer: the named one, then those beside the rig, shortest first."""
-    found: list[Path] = []
+    result: list[Path] = []
     if test is not None:
         read_test(test)
-        found.append(test.resolve())
+        result.append(test.resolve())
     beside: list[tuple[int, Path]] = []
     for path in rig.parent.glob("*.toml"):
         try:
             revolutions = read_test(path).record.run.revolutions
         except UnusableInput:
             continue
-        if path.resolve() not in found:
+        if path.resolve() not in result:
             beside.append((revolutions, path.resolve()))
-    found += [path for _, path in sorted(beside)]
-    return found
+    result += [path for _, path in sorted(beside)]
+    return result
 
 
 def replay_file(path: Path) -> int:

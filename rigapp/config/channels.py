@@ -55,7 +55,7 @@ def channel_table(rig: RigFile) -> ChannelTable:
             signal_range=probes.range_V,
             latency_s=1e-3 * probes.latency_ms[axis - 1],
         )
-    base = tuple(wired[one.name] for one in BASE.channels)
+    base = tuple(wired[channel.name] for channel in BASE.channels)
     free = [_channel(name, section) for name, section in rig.channels.items()]
     return ChannelTable((*base, *sorted(free, key=lambda one: one.kind is Kind.SLOW)))
 
@@ -89,7 +89,7 @@ def _channel(name: str, section: ChannelSection) -> Channel:
 
 def input_keys(rig: RigFile) -> dict[str, str]:
     """Return key -> name of every input of the data source that a rig file names."""
-    found = {
+    result = {
         "encoder.input": rig.encoder.input,
         "load_cell.input_1": rig.load_cell.input_1,
         "load_cell.input_2": rig.load_cell.input_2,
@@ -98,15 +98,17 @@ def input_keys(rig: RigFile) -> dict[str, str]:
     }
     for name, section in rig.channels.items():
         if not section.source:
-            found[f"channels.{name}.input"] = section.input
-    return found
+            result[f"channels.{name}.input"] = section.input
+    return result
 
 
 def channel_faults(rig: RigFile) -> Iterator[str]:
     """Yield what is wrong with the free channels, each with its key."""
-    known = {one.name for one in prediction_columns()} | RESERVED
+    known = {column.name for column in prediction_columns()} | RESERVED
     taken = dict.fromkeys(known | taken_names(BASE.channels), say("has it already"))
-    taken |= dict.fromkeys((one.name for one in BASE.channels), say("is a channel of every rig"))
+    taken |= dict.fromkeys(
+        (channel.name for channel in BASE.channels), say("is a channel of every rig")
+    )
     for name, section in rig.channels.items():
         key = f"channels.{name}"
         wrong = _of_name(name, key, section, taken)
@@ -124,7 +126,7 @@ def _of_name(name: str, key: str, section: ChannelSection, taken: Mapping[str, s
             key,
             LONGEST_NAME,
         )
-    own = {one.name for one in _channel(name, section).columns} | {name, f"raw_{name}"}
+    own = {column.name for column in _channel(name, section).columns} | {name, f"raw_{name}"}
     clash = sorted(own & taken.keys(), key=lambda one: (one != name, one))
     if not clash:
         return ""

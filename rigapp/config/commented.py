@@ -61,7 +61,7 @@ class _Writer:
                 tables.append(field)
                 continue
             yield from self._key(self._keys[f"{path}{field.name}"], field.name, stated)
-        for field in (one for one in tables if one.name not in self._without):
+        for field in (table for table in tables if table.name not in self._without):
             value = None if stated is None else stated.get(field.name)
             yield from self._tables(field, f"{path}{field.name}", f"{name}{field.name}", value)
 

@@ -121,7 +121,7 @@ def _of_numbers(rig: RigFile) -> Iterator[str]:
             yield say(
                 "{} = {} cannot be inverted; two rows say the same, or nothing",
                 key,
-                _listed(matrix),
+                [list(row) for row in matrix],
             )
     for place, zero in enumerate(cell.zero_mV_per_V, 1):
         if abs(zero) >= cell.range_mV_per_V:
@@ -170,10 +170,6 @@ def _condition(matrix: Matrix) -> float:
         return math.inf
     half = math.hypot(a, b, c, d) ** 2 / (2.0 * determinant)
     return half + math.sqrt(max(half * half - 1.0, 0.0))
-
-
-def _listed(matrix: Matrix) -> str:
-    return str([list(row) for row in matrix])
 
 
 def _of_test(test: TestFile) -> Iterator[str]:

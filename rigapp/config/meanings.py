@@ -117,7 +117,7 @@ def tables_in(hint: Any) -> list[type[msgspec.Struct]]:
     """Return the sections that a type holds, at whatever depth."""
     if isinstance(hint, type) and issubclass(hint, msgspec.Struct):
         return [hint]
-    return [one for part in typing.get_args(hint) for one in tables_in(part)]
+    return [table for part in typing.get_args(hint) for table in tables_in(part)]
 
 
 def _holding(
@@ -143,12 +143,12 @@ def _of_type(hint: Any, allowed: Range) -> dict[str, Any]:
     if origin is Literal:
         return {"enum": list(parts)}
     if origin in (typing.Union, types.UnionType):
-        kinds = [_of_type(one, allowed) for one in parts if one is not type(None)]
+        kinds = [_of_type(part, allowed) for part in parts if part is not type(None)]
         return kinds[0] if len(kinds) == 1 else {"anyOf": kinds}
     if origin is tuple and parts[-1] is Ellipsis:
         return {"type": "array", "items": _of_type(parts[0], allowed)}
     if origin is tuple:
-        items = [_of_type(one, allowed) for one in parts]
+        items = [_of_type(part, allowed) for part in parts]
         return {"type": "array", "items": items, "minItems": len(items), "maxItems": len(items)}
     if hint not in _PLAIN:
         return {"type": "object"}

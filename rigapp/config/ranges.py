@@ -61,7 +61,7 @@ def _keys(kind: type[msgspec.Struct], prefix: str, *, optional: bool) -> Iterato
             star = ".*" if typing.get_origin(hint) is dict else ""
             yield from _keys(inner, f"{path}{star}.", optional=True)
         choices, metas = tuple(_choices(field.type)), getattr(field.type, "__metadata__", ())
-        words = next((one.description for one in metas if one.description), "")
+        words = next((meta.description for meta in metas if meta.description), "")
         yield Key(path, hint, field.default, _range_in(field.type), choices, optional, words)
 
 
@@ -86,10 +86,12 @@ def _range_in(hint: Any) -> Range:
     """Return what a type says of its number, wherever in it that stands."""
     for meta in getattr(hint, "__metadata__", ()):
         if isinstance(meta, msgspec.Meta) and "range" in (meta.extra or {}):
-            found: Range = (meta.extra or {})["range"]
-            return found.counted() if int in (_bare(hint), *typing.get_args(_bare(hint))) else found
+            result: Range = (meta.extra or {})["range"]
+            return (
+                result.counted() if int in (_bare(hint), *typing.get_args(_bare(hint))) else result
+            )
     parts = typing.get_args(hint)
-    return next((found for part in parts if (found := _range_in(part)) is not ANY), ANY)
+    return next((result for part in parts if (result := _range_in(part)) is not ANY), ANY)
 
 
 def _choices(hint: Any) -> Iterator[str]:

@@ -50,13 +50,13 @@ def read_text(path: Path, largest: int = LARGEST_BYTES) -> str:
 
 def _in_time(path: Path, largest: int) -> bytes:
     """Read in a thread of its own: a folder that is not reachable hangs whoever looks at it."""
-    found: list[bytes | BaseException] = []
+    result: list[bytes | BaseException] = []
 
     def run() -> None:
         try:
-            found.append(_read(path, largest))
+            result.append(_read(path, largest))
         except BaseException as error:
-            found.append(error)
+            result.append(error)
         finally:
             _hanging.release()
 
@@ -65,13 +65,13 @@ def _in_time(path: Path, largest: int) -> bytes:
     thread = threading.Thread(target=run, name="read file", daemon=True)
     thread.start()
     thread.join(2.0 * PATIENCE_S)
-    if not found:
+    if not result:
         raise UnusableInput(
             "{}: could not be read within {:g} s; is its folder reachable?", path, 2.0 * PATIENCE_S
         )
-    if isinstance(found[0], BaseException):
-        raise found[0]
-    return found[0]
+    if isinstance(result[0], BaseException):
+        raise result[0]
+    return result[0]
 
 
 def _read(path: Path, largest: int) -> bytes:

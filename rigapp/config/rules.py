@@ -29,7 +29,7 @@ def quantities(table: ChannelTable) -> dict[str, str]:
     A name that both have (``force_max``) means what was measured.
     """
     columns = (*prediction_columns(), *table.revolution_columns)
-    return {one.name: one.unit for one in columns if one.name not in _NOT_LIMITED}
+    return {column.name: column.unit for column in columns if column.name not in _NOT_LIMITED}
 
 
 BOUNDS = ("critical_above", "critical_below", "warning_above", "warning_below")
@@ -148,8 +148,8 @@ def _disorder(side: str, warning: float | None, critical: float | None, sign: in
 
 def levels(stop: StopSection) -> dict[str, float]:
     """Return the levels of the criteria that are set, by key, in the order of the table."""
-    found = {key: getattr(stop, key) for key in CRITERIA}
-    return {key: level for key, level in found.items() if level is not None}
+    result = {key: getattr(stop, key) for key in CRITERIA}
+    return {key: level for key, level in result.items() if level is not None}
 
 
 def described(stop: StopSection) -> list[str]:

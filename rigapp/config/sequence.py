@@ -50,13 +50,13 @@ class Sequence:
         self._steps = run.step or (RunStep(revolutions=run.revolutions),)
         self._numbered = bool(run.step)
         self._run = run
-        self.ends = list(accumulate(revolutions_of(one, run) for one in self._steps))
+        self.ends = list(accumulate(revolutions_of(step, run) for step in self._steps))
         before = min(run.repeat_from_step, len(self._steps)) - 1
         self.loop_from = self.ends[before - 1] if before else 0
         self.loop = self.ends[-1] - self.loop_from
         self._loop_s = sum(
-            revolutions_of(one, run) * 60.0 / self._speed(one) + one.rest_s
-            for one in self._steps[before:]
+            revolutions_of(step, run) * 60.0 / self._speed(step) + step.rest_s
+            for step in self._steps[before:]
         )
 
     @property
@@ -77,7 +77,7 @@ class Sequence:
     @property
     def fastest_rpm(self) -> float:
         """Return the highest speed of all steps."""
-        return max(self._speed(one) for one in self._steps)
+        return max(self._speed(step) for step in self._steps)
 
     @property
     def fastest_key(self) -> str:
@@ -89,12 +89,12 @@ class Sequence:
     @property
     def slowest_rpm(self) -> float:
         """Return the lowest speed of all steps."""
-        return min(self._speed(one) for one in self._steps)
+        return min(self._speed(step) for step in self._steps)
 
     @property
     def gentlest_rpm_per_s(self) -> float:
         """Return the acceleration of the longest ramp."""
-        return min(self._ramp(one) for one in self._steps)
+        return min(self._ramp(step) for step in self._steps)
 
     def at(self, revolution: int) -> StepPlace:
         """Return the step of a revolution, which is counted from 1."""

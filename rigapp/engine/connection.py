@@ -142,7 +142,7 @@ class Connection:
 
     @property
     def _askers(self) -> tuple[Worker, ...]:
-        return tuple(one.worker for one in self.rig.slow_channels.devices.values())
+        return tuple(device.worker for device in self.rig.slow_channels.devices.values())
 
     @property
     def sound(self) -> bool:

@@ -215,11 +215,12 @@ def _slow_requests(
 
 def _inputs(rig: RigFile) -> dict[str, tuple[str, float]]:
     lines = 4 if rig.encoder.quadrature == "before" else 1
-    found = {
-        one.input: (KINDS[one.signal_unit], one.signal_range) for one in channel_table(rig).sampled
+    result = {
+        channel.input: (KINDS[channel.signal_unit], channel.signal_range)
+        for channel in channel_table(rig).sampled
     }
-    found[rig.encoder.input] = ("counter", float(rig.encoder.counts_per_revolution * lines))
-    return found
+    result[rig.encoder.input] = ("counter", float(rig.encoder.counts_per_revolution * lines))
+    return result
 
 
 def _check_inputs(rig: RigFile, info: DriverInfo, request: DataRequest, where: str) -> None:

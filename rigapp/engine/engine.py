@@ -42,7 +42,7 @@ from rigapp.engine.wirerecording import WireRecording
 from rigapp.process.awake import StayAwake
 from rigapp.process.memory import give_back
 from rigapp.process.threads import CommandLock
-from rigapp.schema.alarms import Cause, make_alarm
+from rigapp.schema.alarms import make_alarm
 from rigapp.schema.details import error_text
 from rigapp.schema.loglines import LogEntry, SpecimenWear
 from rigapp.schema.messages import (
@@ -388,20 +388,10 @@ class Engine:
         """Warn that viewers cannot be served."""
         self._core.act_on(make_alarm("service", sentence=sentence))
 
-    def messages_failed(self, sentence: str) -> None:
-        """Warn that somebody who is away may not be told; without a sentence that is over."""
-        self._warned(make_alarm("messages", sentence=sentence))
-
-    def test_cut_off(self, sentence: str) -> None:
-        """Warn that nobody ended the rig's last test; without a sentence that is over."""
-        self._warned(make_alarm("cut_off", sentence=sentence))
-
-    def queue_stopped(self, sentence: str) -> None:
-        """Warn that the queue begins no other test; without a sentence that is over."""
-        self._warned(make_alarm("queue", sentence=sentence))
-
-    def _warned(self, cause: Cause) -> None:
-        if cause.sentence:
+    def warn(self, kind: str, sentence: str) -> None:
+        """Warn of the messages, the queue or a test cut off; without a sentence that is over."""
+        cause = make_alarm(kind, sentence=sentence)
+        if sentence:
             self._core.warn(cause)
         else:
             self._core.alarms.clear(cause.key)

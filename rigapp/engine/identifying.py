@@ -18,8 +18,8 @@ IDENTITY: Final = ("maker", "model", "firmware", "serial_number")
 
 def told_by(identity: Identity) -> dict[str, str]:
     """Return what a device said of itself as it is kept beside its settings."""
-    found = {f"device_{name}": getattr(identity, name) for name in IDENTITY}
-    return {name: value for name, value in found.items() if value}
+    result = {f"device_{name}": getattr(identity, name) for name in IDENTITY}
+    return {name: value for name, value in result.items() if value}
 
 
 def stranger(device: Guarded, driver: str) -> WrongDevice | None:
@@ -59,12 +59,12 @@ def together(errors: Sequence[DeviceError]) -> DeviceError:
 
 
 def _others(driver: str) -> list[DriverInfo]:
-    found = []
+    result = []
     for name in available_drivers():
         if name != driver:
             with suppress(DriverNotFound):
-                found.append(load_driver(name))
-    return found
+                result.append(load_driver(name))
+    return result
 
 
 def identity_words(readback: Mapping[str, object]) -> str:

@@ -167,20 +167,20 @@ class Publisher:
     def restart(self, first_row: int) -> None:
         """Tell every viewer that another file begins."""
         self.next_row = first_row
-        for one in self._subscriptions:
-            one.restart(first_row)
+        for subscription in self._subscriptions:
+            subscription.restart(first_row)
 
     def row(self, row: Array, cycle: Any) -> None:
         """Publish a row that is in the file."""
-        for one in self._subscriptions:
-            one.add_row(row, self.next_row, cycle)
+        for subscription in self._subscriptions:
+            subscription.add_row(row, self.next_row, cycle)
         self.next_row += 1
 
     def prediction(self, values: Array, prediction: Prediction) -> None:
         """Publish a prediction; its checkpoint is for the file alone."""
         shown = msgspec.structs.replace(prediction, profile=None, checkpoint=b"")
-        for one in self._subscriptions:
-            one.add_prediction(values, shown, prediction.profile)
+        for subscription in self._subscriptions:
+            subscription.add_prediction(values, shown, prediction.profile)
 
     def notice(self, notice: Notice) -> None:
         """Publish a milestone."""

@@ -209,7 +209,7 @@ def hear(
         signals=dict(zip(calibration.names, means.signals.T.tolist(), strict=True)),
         samples_per_mean=means.samples_per_mean,
         sample_rate_Hz=means.sample_rate_Hz,
-        units={one.channel.name: one.unit for one in calibration.wires},
+        units={wire.channel.name: wire.unit for wire in calibration.wires},
         angle_deg=_angle_deg(rig) if processor.index_seen else None,
         count_deg=360.0 / encoder.counts_per_revolution,
         stands=rig.is_stationary(),

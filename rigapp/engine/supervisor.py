@@ -160,7 +160,7 @@ class Supervisor:
         test = core.test
         if core.state not in ACTIVE:
             alarms = core.alarms.alarms()
-            waiting = any(one.active and one.ends is Ends.STAND for one in alarms)
+            waiting = any(alarm.active and alarm.ends is Ends.STAND for alarm in alarms)
             seen = connection.rig.control.seen() if waiting else None
             if seen is not None and seen.is_stationary and seen.encoder_stands:
                 core.alarms.clear_ended_by(Ends.STAND)

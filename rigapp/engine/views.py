@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 import time
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 from typing import Any, Final
@@ -76,7 +76,7 @@ class Situation:
 
     def critical(self, *ends: Ends) -> list[Alarm]:
         """Return the critical alarms that hold and end so, or without ``ends`` all on the list."""
-        listed = [one for one in self.alarms if one.severity is Severity.CRITICAL]
+        listed = [alarm for alarm in self.alarms if alarm.severity is Severity.CRITICAL]
         return [one for one in listed if one.active and one.ends in ends] if ends else listed
 
 
@@ -110,7 +110,7 @@ def recovery(now: Situation) -> Recovery:
         Remedy.CAUSE: seen,
         Remedy.CONNECT: lost,
         Remedy.ACKNOWLEDGE: fresh,
-        Remedy.RESET: drive or _first_out_first(listed),
+        Remedy.RESET: drive or sorted(listed, key=lambda alarm: not alarm.first_out),
     }.get(step, [])
     return Recovery(
         step=step,
@@ -119,10 +119,6 @@ def recovery(now: Situation) -> Recovery:
         left=left,
         cause=about[0].key if about else "",
     )
-
-
-def _first_out_first(alarms: Iterable[Alarm]) -> list[Alarm]:
-    return sorted(alarms, key=lambda one: not one.first_out)
 
 
 def _verb(step: Remedy, now: Situation) -> str:
@@ -339,12 +335,12 @@ def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
     )
     slow = (
         DeviceView(
-            **_named(connection.devices, one.source, one.last_error),
-            connected=one.answering,
-            errors=one.errors,
+            **_named(connection.devices, device.source, device.last_error),
+            connected=device.answering,
+            errors=device.errors,
             needed=False,
         )
-        for one in connection.rig.slow_channels.devices.values()
+        for device in connection.rig.slow_channels.devices.values()
     )
     return (sampling, drive, *slow)
 
@@ -378,7 +374,7 @@ def _named(devices: Devices, device: Guarded, error: DeviceError | None = None) 
         "name": device.name,
         "driver": devices.drivers[device.name],
         "port": device.port,
-        "identity": " ".join(getattr(identity, one) for one in words).strip() if identity else "",
+        "identity": " ".join(getattr(identity, word) for word in words).strip() if identity else "",
         "counters": dict(device.counters()),
         "wiring": str(devices.readback.get(device.name, {}).get("wiring", "")),
         "advice": str(devices.readback.get(device.name, {}).get("advice", "")),
@@ -397,7 +393,7 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
         PROBES: calibration.probes.record or RIG_FILE,
         **{name: line.record or RIG_LINE for name, line in calibration.scalars.items()},
     }
-    units = {one.channel.name: one.unit for one in calibration.wires}
+    units = {wire.channel.name: wire.unit for wire in calibration.wires}
     views = []
     for channel in calibration.table.curves:
         value = live.values[channel.name]
@@ -426,7 +422,7 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
     shown = angle if angle is not None else math.nan
     views.append(ChannelView("crank_angle", live.count, "count", shown, "deg", "encoder"))
     # One without a value is left out: viewers of before expect a number.
-    return tuple(one for one in views if math.isfinite(one.value) and math.isfinite(one.raw))
+    return tuple(view for view in views if math.isfinite(view.value) and math.isfinite(view.raw))
 
 
 def _uncertainty(
@@ -446,5 +442,5 @@ def uncertainty_of_force(core: Core, force: float) -> float | None:
 
     force: magnitude of the whole force.
     """
-    found = stated_uncertainty("", core.rig.record.load_cell.uncertainty_N)
-    return None if found is None else float(found.at(force))
+    result = stated_uncertainty("", core.rig.record.load_cell.uncertainty_N)
+    return None if result is None else float(result.at(force))

@@ -44,7 +44,7 @@ class Watches:
         self._rig = rig
         self._told: tuple[InputFault, ...] = ()
         self._saturated: dict[str, int] = {}
-        self._carried = {one.input: one.name for one in core.table.sampled}
+        self._carried = {channel.input: channel.name for channel in core.table.sampled}
 
     def look(self) -> None:
         """Look once."""

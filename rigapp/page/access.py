@@ -106,10 +106,10 @@ def access_to(bind: str, token: Path | None, certificate: Path | None, key: Path
     bind: ADDRESS:PORT, port 0 lets the system choose. token: file of mode 0600. certificate, key:
     PEM files; the key is private, too.
     """
-    found = re.fullmatch(r"(?:\[([^\]]+)\]|([^:/]+)):(\d{1,5})", bind)
-    if found is None or int(found[3]) > 65535:
+    result = re.fullmatch(r"(?:\[([^\]]+)\]|([^:/]+)):(\d{1,5})", bind)
+    if result is None or int(result[3]) > 65535:
         raise UnusableInput(f"--bind {bind}: give ADDRESS:PORT, for example 127.0.0.1:8750.")
-    address = interface_address(f"--bind {bind}", found[1] or found[2])
+    address = interface_address(f"--bind {bind}", result[1] or result[2])
     if (certificate is None) != (key is None):
         raise UnusableInput("--certificate and --key belong together; give both.")
     if not address.is_loopback and (token is None or certificate is None):
@@ -120,7 +120,7 @@ def access_to(bind: str, token: Path | None, certificate: Path | None, key: Path
     if certificate is not None and key is not None:
         _check_pair(certificate, key)
     secret = _token(token) if token is not None else b""
-    return Access(str(address), int(found[3]), address.is_loopback, secret, certificate, key)
+    return Access(str(address), int(result[3]), address.is_loopback, secret, certificate, key)
 
 
 def _token(path: Path) -> bytes:

@@ -29,19 +29,19 @@ PARTS = ("head", "force", "trends", "log")
 
 @cache
 def _templates() -> Environment:
-    found = Environment(
+    result = Environment(
         loader=PackageLoader("rigapp.page", "templates"),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    found.filters["clock"] = lambda at: dated("%d %b %H:%M:%S", time.localtime(at))
-    found.filters["grouped"] = grouped
-    found.filters["sentence"] = sentence_of
-    found.filters["details"] = details_of
-    found.filters["duration"] = duration
-    return found
+    result.filters["clock"] = lambda at: dated("%d %b %H:%M:%S", time.localtime(at))
+    result.filters["grouped"] = grouped
+    result.filters["sentence"] = sentence_of
+    result.filters["details"] = details_of
+    result.filters["duration"] = duration
+    return result
 
 
 def head(view: RigView, now: float) -> str:
@@ -57,7 +57,7 @@ def log(view: RigView) -> str:
 
 def pictures(plots: Sequence[Plot | None]) -> str:
     """Return plots with their titles and legends; None: not there yet."""
-    return _templates().get_template("plots.html").render(plots=[one for one in plots if one])
+    return _templates().get_template("plots.html").render(plots=[plot for plot in plots if plot])
 
 
 def page(rigs: Mapping[str, Mapping[str, str]], boot: str) -> str:

@@ -81,31 +81,37 @@ def _limits_used(view: RigView) -> Samples:
     # Two levels of one limit are told by the one that comes next, so each is there once.
     return [
         (
-            {"quantity": one.title, "action": one.action, "limit": f"{one.limit:g} {one.unit}"},
-            one.used,
+            {
+                "quantity": limit.title,
+                "action": limit.action,
+                "limit": f"{limit.limit:g} {limit.unit}",
+            },
+            limit.used,
         )
-        for one in view.limits
+        for limit in view.limits
     ]
 
 
 def _alarms(view: RigView) -> Samples:
     return [
         (
-            {"severity": one.value, "acknowledged": word},
+            {"severity": severity.value, "acknowledged": word},
             float(
                 sum(
-                    alarm.severity is one and alarm.acknowledged is seen and alarm.active
+                    alarm.severity is severity and alarm.acknowledged is seen and alarm.active
                     for alarm in view.alarms
                 )
             ),
         )
-        for one in Severity
+        for severity in Severity
         for word, seen in (("yes", True), ("no", False))
     ]
 
 
 def _devices(pick: str) -> Callable[[RigView], Samples]:
-    return lambda view: [({"device": one.name}, float(getattr(one, pick))) for one in view.devices]
+    return lambda view: [
+        ({"device": device.name}, float(getattr(device, pick))) for device in view.devices
+    ]
 
 
 TOLD = (

@@ -77,9 +77,13 @@ def svg(drawing: Drawing, steady: SteadyRange) -> str:
     """Return a drawing as an SVG element; steady: keeps the axis of y from one to the next."""
     steady.update(drawing.low, drawing.high)
     frame = _Frame(drawing.across, steady.range or (0.0, 1.0))
-    curves = [f'<path class="ribbon {one.role}" d="{frame.area(one)}"/>' for one in drawing.ribbons]
+    curves = [
+        f'<path class="ribbon {ribbon.role}" d="{frame.area(ribbon)}"/>'
+        for ribbon in drawing.ribbons
+    ]
     curves += [
-        f'<path class="curve {one.role}" d="{frame.line(one.x, one.y)}"/>' for one in drawing.curves
+        f'<path class="curve {curve.role}" d="{frame.line(curve.x, curve.y)}"/>'
+        for curve in drawing.curves
     ]
     inner = "".join(curves)
     box = f'x="{LEFT}" y="{TOP}" width="{frame.width}" height="{frame.height}"'
@@ -210,11 +214,11 @@ class Painter:
     def trends(self, news: News) -> list[Plot]:
         """Return the trends of which something is known."""
         quantities = trend_quantities(news.data.channels)
-        free = [one.name for one in news.data.channels.free]
+        free = [channel.name for channel in news.data.channels.free]
         names = [one for one in (LARGEST, "wear", "residual", *free) if one in quantities]
         requested = {name: quantities[name] for name in names} | _LIMITED
-        found = (self._trend(name, one, news) for name, one in requested.items())
-        return [one for one in found if one is not None]
+        result = (self._trend(name, one, news) for name, one in requested.items())
+        return [one for one in result if one is not None]
 
     def _trend(self, name: str, quantity: TrendQuantity, news: News) -> Plot | None:
         rows, predictions = news.data.rows, news.data.predictions
@@ -252,7 +256,7 @@ class Painter:
 
     def _plot(self, name: str, drawing: Drawing, span: float) -> Plot:
         steady = self._steady.setdefault(name, SteadyRange(span or FORCE_SPAN_N))
-        legend = tuple((one.role, one.text) for one in drawing.curves if one.text)
+        legend = tuple((curve.role, curve.text) for curve in drawing.curves if curve.text)
         return Plot(drawing.title, legend, svg(drawing, steady))
 
 
@@ -271,7 +275,7 @@ def _revolution(shown: RevolutionCurves, *, stale: bool) -> Iterator[Curve]:
 
 def _fitted(title: str, x_axis: str, y_axis: str, curves: list[Curve]) -> Drawing:
     """Return a drawing of one revolution whose axis takes in every curve."""
-    values = np.concatenate([one.y for one in curves])
+    values = np.concatenate([curve.y for curve in curves])
     values = values[np.isfinite(values)]
     low, high = (float(values.min()), float(values.max())) if values.size else (np.nan, np.nan)
     return Drawing(title, x_axis, y_axis, (0.0, 360.0), low, high, curves)

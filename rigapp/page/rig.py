@@ -167,7 +167,7 @@ class WatchedRig:
 
     def _attach(self) -> Observer:
         entry = self._find()
-        self._local = any(one.pid == entry.pid for one in running_engines())
+        self._local = any(engine.pid == entry.pid for engine in running_engines())
         return Observer(entry)
 
     def _look_for_restart(self, pid: int) -> None:

@@ -119,11 +119,11 @@ class BoundedConnection(H11Protocol):
         if len(self.connections) > self._gate.most:
             # The newest is among them; who has asked for something stays.
             silent = [
-                one
-                for one in self.connections
-                if isinstance(one, BoundedConnection)
-                and one.cycle is None
-                and not one.transport.is_closing()
+                connection
+                for connection in self.connections
+                if isinstance(connection, BoundedConnection)
+                and connection.cycle is None
+                and not connection.transport.is_closing()
             ]
             min(silent, key=lambda one: one.requested_at).drop()
 
@@ -231,9 +231,9 @@ async def _nothing() -> AsyncIterator[bytes]:
 def _assets() -> dict[str, bytes]:
     """Return the files of the page by name; all of them come with this package."""
     folder = resources.files("rigapp.page") / "assets"
-    found = {one.name: one.read_bytes() for one in folder.iterdir()}
-    found["page.css"] = fragments.style(found["page.css"].decode()).encode()
-    return {name: text for name, text in found.items() if name.rpartition(".")[2] in _KINDS}
+    result = {path.name: path.read_bytes() for path in folder.iterdir()}
+    result["page.css"] = fragments.style(result["page.css"].decode()).encode()
+    return {name: text for name, text in result.items() if name.rpartition(".")[2] in _KINDS}
 
 
 class _Door:

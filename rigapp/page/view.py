@@ -158,8 +158,8 @@ def view_of(rig: WatchedRig, news: News) -> RigView:
         wear=_wear(news),
         limits=tuple(_limits(news)),
         notes=tuple(_notes(news)),
-        tiles=tuple((one.title, one.value, one.detail) for one in tiles),
-        tile_marks=tuple(_mark(one.level, old=one.old) for one in tiles),
+        tiles=tuple((tile.title, tile.value, tile.detail) for tile in tiles),
+        tile_marks=tuple(_mark(tile.level, old=tile.old) for tile in tiles),
         revolution_age_s=age_of(news, Renewed.REVOLUTION).seconds,
         disk_free_bytes=disk.free if rig.disk is not None else None,
         disk_total_bytes=disk.total if rig.disk is not None else None,
@@ -176,8 +176,8 @@ _FROM_STATUS = (
 
 def _values(news: News) -> dict[str, float]:
     tables = (news.data.rows, news.data.predictions)
-    found = {name: table.last(name) for table in tables for name in table.names}
-    return {name: value for name, value in found.items() if math.isfinite(value)}
+    result = {name: table.last(name) for table in tables for name in table.names}
+    return {name: value for name, value in result.items() if math.isfinite(value)}
 
 
 def _wear(news: News) -> dict[str, float]:
@@ -209,8 +209,8 @@ def _mark(level: int, *, old: bool) -> str:
 def _notes(news: News) -> list[NoteView]:
     notes = [event for event in news.events if event.kind == "note"][-NOTES:]
     return [
-        NoteView(one.time, one.revolution, one.source, one.text[:NOTE_SHOWN])
-        for one in reversed(notes)
+        NoteView(note.time, note.revolution, note.source, note.text[:NOTE_SHOWN])
+        for note in reversed(notes)
     ]
 
 
@@ -225,7 +225,7 @@ def _tiles(news: News) -> list[FreeValue]:
     alarms = status.alarms
     speed = value_text(status.rig.speed_rpm, "rpm", 1)
     rates = quantity_level(alarms, "speed")
-    found = [
+    result = [
         aged(FreeValue("revolution", "Revolution", grouped(test.revolution), planned), told),
         *(aged(one, told) for one in _step(status)),
         aged(FreeValue("speed", "Speed", speed, _wanted(test.target_rpm), rates), sampled),
@@ -234,29 +234,29 @@ def _tiles(news: News) -> list[FreeValue]:
     if running and test.expected_end_at > status.engine.host_time:
         ends = dated(MOMENT, time.localtime(test.expected_end_at))
         left = duration(test.expected_end_at - status.engine.host_time)
-        found.append(FreeValue("end", "Planned end", left, ends))
+        result.append(FreeValue("end", "Planned end", left, ends))
     newest_N, sign = newest_force(news)
     if math.isfinite(newest_N):
         force = sign + value_text(newest_N, "N")
         nearest = nearest_margin(news, LARGEST) if status.engine.state in ACTIVE else None
         words = nearest.left if nearest is not None else ""
         level = level_of(alarms, LARGEST)
-        found.append(aged(FreeValue("force", "|F| maximum", force, words, level), turned))
+        result.append(aged(FreeValue("force", "|F| maximum", force, words, level), turned))
     residual = newest(news, "residual_rms")
     if math.isfinite(residual):
         level = level_of(alarms, "residual_rms")
         text = f"{residual:.2f} N"
         one = FreeValue("residual", "Measured − model", text, "RMS", level)
-        found.append(aged(one, predicted))
-    found += (aged(one, predicted) for one in (*_depth(news), *wear_of(news, time.time())))
+        result.append(aged(one, predicted))
+    result += (aged(one, predicted) for one in (*_depth(news), *wear_of(news, time.time())))
     if test.worst_margin and test.worst_margin_percent is not None:
         margin = f"{test.worst_margin_percent:.0f} %"
         words = margin_words(test.worst_margin)
-        found.append(aged(FreeValue("margin", "Smallest margin", margin, words), told))
+        result.append(aged(FreeValue("margin", "Smallest margin", margin, words), told))
     age = value_text(news.data_age_s, "s", 1)
-    found.append(FreeValue("age", "Age of the data", age, "", level_of(alarms, "data_age")))
-    found += free_values(news)
-    return found
+    result.append(FreeValue("age", "Age of the data", age, "", level_of(alarms, "data_age")))
+    result += free_values(news)
+    return result
 
 
 def _step(status: Status) -> list[FreeValue]:

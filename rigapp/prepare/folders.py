@@ -52,7 +52,7 @@ def starting_files(examples: Path) -> Iterator[StartingFile]:
 
 
 def _sources(examples: Path) -> list[Path]:
-    calibration = (one for one in (examples / "calibration").iterdir() if one.is_file())
+    calibration = (path for path in (examples / "calibration").iterdir() if path.is_file())
     return [
         *(examples / name for name in (RIG, TEST, "parameters.toml")),
         *sorted(calibration),
@@ -65,7 +65,7 @@ def _refuse_existing(folder: Path, files: list[StartingFile]) -> None:
     for place in (folder, *(folder / name for name in ("calibration", "notebooks"))):
         if os.path.lexists(place) and not place.is_dir():
             raise UnusableInput("{}: is no folder; nothing is written, name another folder.", place)
-    there = [str(one.place) for one in files if os.path.lexists(folder / one.place)]
+    there = [str(file.place) for file in files if os.path.lexists(folder / file.place)]
     if there:
         names = joined(", ", there)
         raise UnusableInput(
@@ -79,11 +79,11 @@ def _refuse_existing(folder: Path, files: list[StartingFile]) -> None:
 def _write(folder: Path, files: list[StartingFile]) -> None:
     """Write all files, or take back what was written."""
     with ExitStack() as undo:
-        for one in files:
-            target = folder / one.place
+        for file in files:
+            target = folder / file.place
             _make_folder(target.parent, undo)
             with whole_file(target, new=True) as part:
-                part.write_text(one.text, encoding="utf-8")
+                part.write_text(file.text, encoding="utf-8")
             undo.callback(target.unlink, missing_ok=True)
         undo.pop_all()
 

@@ -124,9 +124,9 @@ def search_ports() -> list[FoundPort]:
     take any byte for a speed.
     """
     drivers = _drivers()
-    found = [_looked_at(port, drivers) for port in sorted(list_ports.comports())]
-    found += [FoundPort(name, say("CAN interface")) for name in can_networks()]
-    return sorted(found, key=lambda one: not one.driver)
+    result = [_looked_at(port, drivers) for port in sorted(list_ports.comports())]
+    result += [FoundPort(name, say("CAN interface")) for name in can_networks()]
+    return sorted(result, key=lambda one: not one.driver)
 
 
 def _looked_at(port: Any, drivers: Sequence[DriverInfo]) -> FoundPort:
@@ -138,7 +138,7 @@ def _looked_at(port: Any, drivers: Sequence[DriverInfo]) -> FoundPort:
         return FoundPort(name, say("{}: this user may not open it", label))
     if not may_be_probed(port.device, known):
         return FoundPort(name, say("{}: not asked, it is no USB device itself", label))
-    inquiry = ask(port.device, [*known, *(one for one in drivers if one not in known)])
+    inquiry = ask(port.device, [*known, *(driver for driver in drivers if driver not in known)])
     if inquiry.answer is None:
         return FoundPort(name, say("{}: {}", label, inquiry.problem or say("no answer")))
     number = inquiry.answer.identity.serial_number
@@ -150,7 +150,7 @@ def _looked_at(port: Any, drivers: Sequence[DriverInfo]) -> FoundPort:
 def can_networks(folder: Path = Path("/sys/class/net")) -> list[str]:
     """Return the names of the CAN interfaces of the system."""
     try:
-        return sorted(one.name for one in folder.iterdir() if _kind_of(one) == _CAN_TYPE)
+        return sorted(path.name for path in folder.iterdir() if _kind_of(path) == _CAN_TYPE)
     except OSError:
         return []
 
@@ -164,13 +164,13 @@ def _kind_of(network: Path) -> str:
 
 def _drivers() -> list[DriverInfo]:
     """Return the drivers that can be loaded; doctor tells of the others."""
-    found = []
+    result = []
     for name in available_drivers():
         try:
-            found.append(load_driver(name))
+            result.append(load_driver(name))
         except DriverNotFound:
             continue
-    return found
+    return result
 
 
 def real_files(boxes: Sequence[Box]) -> list[StartingFile]:
@@ -192,9 +192,9 @@ def real_files(boxes: Sequence[Box]) -> list[StartingFile]:
     parse_test(test, "test.toml")
     calibrations = [
         StartingFile(
-            one.relative_to(examples), read_text(one).replace("../simulated.toml", "../rig.toml")
+            path.relative_to(examples), read_text(path).replace("../simulated.toml", "../rig.toml")
         )
-        for one in sorted((examples / "calibration").glob("*.toml"))
+        for path in sorted((examples / "calibration").glob("*.toml"))
     ]
     return [
         StartingFile(Path("rig.toml"), rig),

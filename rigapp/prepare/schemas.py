@@ -23,11 +23,11 @@ def schema_text(kind: str) -> str:
 
 def _settings() -> Mapping[str, Mapping[str, Any]]:
     """Return the settings of each driver that can be loaded; doctor tells of the others."""
-    found = {}
+    result = {}
     for name in available_drivers():
         try:
             keys = load_driver(name).settings
         except DriverNotFound:
             continue
-        found[name] = {key: schema_of_setting(spec) for key, spec in keys.items()}
-    return found
+        result[name] = {key: schema_of_setting(spec) for key, spec in keys.items()}
+    return result

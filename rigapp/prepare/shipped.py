@@ -48,4 +48,4 @@ def _installed(shared: str) -> list[Path]:
         files = metadata.files("rigapp") or []
     except metadata.PackageNotFoundError:
         return []
-    return [Path(str(one.locate())).resolve() for one in files if str(one).endswith(shared)]
+    return [Path(str(file.locate())).resolve() for file in files if str(file).endswith(shared)]

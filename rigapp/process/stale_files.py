@@ -43,13 +43,13 @@ def find_stale(folder: Path, pattern: str) -> list[tuple[Path, re.Match[str]]]:
 
     pattern: of the whole name, with a group ``pid``.
     """
-    found = []
+    result = []
     with contextlib.suppress(OSError):
         for entry in os.scandir(folder):
             match = re.fullmatch(pattern, entry.name)
             if match is not None and _abandoned(entry, int(match["pid"])):
-                found.append((Path(entry.path), match))
-    return found
+                result.append((Path(entry.path), match))
+    return result
 
 
 def remove_left_behind(folder: Path, pattern: str) -> list[Path]:

@@ -29,7 +29,6 @@ from rigapp.publishing.private import (
     is_elsewhere,
 )
 from rigapp.publishing.publication import Author
-from rigapp.schema.messages import Event
 
 RIG, TEST = "/entry/configuration/rig", "/entry/configuration/test"
 SETTINGS = {RIG: "rig file", TEST: "test file"}
@@ -213,30 +212,30 @@ def findings(
 
     computers: names of computers to look for, beside what looks like one.
     """
-    named = frozenset(spelling for one in authors for spelling in one.spellings)
-    found: list[Finding] = []
+    named = frozenset(spelling for author in authors for spelling in author.spellings)
+    result: list[Finding] = []
     for test in tests:
-        people = frozenset(one for one in people_of(test) if one.casefold() not in named)
+        people = frozenset(person for person in people_of(test) if person.casefold() not in named)
         by_what: dict[str, dict[str, None]] = {}
         for passage in passages(test):
             for what in found_in(passage, computers, people):
                 by_what.setdefault(what, {})[passage.place] = None
-        found += [Finding(test.path.name, what, tuple(at)) for what, at in by_what.items()]
-    return found
+        result += [Finding(test.path.name, what, tuple(at)) for what, at in by_what.items()]
+    return result
 
 
 def people_of(test: PackagedTest) -> frozenset[str]:
     """Return the names of people in a test: its operators, and those of its calibrations."""
     texts = dict(test.texts)
     names = [test.operator, *_operator_of(texts.get(TEST, ""))]
-    names += [one.source for one in test.events if _is_person(one)]
+    names += [
+        event.source
+        for event in test.events
+        if event.source not in PROGRAM and event.kind != DEVICE
+    ]
     for values in test.calibration.values():
         names += _people_of_record(values)
-    return frozenset(one.strip() for one in names) - PROGRAM
-
-
-def _is_person(event: Event) -> bool:
-    return event.source not in PROGRAM and event.kind != DEVICE
+    return frozenset(name.strip() for name in names) - PROGRAM
 
 
 def _operator_of(text: str) -> Iterator[str]:

@@ -57,22 +57,22 @@ def crate_library() -> Any:
 def crate(given: Publication, files: Sequence[PackedFile]) -> str:
     """Return ``ro-crate-metadata.json``; files: the files that it describes."""
     library = crate_library()
-    found = library.ROCrate(version=PROFILE)
-    root = found.root_dataset
+    result = library.ROCrate(version=PROFILE)
+    root = result.root_dataset
     root["name"] = given.title
     root["description"] = given.summary
     root["datePublished"] = given.day
     root["version"] = VERSION
     root["keywords"] = ", ".join(KEYWORDS)
-    root["identifier"] = [f"urn:uuid:{one.about['identifier']}" for one in given.tests]
+    root["identifier"] = [f"urn:uuid:{test.about['identifier']}" for test in given.tests]
     licence = given.licence
     about = {"@type": "CreativeWork", "name": licence.name, "identifier": licence.identifier}
-    root["license"] = found.add(library.ContextEntity(found, licence.url, properties=about))
-    root["author"] = [found.add(_author(library, found, one)) for one in given.authors]
-    described = {one.place: _file(found, one) for one in files}
+    root["license"] = result.add(library.ContextEntity(result, licence.url, properties=about))
+    root["author"] = [result.add(_author(library, result, author)) for author in given.authors]
+    described = {file.place: _file(result, file) for file in files}
     for test in given.tests:
-        _made_by(library, found, test, described)
-    return json.dumps(found.metadata.generate(), indent=1, ensure_ascii=False) + "\n"
+        _made_by(library, result, test, described)
+    return json.dumps(result.metadata.generate(), indent=1, ensure_ascii=False) + "\n"
 
 
 def _author(library: Any, found: Any, one: Author) -> Any:
@@ -122,13 +122,13 @@ def _lines(given: Publication) -> Iterator[str]:
     yield f"title: {_quoted(given.title)}"
     yield f"abstract: {_quoted(given.summary)}"
     yield "authors:"
-    for one in given.authors:
-        yield from _cited_author(one)
+    for author in given.authors:
+        yield from _cited_author(author)
     yield f'version: "{VERSION}"'
     yield f'date-released: "{given.day}"'
     yield f"license: {given.licence.identifier}"
     yield "keywords:"
-    yield from (f"  - {_quoted(one)}" for one in KEYWORDS)
+    yield from (f"  - {_quoted(keyword)}" for keyword in KEYWORDS)
     yield "identifiers:"
     for test in given.tests:
         yield "  - type: other"
@@ -162,21 +162,21 @@ def write_archive(
     digests: SHA-256 by place, as it was before. Raises UnusableInput for a file that has changed.
     """
     with zipfile.ZipFile(target, "x") as archive:
-        for one in sorted(files, key=lambda one: one.place):
-            about = zipfile.ZipInfo(one.place, EPOCH)
+        for file in sorted(files, key=lambda one: one.place):
+            about = zipfile.ZipInfo(file.place, EPOCH)
             about.create_system, about.external_attr = UNIX, READABLE
-            about.compress_type = zipfile.ZIP_STORED if one.packed else zipfile.ZIP_DEFLATED
-            about.file_size = one.size  # tells whether the entry needs 64 bits
+            about.compress_type = zipfile.ZIP_STORED if file.packed else zipfile.ZIP_DEFLATED
+            about.file_size = file.size  # tells whether the entry needs 64 bits
             found = hashlib.sha256()
             with _Deflate() as deflate, archive.open(about, "w") as entry:
-                if not one.packed and hasattr(entry, "_compressor"):
+                if not file.packed and hasattr(entry, "_compressor"):
                     entry._compressor = deflate  # zipfile itself has one core only
-                for part in one.parts():
+                for part in file.parts():
                     entry.write(part)
                     found.update(part)
                     progress(len(part))
-            if found.hexdigest() != digests[one.place]:
-                raise UnusableInput(f"{one.source}: was changed while it was packed.")
+            if found.hexdigest() != digests[file.place]:
+                raise UnusableInput(f"{file.source}: was changed while it was packed.")
 
 
 class _Deflate:
@@ -205,7 +205,7 @@ class _Deflate:
 
     def flush(self) -> bytes:
         """Return what is left, and the end of the stream."""
-        rest = b"".join(one.result() for one in self._pieces)
+        rest = b"".join(piece.result() for piece in self._pieces)
         return rest + zlib.compressobj(wbits=-zlib.MAX_WBITS).flush()
 
 
@@ -231,11 +231,11 @@ def readme(given: Publication, files: Sequence[PackedFile]) -> str:
     blocks = [
         _heading(given.title, "="),
         _wrapped(given.summary),
-        f"Authors: {'; '.join(one.name for one in given.authors)}",
+        f"Authors: {'; '.join(author.name for author in given.authors)}",
         f"Licence: {given.licence.name} ({given.licence.identifier}), {given.licence.url}",
         *_tests(given.tests),
         _heading("Files", "-"),
-        "\n".join(_listed((one.place, one.about) for one in files)),
+        "\n".join(_listed((file.place, file.about) for file in files)),
         _heading("Columns of statistics.csv", "-"),
         _wrapped(
             "Numbers have a point; times are seconds; NaN or an empty field is a value that is not"
@@ -263,14 +263,14 @@ def _wrapped(text: str) -> str:
 
 def _tests(tests: Iterable[PackagedTest]) -> Iterator[str]:
     yield _heading("Tests", "-")
-    for one in tests:
+    for test in tests:
         facts = [
-            f"{one.folder}/: {one.title}",
-            *([f"specimen {one.about['specimen']}"] if one.about["specimen"] else []),
-            f"started {str(one.summary['started'])[:19]} UTC",
-            f"{one.summary['revolutions']} of {one.about['planned_revolutions']} revolutions",
-            STATUSES.get(str(one.summary["status"]), str(one.summary["status"])),
-            *(["the rig was simulated"] if one.about["simulated"] else []),
+            f"{test.folder}/: {test.title}",
+            *([f"specimen {test.about['specimen']}"] if test.about["specimen"] else []),
+            f"started {str(test.summary['started'])[:19]} UTC",
+            f"{test.summary['revolutions']} of {test.about['planned_revolutions']} revolutions",
+            STATUSES.get(str(test.summary["status"]), str(test.summary["status"])),
+            *(["the rig was simulated"] if test.about["simulated"] else []),
         ]
         yield _wrapped("; ".join(facts) + ".")
 
@@ -282,7 +282,7 @@ def _listed(pairs: Iterable[tuple[str, str]]) -> Iterator[str]:
 
 
 def _columns(tests: Iterable[PackagedTest]) -> Iterator[str]:
-    columns = {name: (unit, words) for one in tests for name, unit, words in one.columns}
+    columns = {name: (unit, words) for test in tests for name, unit, words in test.columns}
     for name, (unit, words) in columns.items():
         yield f"{name}{f' [{unit}]' if unit not in ('', '1') else ''}: {words}"
 
@@ -305,7 +305,7 @@ def published(paths: Sequence[Path], authors: Sequence[str], licence: str) -> Pu
     crate_library()
     terms = licence_of(licence)
     tests = packaged_tests(paths)
-    return Publication(tests, authors_of(authors, (one.operator for one in tests)), terms)
+    return Publication(tests, authors_of(authors, (test.operator for test in tests)), terms)
 
 
 def private_in(given: Publication, computers: frozenset[str]) -> list[Finding]:
@@ -333,7 +333,7 @@ def write_package(given: Publication, to: Path, progress: Shown | None = None) -
     refuse_target(to)
     with _in_its_folder(to) as (hidden, work):
         files = _all_files(given, work)
-        total, done = 2 * sum(one.size for one in files), 0
+        total, done = 2 * sum(file.size for file in files), 0
 
         def tell(more: int) -> None:
             nonlocal done
@@ -341,7 +341,7 @@ def write_package(given: Publication, to: Path, progress: Shown | None = None) -
             if progress is not None:
                 progress(done, total)
 
-        digests = {one.place: one.digest(tell) for one in files}
+        digests = {file.place: file.digest(tell) for file in files}
         lines = (f"{digest}  {place}\n" for place, digest in sorted(digests.items()))
         sums = text_file(work, *ABOUT_SUMS, "".join(lines))
         digests[SUMS] = sums.digest(lambda _: None)
@@ -355,7 +355,7 @@ def write_package(given: Publication, to: Path, progress: Shown | None = None) -
 
 def _all_files(given: Publication, work: Path) -> list[PackedFile]:
     """Return every file but the sums, those that describe the others last."""
-    files = [one for test in given.tests for one in files_of(test, work)]
+    files = [file for test in given.tests for file in files_of(test, work)]
     about = "the licence of these data"
     files += [
         text_file(work, CITATION, "how to cite these data, for programs", YAML, citation(given)),

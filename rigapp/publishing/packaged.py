@@ -60,32 +60,32 @@ class PackagedTest:
 
 def packaged_tests(paths: Sequence[Path]) -> tuple[PackagedTest, ...]:
     """Read what is said of tests; raise UnusableInput for one that runs, and for two of a name."""
-    found: dict[str, PackagedTest] = {}
+    result: dict[str, PackagedTest] = {}
     for path in paths:
         one = _read(path)
-        other = found.setdefault(one.folder.casefold(), one)
+        other = result.setdefault(one.folder.casefold(), one)
         if other is not one:
             raise UnusableInput(
                 f"{path}: {other.path} has the same name; rename one of them, or name it once."
             )
-    return tuple(found.values())
+    return tuple(result.values())
 
 
 def refuse_changed(tests: Sequence[PackagedTest]) -> None:
     """Refuse tests that were resumed, compressed or replaced since they were read."""
-    for one in tests:
-        if _state(one.path) != one.state:
+    for test in tests:
+        if _state(test.path) != test.state:
             raise UnusableInput(
-                f"{one.path}: was changed or compressed while it was packed; package it again."
+                f"{test.path}: was changed or compressed while it was packed; package it again."
             )
 
 
 def _state(path: Path) -> tuple[int, ...]:
     try:
-        found = path.stat()
+        result = path.stat()
     except OSError:
         return ()
-    return found.st_ino, found.st_size, found.st_mtime_ns
+    return result.st_ino, result.st_size, result.st_mtime_ns
 
 
 def _read(path: Path) -> PackagedTest:
@@ -149,11 +149,11 @@ class PackedFile:
 
     def digest(self, progress: Progress) -> str:
         """Return the SHA-256 of its bytes in hexadecimal."""
-        found = hashlib.sha256()
+        result = hashlib.sha256()
         for part in self.parts():
-            found.update(part)
+            result.update(part)
             progress(len(part))
-        return found.hexdigest()
+        return result.hexdigest()
 
     def parts(self) -> Iterator[bytes]:
         """Yield its bytes, never many at once."""

@@ -65,5 +65,5 @@ def address_of(text: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | Non
 
 def is_elsewhere(text: str) -> bool:
     """Tell whether a text is the address of some computer, and not of whichever this is."""
-    found = address_of(text)
-    return found is not None and not (found.is_loopback or found.is_unspecified)
+    result = address_of(text)
+    return result is not None and not (result.is_loopback or result.is_unspecified)

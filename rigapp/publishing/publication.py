@@ -33,12 +33,12 @@ def authors_of(given: Sequence[str], operators: Iterable[str]) -> tuple[Author, 
     for text in given:
         if not text.strip(" ,"):
             raise UnusableInput(f"--author {text!r}: names nobody; write it as 'Family, Given'.")
-    names = [*given] or [one for one in operators if one.strip()]
+    names = [*given] or [operator for operator in operators if operator.strip()]
     if not names:
         raise UnusableInput(
             "No author is known, as the tests name no operator; give --author 'Family, Given'."
         )
-    return tuple(dict.fromkeys(_author(one) for one in names))
+    return tuple(dict.fromkeys(_author(name) for name in names))
 
 
 def _author(text: str) -> Author:
@@ -132,20 +132,20 @@ class Publication:
     @property
     def title(self) -> str:
         """Return the title: that of the test, or those of all."""
-        titles = dict.fromkeys(one.title for one in self.tests)
+        titles = dict.fromkeys(test.title for test in self.tests)
         kind = "Wear test" if len(self.tests) == 1 else f"{len(self.tests)} wear tests"
         return f"{kind}: {'; '.join(titles)}"
 
     @property
     def day(self) -> str:
         """Return the day on which the last of the tests ended."""
-        return max(one.day for one in self.tests)
+        return max(test.day for test in self.tests)
 
     @property
     def summary(self) -> str:
         """Return what was done, in one or two sentences."""
-        total = sum(int(one.summary["revolutions"]) for one in self.tests)
-        simulated = sum(bool(one.about["simulated"]) for one in self.tests)
+        total = sum(int(test.summary["revolutions"]) for test in self.tests)
+        simulated = sum(bool(test.about["simulated"]) for test in self.tests)
         words = (
             "A hard pin turns in a soft bushing of a slider-crank mechanism; forces and the pin's"
             f" position are recorded for each of {total} revolutions"

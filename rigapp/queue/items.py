@@ -28,17 +28,17 @@ class Queue(msgspec.Struct, frozen=True):
     @property
     def next(self) -> QueuedTest | None:
         """Return the test that is to be done next: the first that is not done."""
-        return next((one for one in self.items if one.state is not ItemState.DONE), None)
+        return next((item for item in self.items if item.state is not ItemState.DONE), None)
 
     @property
     def running(self) -> QueuedTest | None:
         """Return the test that runs."""
-        return next((one for one in self.items if one.state is ItemState.RUNNING), None)
+        return next((item for item in self.items if item.state is ItemState.RUNNING), None)
 
 
 def added(queue: Queue, tests: list[str], folder: str) -> Queue:
     """Return a queue with more tests at its end; raise UnusableInput where they are too many."""
-    left = sum(one.state is not ItemState.DONE for one in queue.items)
+    left = sum(item.state is not ItemState.DONE for item in queue.items)
     if left + len(tests) > MOST_LEFT:
         raise UnusableInput("A queue holds {} tests at most; {} are in it.", MOST_LEFT, left)
     new = tuple(
@@ -51,13 +51,13 @@ def added(queue: Queue, tests: list[str], folder: str) -> Queue:
 
 def removed(queue: Queue, numbers: list[int]) -> Queue:
     """Return a queue without some tests, whose files stay; raise UnusableInput."""
-    known = {one.number: one for one in queue.items}
+    known = {item.number: item for item in queue.items}
     for number in numbers:
         if number not in known:
             raise UnusableInput("The queue has no test {}; look at rigapp queue list.", number)
         if known[number].state is ItemState.RUNNING:
             raise UnusableInput("Test {} runs; stop it first.", number)
-    items = tuple(one for one in queue.items if one.number not in numbers)
+    items = tuple(item for item in queue.items if item.number not in numbers)
     return msgspec.structs.replace(queue, items=items)
 
 
@@ -99,10 +99,10 @@ def after_finish(queue: Queue, finished: Finished) -> Queue:
 
     A test of the queue that somebody went on with by hand is done by that as well.
     """
-    for one in queue.items:
-        if one.file == finished.file and one.state is not ItemState.DONE:
+    for item in queue.items:
+        if item.file == finished.file and item.state is not ItemState.DONE:
             done = finished.status == "complete"
-            return ended(queue, one.number, finished.sentence, done=done)
+            return ended(queue, item.number, finished.sentence, done=done)
     return queue
 
 
@@ -125,13 +125,13 @@ def line(one: QueuedTest) -> str:
 
 def _with(queue: Queue, number: int, **changes: object) -> Queue:
     items = tuple(
-        msgspec.structs.replace(one, **changes) if one.number == number else one
-        for one in queue.items
+        msgspec.structs.replace(item, **changes) if item.number == number else item
+        for item in queue.items
     )
     return msgspec.structs.replace(queue, items=items)
 
 
 def _bounded(items: tuple[QueuedTest, ...]) -> tuple[QueuedTest, ...]:
-    done = [one.number for one in items if one.state is ItemState.DONE]
+    done = [item.number for item in items if item.state is ItemState.DONE]
     forgotten = set(done[: max(0, len(done) - MOST_DONE)])
-    return tuple(one for one in items if one.number not in forgotten)
+    return tuple(item for item in items if item.number not in forgotten)

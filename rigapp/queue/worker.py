@@ -131,4 +131,4 @@ class QueueWorker:
 
 
 def _waiting(queue: Queue) -> int:
-    return sum(one.state is ItemState.WAITING for one in queue.items)
+    return sum(item.state is ItemState.WAITING for item in queue.items)

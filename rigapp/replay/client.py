@@ -237,7 +237,8 @@ class ReplayClient:
         elif verb == "rewind":
             self._state, self._wanted = RunState.RUNNING, 0.0
         elif verb == "seek":
-            self._wanted = self._row_of(float(arguments["revolution"]))
+            rows = self._recording.rows
+            self._wanted = float(rows.searchsorted(float(arguments["revolution"]), "right"))
             self._wake.set()
         elif verb == "status":
             return Reply(ok=True, result=self._status(self._sent).tree())
@@ -267,10 +268,6 @@ class ReplayClient:
             self._wake.clear()
             if self._stop.is_set():
                 return
-
-    def _row_of(self, revolution: float) -> float:
-        """Return how many rows there are up to a revolution."""
-        return float(self._recording.rows.searchsorted(revolution, "right"))
 
     def _leap(self) -> None:
         wanted, self._wanted = self._wanted, None
@@ -364,10 +361,10 @@ class ReplayClient:
 
     def _values(self, row: int) -> dict[str, float]:
         """Return a revolution's values by column, NaN for those that the file does not have."""
-        found = dict.fromkeys(self._recording.columns, math.nan)
+        result = dict.fromkeys(self._recording.columns, math.nan)
         for name in self._test.column_units():
-            found[name] = float(self._test.column(name, row, row + 1)[0])
-        return found
+            result[name] = float(self._test.column(name, row, row + 1)[0])
+        return result
 
     def _residual(self) -> float:
         """Return how far the newest prediction is from the measurement, N; NaN without one."""

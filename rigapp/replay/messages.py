@@ -25,7 +25,7 @@ PREDICTION_BACK = 5
 
 def cycle_message(stored: StoredCycle) -> Cycle:
     """Return the measured curves of a saved cycle."""
-    curves = {one.name: _bytes(stored.columns[one.name]) for one in stored.table.curves}
+    curves = {curve.name: _bytes(stored.columns[curve.name]) for curve in stored.table.curves}
     return Cycle(stored.revolution, _bytes(stored.columns["angle"]), curves)
 
 
@@ -55,7 +55,7 @@ def newest_messages(test: TestReader, index: int) -> tuple[Cycle, Prediction | N
 
 def profile_message(columns: Mapping[str, NDArray[Any]], index: int) -> WornProfile:
     """Return profile ``index`` of a file's ``profiles()``."""
-    values = [float(columns[one.name][index]) for one in profile_columns()]
+    values = [float(columns[column.name][index]) for column in profile_columns()]
     number, raw = int(columns["revolution"][index]), np.array(values, dtype="<f8").tobytes()
     measured, predicted, driven, uncertainty = (
         _bytes(columns[name][index]) for name in PROFILE_CURVES

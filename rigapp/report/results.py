@@ -68,11 +68,11 @@ def result_of_open(
 ) -> TestResult:
     """Return what an open test came to; raise UnusableInput where its file is damaged."""
     known = TestResult(str(test.path), modified, test.used_bytes(size))
-    found = _measured(_described(known, test), test)
-    if not found.revolutions:
-        return found
-    found = _compared(found, test)
-    return _looked_at_closely(found, test) if closely else found
+    result = _measured(_described(known, test), test)
+    if not result.revolutions:
+        return result
+    result = _compared(result, test)
+    return _looked_at_closely(result, test) if closely else result
 
 
 def _described(known: TestResult, test: TestReader) -> TestResult:
@@ -160,8 +160,8 @@ def _residual(test: TestReader) -> tuple[float, float]:
 
 def _newest(test: TestReader, *names: str, stop: int | None = None) -> float:
     """Return the newest of the last column's predictions of which all columns are known."""
-    found = newest_known(test, names, 1, stop)[names[-1]]
-    return float(found[-1]) if found.size else float("nan")
+    result = newest_known(test, names, 1, stop)[names[-1]]
+    return float(result[-1]) if result.size else float("nan")
 
 
 def _line(test: TestReader, name: str) -> tuple[float, ...]:
@@ -198,7 +198,7 @@ def _looked_at_closely(found: TestResult, test: TestReader) -> TestResult:
 
 def _alarms(events: list[Event]) -> tuple[str, ...]:
     """Return the titles of all alarms that were raised, critical ones first."""
-    changes = [(one, alarm_change(one)) for one in events]
+    changes = [(event, alarm_change(event)) for event in events]
     raised = [(one, it.title) for one, it in changes if it is not None and it.what == "raised"]
     raised.sort(key=lambda one: severity_of(one[0]) is not Severity.CRITICAL)
     return tuple(title for _, title in raised)

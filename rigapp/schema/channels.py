@@ -126,7 +126,7 @@ class ChannelTable:
 
     @cached_property
     def _by_name(self) -> dict[str, Channel]:
-        return {one.name: one for one in self.channels}
+        return {channel.name: channel for channel in self.channels}
 
     def __getitem__(self, name: str) -> Channel:
         """Return a channel by name; raise KeyError."""
@@ -154,29 +154,29 @@ class ChannelTable:
     @cached_property
     def free(self) -> tuple[Channel, ...]:
         """Return those that belong to no instrument, slow ones among them."""
-        return tuple(one for one in self.channels if not one.instrument)
+        return tuple(channel for channel in self.channels if not channel.instrument)
 
     def names_of(self, instrument: str) -> tuple[str, ...]:
         """Return the names of an instrument's own inputs."""
-        return tuple(one.name for one in self.sampled if one.instrument == instrument)
+        return tuple(channel.name for channel in self.sampled if channel.instrument == instrument)
 
     @cached_property
     def revolution_columns(self) -> tuple[Column, ...]:
         """Return the columns of ``/entry/revolutions``, in storage order."""
-        return (*_HEAD, *(column for one in self.channels for column in one.columns))
+        return (*_HEAD, *(column for channel in self.channels for column in channel.columns))
 
     @cached_property
     def cycle_columns(self) -> tuple[Column, ...]:
         """Return the per-sample columns of ``/entry/cycles``, in storage order."""
-        base = [one for one in self.curves if one.instrument]
-        free = [one for one in self.curves if not one.instrument]
+        base = [curve for curve in self.curves if curve.instrument]
+        free = [curve for curve in self.curves if not curve.instrument]
         return (
             Column("angle", "<f4", "deg", "crank angle of the sample, latency corrected"),
             Column("time", "<f8", "s", "device time of the sample since the start of the test"),
             *map(_calibrated, base),
             *(_raw(one) for one in base if one.kind is Kind.SAMPLED),
             Column("raw_count", "<f4", "count", "signal of count as the device sent it"),
-            *(column for one in free for column in (_calibrated(one), _raw(one))),
+            *(column for channel in free for column in (_calibrated(channel), _raw(channel))),
         )
 
     @cached_property
@@ -195,7 +195,7 @@ class ChannelTable:
         return {name: place for place, name in enumerate(self.names)}
 
     def _of(self, *kinds: Kind) -> tuple[Channel, ...]:
-        return tuple(one for one in self.channels if one.kind in kinds)
+        return tuple(channel for channel in self.channels if channel.kind in kinds)
 
 
 def _calibrated(channel: Channel) -> Column:

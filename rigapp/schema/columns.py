@@ -18,14 +18,14 @@ def in_order(columns: Sequence[Column], values: Mapping[str, float]) -> NDArray[
 
     What is no column is a ValueError.
     """
-    if unknown := values.keys() - {one.name for one in columns}:
+    if unknown := values.keys() - {column.name for column in columns}:
         raise ValueError(say("no such column: {}", joined(", ", sorted(unknown))))
-    return np.array([values[one.name] for one in columns], dtype="<f8")
+    return np.array([values[column.name] for column in columns], dtype="<f8")
 
 
 def by_name(columns: Sequence[Column], row: NDArray[np.float64]) -> dict[str, float]:
     """Return a row, (len(columns),), by the names of its columns."""
-    return dict(zip((one.name for one in columns), row.tolist(), strict=True))
+    return dict(zip((column.name for column in columns), row.tolist(), strict=True))
 
 
 @cache
@@ -89,8 +89,8 @@ def _joint_columns() -> tuple[Column, ...]:
             "expanded uncertainty (k = 2) of the friction coefficient",
         ),
         *(
-            Column(f"{one.name}_max", "<f8", one.unit, f"largest {one.description}")
-            for one in JOINT_CURVES
+            Column(f"{curve.name}_max", "<f8", curve.unit, f"largest {curve.description}")
+            for curve in JOINT_CURVES
         ),
     )
 
@@ -174,7 +174,7 @@ CURVES = (
 )
 """The curves kept of a revolution that is kept whole, on PREDICTION_POINTS crank angles."""
 
-PREDICTED_CURVES = tuple(one.name for one in CURVES)
+PREDICTED_CURVES = tuple(curve.name for curve in CURVES)
 
 PROFILE_ANGLES_DEG = tuple(range(-180, 181))
 """Angles of a worn profile, 0 at the initial contact point: the follower frame turned by 180."""

@@ -103,4 +103,4 @@ def _parted(text: str) -> tuple[str, list[str]]:
     while (found := _DETAILS.search(text)) is not None:
         details.append(" ".join((found[1] or found[2] or "").split()))
         text = text[: found.start()] + text[found.end() :]
-    return text, [one for one in details if one]
+    return text, [detail for detail in details if detail]

@@ -135,13 +135,13 @@ def alarm_line(time: float, revolution: int, who: str, alarm: Alarm, change: Ala
 
 def alarm_change(event: Event) -> AlarmChange | None:
     """Return what a line says of an alarm, None when it is about something else."""
-    found = _record(event, ALARM, AlarmChange)
-    if found is None:
+    result = _record(event, ALARM, AlarmChange)
+    if result is None:
         return None
     title, consequence, action = (
-        recorded_text(one, event.key) for one in (found.title, found.consequence, found.action)
+        recorded_text(one, event.key) for one in (result.title, result.consequence, result.action)
     )
-    return msgspec.structs.replace(found, title=title, consequence=consequence, action=action)
+    return msgspec.structs.replace(result, title=title, consequence=consequence, action=action)
 
 
 def severity_of(event: Event) -> Severity:
@@ -151,13 +151,13 @@ def severity_of(event: Event) -> Severity:
 
 def limit_change(event: Event) -> LimitChange | None:
     """Return how a limit was changed, None when a line is about something else."""
-    found = _record(event, LIMIT_CHANGED, LimitChange)
-    return found if found is not None and math.isfinite(found.after) else None
+    result = _record(event, LIMIT_CHANGED, LimitChange)
+    return result if result is not None and math.isfinite(result.after) else None
 
 
 def newest_limits(events: Iterable[Event]) -> dict[str, float]:
     """Return the newest value of every limit that was changed, by its name."""
-    changes = ((one.key, limit_change(one)) for one in events)
+    changes = ((event.key, limit_change(event)) for event in events)
     return {name: change.after for name, change in changes if change is not None}
 
 

@@ -194,7 +194,9 @@ class _UnknownIsNone(msgspec.Struct, frozen=True, omit_defaults=True):
 
 @cache
 def _may_be_unknown(record: type[msgspec.Struct]) -> tuple[str, ...]:
-    return tuple(one.name for one in msgspec.structs.fields(record) if one.type == float | None)
+    return tuple(
+        field.name for field in msgspec.structs.fields(record) if field.type == float | None
+    )
 
 
 class DriveView(_UnknownIsNone, frozen=True):
@@ -420,13 +422,13 @@ _FLAT: dict[type[msgspec.Struct], dict[str, str]] = {
 
 @cache
 def _types() -> tuple[tuple[str, Any], ...]:
-    own = [(one.name, one.type) for one in msgspec.structs.fields(Status)[-2:]]
+    own = [(field.name, field.type) for field in msgspec.structs.fields(Status)[-2:]]
     return (
         *own,
         *(
-            (names.get(one.name, one.name), one.type)
+            (names.get(field.name, field.name), field.type)
             for part, names in _FLAT.items()
-            for one in msgspec.structs.fields(part)
+            for field in msgspec.structs.fields(part)
         ),
     )
 

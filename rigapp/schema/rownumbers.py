@@ -69,8 +69,8 @@ class RowNumbers:
         places = np.where(places < 0, places + size, places).astype(np.int64)
         if places.size and not 0 <= int(places.min()) <= int(places.max()) < size:
             raise IndexError(rows)
-        found = self._at(places)
-        return found if found.ndim else float(found)
+        result = self._at(places)
+        return result if result.ndim else float(result)
 
     def _at(self, places: Places) -> Floats:
         run = np.searchsorted(self._rows, places, side="right") - 1

@@ -258,8 +258,6 @@ VERBS = {
     )
 }
 
-SAFETY_VERBS = frozenset(name for name, verb in VERBS.items() if verb.lane is Priority.SAFETY)
-
 
 def verb_of(name: str) -> Verb:
     """Return how a verb is treated, by name; one that nobody knows like work without arguments."""

@@ -156,8 +156,8 @@ class BugReports:
         names = frozenset({*self._names, *_spellings(status.engine.operator)})
         tree = {key: value for key, value in status.tree().items() if key not in PRIVATE_FIELDS}
         traces = sorted(self._folder.glob("*.wire*"))
-        recorded = {one.name.partition(".wire")[0] for one in traces}
-        silent = [one for one in report.devices if one not in recorded]
+        recorded = {trace.name.partition(".wire")[0] for trace in traces}
+        silent = [device for device in report.devices if device not in recorded]
         texts = {
             "report.txt": ABOUT.format(
                 devices=", ".join(report.devices),
@@ -185,9 +185,9 @@ class BugReports:
 def versions() -> dict[str, str]:
     """Return the versions of the program, of the packages that it names, and of the system."""
     needed = (re.split(r"[^\w.-]", one)[0] for one in metadata.requires("rigapp") or ())
-    found = {name: _version(name) for name in dict.fromkeys(("rigapp", *needed))}
+    result = {name: _version(name) for name in dict.fromkeys(("rigapp", *needed))}
     system = {"python": platform.python_version(), "system": platform.platform()}
-    return {**system, **{name: version for name, version in found.items() if version}}
+    return {**system, **{name: version for name, version in result.items() if version}}
 
 
 def _version(package: str) -> str:
@@ -204,7 +204,7 @@ def _utc(moment: float) -> str:
 def _text_of(log: Path) -> str:
     """Return what a log holds, the file before it first."""
     parts = (log.with_name(f"{log.name}.1"), log)
-    return "".join(one.read_text("utf-8", "replace") for one in parts if one.exists())
+    return "".join(part.read_text("utf-8", "replace") for part in parts if part.exists())
 
 
 def _public_rig(rig: Document[RigFile]) -> str:

@@ -233,7 +233,7 @@ def _viewer_keys(entry: EngineEntry) -> KeyPair | None:
 
 def joins(parts: Sequence[Snapshot], following: Snapshot) -> bool:
     """Tell whether a snapshot goes on where others end: the same file, and no row between."""
-    last = next((one for one in reversed(parts) if one.rows), None)
+    last = next((part for part in reversed(parts) if part.rows), None)
     if _file(following) != _file(parts[-1]):
         return False
     if last is None or not following.rows:
@@ -247,15 +247,15 @@ def _file(snapshot: Snapshot) -> str:
 
 def merged(parts: Sequence[Snapshot]) -> Snapshot:
     """Return snapshots that join as one: all rows and predictions, the newest of all else."""
-    with_rows = next((one for one in parts if one.rows), parts[-1])
+    with_rows = next((part for part in parts if part.rows), parts[-1])
 
     def newest(name: str) -> Any:
-        return next((found for one in reversed(parts) if (found := getattr(one, name))), None)
+        return next((result for part in reversed(parts) if (result := getattr(part, name))), None)
 
     return msgspec.structs.replace(
         parts[-1],
         first_row=with_rows.first_row,
-        rows=b"".join(one.rows for one in parts),
-        predictions=b"".join(one.predictions for one in parts),
+        rows=b"".join(part.rows for part in parts),
+        predictions=b"".join(part.predictions for part in parts),
         **{name: newest(name) for name in NEWEST},
     )

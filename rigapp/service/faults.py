@@ -21,12 +21,12 @@ def fault_choices(devices: tuple[tuple[str, str], ...]) -> list[FaultChoice]:
     from rigapp.simulation.disturbances import SignalFault
     from rigapp.simulation.wire.link import WireFault
 
-    found = [FaultChoice(kind.value, "signal") for kind in SignalFault]
+    result = [FaultChoice(kind.value, "signal") for kind in SignalFault]
     for name, driver in devices:
-        found += [FaultChoice(kind.value, name) for kind in WireFault]
+        result += [FaultChoice(kind.value, name) for kind in WireFault]
         known = {kind.value for kind in WireFault}
-        found += [FaultChoice(kind, name) for kind in _device_kinds(driver) if kind not in known]
-    return found
+        result += [FaultChoice(kind, name) for kind in _device_kinds(driver) if kind not in known]
+    return result
 
 
 def _device_kinds(driver: str) -> list[str]:

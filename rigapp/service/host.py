@@ -11,6 +11,7 @@ import threading
 import time
 from collections.abc import Callable
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
 
 import msgspec
@@ -149,7 +150,7 @@ class EngineHost:
             None if own else rig.path, lambda text, who: self.engine.log("calibrating", text, who)
         )
         self.reports = BugReports(self.engine, lambda: self._rig, self._connect_to_report)
-        hands = QueueActions(self._begin_queued, EXPECTED, self.engine.queue_stopped)
+        hands = QueueActions(self._begin_queued, EXPECTED, partial(self.engine.warn, "queue"))
         self.queue = RigQueue(rig.path, hands, self.engine.watch())
         self.handle = RequestHandler(self).handle
         self._server = self._listen(bind)
@@ -176,7 +177,7 @@ class EngineHost:
             self.engine.watch(),
             lambda: self.with_service(self.engine.status()).shown(),
             lambda text: self.engine.log("message", text, "messages"),
-            self.engine.messages_failed,
+            partial(self.engine.warn, "messages"),
             runtime_folder(),
         )
 
@@ -273,12 +274,12 @@ class EngineHost:
             self._go_on()
             self._keep_log(out)
             self.engine.start(test, out, operator=operator, resume=resume, remarks=notes, worn=worn)
-            self.engine.test_cut_off("")
+            self.engine.warn("cut_off", "")
             remember(self._rig.path, out, specimen)
 
     def tell_of_cut_off_test(self) -> None:
         """Warn where the last test of this rig was ended by nobody; nothing turns."""
-        self.engine.test_cut_off(cut_off(self._rig.path))
+        self.engine.warn("cut_off", cut_off(self._rig.path))
 
     def cancel(self, why: str) -> None:
         """Let no test start any more, nor go on with starting; raises Refused there."""

@@ -40,8 +40,8 @@ def find_engine(rig: Path) -> EngineEntry | None:
     if elsewhere:
         return read_entry(Path(elsewhere))
     wanted = str(rig.resolve())
-    found = [entry for entry in running_engines() if entry.rig == wanted]
-    return found[-1] if found else None
+    result = [entry for entry in running_engines() if entry.rig == wanted]
+    return result[-1] if result else None
 
 
 def attach(rig: Path, operator: str = "") -> Client:

@@ -147,7 +147,7 @@ def starting(rig: Path) -> Iterator[None]:
 def starting_engine(rig: Path) -> int | None:
     """Return the process that will be the engine of a rig, None when there is none."""
     wanted = str(rig.resolve())
-    return next((one.pid for one in _entries("starting-*.json") if one.rig == wanted), None)
+    return next((entry.pid for entry in _entries("starting-*.json") if entry.rig == wanted), None)
 
 
 def _write(name: str, entry: EngineEntry) -> Path:
@@ -182,7 +182,7 @@ def running_engines() -> list[EngineEntry]:
 
 
 def _entries(names: str) -> list[EngineEntry]:
-    found = []
+    result = []
     folder = runtime_folder()
     remove_left_behind(folder, LEFT_BEHIND)
     for path in folder.glob(names):
@@ -193,5 +193,5 @@ def _entries(names: str) -> list[EngineEntry]:
         except ValueError:
             continue
         if process_alive(entry.pid):
-            found.append(entry)
-    return sorted(found, key=lambda entry: entry.started)
+            result.append(entry)
+    return sorted(result, key=lambda entry: entry.started)

@@ -25,7 +25,6 @@ from rigapp.schema.verbs import (
     LinesToReport,
     Nothing,
     QueueAdd,
-    QueueRemove,
     ReleaseCalibration,
     Resume,
     SetLimit,
@@ -210,7 +209,9 @@ class RequestHandler:
             "queue_start": lambda a, by: tree_of(self._host.queue.start(by.operator)),
             "queue_stop": lambda a, by: tree_of(self._host.queue.stop()),
             "queue_add": self._queue_request,
-            "queue_remove": self._unqueue_request,
+            "queue_remove": lambda a, by: self._host.queue.store.change(
+                lambda queue: removed(queue, list(a.numbers))
+            ),
             "examine_file": lambda a, by: tree_of(self._host.resumption(Path(a.file))),
             "pause": lambda a, by: engine.pause(by.operator, a.reason),
             "resume": self._resume_paused,
@@ -303,13 +304,10 @@ class RequestHandler:
         self._host.start(test, out, by.operator, resume=False, calibration=key)
 
     def _queue_request(self, requested: QueueAdd, by: Request) -> None:
-        tests = [Path(one) for one in requested.tests]
+        tests = [Path(test) for test in requested.tests]
         add_tests(
             self._host.queue.store, self._host.records.rig.record, tests, Path(requested.folder)
         )
-
-    def _unqueue_request(self, requested: QueueRemove, by: Request) -> None:
-        self._host.queue.store.change(lambda queue: removed(queue, list(requested.numbers)))
 
     def _resume_request(self, requested: Resume, by: Request) -> Reply | None:
         self._host.calibration.judge()

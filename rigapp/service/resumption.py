@@ -96,12 +96,16 @@ class Resumption(msgspec.Struct, frozen=True):
     @property
     def blocked(self) -> str:
         """Return why the test cannot go on on this rig, empty when it can."""
-        return joined("; ", (one.sentence for one in self.findings if one.fit is Fit.BLOCKS))
+        return joined(
+            "; ", (finding.sentence for finding in self.findings if finding.fit is Fit.BLOCKS)
+        )
 
     @property
     def asks_reason(self) -> str:
         """Return what a reason must be given for, empty when nothing."""
-        return joined("; ", (one.sentence for one in self.findings if one.fit is Fit.REASON))
+        return joined(
+            "; ", (finding.sentence for finding in self.findings if finding.fit is Fit.REASON)
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -281,12 +285,12 @@ def _of_channels(past: Past, measured: ChannelTable) -> Iterator[Compared]:
     gone = missing_channels(past.channels, measured)
     if gone:
         yield Compared("Channels", "", "", Fit.BLOCKS, gone)
-    for one in measured.channels:
-        if one.name not in past.channels:
+    for channel in measured.channels:
+        if channel.name not in past.channels:
             text = say(
-                "the file was made without {}; it is limited and shown, but not kept", one.name
+                "the file was made without {}; it is limited and shown, but not kept", channel.name
             )
-            yield Compared(say("Channel {}", one.name), "none", one.unit, Fit.NOTED, text)
+            yield Compared(say("Channel {}", channel.name), "none", channel.unit, Fit.NOTED, text)
 
 
 def _of_devices(past: Past, devices: Mapping[str, Mapping[str, Any]]) -> Iterator[Compared]:
@@ -353,9 +357,9 @@ def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Compared]:
         ("load_cell", say("Calibration of the load cell"), Fit.REASON),
         ("probes", say("Calibration of the probes"), Fit.REASON),
         *(
-            (f"channel_{one.name}", say("Line of {}", one.name), Fit.REASON)
-            for one in calibration.table.free
-            if one.kind is Kind.SAMPLED and one.name in past.channels
+            (f"channel_{channel.name}", say("Line of {}", channel.name), Fit.REASON)
+            for channel in calibration.table.free
+            if channel.kind is Kind.SAMPLED and channel.name in past.channels
         ),
     ):
         then = past.calibration.get(section, {})
@@ -478,12 +482,12 @@ def remarks(found: Resumption, operator: str, reason: str) -> list[LogEntry]:
         ": " + found.reason if found.reason else "",
     )
     lines = [LogEntry("resumed", text, who)]
-    for one in found.findings:
-        if one.fit in (Fit.NOTED, Fit.REASON):
-            sentence = one.sentence or say("{} differs", one.what)
-            if one.fit is Fit.REASON:
+    for finding in found.findings:
+        if finding.fit in (Fit.NOTED, Fit.REASON):
+            sentence = finding.sentence or say("{} differs", finding.what)
+            if finding.fit is Fit.REASON:
                 sentence = say("{}, accepted: {}", sentence, why)
-            lines.append(LogEntry("resumed", sentence, who, one.before, one.now))
+            lines.append(LogEntry("resumed", sentence, who, finding.before, finding.now))
     return lines
 
 

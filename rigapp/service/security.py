@@ -173,13 +173,13 @@ def present_keys(socket: Socket, server_key: str, keys: KeyPair) -> None:
 
 def _public_keys(folder: Path) -> set[bytes]:
     """Return the public keys of a folder; what is no key file authorises nobody."""
-    found = set()
+    result = set()
     for path in folder.glob("*.key"):
         try:
-            found.add(zmq.auth.load_certificate(path)[0])
+            result.add(zmq.auth.load_certificate(path)[0])
         except (OSError, ValueError):
             continue
-    return found
+    return result
 
 
 def _keys(folder: Path, name: str) -> KeyPair:

@@ -102,7 +102,7 @@ class Connections:
         if used < self._usual + GROWTH_BYTES:
             self._settled_s = math.inf
             return
-        guilty = {one for one in self._handles if _sends(one)}
+        guilty = {handle for handle in self._handles if _sends(handle)}
         if not guilty and not busy:
             if now_s > self._settled_s:  # it was none of them that has taken the memory
                 self._usual, self._settled_s = used, math.inf

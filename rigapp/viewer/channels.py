@@ -17,7 +17,9 @@ COMPONENTS = BASE.names_of(LOAD_CELL)
 """The two axes of the load cell, along and across the crank."""
 
 SIZE = next(
-    one.name for one in BASE.channels if one.instrument == LOAD_CELL and one.kind is Kind.DERIVED
+    channel.name
+    for channel in BASE.channels
+    if channel.instrument == LOAD_CELL and channel.kind is Kind.DERIVED
 )
 """The size of the force."""
 
@@ -38,17 +40,17 @@ OTHER_SPAN = 1e-3
 
 def table_of(units: Mapping[str, str]) -> ChannelTable:
     """Return the channels whose columns a row holds (name -> unit), ``BASE`` first."""
-    found = [*BASE.channels]
+    result = [*BASE.channels]
     for column, unit in units.items():
         name = column.removesuffix("_max")
         if name in BASE:
             continue
         if name != column and f"{name}_angle_of_max" in units:
-            found.append(Channel(name, unit, words(name)))
+            result.append(Channel(name, unit, words(name)))
         elif f"{column}_age" in units:
             averaged = f"{column}_readings" in units
-            found.append(Channel(column, unit, words(column), Kind.SLOW, averaged=averaged))
-    return ChannelTable(tuple(found))
+            result.append(Channel(column, unit, words(column), Kind.SLOW, averaged=averaged))
+    return ChannelTable(tuple(result))
 
 
 def words(name: str) -> str:

@@ -88,13 +88,13 @@ def binned(angle_deg: Floats, curves: Floats, width_deg: float) -> tuple[Floats,
 
 def values_at(shown: RevolutionCurves, angle_deg: float) -> dict[str, tuple[float, float]]:
     """Return per curve the measured and the predicted value at a crank angle (NaN: no model)."""
-    found = {}
+    result = {}
     for name in CURVES:
         model = math.nan
         if shown.model is not None and shown.model_angle_deg is not None:
             model = _at(shown.model_angle_deg, shown.model[name], angle_deg)
-        found[name] = _at(shown.angle_deg, shown.measured[name], angle_deg), model
-    return found
+        result[name] = _at(shown.angle_deg, shown.measured[name], angle_deg), model
+    return result
 
 
 def statistics(shown: RevolutionCurves) -> list[tuple[str, list[float]]]:
@@ -125,7 +125,7 @@ def uncertainty_of(channels: Sequence[ChannelView]) -> float:
 
 def joint_uncertainty(*uncertainties: float) -> float:
     """Return U of a difference of independent values, of those that are known; NaN: none is."""
-    known = [one for one in uncertainties if math.isfinite(one)]
+    known = [uncertainty for uncertainty in uncertainties if math.isfinite(uncertainty)]
     return math.hypot(*known) if known else math.nan
 
 

@@ -229,7 +229,7 @@ def of_tree(tree: Mapping[str, Any]) -> KnownWear:
 
 
 def _floats(values: list[float | None]) -> Floats:
-    return np.array([math.nan if one is None else one for one in values], dtype=np.float64)
+    return np.array([math.nan if value is None else value for value in values], dtype=np.float64)
 
 
 NOTHING = KnownWear("")

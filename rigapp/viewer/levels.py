@@ -126,7 +126,7 @@ def quantity_text(column: str, table: ChannelTable = BASE) -> str:
         name = column.removesuffix(f"_{ending}")
         if name == column:
             continue
-        channel = next((one for one in table.channels if one.name == name), None)
+        channel = next((channel for channel in table.channels if channel.name == name), None)
         title = title_of(channel) if channel is not None else tr(words(name))
         if speaks_english() and not title.startswith("|"):
             title = title[:1].lower() + title[1:]

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from rigapp.config.recipe import LimitRule, TestFile
+from rigapp.config.recipe import LimitRule
 from rigapp.config.rules import ALWAYS
 from rigapp.presentation.numbers import unit_text
 from rigapp.presentation.translation import Text, tr
@@ -121,21 +121,21 @@ def margins(news: News) -> list[Margin]:
     The largest |F| is that of a trip where it is larger: its revolution is unfinished.
     Of two levels on one side the next one is told: the critical one when the other is passed.
     """
-    found: dict[tuple[str, bool], Margin] = {}
+    result: dict[tuple[str, bool], Margin] = {}
     alarms = news.status.alarms if news.status is not None else ()
     for one in watched(news):
         largest = one.column == LARGEST
         value, sign = newest_force(news) if largest else (newest(news, one.column), "")
         value *= one.scale
         key = (one.title, one.below)
-        if math.isfinite(value) and (key not in found or found[key].passed):
-            found[key] = Margin(one, value, level_of(alarms, one.column), sign)
-    return list(found.values())
+        if math.isfinite(value) and (key not in result or result[key].passed):
+            result[key] = Margin(one, value, level_of(alarms, one.column), sign)
+    return list(result.values())
 
 
 def nearest_margin(news: News, column: str) -> Margin | None:
     """Return the limit of a column that is nearest to its newest value, None without one."""
-    own = (one for one in margins(news) if one.limit.column == column)
+    own = (margin for margin in margins(news) if margin.limit.column == column)
     return max(own, key=lambda one: one.used, default=None)
 
 
@@ -146,7 +146,7 @@ def watched(news: News) -> list[WatchedLimit]:
         return []
     changed = newest_limits(news.events)
     limits = test.limits
-    found = [
+    result = [
         WatchedLimit(
             one.title,
             one.columns[0],
@@ -160,10 +160,10 @@ def watched(news: News) -> list[WatchedLimit]:
     ]
     if test.stop.wear_depth_um is not None:
         depth = test.stop.wear_depth_um
-        found.append(WatchedLimit("Wear depth", DEPTH, depth, "µm", COMPLETE, scale=UM_PER_MM))
+        result.append(WatchedLimit("Wear depth", DEPTH, depth, "µm", COMPLETE, scale=UM_PER_MM))
     for rule in limits.rule:
-        found += _of_rule(rule, news.data.channels, changed)
-    return found
+        result += _of_rule(rule, news.data.channels, changed)
+    return result
 
 
 def newest_force(news: News) -> tuple[float, str]:
@@ -171,26 +171,26 @@ def newest_force(news: News) -> tuple[float, str]:
 
     The alarm is there at once, the revolution of the trip when the file is finished.
     """
-    found = [(news.data.rows.last(LARGEST), "")]
+    result = [(news.data.rows.last(LARGEST), "")]
     alarms = news.status.alarms if news.status is not None else ()
-    found += [
-        (one.value, OVERLOADS[one.key])
-        for one in alarms
-        if one.value is not None and one.key in OVERLOADS
+    result += [
+        (alarm.value, OVERLOADS[alarm.key])
+        for alarm in alarms
+        if alarm.value is not None and alarm.key in OVERLOADS
     ]
     if news.trip is not None and news.trip.peak is not None:
-        found.append((news.trip.peak.value_N, news.trip.peak.sign))
-    return max((one for one in found if math.isfinite(one[0])), default=(math.nan, ""))
+        result.append((news.trip.peak.value_N, news.trip.peak.sign))
+    return max((one for one in result if math.isfinite(one[0])), default=(math.nan, ""))
 
 
 def overload_limit(news: News) -> float:
     """Return the force (N) at which the drive is switched off, NaN where no test is known."""
     test = news.recipe
-    return math.nan if test is None else _overload(test, newest_limits(news.events))
-
-
-def _overload(test: TestFile, changed: Mapping[str, float]) -> float:
-    return changed.get("overload_N", test.limits.overload_N)
+    return (
+        math.nan
+        if test is None
+        else newest_limits(news.events).get("overload_N", test.limits.overload_N)
+    )
 
 
 def _of_rule(

@@ -23,7 +23,7 @@ class MarkedMoment:
 
 def moments(events: Iterable[Event]) -> tuple[MarkedMoment, ...]:
     """Return the newest moments of a log, in its order; an alarm that comes again counts once."""
-    found: dict[tuple[int, str], MarkedMoment] = {}
+    result: dict[tuple[int, str], MarkedMoment] = {}
     for event in events:
         change = alarm_change(event)
         if change is not None and change.what == "raised":
@@ -34,5 +34,5 @@ def moments(events: Iterable[Event]) -> tuple[MarkedMoment, ...]:
             one = MarkedMoment(event.revolution, event.after)
         else:
             continue
-        found.setdefault((one.revolution, one.words), one)
-    return tuple(found.values())[-MOST:]
+        result.setdefault((one.revolution, one.words), one)
+    return tuple(result.values())[-MOST:]

@@ -76,7 +76,7 @@ class TrendQuantity:
     def said(self) -> TrendQuantity:
         """Return it in the language of the window."""
         measured, predicted = (
-            tuple(one.said() for one in lines) for lines in (self.measured, self.predicted)
+            tuple(line.said() for line in lines) for lines in (self.measured, self.predicted)
         )
         return replace(
             self, title=tr(self.title), axis=tr(self.axis), measured=measured, predicted=predicted
@@ -135,8 +135,8 @@ def trend_quantities(table: ChannelTable) -> dict[str, TrendQuantity]:
         measured=whole.measured[:1],
         predicted=whole.predicted[:1],
     )
-    found = {one.name: _of_channel(one) for one in _ordered(table)}
-    return {name: one.said() for name, one in {**found, LARGEST: largest, **_OTHERS}.items()}
+    result = {one.name: _of_channel(one) for one in _ordered(table)}
+    return {name: one.said() for name, one in {**result, LARGEST: largest, **_OTHERS}.items()}
 
 
 def _ordered(table: ChannelTable) -> list[Channel]:
@@ -168,18 +168,18 @@ def _of_channel(channel: Channel) -> TrendQuantity:
 
 def compared_columns(table: ChannelTable) -> dict[str, str]:
     """Return the columns that tests can be compared by, each with its words and unit."""
-    found: dict[str, str] = {}
+    result: dict[str, str] = {}
     for channel in _ordered(table):
         title, unit = title_of(channel), unit_text(channel.unit)
         averages = {name: COMPARED[name] for name in AVERAGES if channel.averaged}
         names = {"": "", **averages} if channel.kind is Kind.SLOW else COMPARED
         for name, word in names.items():
             column = f"{channel.name}_{name}".rstrip("_")
-            found[column] = f"{title}, {tr(word)} ({unit})" if word else f"{title} ({unit})"
+            result[column] = f"{title}, {tr(word)} ({unit})" if word else f"{title} ({unit})"
     for quantity in (one.said() for one in _OTHERS.values()):
         for line in (*quantity.measured, *quantity.predicted):
-            found[line.column] = f"{quantity.title}, {line.text} ({quantity.unit})"
-    return found
+            result[line.column] = f"{quantity.title}, {line.text} ({quantity.unit})"
+    return result
 
 
 def grouped_quantities(names: Iterable[str], table: ChannelTable) -> list[tuple[str, ...]]:
@@ -191,16 +191,20 @@ def grouped_quantities(names: Iterable[str], table: ChannelTable) -> list[tuple[
 
     def group(name: str) -> int:
         owner = max(
-            (one for one in table.channels if name == one.name or name.startswith(f"{one.name}_")),
+            (
+                channel
+                for channel in table.channels
+                if name == channel.name or name.startswith(f"{channel.name}_")
+            ),
             key=lambda one: len(one.name),
             default=None,
         )
         return kinds.index(owner.instrument) if owner is not None else len(kinds)
 
-    found: dict[int, list[str]] = {}
+    result: dict[int, list[str]] = {}
     for name in names:
-        found.setdefault(group(name), []).append(name)
-    return [tuple(found[at]) for at in sorted(found)]
+        result.setdefault(group(name), []).append(name)
+    return [tuple(result[at]) for at in sorted(result)]
 
 
 def scale_of(column: str) -> float:

@@ -107,17 +107,17 @@ class RecordedTable(SeriesTable):
     def rows_up_to(self, revolution: float) -> int:
         """Return how many rows of the whole stream belong to revolutions up to this one."""
         shown, self._x.limit = self._x.limit, None
-        found = self._x.searchsorted(revolution, "right")
+        result = self._x.searchsorted(revolution, "right")
         self._x.limit = shown
-        return found
+        return result
 
     def series(self, name: str) -> Pyramid:
         """Return one series, an empty one until it has been read; KeyError for an unknown name."""
-        found = self._read.get(name)
-        if found is None:
-            found = super().series(name)
+        result = self._read.get(name)
+        if result is None:
+            result = super().series(name)
             self.wanted.add(name)
-        return found
+        return result
 
     def newest(self, name: str, count: int, stop: int | None = None) -> NDArray[np.floating]:
         """Return the last values of a series, up to so many, of rows before ``stop``."""
@@ -152,11 +152,11 @@ class RecordedTable(SeriesTable):
         if name not in self._stored:
             return unknown
         try:
-            found = self._reader.column(name, start, stop, self._stream)
+            result = self._reader.column(name, start, stop, self._stream)
         except UnusableInput as error:  # a damaged part; all else is shown
             log.warning("%s", error)
             return unknown
-        return np.asarray(found, dtype=np.float64)
+        return np.asarray(result, dtype=np.float64)
 
 
 class RecordedData(LiveData):
@@ -271,14 +271,14 @@ def load_trip(path: Path) -> TripCycles | None:
     from rigapp.storage import open_test, trip_of
 
     with open_test(path) as test:
-        found = trip_of(test)
-        if found is None:
+        result = trip_of(test)
+        if result is None:
             return None
         cycle, before = (
             measured_cycle(cycle_message(one)) if one is not None else None
-            for one in (found.cycle, found.before)
+            for one in (result.cycle, result.before)
         )
-        return TripCycles(found.revolution, cycle, before, found.peak)
+        return TripCycles(result.revolution, cycle, before, result.peak)
 
 
 def load_capture(path: Path) -> TripCapture | None:

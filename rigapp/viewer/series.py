@@ -139,8 +139,8 @@ class SeriesTable:
 
     def at(self, name: str, row: int) -> float:
         """Return the value of a row, NaN where it is not known; raise KeyError for a column."""
-        found = self.newest(name, 1, row + 1)
-        return float(found[-1]) if len(found) else float("nan")
+        result = self.newest(name, 1, row + 1)
+        return float(result[-1]) if len(result) else float("nan")
 
     def newest(self, name: str, count: int, stop: int | None = None) -> NDArray[np.floating]:
         """Return the last values of a series, up to so many, of rows before ``stop``."""

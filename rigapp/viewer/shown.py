@@ -131,7 +131,9 @@ def aged(value: AnyShown, age: Age) -> AnyShown:
 
 def standing(alarms: Iterable[Alarm]) -> list[Alarm]:
     """Return the alarms that colour what they are about: they hold, or wait for the reset."""
-    return [one for one in alarms if one.state in ("unacknowledged", "acknowledged", "latched")]
+    return [
+        alarm for alarm in alarms if alarm.state in ("unacknowledged", "acknowledged", "latched")
+    ]
 
 
 def level_of(alarms: Iterable[Alarm], *quantities: str) -> Level:
@@ -144,7 +146,8 @@ def level_of(alarms: Iterable[Alarm], *quantities: str) -> Level:
         (
             _LEVELS[alarm.severity]
             for alarm, told in about
-            if told and any(one == told or one.startswith(f"{told}_") for one in quantities)
+            if told
+            and any(quantity == told or quantity.startswith(f"{told}_") for quantity in quantities)
         ),
         default=Level.NORMAL,
     )
@@ -155,7 +158,7 @@ def free_values(news: News) -> list[FreeValue]:
     status, rows = news.status, news.data.rows
     live = {view.name: view for view in status.rig.channels} if status is not None else {}
     alarms = status.alarms if status is not None else ()
-    found = []
+    result = []
     for channel in news.data.channels.free:
         slow, view = channel.kind is Kind.SLOW, live.get(channel.name)
         if view is not None:
@@ -169,15 +172,15 @@ def free_values(news: News) -> list[FreeValue]:
         shown = FreeValue(channel.name, title_of(channel), text, "", level)
         # A slow one always says its age: its device sets the pace.
         if slow:
-            found.append(replace(shown, detail=age.text, short=age.text, old=age.old))
+            result.append(replace(shown, detail=age.text, short=age.text, old=age.old))
         else:
-            found.append(aged(shown, age))
-    return found
+            result.append(aged(shown, age))
+    return result
 
 
 def quantity_level(alarms: Iterable[Alarm], channel: str) -> Level:
     """Return the worst level of the alarms about a channel or any of its statistics."""
-    return level_of(alarms, channel, *(f"{channel}_{one}" for one in STATISTICS))
+    return level_of(alarms, channel, *(f"{channel}_{statistic}" for statistic in STATISTICS))
 
 
 def level_of_limit(alarms: Iterable[Alarm], key: str) -> Level:

@@ -23,7 +23,7 @@ from stories import NEVER_OVER, RIG, recipe, until
 from rigapp.config.loading import read_rig
 from rigapp.schema.messages import NOTE_CHARACTERS, Event, Reply, Request, RunState
 from rigapp.schema.states import ACTIVE, ENDED
-from rigapp.schema.verbs import SAFETY_VERBS, VERBS
+from rigapp.schema.verbs import VERBS, Priority
 from rigapp.schema.wire import decode
 from rigapp.service.bounds import MESSAGE_BYTES
 from rigapp.service.client import Client, EngineUnreachable
@@ -31,6 +31,7 @@ from rigapp.service.host import EngineHost
 from rigapp.service.registry import running_engines
 
 BATCH = 40
+SAFETY_VERBS = {name for name, verb in VERBS.items() if verb.lane is Priority.SAFETY}
 GROWTH_BYTES = 100_000_000
 NOT_SENT = frozenset({"shutdown", "inject_fault", "hand"})
 """Verbs that may end the engine or break the simulated rig, as they should."""

@@ -83,7 +83,9 @@ def check_contact_options(joint: str, options: Mapping[str, object]) -> None:
     """Refuse options (name -> value, None where not given) that another joint has no use for."""
     for name, value in options.items():
         if value is not None and joint in SOLVABLE:
-            others = listed(tuple(one for one in TECHNIQUES if one not in SOLVABLE))
+            others = listed(
+                tuple(technique for technique in TECHNIQUES if technique not in SOLVABLE)
+            )
             raise UnusableInput(f"{name} has no meaning for --joint {joint}; use --joint {others}.")
 
 
@@ -375,7 +377,11 @@ def _check(
         usable = math.isfinite(clearance_mm) and clearance_mm >= 0.0
         demand(usable, "--clearance-mm", clearance_mm, "give 0 or more")
         if "clearance" not in technique.needs and clearance_mm != 0.0:
-            others = tuple(one.name for one in TECHNIQUES.values() if "clearance" in one.needs)
+            others = tuple(
+                technique.name
+                for technique in TECHNIQUES.values()
+                if "clearance" in technique.needs
+            )
             raise UnusableInput(
                 f"--clearance-mm has no meaning for a {joint} joint; use --joint {listed(others)}."
             )

@@ -225,9 +225,9 @@ class AlarmBook:
         """Return the list: critical first, then the oldest first."""
         now = self._elapsed()
         with self._lock:
-            found = [entry.alarm(now) for entry in self._entries.values()]
+            result = [entry.alarm(now) for entry in self._entries.values()]
         return tuple(
-            sorted(found, key=lambda one: (one.severity is not Severity.CRITICAL, one.raised_at))
+            sorted(result, key=lambda one: (one.severity is not Severity.CRITICAL, one.raised_at))
         )
 
     def _tell(

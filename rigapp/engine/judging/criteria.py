@@ -72,15 +72,15 @@ class _Rate:
 
     def add(self, number: int, depth_um: float) -> float | None:
         """Add a revolution; return the rate (um per 1000 revolutions) when a new one is known."""
-        found = None
+        result = None
         place = number // self._width
         if place != self._bin:
             if self._sum[0] > 0:
                 self._bins.append((self._sum[1] / self._sum[0], self._sum[2] / self._sum[0]))
-                found = self._slope(number)
+                result = self._slope(number)
             self._bin, self._sum = place, np.zeros(3)
         self._sum += (1.0, number, depth_um)
-        return found
+        return result
 
     def _slope(self, number: int) -> float | None:
         """Return the slope when the window is filled for at least half, from end to end."""
@@ -240,11 +240,11 @@ class StopMonitor:
         return min(known, default=(math.inf, ""))
 
     def _first(self, sight: Sight, number: int, at: At) -> CriterionMet | None:
-        found: CriterionMet | None = None
+        result: CriterionMet | None = None
         for one in self._seen[sight]:
             met = one.look(number, at)
-            found = found or met
-        return found
+            result = result or met
+        return result
 
     def _run(self, number: int, speed_rpm: float) -> None:
         if math.isfinite(speed_rpm) and speed_rpm > 0:

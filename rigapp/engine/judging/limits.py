@@ -116,14 +116,14 @@ class _Watch:
 
 
 def _watches(rules: Iterable[LimitRule]) -> list[_Watch]:
-    found: list[_Watch] = []
+    result: list[_Watch] = []
     for rule in rules:
         for name in BOUNDS:
             limit = getattr(rule, name)
             if limit is None:
                 continue
             critical = name.startswith("critical")
-            found.append(
+            result.append(
                 _Watch(
                     quantity=rule.quantity,
                     severity=Severity.CRITICAL if critical else Severity.WARNING,
@@ -135,7 +135,7 @@ def _watches(rules: Iterable[LimitRule]) -> list[_Watch]:
                     steps=frozenset(rule.steps),
                 )
             )
-    return found
+    return result
 
 
 class RuleMonitor:
@@ -170,7 +170,7 @@ class RuleMonitor:
         step: of the test, in which they were measured. What a level of another step has found is
         over.
         """
-        found: list[LevelPassed] = []
+        result: list[LevelPassed] = []
         for watch in self._watches:
             value = values.get(watch.quantity)
             if value is None:
@@ -179,13 +179,13 @@ class RuleMonitor:
             if "time" in values and watch.judges(step):
                 missing = watch.look_for_value(watch.without_value_s(values))
                 if missing is not None:
-                    found.append(missing)
+                    result.append(missing)
             if not watch.known(value):
                 continue
             change = watch.look(value) if watch.judges(step) else watch.leave()
             if change is not None:
-                found.append(LevelPassed(watch.cause(value), change, watch.action))
-        return found
+                result.append(LevelPassed(watch.cause(value), change, watch.action))
+        return result
 
     def worst_margin(self, values: Mapping[str, float], step: int = 0) -> tuple[float, str]:
         """Return the smallest distance to a level in percent of the level, and its name."""

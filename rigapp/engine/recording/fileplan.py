@@ -24,7 +24,7 @@ UNFINISHED = 2
 
 def _bytes_of(table: ChannelTable) -> int:
     """Return the bytes of one sample of all columns."""
-    return sum(np.dtype(one.dtype).itemsize for one in table.cycle_columns)
+    return sum(np.dtype(column.dtype).itemsize for column in table.cycle_columns)
 
 
 def file_plan(

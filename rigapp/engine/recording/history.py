@@ -62,13 +62,13 @@ class Schedule:
 
 def logarithmic(revolutions: int, per_decade: int) -> frozenset[int]:
     """Return revolution numbers spaced evenly in the logarithm: ``per_decade`` in each decade."""
-    found: set[int] = set()
+    result: set[int] = set()
     step = 0
     while True:
         number = round(10 ** (step / per_decade))
         if number > revolutions:
-            return frozenset(found)
-        found.add(number)
+            return frozenset(result)
+        result.add(number)
         step += 1
 
 

@@ -50,7 +50,9 @@ def cycle_samples(
         **{f"raw_{name}": signal for name, signal in measured.signals().items()},
     }
     # Copies of the file's own types: the file then need not copy them again.
-    return {one.name: columns[one.name].astype(one.dtype) for one in table.cycle_columns}
+    return {
+        column.name: columns[column.name].astype(column.dtype) for column in table.cycle_columns
+    }
 
 
 def cycle_message(number: int, measured: Measured) -> Cycle:
@@ -293,9 +295,9 @@ class Recorder:
         self._write_curves(self._curves.kept(numbers, self._history.decided))
 
     def _write_curves(self, predictions: Iterable[Prediction]) -> None:
-        for one in predictions:
-            curves = {name: as_array(getattr(one, name)) for name in PREDICTED_CURVES}
-            self._store.append_curves(one.revolution, curves)
+        for prediction in predictions:
+            curves = {name: as_array(getattr(prediction, name)) for name in PREDICTED_CURVES}
+            self._store.append_curves(prediction.revolution, curves)
 
     def _keep_unfinished(self, revolution: Revolution) -> None:
         """Keep a revolution that was cut off after the last row; one before the test is none."""

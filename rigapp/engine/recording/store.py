@@ -121,14 +121,6 @@ HISTORY_ROWS = 100_000
 """Rows of an earlier segment that are read at once."""
 
 
-def _no_history() -> Iterator[NDArray[np.float64]]:
-    return iter(())
-
-
-def _no_depths(after: int) -> NDArray[np.float64]:
-    return NOTHING
-
-
 @dataclass(frozen=True, slots=True)
 class Opened:
     """A test file that is ready for rows. rows: already in it; last_*: of the last of these.
@@ -145,8 +137,8 @@ class Opened:
     last_revolution: int = 0
     last_time_s: float = 0.0
     last_host_time: float = 0.0
-    history: Callable[[], Iterator[NDArray[np.float64]]] = _no_history
-    depths: Callable[[int], NDArray[np.float64]] = _no_depths
+    history: Callable[[], Iterator[NDArray[np.float64]]] = lambda: iter(())
+    depths: Callable[[int], NDArray[np.float64]] = lambda after: NOTHING
     triggered: int = 0
     table: ChannelTable | None = None
 
@@ -199,8 +191,8 @@ def _create(request: OpenRequest) -> Opened:
         calibration={
             **calibration_record(request.calibration),
             "force_uncertainty": _uncertainty(request),
-            **_plain(request.devices),
-            **_records(request.records),
+            **{f"device_{name}": dict(readback) for name, readback in request.devices.items()},
+            **{f"record_{section}": {"record": text} for section, text in request.records.items()},
         },
         detectors=detector_record(rig, calibration.sample_rate_Hz, request.devices),
         rig_name=rig.name,
@@ -243,9 +235,10 @@ def _resume(request: OpenRequest) -> Opened:
 def missing_channels(kept: ChannelTable, measured: ChannelTable) -> str:
     """Return why a rig cannot go on with a file, by what each keeps and measures; empty: it can."""
     gone = [
-        one.name
-        for one in kept.channels
-        if one.name not in measured or not set(one.columns) <= set(measured[one.name].columns)
+        channel.name
+        for channel in kept.channels
+        if channel.name not in measured
+        or not set(channel.columns) <= set(measured[channel.name].columns)
     ]
     if not gone:
         return ""
@@ -266,14 +259,14 @@ def _history(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
 def _depths(path: Path, after: int) -> NDArray[np.float64]:
     with open_test(path) as reader:
         first = rows_up_to(reader, after, "prediction")
-        found = [reader.column(name, first, stream="prediction") for name in DEPTH_COLUMNS]
-        return np.array(found, np.float64)
+        result = [reader.column(name, first, stream="prediction") for name in DEPTH_COLUMNS]
+        return np.array(result, np.float64)
 
 
 def calibration_record(calibration: Calibration) -> dict[str, Any]:
     """Return a calibration as nested plain values, units in the keys."""
     encoder, cell, probes = calibration.encoder, calibration.load_cell, calibration.probes
-    found = {
+    result = {
         LOAD_CELL: {
             "record": cell.record,
             "matrix_N_per_mV_per_V": cell.matrix.tolist(),
@@ -309,21 +302,21 @@ def calibration_record(calibration: Calibration) -> dict[str, Any]:
         "acquisition": {
             "clock": calibration.counter.clock.value,
             "sample_rate_Hz": calibration.sample_rate_Hz,
-            "scale": [one.scale for one in calibration.wires],
-            "offset": [one.offset for one in calibration.wires],
+            "scale": [wire.scale for wire in calibration.wires],
+            "offset": [wire.offset for wire in calibration.wires],
         },
     }
     for wire in calibration.wires:
         line = calibration.scalars.get(wire.channel.name)
         if line is not None:
-            found[f"channel_{wire.channel.name}"] = {
+            result[f"channel_{wire.channel.name}"] = {
                 "record": line.record,
                 "unit": wire.channel.unit,
                 "latency_ms": 1e3 * wire.channel.latency_s,
                 **_line_record(line),
                 **({} if line.uncertainty is None else {"uncertainty": line.uncertainty}),
             }
-    return found
+    return result
 
 
 def _latency_ms(calibration: Calibration, instrument: str) -> list[float]:
@@ -373,20 +366,20 @@ def detector_record(
         LOAD_CELL: {"full_scale_N": cell.full_scale_N, "resolution_N": cell.resolution_N},
         PROBES: {"range_V": rig.probes.range_V},
     }
-    found: dict[str, Mapping[str, Any]] = {}
+    result: dict[str, Mapping[str, Any]] = {}
     for name, (kind, sentence) in INSTRUMENTS.items():
         wired = [table[one] for one in table.names_of(name)]
-        found[name] = {
+        result[name] = {
             "description": sentence,
             "type": kind,
-            "channels": [one.name for one in table.curves if one.instrument == name],
+            "channels": [curve.name for curve in table.curves if curve.instrument == name],
             "local_name": [one.input for one in wired],
             **_device(rig, wired[0].device, sample_rate_Hz, devices),
             **own[name],
             "latency_ms": [1e3 * one.latency_s for one in wired],
             "calibration": f"{CALIBRATION}/{name}",
         }
-    found["encoder"] = {
+    result["encoder"] = {
         "description": "angle of the crank",
         "type": "incremental encoder with index",
         "channels": ["angle"],
@@ -395,18 +388,22 @@ def detector_record(
         "counts_per_revolution": encoder.counts_per_revolution,
         "calibration": f"{CALIBRATION}/encoder",
     }
-    for one in table.free:
-        slow = one.kind is Kind.SLOW
-        found[one.name] = {
-            "description": one.description,
+    for channel in table.free:
+        slow = channel.kind is Kind.SLOW
+        result[channel.name] = {
+            "description": channel.description,
             "type": "one value a revolution" if slow else "scalar input",
-            "channels": [one.name],
-            "local_name": [one.input],
-            **_device(rig, one.device, math.nan if slow else sample_rate_Hz, devices),
-            "unit": one.unit,
-            **({} if slow else {"range_V": one.signal_range, "latency_ms": 1e3 * one.latency_s}),
+            "channels": [channel.name],
+            "local_name": [channel.input],
+            **_device(rig, channel.device, math.nan if slow else sample_rate_Hz, devices),
+            "unit": channel.unit,
+            **(
+                {}
+                if slow
+                else {"range_V": channel.signal_range, "latency_ms": 1e3 * channel.latency_s}
+            ),
         }
-    return found
+    return result
 
 
 SAID = "device_"
@@ -444,12 +441,3 @@ def _probe_extras(probes: ProbePair) -> dict[str, Any]:
             extras["run_out_cos_um"] = correction.cosines.tolist()
             extras["run_out_sin_um"] = correction.sines.tolist()
     return extras
-
-
-def _plain(devices: Mapping[str, Mapping[str, str | float | int]]) -> dict[str, Any]:
-    return {f"device_{name}": dict(readback) for name, readback in devices.items()}
-
-
-def _records(texts: Mapping[str, str]) -> dict[str, Any]:
-    """Return the sealed calibration records as the file keeps them, one group each."""
-    return {f"record_{section}": {"record": text} for section, text in texts.items()}

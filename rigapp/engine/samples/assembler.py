@@ -18,7 +18,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.engine.samples.counterstate import (
-    BEGIN,
     BREAK,
     CUT,
     EventAt,
@@ -50,10 +49,7 @@ _motion_in = itemgetter(
     StateAt.TRAVEL_FIRST,
     StateAt.TRAVEL,
     StateAt.LOCKED,
-    StateAt.LAST_MOVED,
     StateAt.UNLOCKED_TURN,
-    StateAt.INDEX_EVENTS,
-    StateAt.COUNT_ERRORS,
     StateAt.SKIPS,
 )
 """What ``Motion`` tells, from the state as a list: read at each block, one by one it takes 8 us."""
@@ -162,19 +158,15 @@ class Motion:
     count: unwrapped position, corrected at every index; phase: counts from the index, 0 ..
     counts_per_revolution - 1. travel: counts turned up to the block's first and last sample, never
     corrected, so that a lost count does not look like speed.
-    standing_samples: device samples since the count last changed. gap: samples lost just before the
-    block, -1 when their number is not known; turned_in_gap: counts turned meanwhile. skips: jumps
-    of the count so far that stayed.
+    gap: samples lost just before the block, -1 when their number is not known; turned_in_gap:
+    counts turned meanwhile. skips: jumps of the count so far that stayed.
     """
 
     count: int = 0
     phase: int = 0
     travel: tuple[int, int] = (0, 0)
     locked: bool = False
-    standing_samples: int = 0
     turned_without_index: float = 0.0
-    index_events: int = 0
-    count_errors: int = 0
     gap: int = 0
     turned_in_gap: int = 0
     skips: int = 0
@@ -246,7 +238,6 @@ class Assembler:
         self._begin: tuple[int, int] | None = None  # kept index, device sample
         self._breaks: deque[tuple[int, int]] = deque()
         self._waiting: deque[_Waiting] = deque()
-        self.lead_in_samples = 0
         self.lost_samples = 0
         self.motion = Motion()
 
@@ -305,7 +296,7 @@ class Assembler:
             self._breaks.append((0, block.first_sample))
         for event in events[:found]:
             self._take(event, block, n)
-        self._look(position, block, n)
+        self._look(position)
         return self._ready()
 
     def unfinished(self) -> Revolution | None:
@@ -428,9 +419,7 @@ class Assembler:
         if kind == BREAK:
             self._breaks.append((kept, sample))
             return
-        if kind == BEGIN or self._begin is None:
-            self.lead_in_samples = kept
-        elif kind == CUT:
+        if kind == CUT and self._begin is not None:
             start, begin_sample = self._begin
             self._waiting.append(
                 _Waiting(
@@ -445,19 +434,15 @@ class Assembler:
             )
         self._begin = (kept, sample)
 
-    def _look(self, position: NDArray[np.int64], block: Block, n: int) -> None:
+    def _look(self, position: NDArray[np.int64]) -> None:
         motion, turn = self.motion, self.encoder.counts_per_revolution
-        first, last, locked, moved, unlocked, events, errors, skips = _motion_in(
-            self._state.tolist()
-        )
+        first, last, locked, unlocked, motion.skips = _motion_in(self._state.tolist())
         motion.turned_in_gap = first - motion.travel[1]
         motion.travel = (first, last)
         motion.count = int(position[-1])
         motion.phase = motion.count % turn
         motion.locked = bool(locked)
-        motion.standing_samples = block.first_sample + n - 1 - moved
         motion.turned_without_index = 0.0 if motion.locked else abs(unlocked) / turn
-        motion.index_events, motion.count_errors, motion.skips = events, errors, skips
 
     def _ready(self) -> list[Revolution]:
         end = self._origin + self._fill

@@ -53,7 +53,7 @@ MOST_READINGS = 4096
 
 def averages(readings: Iterable[Reading], begin_s: float, end_s: float) -> dict[str, float]:
     """Return ``AVERAGES`` of the readings in a time, NaN without one, and how many there are."""
-    values = [one.value for one in readings if begin_s < one.host_s <= end_s]
+    values = [reading.value for reading in readings if begin_s < reading.host_s <= end_s]
     values = [value for value in values if math.isfinite(value)]
     count = len(values)
     if not count:
@@ -170,7 +170,7 @@ class SlowChannels:
         age_s: Callable[[float], float],
     ) -> None:
         self.channels = tuple(channels)
-        self.devices = {one.source.name: one for one in devices}
+        self.devices = {device.source.name: device for device in devices}
         self._drive = drive
         self._status = status
         self._age_s = age_s
@@ -186,12 +186,12 @@ class SlowChannels:
             return
         self._taken_ns = status.host_time_ns
         host_s = status.host_time_ns * 1e-9
-        for one in self.channels:
-            if one.device == self._drive:
-                before = self._drive_readings.get(one.input)
-                value = float(getattr(status, one.input))
-                self._drive_readings[one.input] = reading = told(value, host_s, before)
-                keep(self._drive_recent, one.name, reading)
+        for channel in self.channels:
+            if channel.device == self._drive:
+                before = self._drive_readings.get(channel.input)
+                value = float(getattr(status, channel.input))
+                self._drive_readings[channel.input] = reading = told(value, host_s, before)
+                keep(self._drive_recent, channel.name, reading)
 
     def at(self, channel: Channel, host_s: float) -> tuple[float, float]:
         """Return the value of a channel at a host time, NaN when it is too old, and its age, s."""
@@ -204,21 +204,21 @@ class SlowChannels:
 
         host_time_ns: its end. lasted_s: how long it took.
         """
-        found: dict[str, float] = {}
+        result: dict[str, float] = {}
         end_s = host_time_ns * 1e-9
-        for one in self.channels:
-            found[one.name], found[f"{one.name}_age"] = self.at(one, end_s)
-            if one.averaged:
-                kept = averages(self._recent(one), end_s - lasted_s, end_s)
-                found |= {f"{one.name}_{name}": value for name, value in kept.items()}
-        return found
+        for channel in self.channels:
+            result[channel.name], result[f"{channel.name}_age"] = self.at(channel, end_s)
+            if channel.averaged:
+                kept = averages(self._recent(channel), end_s - lasted_s, end_s)
+                result |= {f"{channel.name}_{name}": value for name, value in kept.items()}
+        return result
 
     def silent(self) -> Iterator[tuple[SlowDevice, float]]:
         """Yield the devices that have not answered for too long, with the seconds."""
-        for one in self.devices.values():
-            age_s = self._age_s(one.answered_s)
+        for device in self.devices.values():
+            age_s = self._age_s(device.answered_s)
             if age_s >= SILENT_S:
-                yield one, age_s
+                yield device, age_s
 
     def _recent(self, channel: Channel) -> list[Reading]:
         if channel.device != self._drive:

@@ -545,7 +545,7 @@ def scan(
     the rig's positive sense. keep: (n,) out, 0 for samples not worth keeping. events: (rows,
     EventAt.SIZE) out, 2 n rows at least.
     """
-    found = 0
+    result = 0
     i = 0
     while i < counts.shape[0]:
         if i > 0 or lost == 0:
@@ -563,14 +563,14 @@ def scan(
             if i == 0:
                 state[StateAt.TRAVEL_FIRST] = state[StateAt.TRAVEL]
             _note_marks(quality[i], state)
-            found = _place(sample, missing, events, found, state, parameters)
+            result = _place(sample, missing, events, result, state, parameters)
         position[i] = state[StateAt.POSITION]
         keep[i] = 1 if _worth_keeping(state, parameters) else 0
         if keep[i]:
             if state[StateAt.SKIPPING] or state[StateAt.GAP]:
                 now = state[StateAt.POSITION]
-                found = _event(events, found, BREAK, state[StateAt.KEPT], sample, now, state)
+                result = _event(events, result, BREAK, state[StateAt.KEPT], sample, now, state)
             state[StateAt.KEPT] += 1
         state[StateAt.SKIPPING] = 1 - keep[i]
         i += 1
-    return found
+    return result

@@ -63,7 +63,7 @@ class Calibration:
     @cached_property
     def names(self) -> tuple[str, ...]:
         """Return the channels of the inputs, in the order of every array here."""
-        return tuple(one.channel.name for one in self.wires)
+        return tuple(wire.channel.name for wire in self.wires)
 
     def place(self, instrument: str) -> list[int]:
         """Return the places of an instrument's inputs in an array."""
@@ -72,17 +72,17 @@ class Calibration:
     @cached_property
     def rows(self) -> list[int]:
         """Return the rows of the inputs in a Block."""
-        return [one.row for one in self.wires]
+        return [wire.row for wire in self.wires]
 
     @cached_property
     def latency_s(self) -> Array:
         """Return the inputs' delays against the encoder."""
-        return np.array([one.channel.latency_s for one in self.wires])
+        return np.array([wire.channel.latency_s for wire in self.wires])
 
     @cached_property
     def ranges(self) -> Array:
         """Return the inputs' measuring ranges that were asked for, in signal units."""
-        return np.array([one.channel.signal_range or math.inf for one in self.wires])
+        return np.array([wire.channel.signal_range or math.inf for wire in self.wires])
 
     @cached_property
     def lines(self) -> dict[str, InputLine]:
@@ -156,7 +156,7 @@ class Calibration:
     def signals(self, values: Values) -> Array:
         """Return the electrical signals (inputs, samples) of a Block's values."""
         scale, offset = (
-            np.array([[getattr(one, name)] for one in self.wires]) for name in ("scale", "offset")
+            np.array([[getattr(wire, name)] for wire in self.wires]) for name in ("scale", "offset")
         )
         return np.asarray(values[self.rows].astype(np.float64) * scale + offset, np.float64)
 
@@ -241,12 +241,12 @@ def calibrate(revolution: Revolution, calibration: Calibration) -> Calibrated:
     if calibration.probes.correction is not None:
         pair = calibration.place(PROBES)
         values[pair] = calibration.probes.correction.apply(revolution.counts, values[pair])
-    found = dict(zip(calibration.names, values, strict=True))
-    found["force"] = np.hypot(*(found[name] for name in calibration.table.names_of(LOAD_CELL)))
+    result = dict(zip(calibration.names, values, strict=True))
+    result["force"] = np.hypot(*(result[name] for name in calibration.table.names_of(LOAD_CELL)))
     return Calibrated(
         angle_rad=calibration.angles(revolution.counts),
         time_s=revolution.sample_indices() / revolution.sample_rate_Hz,
-        curves={one.name: found[one.name] for one in calibration.table.curves},
+        curves={curve.name: result[curve.name] for curve in calibration.table.curves},
     )
 
 
@@ -263,18 +263,18 @@ class Measured:
     @property
     def calibrated(self) -> Calibrated:
         """Return it in engineering units; whoever asks first has it calculated."""
-        found = self._calibrated
-        if found is None:
-            found = self._calibrated = calibrate(self.revolution, self.calibration)
-        return found
+        result = self._calibrated
+        if result is None:
+            result = self._calibrated = calibrate(self.revolution, self.calibration)
+        return result
 
     def signals(self) -> dict[str, Array]:
         """Return the signals (samples,) as the device sent them, by channel, and ``count``."""
         revolution, kind = self.revolution, self.calibration
         inside = slice(revolution.before, revolution.before + revolution.samples)
         raw = revolution.values[:, inside]
-        found = dict(zip(kind.names, kind.signals(raw), strict=True))
-        return {**found, "count": raw[kind.counter.row]}
+        result = dict(zip(kind.names, kind.signals(raw), strict=True))
+        return {**result, "count": raw[kind.counter.row]}
 
     def kept(self) -> Measured:
         """Return it for a while in memory: a copy of the raw samples alone.
@@ -317,7 +317,9 @@ def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
         load_cell=_load_cell(rig),
         probes=_probes(rig, encoder.counts_per_revolution, index_angle_rad),
         scalars={
-            one.name: _scalar(rig, one.name) for one in table.free if one.kind is Kind.SAMPLED
+            channel.name: _scalar(rig, channel.name)
+            for channel in table.free
+            if channel.kind is Kind.SAMPLED
         },
     )
 

@@ -112,10 +112,10 @@ class Manuscript:
 
     def labels(self) -> dict[int, str]:
         """Return "Figure 1", "Table 1" and so on, by the identity of each; tables with a title."""
-        found = {id(one): tr("Figure {}", n) for n, one in enumerate(self.figures(), 1)}
+        result = {id(one): tr("Figure {}", n) for n, one in enumerate(self.figures(), 1)}
         blocks = [block for section in self.sections for block in section.blocks]
-        tables = [one for one in blocks if isinstance(one, Table) and one.title]
-        return found | {id(one): tr("Table {}", n) for n, one in enumerate(tables, 1)}
+        tables = [block for block in blocks if isinstance(block, Table) and block.title]
+        return result | {id(one): tr("Table {}", n) for n, one in enumerate(tables, 1)}
 
 
 def is_number(text: str) -> bool:
@@ -185,7 +185,7 @@ def _data(figure: Figure) -> str:
 def plain(document: Manuscript) -> dict[str, Any]:
     """Return title, sections and blocks of a document; cells stay the words that are printed."""
     sections = [
-        {"title": section.title, "blocks": [_plain_block(one) for one in section.blocks]}
+        {"title": section.title, "blocks": [_plain_block(block) for block in section.blocks]}
         for section in document.sections
     ]
     cover = document.cover

@@ -127,7 +127,7 @@ def name_curves(axes: Any) -> None:
     handles, names = axes.get_legend_handles_labels()
     low, high = axes.get_ylim()
     log = axes.get_yscale() == "log"
-    wanted = [_share(_end_of(one), low, high, log) for one in handles]
+    wanted = [_share(_end_of(handle), low, high, log) for handle in handles]
     points = 72.0 * axes.get_figure().get_figheight() * axes.get_position().height
     line = 1.25 * NAME_PT / points
     heights = [line * (1 + name.count("\n")) for name in names]

@@ -75,7 +75,7 @@ LINE = [
 def set_pages(document: Manuscript) -> bytes:
     """Return the PDF; two passes, since every page names the number of pages."""
     _prepare()
-    drawings = {id(one): _Drawing(one.draw("pdf")) for one in document.figures()}
+    drawings = {id(figure): _Drawing(figure.draw("pdf")) for figure in document.figures()}
     pages = _build(document, 0, drawings)[1]
     data = _build(document, pages, drawings)[0]
     return _finished(data, list(drawings.values()), document.made_at)
@@ -308,7 +308,7 @@ def _cover(
         story += [_letterhead(cover), Spacer(0, 7 * mm)]
     story.append(Paragraph(escape(document.title), COVER_TITLE))
     story.append(Paragraph(escape(cover.subtitle), SUBTITLE))
-    story += [Paragraph(escape(one), STRONG) for one in cover.warnings]
+    story += [Paragraph(escape(warning), STRONG) for warning in cover.warnings]
     story += [Spacer(0, 3 * mm), _facts(cover.facts), _Heading(tr("Result"), HEADING)]
     rows = [
         [Paragraph(_cell(one), style) for one, style in zip(row, RESULT_STYLES, strict=True)]
@@ -392,7 +392,7 @@ def _figure(figure: Figure, drawing: _Drawing, label: str) -> list[Flowable]:
 def _grid(table: Table) -> Grid:
     if not table.header:
         rows = [
-            [Paragraph(escape(name), SMALL), *(Paragraph(_cell(one), CELL) for one in values)]
+            [Paragraph(escape(name), SMALL), *(Paragraph(_cell(value), CELL) for value in values)]
             for name, *values in table.rows
         ]
         columns = max((len(row) for row in table.rows), default=2) - 1
@@ -451,21 +451,21 @@ def _widths(table: Table) -> list[float]:
 
 def _with_words_whole(widths: list[float], least: list[float]) -> list[float]:
     """Widen columns that would break words, at the cost of the widest."""
-    found = list(widths)
+    result = list(widths)
     for i, width in enumerate(widths):
         missing = least[i] - width
         if missing <= 0:
             continue
-        widest = max(range(len(found)), key=lambda k: found[k] - least[k])
-        given = min(missing, max(0.0, found[widest] - least[widest]))
-        found[i] += given
-        found[widest] -= given
-    return found
+        widest = max(range(len(result)), key=lambda k: result[k] - least[k])
+        given = min(missing, max(0.0, result[widest] - least[widest]))
+        result[i] += given
+        result[widest] -= given
+    return result
 
 
 def _needed(text: str, font: str) -> float:
     lines = text.split("\n")
-    width = max(float(pdfmetrics.stringWidth(one, font, CELL_SIZE)) for one in lines)
+    width = max(float(pdfmetrics.stringWidth(line, font, CELL_SIZE)) for line in lines)
     return width + CELL_PADDING + 1
 
 

@@ -82,7 +82,7 @@ def parts(recorded: Path | None = None) -> tuple[Part, ...]:
     def fig15(parameters: Parameters, name: str, bushing: str) -> Part:
         return lambda tell: [wear.constant_and_evolving(parameters, speed, name, bushing, tell)]
 
-    found: list[Part] = [
+    result: list[Part] = [
         lambda tell: kinematics.same_without_clearance(steel, speed),
         lambda tell: [kinematics.force_over_gap(steel, speed)],
         lambda tell: [techniques.forces(simulation, speed, tell)],
@@ -93,7 +93,7 @@ def parts(recorded: Path | None = None) -> tuple[Part, ...]:
     ]
     if recorded is not None:
         measured = tuple(recorded_chapters(recorded))
-        found.append(lambda tell: measured)
-    found.append(lambda tell: [table2.table_2(simulation, experiment, speed, tell)])
-    found.append(lambda tell: [table2.worn_profiles(simulation, experiment, speed, tell)])
-    return tuple(found)
+        result.append(lambda tell: measured)
+    result.append(lambda tell: [table2.table_2(simulation, experiment, speed, tell)])
+    result.append(lambda tell: [table2.worn_profiles(simulation, experiment, speed, tell)])
+    return tuple(result)

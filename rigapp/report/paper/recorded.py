@@ -34,7 +34,9 @@ def recorded_chapters(path: Path) -> Iterator[Chapter]:
 
 def force_of_a_cycle(reader: TestReader) -> Chapter | None:
     """Return Fig. 20 as its text says, components and |F| over the crank angle; None without."""
-    pictures = [one for one in cycles_of(reader) if one.model and set(COMPONENTS) <= set(one.model)]
+    pictures = [
+        cycle for cycle in cycles_of(reader) if cycle.model and set(COMPONENTS) <= set(cycle.model)
+    ]
     if not pictures:
         return None
     last = pictures[-1]
@@ -152,17 +154,17 @@ def _scatter(largest: np.ndarray) -> str:
 
 def profile(reader: TestReader) -> Chapter | None:
     """Return Fig. 21, the worn profile by the probes beside the model's; None without."""
-    found = worn_of(reader)
-    if found is None:
+    result = worn_of(reader)
+    if result is None:
         return None
-    columns = {"angle_deg": found.angle}
-    columns |= {f"depth_{name}_mm": curve for name, curve in found.curves.items()}
-    columns["uncertainty_mm"] = found.uncertainty
+    columns = {"angle_deg": result.angle}
+    columns |= {f"depth_{name}_mm": curve for name, curve in result.curves.items()}
+    columns["uncertainty_mm"] = result.uncertainty
 
     def draw(axes: Sequence[Any]) -> None:
-        measured, doubt = found.curves["measured"], found.uncertainty
+        measured, doubt = result.curves["measured"], result.uncertainty
         axes[0].fill_between(
-            found.angle,
+            result.angle,
             np.maximum(measured - doubt, 0.0),
             measured + doubt,
             color=COLOURS[1],
@@ -172,7 +174,7 @@ def profile(reader: TestReader) -> Chapter | None:
         for colour, style, (name, words) in zip(
             (COLOURS[1], COLOURS[4], COLOURS[5]), ("-", "--", "-."), CURVES.items(), strict=True
         ):
-            axes[0].plot(found.angle, found.curves[name], style, color=colour, label=words)
+            axes[0].plot(result.angle, result.curves[name], style, color=colour, label=words)
         axes[0].set_xlim(-120.0, 120.0)
         axes[0].set_ylim(bottom=0.0)
         axes[0].set_xlabel("angle from the initial contact point, °, follower frame")
@@ -180,13 +182,13 @@ def profile(reader: TestReader) -> Chapter | None:
         axes[0].legend(loc="upper center", bbox_to_anchor=(0.5, -0.25), ncols=2)
 
     depths = ", ".join(
-        f"{found.extents[name].depth:.4g} mm {words}"
+        f"{result.extents[name].depth:.4g} mm {words}"
         for name, words in CURVES.items()
-        if np.isfinite(found.extents[name].depth)
+        if np.isfinite(result.extents[name].depth)
     )
     return Chapter(
         name="fig21_recorded",
-        title=f"Fig. 21: worn profile after revolution {found.revolution:,} of a recorded test",
+        title=f"Fig. 21: worn profile after revolution {result.revolution:,} of a recorded test",
         columns=columns,
         sentences=(
             f"Largest depth: {depths}. Shaded: the expanded uncertainty (k = 2) of the measured"

@@ -35,10 +35,10 @@ def whole_life(parameters: Parameters, speed: float, cycles: int, kind: str, **m
     from rigapp_model.errors import OutOfTime
     from rigapp_model.wear.life import life
 
-    found = life(parameters, speed, cycles, kind, **more)
-    if not found.complete:
+    result = life(parameters, speed, cycles, kind, **more)
+    if not result.complete:
         raise OutOfTime
-    return found
+    return result
 
 
 def constant_and_evolving(

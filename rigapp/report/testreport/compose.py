@@ -136,7 +136,7 @@ def _document(reader: TestReader, path: Path, settings: tuple[ReportFile, bytes]
             reader.state("cycles_refused"),
             uncertainty,
             bursts_of(reader),
-            [one.revolution for one in reader.unfinished()],
+            [cycle.revolution for cycle in reader.unfinished()],
         ),
         datasections.wear(agreement, worn_of(reader)),
         *([] if agreement is None else [_known(reader)]),
@@ -155,7 +155,7 @@ def _document(reader: TestReader, path: Path, settings: tuple[ReportFile, bytes]
         statement=own.statement,
         signatures=tuple(map(tr, own.signatures)),
         made_at=_moment(about["ended"] or about["started"]),
-        sections=tuple(one for one in sections if one.blocks),
+        sections=tuple(section for section in sections if section.blocks),
         closing=_closing(identity, about),
     )
 
@@ -233,14 +233,14 @@ def _known(reader: TestReader) -> Section:
 
 def _warnings(summary: dict[str, Any], simulated: str) -> list[str]:
     """Return what must not be overlooked."""
-    found = [tr("{} simulated: these are not measurements.", simulated)] if simulated else []
+    result = [tr("{} simulated: these are not measurements.", simulated)] if simulated else []
     status = summary["status"]
     if status != "complete":
         sentence = (
             tr(LEADS[status]) if status in LEADS else tr("The status of the test is {}.", status)
         )
-        found.append(f"{sentence} {_capital(translate(summary['reason']))}".strip())
-    return found
+        result.append(f"{sentence} {_capital(translate(summary['reason']))}".strip())
+    return result
 
 
 def _moment(text: str) -> float:
@@ -362,7 +362,7 @@ def _file_section(identity: FileIdentity, summary: dict[str, Any], reader: TestR
     )
     found = tuple((str(name), str(value)) for name, value in versions.items())
     tables = (Table("", rows), Table(tr("Versions that wrote the file"), found))
-    return Section(tr("File and versions"), tuple(one for one in tables if one.rows))
+    return Section(tr("File and versions"), tuple(table for table in tables if table.rows))
 
 
 def figure_of(path: Path, name: str = "") -> Figure:
@@ -384,7 +384,11 @@ def _wear(reader: TestReader) -> Figure | None:
 
 def _forces(reader: TestReader) -> Figure | None:
     rows, doubt = rows_of(reader), force_uncertainty(reader.calibration(), reader.configuration())
-    channels = [one for one in rows.channels if one.channel.instrument == LOAD_CELL] if rows else []
+    channels = (
+        [channel for channel in rows.channels if channel.channel.instrument == LOAD_CELL]
+        if rows
+        else []
+    )
     if rows is None or not channels:
         return None
     title = "Forces against revolution"
@@ -402,7 +406,7 @@ def _displacement(reader: TestReader) -> Figure | None:
 
 
 def _of_probes(rows: Rows) -> list[ChannelFacts]:
-    return [one for one in rows.channels if one.name.startswith("probe_")]
+    return [channel for channel in rows.channels if channel.name.startswith("probe_")]
 
 
 def _agreement(reader: TestReader) -> Figure | None:
@@ -411,14 +415,14 @@ def _agreement(reader: TestReader) -> Figure | None:
 
 
 def _cycles(reader: TestReader) -> Figure | None:
-    found = cycles_of(reader)
+    result = cycles_of(reader)
     doubt = force_uncertainty(reader.calibration(), reader.configuration())
-    return plots.cycles(found, doubt) if found else None
+    return plots.cycles(result, doubt) if result else None
 
 
 def _profile(reader: TestReader) -> Figure | None:
-    found = worn_of(reader)
-    return picture(found) if found is not None else None
+    result = worn_of(reader)
+    return picture(result) if result is not None else None
 
 
 def _prediction(reader: TestReader) -> Figure | None:
@@ -431,8 +435,8 @@ def _prediction(reader: TestReader) -> Figure | None:
 
 
 def _trip(reader: TestReader) -> Figure | None:
-    found = trip_capture(reader)
-    return plots.trip(found) if found is not None else None
+    result = trip_capture(reader)
+    return plots.trip(result) if result is not None else None
 
 
 def _mechanism(reader: TestReader) -> Figure | None:

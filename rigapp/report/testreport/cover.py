@@ -120,7 +120,11 @@ def cover_of(
 
 def _forces(rows: Rows | None, agreement: Agreement | None) -> Figure | None:
     """Return the largest force over the test, where no wear depth is known; None without one."""
-    size = [one for one in rows.channels if one.name == "force"] if rows is not None else []
+    size = (
+        [channel for channel in rows.channels if channel.name == "force"]
+        if rows is not None
+        else []
+    )
     if rows is None or not size:
         return None
     return trends(size, agreement, rows.gaps, tr("The joint force over the test"), None)
@@ -442,12 +446,12 @@ def step_section(reader: TestReader) -> list[Section]:
 
 def _residuals(reader: TestReader, revolutions: NDArray[np.int64]) -> NDArray[np.float64]:
     """Return the RMS of measured minus predicted |F| of each revolution, NaN where none is."""
-    found = np.full(len(revolutions), np.nan)
+    result = np.full(len(revolutions), np.nan)
     table = StoredColumns(reader, "prediction")
     if "residual_rms" in table:
         places = np.searchsorted(revolutions, table["revolution"].astype(np.int64))
         inside = places < len(revolutions)
         same = inside.copy()
         same[inside] = revolutions[places[inside]] == table["revolution"][inside]
-        found[places[same]] = table["residual_rms"][same]
-    return found
+        result[places[same]] = table["residual_rms"][same]
+    return result

@@ -63,8 +63,8 @@ def extremes(
     if rows is None:
         nothing = Text(tr("No revolution is recorded."))
         return [Section(tr("Extremes and RMS of every channel"), (nothing,))]
-    slow = [one for one in rows.channels if one.channel.kind is Kind.SLOW]
-    sampled = [one for one in rows.channels if one not in slow]
+    slow = [channel for channel in rows.channels if channel.channel.kind is Kind.SLOW]
+    sampled = [channel for channel in rows.channels if channel not in slow]
     speed = [rows.speed] if rows.speed is not None else []
     noted: dict[str, str] = {}
     blocks: list[Block] = [_extremes_table(tr("Over the whole test"), [*sampled, *speed], noted)]
@@ -87,18 +87,18 @@ def extremes(
         )
     )
     doubts = [
-        f"± {stated[one.name]:.3g} {symbol(one.unit)} ({one.name.replace('_', ' ')})"
-        for one in sampled
-        if one.name in stated
+        f"± {stated[channel.name]:.3g} {symbol(channel.unit)} ({channel.name.replace('_', ' ')})"
+        for channel in sampled
+        if channel.name in stated
     ]
     if doubts:
         blocks.append(Text(tr("Expanded uncertainty of a value: {}.", ", ".join(doubts))))
-    forces = [one for one in sampled if one.channel.instrument == LOAD_CELL]
+    forces = [channel for channel in sampled if channel.channel.instrument == LOAD_CELL]
     if forces:
         name = tr("Forces against revolution")
         blocks.append(plots.trends(forces, agreement, rows.gaps, name, uncertainty))
-    free = [one for one in rows.channels if not one.channel.instrument]
-    others = [*(one for one in sampled if one not in (*forces, *free)), *speed]
+    free = [channel for channel in rows.channels if not channel.channel.instrument]
+    others = [*(channel for channel in sampled if channel not in (*forces, *free)), *speed]
     if others:
         name = tr("Displacement and speed against revolution")
         blocks.append(plots.trends(others, None, rows.gaps, name, stated=stated))
@@ -119,7 +119,7 @@ def _extremes_table(
 ) -> Table:
     return Table(
         title,
-        tuple(_extremes_row(one, noted) for one in channels),
+        tuple(_extremes_row(channel, noted) for channel in channels),
         (
             tr("channel"),
             tr("unit"),
@@ -165,20 +165,22 @@ def agreement(
     residuals = Table(
         tr("Measured minus model"),
         tuple(
-            (tr(RESIDUALS[one.name]), symbol(one.unit), number(one.mean, one.unit, 2),
-             number(one.worst.value, one.unit, 2),
-             grouped(one.worst.revolution) if math.isfinite(one.worst.value) else tr(UNKNOWN),
-             number(one.last, one.unit, 2))
-            for one in found.residuals
+            (tr(RESIDUALS[residual.name]), symbol(residual.unit),
+             number(residual.mean, residual.unit, 2),
+             number(residual.worst.value, residual.unit, 2),
+             grouped(residual.worst.revolution)
+             if math.isfinite(residual.worst.value) else tr(UNKNOWN),
+             number(residual.last, residual.unit, 2))
+            for residual in found.residuals
         ),
         (tr("quantity"), tr("unit"), tr("mean"), tr("largest"), tr("in revolution"), tr("last")),
     )  # fmt: skip
     pairs = Table(
         tr("Mean of the statistics over the compared revolutions, N"),
         tuple(
-            (_statistic(one.name), number(one.measured, "N"), number(one.predicted, "N"),
-             number(one.measured - one.predicted, "N"))
-            for one in found.pairs
+            (_statistic(pair.name), number(pair.measured, "N"), number(pair.predicted, "N"),
+             number(pair.measured - pair.predicted, "N"))
+            for pair in found.pairs
         ),
         (tr("statistic"), tr("measured"), tr("model"), tr("difference")),
     )  # fmt: skip
@@ -193,7 +195,7 @@ def agreement(
     if found.pairs:
         blocks.append(pairs)
     blocks.append(plots.residual_trend(found, rows.gaps))
-    told = [one for one in events if one.kind == "twin"]
+    told = [event for event in events if event.kind == "twin"]
     if told:
         table = tuple(
             (utc(one.time), grouped(one.revolution), translate(one.text)) for one in told[:TOLD]
@@ -205,8 +207,12 @@ def agreement(
 
 
 def _relative(found: Agreement, rows: Rows) -> str:
-    residual = next((one.mean for one in found.residuals if one.name == "residual_rms"), math.nan)
-    force = next((one.overall for one in rows.channels if one.name == "force"), math.nan)
+    residual = next(
+        (residual.mean for residual in found.residuals if residual.name == "residual_rms"), math.nan
+    )
+    force = next(
+        (channel.overall for channel in rows.channels if channel.name == "force"), math.nan
+    )
     if not (math.isfinite(residual) and force > 0):
         return ""
     return tr(" The mean residual of |F| is {:.1f} % of the RMS force.", 100 * residual / force)
@@ -254,7 +260,7 @@ def cycles(
         blocks.append(Text(tr("No whole cycle is saved.")))
     blocks += _bursts(bursts)
     if unfinished:
-        numbers = ", ".join(grouped(one) for one in unfinished)
+        numbers = ", ".join(grouped(cycle) for cycle in unfinished)
         blocks.append(
             Text(tr("Cut off by the end of the test, and kept apart: revolution {}.", numbers))
         )
@@ -266,9 +272,9 @@ def _bursts(bursts: Sequence[Burst]) -> list[Block]:
     if not bursts:
         return []
     table = tuple(
-        (grouped(one.trigger) if one.trigger else "–", grouped(one.first), grouped(one.last),
-         grouped(one.cycles), flags(one.quality) or tr("good"))
-        for one in bursts[:BURSTS_SHOWN]
+        (grouped(burst.trigger) if burst.trigger else "–", grouped(burst.first),
+         grouped(burst.last), grouped(burst.cycles), flags(burst.quality) or tr("good"))
+        for burst in bursts[:BURSTS_SHOWN]
     )  # fmt: skip
     header = (tr("trigger in revolution"), tr("kept from"), tr("to"), tr("cycles"), tr("quality"))
     title = tr("Whole cycles kept around alarms, limits and notes")

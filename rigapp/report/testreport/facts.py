@@ -158,11 +158,13 @@ def rows_of(reader: TestReader) -> Rows | None:
     host_span, test_s = table.ends("host_time"), table.ends("time")[1]
     known = int(sum(Flag))
     channels = tuple(
-        _channel(table, one, rated)
-        for one in reader.plan.table.channels
-        if all(name in table for name in _columns(one))
+        _channel(table, channel, rated)
+        for channel in reader.plan.table.channels
+        if all(name in table for name in _columns(channel))
     )
-    channels = tuple(_with_trip(one, reader) if one.name == SIZE else one for one in channels)
+    channels = tuple(
+        _with_trip(channel, reader) if channel.name == SIZE else channel for channel in channels
+    )
     return Rows(
         revolutions=table.rows,
         good=all_good,
@@ -213,15 +215,15 @@ def mean(values: NDArray[Any], power: int = 1) -> float:
 
 def furthest(values: NDArray[Any], of: Callable[[NDArray[Any]], NDArray[Any]]) -> int | None:
     """Return the place of the finite value of which a function is largest; None without any."""
-    found, most = None, -math.inf
+    result, most = None, -math.inf
     for first, part in parts_of(values):
         finite = np.isfinite(part)
         if finite.any():
             sizes = np.where(finite, of(part), -np.inf)
             place = int(np.argmax(sizes))
-            if found is None or sizes[place] > most:
-                found, most = first + place, float(sizes[place])
-    return found
+            if result is None or sizes[place] > most:
+                result, most = first + place, float(sizes[place])
+    return result
 
 
 def span_of(reader: TestReader, name: str) -> tuple[float, float, str] | None:
@@ -323,12 +325,12 @@ def _gaps(table: _Table, number: RowNumbers, quality: NDArray[np.int32]) -> tupl
     lost, speed = (table.column(name)[places] for name in ("lost_samples", "speed"))
     host = table.column("host_time")
     waited = host[places] - host[before]
-    found = []
+    result = []
     for at, place in enumerate(places.tolist()):
         turn = 60.0 / abs(speed[at]) if speed[at] else 0.0
         seconds = float(waited[at] - turn) if place else float("nan")
         step = int(number[place] - number[place - 1]) if place else 1
-        found.append(
+        result.append(
             Gap(
                 int(number[place]),
                 max(0, step - 1),
@@ -336,7 +338,7 @@ def _gaps(table: _Table, number: RowNumbers, quality: NDArray[np.int32]) -> tupl
                 max(0.0, seconds) if np.isfinite(seconds) else float("nan"),
             )
         )
-    return tuple(found)
+    return tuple(result)
 
 
 Stated = Mapping[str, float]

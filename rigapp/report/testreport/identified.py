@@ -52,7 +52,7 @@ EARLY = 0.1
 """Share of the planned revolutions after which the early band was predicted, to be compared."""
 BAND_POINTS = 60
 """Revolutions at which a band is told: it is a smooth curve."""
-STATED = tuple(one.name for one in identified_columns())
+STATED = tuple(column.name for column in identified_columns())
 """The columns of the course."""
 
 
@@ -197,14 +197,14 @@ def _moments(
     read = np.isfinite(table["measured_wear_depth"])
     revolutions = table["revolution"][read].astype(np.float64) + before
     doubt = np.minimum.accumulate(0.5e-3 * table["measured_wear_depth_uncertainty"][read])
-    found = []
+    result = []
     for one in bins:
         place = int(np.searchsorted(revolutions, one.revolution, side="right"))
         if place < revolutions.size and (after is None or revolutions[place] <= after + before):
-            found.append(_Moment(float(revolutions[place]), float(doubt[place])))
-    if not found:
+            result.append(_Moment(float(revolutions[place]), float(doubt[place])))
+    if not result:
         raise NotIdentifiable(NO_BIN)
-    return found
+    return result
 
 
 def _last(reader: TestReader, after: int | None) -> float:
@@ -216,13 +216,13 @@ def _last(reader: TestReader, after: int | None) -> float:
 
 def _left(known: Identification, life: DepthLife, depth: float, last: float) -> Remaining:
     """Return what remains after the last revolution, which lies behind the last bin."""
-    found = remaining(known, life, depth)
-    if found.revolutions is None:
-        return found
+    result = remaining(known, life, depth)
+    if result.revolutions is None:
+        return result
     since = last - known.revolution
-    left = found.revolutions
+    left = result.revolutions
     counted = (max(one - since, 0.0) for one in (left.median, left.low, left.high))
-    return replace(found, revolutions=Credible(*counted))
+    return replace(result, revolutions=Credible(*counted))
 
 
 def _course(reader: TestReader, after: int | None) -> dict[str, Array]:
@@ -309,7 +309,7 @@ def identified_tests(
     tests: list[IdentifiedTest] = []
     for path in paths:
         tests.append(identified_test(path, after))
-        same = next((one for one in tests[:-1] if one.identifier == tests[-1].identifier), None)
+        same = next((test for test in tests[:-1] if test.identifier == tests[-1].identifier), None)
         if same is not None:
             raise UnusableInput("{}: that is the test of {} again; give it once.", path, same.path)
         if progress is not None:
@@ -317,19 +317,19 @@ def identified_tests(
     counted: list[IdentifiedTest] = []
     estimates: list[Estimate] = []
     why_not = ""
-    for one in tests:
-        if one.known is None:
+    for test in tests:
+        if test.known is None:
             continue
-        later = next((two for two in tests if two.specimen == one.specimen and two.before), None)
-        if later is not None and later.before > one.before:
-            why_not = say("{}: its readings are among those of {}", one.path.name, later.path.name)
+        later = next((two for two in tests if two.specimen == test.specimen and two.before), None)
+        if later is not None and later.before > test.before:
+            why_not = say("{}: its readings are among those of {}", test.path.name, later.path.name)
             continue
         try:
-            estimates.append(estimate_of(one.known, one.record))
+            estimates.append(estimate_of(test.known, test.record))
         except NotIdentifiable as error:
-            why_not = f"{one.path.name}: {error}"
+            why_not = f"{test.path.name}: {error}"
             continue
-        counted.append(one)
+        counted.append(test)
     if not estimates:
         return IdentifiedTests(tuple(tests), why_not=why_not)
     names = ", ".join(one.path.name for one in counted)

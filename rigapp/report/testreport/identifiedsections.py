@@ -182,13 +182,15 @@ def known_blocks(test: IdentifiedTest) -> tuple[Block, ...]:
     )
     statements = tuple(
         (
-            one.name,
-            f"{100.0 * one.weight:.1f} %",
-            credible_text(one.coefficient, unit=False),
-            credible_text(one.before, unit=False) if one.before is not None else "–",
-            _place(revolution_of(known, one.place.median)) if one.place is not None else "–",
+            verdict.name,
+            f"{100.0 * verdict.weight:.1f} %",
+            credible_text(verdict.coefficient, unit=False),
+            credible_text(verdict.before, unit=False) if verdict.before is not None else "–",
+            _place(revolution_of(known, verdict.place.median))
+            if verdict.place is not None
+            else "–",
         )
-        for one in known.verdicts
+        for verdict in known.verdicts
     )
     header = (
         tr("statement"),
@@ -219,11 +221,11 @@ def identified_document(found: IdentifiedTests) -> Manuscript:
     """Return the report of one or several tests."""
     sections = [_together(found)] if len(found.tests) > 1 else []
     sections += [
-        Section(f"{one.path.name}: {one.specimen or one.title}", known_blocks(one))
-        for one in found.tests
+        Section(f"{test.path.name}: {test.specimen or test.title}", known_blocks(test))
+        for test in found.tests
     ]
     title = tr("What is known of the wear")
-    names = ", ".join(one.path.name for one in found.tests)
+    names = ", ".join(test.path.name for test in found.tests)
     return Manuscript(title, f"{title}: {names}", tuple(sections), tr("Made from {}.", names), ())
 
 
@@ -255,12 +257,12 @@ def pairing_rows(found: IdentifiedTests) -> tuple[tuple[str, str], ...]:
 def _together(found: IdentifiedTests) -> Section:
     lines = tuple(
         (
-            one.path.name,
-            one.specimen or UNKNOWN,
-            credible_text(one.known.coefficient, unit=False) if one.known is not None else "–",
-            one.said,
+            test.path.name,
+            test.specimen or UNKNOWN,
+            credible_text(test.known.coefficient, unit=False) if test.known is not None else "–",
+            test.said,
         )
-        for one in found.tests
+        for test in found.tests
     )
     header = (tr("file"), tr("specimen"), tr("coefficient, {}", COEFFICIENT_UNIT), tr("statement"))
     blocks: list[Block] = [Table("", lines, header)]

@@ -28,8 +28,8 @@ LEVEL = 0.95
 COLUMNS = {
     "revolution": "revolution",
     **{
-        one.name: f"{one.name}_mm3_per_N_m" if one.unit == UNIT else one.name
-        for one in identified_columns()
+        column.name: f"{column.name}_mm3_per_N_m" if column.unit == UNIT else column.name
+        for column in identified_columns()
     },
 }
 """Column of the file -> of the CSV: a row for each revolution at which something new was stated."""
@@ -54,7 +54,7 @@ def _three(one: Credible) -> tuple[float, float, float]:
 
 def as_tree(found: IdentifiedTests) -> dict[str, Any]:
     """Return all that is known as plain values: what is not known is None."""
-    tests = [tree_of_test(one) for one in found.tests]
+    tests = [tree_of_test(test) for test in found.tests]
     return {
         "schema": 1,
         **promised_of_all(found, tests),
@@ -81,8 +81,8 @@ def tree_of_test(test: IdentifiedTest) -> dict[str, Any]:
     return head | {
         "revolution": int(known.revolution),
         "wear_coefficient": _credible(known.coefficient, PER_UNIT, UNIT),
-        "statements": [_statement(known, one) for one in known.verdicts],
-        "disturbances": [_disturbance(one) for one in known.disturbances],
+        "statements": [_statement(known, verdict) for verdict in known.verdicts],
+        "disturbances": [_disturbance(disturbance) for disturbance in known.disturbances],
         "budget": {
             "probe_sensitivity": known.sensitivity,
             "force": known.errors.load,
@@ -98,7 +98,7 @@ def tree_of_test(test: IdentifiedTest) -> dict[str, Any]:
             "noise_um": _list(known.readings.noise, UM),
         },
         "course": {name: _list(values, 1.0) for name, values in test.course.items()},
-        "bands": [_band(one) for one in test.bands],
+        "bands": [_band(band) for band in test.bands],
     }
 
 
@@ -208,7 +208,7 @@ def _tree_of_pairing(pairing: Pairing, found: IdentifiedTests) -> dict[str, Any]
         "wear_coefficient": _credible(pairing.coefficient, PER_UNIT, UNIT),
         "next_specimen": _credible(pairing.next, PER_UNIT, UNIT),
         "scatter_factor": _credible(pairing.scatter, 1.0, "1"),
-        "specimens": [_credible(one, PER_UNIT, UNIT) for one in pairing.each],
+        "specimens": [_credible(error, PER_UNIT, UNIT) for error in pairing.each],
         "prior": _prior(pairing.prior),
     }
 
@@ -232,4 +232,4 @@ def _finite(value: float) -> float | None:
 
 
 def _list(values: Any, factor: float) -> list[float | None]:
-    return [_finite(factor * float(one)) for one in values]
+    return [_finite(factor * float(value)) for value in values]

@@ -63,26 +63,26 @@ def alarms_of(events: Sequence[Event], reason: str) -> list[AlarmRecord]:
     The log says which one was first out; in older files, which do not, it is the one that gives the
     reason with which the test ended.
     """
-    found: list[AlarmRecord] = []
+    result: list[AlarmRecord] = []
     place: dict[str, int] = {}
     for event in events:
         change = alarm_change(event)
         if change is None:
             continue
         if change.what == "raised":
-            place[event.key] = len(found)
-            found.append(
+            place[event.key] = len(result)
+            result.append(
                 AlarmRecord(
                     change.title, change.cause, event.time, event.revolution,
                     first_out=change.first_out,
                 )
             )  # fmt: skip
         elif event.key in place:
-            found[place[event.key]] = _continued(found[place[event.key]], event, change)
-    first = next((i for i, one in enumerate(found) if one.cause and one.cause in reason), None)
-    if first is not None and not any(one.first_out for one in found):
-        found[first] = replace(found[first], first_out=True)
-    return found
+            result[place[event.key]] = _continued(result[place[event.key]], event, change)
+    first = next((i for i, one in enumerate(result) if one.cause and one.cause in reason), None)
+    if first is not None and not any(one.first_out for one in result):
+        result[first] = replace(result[first], first_out=True)
+    return result
 
 
 def _continued(record: AlarmRecord, event: Event, change: AlarmChange) -> AlarmRecord:
@@ -98,12 +98,12 @@ def _continued(record: AlarmRecord, event: Event, change: AlarmChange) -> AlarmR
 
 def changes_of(events: Iterable[Event]) -> list[Event]:
     """Return the operator's notes and everything that was changed, with before and after."""
-    return [one for one in events if one.kind in CHANGES]
+    return [event for event in events if event.kind in CHANGES]
 
 
 def course_of(events: Iterable[Event]) -> list[Event]:
     """Return what else happened: states, commands, gaps, stops."""
-    return [one for one in events if one.kind not in LEFT_OUT]
+    return [event for event in events if event.kind not in LEFT_OUT]
 
 
 def limits_of(test_text: str, events: Iterable[Event]) -> list[Limit]:
@@ -117,7 +117,7 @@ def limits_of(test_text: str, events: Iterable[Event]) -> list[Limit]:
         return []
     defaults = LimitsSection()
     changed = newest_limits(events)
-    found = [
+    result = [
         Limit(
             name,
             next(iter(one.columns), ""),
@@ -132,8 +132,8 @@ def limits_of(test_text: str, events: Iterable[Event]) -> list[Limit]:
     ]
     rules = section.get("rule", ())
     for rule in rules if isinstance(rules, list) else ():
-        found += _rule_limits(rule, changed)
-    return found
+        result += _rule_limits(rule, changed)
+    return result
 
 
 def _rule_limits(rule: Any, changed: Mapping[str, float]) -> list[Limit]:
@@ -144,7 +144,7 @@ def _rule_limits(rule: Any, changed: Mapping[str, float]) -> list[Limit]:
         "warning": str(rule.get("action_warning", "warn")),
         "critical": str(rule.get("action_critical", "stop")),
     }
-    found = []
+    result = []
     for level in ("warning_above", "critical_above", "warning_below", "critical_below"):
         name = f"{quantity}.{level}"
         given = _number(rule.get(level))
@@ -153,10 +153,10 @@ def _rule_limits(rule: Any, changed: Mapping[str, float]) -> list[Limit]:
         start = given[0] if given else float("nan")
         severity, _, side = level.partition("_")
         action = actions[severity].replace("_", " ")
-        found.append(
+        result.append(
             Limit(name, quantity, side == "above", "", start, changed.get(name, start), action)
         )
-    return found
+    return result
 
 
 def _number(value: Any) -> list[float]:
@@ -196,7 +196,7 @@ def sections(
 
 
 def _gaps(events: Sequence[Event], rows: Rows | None) -> tuple[Block, ...]:
-    told = [one for one in events if one.kind == "gap"]
+    told = [event for event in events if event.kind == "gap"]
     found = rows.gaps if rows is not None else ()
     if not told and not found:
         return (Text(tr("None: every revolution follows the one before.")),)
@@ -233,7 +233,7 @@ def _gaps(events: Sequence[Event], rows: Rows | None) -> tuple[Block, ...]:
 def _limits(reader: TestReader, limits: Sequence[Limit]) -> list[Block]:
     if not limits:
         return [Text(tr("The file does not tell the limits of the test."))]
-    table = tuple(_limit_row(reader, one) for one in limits)
+    table = tuple(_limit_row(reader, limit) for limit in limits)
     header = (
         tr("limit"),
         tr("at the start"),
@@ -258,16 +258,16 @@ def _limit_row(reader: TestReader, limit: Limit) -> tuple[str, ...]:
 
 
 def _alarms(events: Sequence[Event], reason: str) -> list[Block]:
-    found = alarms_of(events, reason)
-    silent = [one for one in events if one.kind == "limit"]
+    result = alarms_of(events, reason)
+    silent = [event for event in events if event.kind == "limit"]
     blocks: list[Block] = []
     if silent:
         blocks.append(
             Text(tr("Limits that act by a line in the log only: {}.", counted(len(silent), "line")))
         )
-    if not found:
+    if not result:
         return [*blocks, Text(tr("No alarm was raised."))]
-    first = next((one for one in found if one.first_out), None)
+    first = next((one for one in result if one.first_out), None)
     if first is not None:
         text = tr(
             "First out, the alarm that ended the test: {}. {}",
@@ -283,8 +283,8 @@ def _alarms(events: Sequence[Event], reason: str) -> list[Block]:
         tr("cleared, UTC"),
         tr("acknowledged"),
     )
-    table = tuple(_alarm_row(one) for one in found)
-    return [*blocks, *_cut(tr("Alarms: {} raised", grouped(len(found))), table, header)]
+    table = tuple(_alarm_row(one) for one in result)
+    return [*blocks, *_cut(tr("Alarms: {} raised", grouped(len(result))), table, header)]
 
 
 def _alarm_row(alarm: AlarmRecord) -> tuple[str, ...]:

@@ -123,20 +123,20 @@ def bursts_of(reader: TestReader) -> tuple[Burst, ...]:
         return ()
     numbers = reader.cycle_revolutions()
     qualities = reader.cycle_qualities()
-    found: list[Burst] = []
+    result: list[Burst] = []
     for place in places:
         number, quality = int(numbers[place]), int(qualities[place])
         trigger = number if reasons[place] == "trigger" else 0
-        newest = found[-1] if found else None
+        newest = result[-1] if result else None
         following = newest is not None and number - newest.last <= 1
         if newest is None or not following or (trigger and newest.trigger):
-            found.append(Burst(trigger, number, number, 1, quality))
+            result.append(Burst(trigger, number, number, 1, quality))
             continue
-        found[-1] = Burst(
+        result[-1] = Burst(
             newest.trigger or trigger, newest.first, number, newest.cycles + 1,
             newest.quality | quality,
         )  # fmt: skip
-    return tuple(found)
+    return tuple(result)
 
 
 def agreement_of(reader: TestReader) -> Agreement | None:
@@ -172,7 +172,7 @@ def wear_of(reader: TestReader) -> dict[str, LastDepth | None]:
 
 def _deviation(table: StoredColumns) -> str:
     """Return what the last prediction says that explains a difference; empty where nothing."""
-    names = [one.name for one in deviation_columns()]
+    names = [column.name for column in deviation_columns()]
     if not all(name in table for name in names):
         return ""
     return capitalised(deviation_sentence(*(float(table[name][-1]) for name in names)))
@@ -214,12 +214,12 @@ def _pairs(reader: TestReader, number: RowNumbers) -> tuple[Pair, ...]:
             model = block[name][at_mine].astype(np.float64)
             both = np.isfinite(measured) & np.isfinite(model)
             sums[name] += (both.sum(), measured[both].sum(), model[both].sum())
-    found = []
+    result = []
     for name, (count, measured_sum, model_sum) in sums.items():
         unknown = float("nan")
         means = (measured_sum / count, model_sum / count) if count else (unknown, unknown)
-        found.append(Pair(name, *map(float, means)))
-    return tuple(found)
+        result.append(Pair(name, *map(float, means)))
+    return tuple(result)
 
 
 def _wear(number: RowNumbers, depth: NDArray[Any], doubt: NDArray[Any] | None) -> LastDepth | None:
@@ -265,11 +265,11 @@ def cycles_of(reader: TestReader) -> tuple[CyclePicture, ...]:
 def cycles_at(reader: TestReader, places: Sequence[int]) -> tuple[CyclePicture, ...]:
     """Return the saved cycles at some places, each with the model's curves that belong to it."""
     curves, saved = reader.curve_revolutions(), reader.cycle_revolutions()
-    found = []
+    result = []
     for place in places:
         following = int(saved[place + 1]) if place + 1 < len(saved) else None
-        found.append(_picture(reader, place, following, curves))
-    return tuple(found)
+        result.append(_picture(reader, place, following, curves))
+    return tuple(result)
 
 
 def _picture(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from types import MappingProxyType
 from typing import Any
 
@@ -124,7 +125,9 @@ def trends(
     with canvas_of(_height(len(channels))) as canvas:
         panels = _panels(canvas, len(channels))
         zoomed = False
-        whole = next((one.lines["max"] for one in channels if one.name == "force"), None)
+        whole = next(
+            (channel.lines["max"] for channel in channels if channel.name == "force"), None
+        )
         for axes, channel in zip(panels, channels, strict=True):
             _mark_gaps(axes, gaps)
             if uncertainty is not None and channel.unit == "N":
@@ -158,18 +161,18 @@ def trends(
             name_curves(axes)
         revolution_axis(panels[-1])
         words = f"{title}: " + " ".join(
-            f"{title_of(one.channel)} between {number(one.smallest.value, one.unit)} and "
-            f"{quantity(one.largest.value, one.unit)}."
-            for one in channels
+            f"{title_of(channel.channel)} between {number(channel.smallest.value, channel.unit)}"
+            f" and {quantity(channel.largest.value, channel.unit)}."
+            for channel in channels
         )
-        sampled = any("max" in one.lines for one in channels)
+        sampled = any("max" in channel.lines for channel in channels)
         caption = tr("Maximum, RMS and minimum") if sampled else tr("The newest value at the end")
         caption += tr(" of every revolution, measured (solid)")
-        model = any(f"{one.name}_max" in predicted for one in channels)
+        model = any(f"{channel.name}_max" in predicted for channel in channels)
         caption += tr(" and by the model (dashed).") if model else "."
         if uncertainty is not None:
             caption += f" {BAND_WORDS}"
-        if any(one.name in stated for one in channels):
+        if any(channel.name in stated for channel in channels):
             caption += f" {STATED_WORDS}"
         if zoomed:
             caption += tr(" Revolutions in which the speed changed may lie outside the scale.")
@@ -196,7 +199,7 @@ def _leave_out_unsteady(axes: Any, channel: ChannelFacts) -> bool:
 
 def residual_trend(agreement: Agreement, gaps: Sequence[Gap]) -> Figure:
     """Draw the agreement with the model against revolution."""
-    found = {one.name: one for one in agreement.residuals}
+    found = {residual.name: residual for residual in agreement.residuals}
     with canvas_of(_height(2)) as canvas:
         upper, lower = _panels(canvas, 2)
         for axes in (upper, lower):
@@ -274,21 +277,21 @@ def trip(capture: TripCapture) -> Figure:
     rows: dict[str, tuple[str, ...]] = {"|F| (N)": ("force",), tr("speed (rpm)"): ("speed",)}
     if probes := capture.series(("probe_1", "probe_2")):
         rows["pin (µm)"] = probes
-    currents = tuple(one.name for one in capture.table.sampled if one.unit == "A")
+    currents = tuple(channel.name for channel in capture.table.sampled if channel.unit == "A")
     if currents or capture.currents:
         rows["current (A)"] = capture.series(currents)
     with canvas_of(_height(len(rows))) as canvas:
         panels = _panels(canvas, len(rows))
         for axes, (title, names) in zip(panels, rows.items(), strict=True):
-            for one in capture.pieces:
+            for piece in capture.pieces:
                 for name in names:
-                    colour = MUTED if one.before else COLOURS.get(name, INK)
+                    colour = MUTED if piece.before else COLOURS.get(name, INK)
                     label = (
                         tr(SHORT.get(name, name.replace("_", " ")))
-                        if one is capture.pieces[-1]
+                        if piece is capture.pieces[-1]
                         else None
                     )
-                    shown = envelope(one.time_s, one.values[name])
+                    shown = envelope(piece.time_s, piece.values[name])
                     axes.plot(*shown, color=colour, label=label)
             axes.set_ylabel(title)
             axes.axvline(0.0, color=MODEL, lw=0.8, ls=":")
@@ -305,17 +308,12 @@ def trip(capture: TripCapture) -> Figure:
 
 def cycles(pictures: Sequence[CyclePicture], uncertainty: ForceUncertainty | None = None) -> Figure:
     """Draw whole cycles side by side: forces with the model, residual, displacement."""
-
-    def force_panel(axes: Any, picture: CyclePicture) -> None:
-        _force_panel(axes, picture, uncertainty)
-
-    def residual_panel(axes: Any, picture: CyclePicture) -> None:
-        _residual_panel(axes, picture, uncertainty)
-
+    force_panel = partial(_force_panel, uncertainty=uncertainty)
+    residual_panel = partial(_residual_panel, uncertainty=uncertainty)
     rows: list[tuple[str, Callable[[Any, CyclePicture], None]]] = [(tr("force (N)"), force_panel)]
-    if any(one.residual for one in pictures):
+    if any(picture.residual for picture in pictures):
         rows.append((tr("measured −\nmodel (N)"), residual_panel))
-    if any("probe_1" in one.columns for one in pictures):
+    if any("probe_1" in picture.columns for picture in pictures):
         rows.append((tr("pin, less its\nmean (µm)"), _probe_panel))
     heights = [1.9 if draw is force_panel else 1.1 for _, draw in rows]
     caption = _cycle_caption(pictures)
@@ -336,16 +334,19 @@ def free_cycles(pictures: Sequence[CyclePicture], channels: Sequence[Channel]) -
         return draw
 
     rows = [
-        (f"{textwrap.fill(one.name.replace('_', ' '), 14)}\n({symbol(one.unit)})", panel(one.name))
-        for one in channels
+        (
+            f"{textwrap.fill(channel.name.replace('_', ' '), 14)}\n({symbol(channel.unit)})",
+            panel(channel.name),
+        )
+        for channel in channels
     ]
-    title = tr("Whole cycles of {}", ", ".join(one.name for one in channels))
+    title = tr("Whole cycles of {}", ", ".join(channel.name for channel in channels))
     words = " ".join(
-        f"Revolution {picture.revolution}: {title_of(one)} between "
-        f"{number(float(picture.columns[one.name].min()), one.unit)} and "
-        f"{quantity(float(picture.columns[one.name].max()), one.unit)}."
+        f"Revolution {picture.revolution}: {title_of(channel)} between "
+        f"{number(float(picture.columns[channel.name].min()), channel.unit)} and "
+        f"{quantity(float(picture.columns[channel.name].max()), channel.unit)}."
         for picture in pictures
-        for one in channels
+        for channel in channels
     )
     return _cycle_grid(pictures, rows, [1.5] * len(rows), title, words, "")
 
@@ -380,34 +381,37 @@ def _cycle_grid(
 
 def _cycle_words(pictures: Sequence[CyclePicture]) -> str:
     parts = []
-    for one in pictures:
-        force = one.columns["force"]
+    for picture in pictures:
+        force = picture.columns["force"]
         text = tr(
-            "Revolution {}: |F| between {} and ", one.revolution, number(float(force.min()), "N")
+            "Revolution {}: |F| between {} and ",
+            picture.revolution,
+            number(float(force.min()), "N"),
         )
         text += quantity(float(force.max()), "N")
-        if "force" in one.residual:
+        if "force" in picture.residual:
             text += tr(
-                ", largest residual {}", quantity(float(np.abs(one.residual["force"]).max()), "N")
+                ", largest residual {}",
+                quantity(float(np.abs(picture.residual["force"]).max()), "N"),
             )
         parts.append(text + ".")
     return " ".join(parts)
 
 
 def _cycle_caption(pictures: Sequence[CyclePicture]) -> str:
-    if not any(one.model for one in pictures):
+    if not any(picture.model for picture in pictures):
         return tr("Measured (solid). No prediction is saved for these cycles.")
     text = tr("Measured (solid) and by the model (dashed).")
     others = [
         tr(
             "revolution {} is compared with the prediction for {}",
-            one.revolution,
-            one.model_revolution,
+            picture.revolution,
+            picture.model_revolution,
         )
-        for one in pictures
-        if one.model_revolution is not None and one.model_revolution != one.revolution
+        for picture in pictures
+        if picture.model_revolution is not None and picture.model_revolution != picture.revolution
     ]
-    without = [str(one.revolution) for one in pictures if not one.model]
+    without = [str(picture.revolution) for picture in pictures if not picture.model]
     if without:
         others.append(tr("no prediction is saved for revolution {}", ", ".join(without)))
     return f"{text} {capitalised('; '.join(others))}." if others else text

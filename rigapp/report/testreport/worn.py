@@ -87,7 +87,8 @@ def worn_of(reader: TestReader) -> Worn | None:
         run_out=float(table["run_out"][-1]),
         centred=bool(table["centred"][-1]),
         corrected=any(
-            one.name == "measured_wear_depth_uncertainty" for one in reader.plan.prediction_columns
+            column.name == "measured_wear_depth_uncertainty"
+            for column in reader.plan.prediction_columns
         ),
     )
 

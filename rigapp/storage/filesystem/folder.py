@@ -70,5 +70,5 @@ def remove_stale(folder: Path) -> None:
 def short_reason(error: Exception) -> str:
     """Return the operating system's words out of HDF5's long message, or its first line."""
     text = sentence_of_error(error)
-    _, found, rest = text.partition("error message = '")
-    return rest.partition("'")[0] if found else text.partition("\n")[0]
+    _, result, rest = text.partition("error message = '")
+    return rest.partition("'")[0] if result else text.partition("\n")[0]

@@ -74,7 +74,7 @@ def row_numbers(reader: StreamReader, stream: str = "revolutions") -> RowNumbers
 
     Numbers rise, so that a run without a gap is known by its ends: what lies between is not read.
     """
-    found = RowNumbers()
+    result = RowNumbers()
     waiting = [(0, reader.committed(stream))]
     while waiting:
         first, stop = waiting.pop()
@@ -84,13 +84,13 @@ def row_numbers(reader: StreamReader, stream: str = "revolutions") -> RowNumbers
                 for row in (first, stop - 1)
             )
             if high - low == stop - 1 - first:
-                found.follow(low, stop - first)
+                result.follow(low, stop - first)
             else:
                 middle = (first + stop) // 2
                 waiting += [(middle, stop), (first, middle)]
         elif stop > first:
-            found.extend(reader.column("revolution", first, stop, stream))
-    return found
+            result.extend(reader.column("revolution", first, stop, stream))
+    return result
 
 
 def rows_up_to(reader: StreamReader, revolution: float, stream: str = "revolutions") -> int:
@@ -112,15 +112,15 @@ def newest_known(
     reader: StreamReader, names: Sequence[str], count: int, stop: int | None = None
 ) -> dict[str, NDArray[Any]]:
     """Return the newest ``count`` predictions of which all the columns are known, in order."""
-    found: list[Columns] = []
+    result: list[Columns] = []
     have = 0
     for _, block in blocks(reader, names, "prediction", stop=stop, backwards=True):
         known = np.logical_and.reduce([np.isfinite(block[name]) for name in names])
         rows = np.flatnonzero(known)[-(count - have) :]
-        found.append({name: block[name][rows] for name in names})
+        result.append({name: block[name][rows] for name in names})
         have += rows.size
         if have >= count:
             break
     return {
-        name: np.concatenate([np.empty(0), *(one[name] for one in found[::-1])]) for name in names
+        name: np.concatenate([np.empty(0), *(one[name] for one in result[::-1])]) for name in names
     }

@@ -152,15 +152,16 @@ def export_columns(
     if not cycles:
         columns = reader.plan.revolution_columns
         return {
-            _named(one.name, one.unit): (one.name, one.unit, one.description) for one in columns
+            _named(column.name, column.unit): (column.name, column.unit, column.description)
+            for column in columns
         }
-    found = {"revolution": ("revolution", "1", "number of the revolution")}
-    even = {"angle", *(one.name for one in reader.plan.table.curves)}
-    for one in reader.plan.cycle_columns:
-        if on_grid and one.name not in even:
+    result = {"revolution": ("revolution", "1", "number of the revolution")}
+    even = {"angle", *(curve.name for curve in reader.plan.table.curves)}
+    for column in reader.plan.cycle_columns:
+        if on_grid and column.name not in even:
             continue
-        found[_named(one.name, one.unit)] = (one.name, one.unit, one.description)
-    return found
+        result[_named(column.name, column.unit)] = (column.name, column.unit, column.description)
+    return result
 
 
 def _named(name: str, unit: str) -> str:
@@ -174,7 +175,7 @@ def _row_pieces(reader: TestReader) -> tuple[Iterator[Table], int]:
     def pieces() -> Iterator[Table]:
         for first in range(0, total, ROWS_AT_A_TIME):
             stop = min(total, first + ROWS_AT_A_TIME)
-            names = [one.name for one in reader.plan.revolution_columns]
+            names = [column.name for column in reader.plan.revolution_columns]
             yield {name: reader.column(name, first, stop) for name in names}
 
     return pieces(), total
@@ -182,7 +183,7 @@ def _row_pieces(reader: TestReader) -> tuple[Iterator[Table], int]:
 
 def _cycle_pieces(reader: TestReader, points: int | None) -> tuple[Iterator[Table], int]:
     total = reader.committed("samples")
-    types = {one.name: one.dtype for one in reader.plan.cycle_columns}
+    types = {column.name: column.dtype for column in reader.plan.cycle_columns}
     if points is not None:
         total = points * reader.committed("cycles")
 
@@ -210,12 +211,12 @@ def _on_grid(stored: StoredCycle, points: int, types: Mapping[str, str]) -> Stor
 
 
 def _joined(tables: list[Table]) -> Table:
-    return {name: np.concatenate([one[name] for one in tables]) for name in tables[0]}
+    return {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
 
 
 def _fields(reader: TestReader, cycles: bool, on_grid: bool) -> list[_Field]:
     columns = reader.plan.cycle_columns if cycles else reader.plan.revolution_columns
-    types = {"revolution": "<i8", **{one.name: one.dtype for one in columns}}
+    types = {"revolution": "<i8", **{column.name: column.dtype for column in columns}}
     return [
         _Field(name, types[source], unit, description)
         for name, (source, unit, description) in export_columns(reader, cycles, on_grid).items()
@@ -255,8 +256,8 @@ class _ParquetSink:
         import pyarrow.parquet
 
         self._arrow = pyarrow
-        types = [pyarrow.from_numpy_dtype(np.dtype(one.dtype)) for one in fields]
-        about_fields = [{"units": one.unit, "long_name": one.description} for one in fields]
+        types = [pyarrow.from_numpy_dtype(np.dtype(field.dtype)) for field in fields]
+        about_fields = [{"units": field.unit, "long_name": field.description} for field in fields]
         self._schema = pyarrow.schema(
             [
                 pyarrow.field(one.name, kind, metadata=words)
@@ -280,7 +281,7 @@ class _CsvSink:
     def __init__(self, path: Path, fields: Sequence[_Field], dialect: Dialect) -> None:
         self._file = path.open("xb")
         self._dialect = dialect
-        names = (one.name for one in fields)
+        names = (field.name for field in fields)
         self._file.write(f"{dialect.separator.join(names)}\n".encode())
 
     def write(self, table: Table) -> None:
@@ -334,7 +335,7 @@ class _ExcelSink:
             self._data.write_string(0, place, one.name, bold)
         self._row = 1
         self._sheet("Units", ("column", "unit", "what it is"), bold, [
-            (one.name, one.unit, one.description) for one in fields
+            (field.name, field.unit, field.description) for field in fields
         ])  # fmt: skip
         self._sheet("Settings", ("what", "value"), bold, list(about.items()))
 
@@ -381,7 +382,7 @@ def _with_clock(pieces: Iterator[Table]) -> Iterator[Table]:
             datetime.fromtimestamp(one, UTC) if math.isfinite(one) else None
             for one in piece["host_time"].tolist()
         ]
-        local = [one and one.astimezone() for one in moments]
+        local = [moment and moment.astimezone() for moment in moments]
         # Excel knows no time zones; the heading says which clock it is.
         yield piece | {
             field.name: np.array([one and one.replace(tzinfo=None) for one in found], dtype=object)
@@ -391,12 +392,12 @@ def _with_clock(pieces: Iterator[Table]) -> Iterator[Table]:
 
 def _settings(reader: TestReader) -> dict[str, str]:
     """Return what the rig and test files said, a line of the sheet each."""
-    found: dict[str, str] = {}
+    result: dict[str, str] = {}
     for name, text in reader.configuration().items():
         for number, line in enumerate(str(text).splitlines(), 1):
             if line.strip():
-                found[f"{name}, line {number}"] = line
-    return found
+                result[f"{name}, line {number}"] = line
+    return result
 
 
 def _refuse_target(goal: Path) -> None:

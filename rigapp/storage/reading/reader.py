@@ -133,13 +133,13 @@ class TestReader(StreamReader):
             "started": START_TIME,
             "ended": END_TIME,
         }
-        found: dict[str, Any] = {
+        result: dict[str, Any] = {
             name: self._text(path) if self._holds(path) else "" for name, path in names.items()
         }
-        found["simulated"] = bool(self._read("/entry/simulated"))
-        found["planned_revolutions"] = self.state("planned_revolutions")
-        found["reason_code"] = self.reason_code()
-        return found
+        result["simulated"] = bool(self._read("/entry/simulated"))
+        result["planned_revolutions"] = self.state("planned_revolutions")
+        result["reason_code"] = self.reason_code()
+        return result
 
     def rows(self, first: int = 0) -> Columns:
         """Return the committed rows from row ``first`` on, one array a column."""
@@ -185,7 +185,8 @@ class TestReader(StreamReader):
         index = self._streams[stream]
         samples = self._streams["samples" if stream == "cycles" else "unfinished_samples"]
         known = {
-            one.name: self._rows(index.path(one.name), start, stop).tolist() for one in index.fields
+            field.name: self._rows(index.path(field.name), start, stop).tolist()
+            for field in index.fields
         }
         whys = known.get("why", [b"scheduled" if stream == "cycles" else b""] * (stop - start))
         qualities = known.get("quality", [0] * (stop - start))
@@ -194,8 +195,8 @@ class TestReader(StreamReader):
             yield StoredCycle(
                 known["revolution"][i],
                 {
-                    one.name: self._rows(samples.path(one.name), first, first + count)
-                    for one in samples.fields
+                    field.name: self._rows(samples.path(field.name), first, first + count)
+                    for field in samples.fields
                 },
                 whys[i].decode(errors="replace"),
                 qualities[i],
@@ -229,7 +230,7 @@ class TestReader(StreamReader):
         """
         angle = np.asarray(PROFILE_ANGLES_DEG, dtype=np.float64)
         fields = self._profile_fields()
-        table = {one.name: np.empty((0, *one.shape)) for one in fields.values()}
+        table = {field.name: np.empty((0, *field.shape)) for field in fields.values()}
         if "profiles" in self._streams:
             table = self._table("profiles", 0)
         return {"angle": angle, **{name: table[one.name] for name, one in fields.items()}}
@@ -237,7 +238,7 @@ class TestReader(StreamReader):
     def _profile_fields(self) -> dict[str, FileColumn]:
         """Return what a worn profile has, of files without them too, by name."""
         stream = streams_of(replace(self.plan, profiles=1))["profiles"]
-        return {one.name.removeprefix("profile_"): one for one in stream.fields}
+        return {field.name.removeprefix("profile_"): field for field in stream.fields}
 
     def checkpoint(self) -> bytes:
         """Return the newest checkpoint of the twin at or before the last safe row, else nothing."""
@@ -246,7 +247,7 @@ class TestReader(StreamReader):
         revolutions = self.committed()
         last = self._first_and_last(revolutions)[1] or 0
         slots = self._table("checkpoints", 0)
-        best, found = -1, b""
+        best, result = -1, b""
         for slot in range(CHECKPOINT_SLOTS):
             number, length = (
                 int(slots[f"checkpoint_{one}"][slot]) for one in ("revolution", "length")
@@ -255,13 +256,13 @@ class TestReader(StreamReader):
                 continue
             state = slots["checkpoint_state"][slot, :length].tobytes()
             if zlib.crc32(state) == int(slots["checkpoint_crc"][slot]):
-                best, found = number, state
-        return found
+                best, result = number, state
+        return result
 
     def events(self) -> list[Event]:
         """Return the committed events in order, those of older files as newer ones have them."""
-        found = events_of(self._table("events", 0))
-        return found if self.plan.event_details else translated(found)
+        result = events_of(self._table("events", 0))
+        return result if self.plan.event_details else translated(result)
 
     def first_altered_event(self) -> int | None:
         """Return the first row of the log whose digest does not hold, None when all do."""

@@ -69,11 +69,11 @@ def resample_channels(
     columns: Mapping[str, ArrayLike], table: ChannelTable, points: int, method: Method
 ) -> dict[str, Array]:
     """Return the angle and the channels of a cycle on a grid; ``force`` is |F| of it again."""
-    names = [one.name for one in table.sampled]
+    names = [channel.name for channel in table.sampled]
     rows = on_grid(columns["angle"], np.array([columns[name] for name in names]), points, method)
-    found = dict(zip(names, rows, strict=True))
-    found["force"] = np.hypot(*(found[name] for name in table.names_of(LOAD_CELL)))
-    return {"angle": grid_deg(points), **{one.name: found[one.name] for one in table.curves}}
+    result = dict(zip(names, rows, strict=True))
+    result["force"] = np.hypot(*(result[name] for name in table.names_of(LOAD_CELL)))
+    return {"angle": grid_deg(points), **{curve.name: result[curve.name] for curve in table.curves}}
 
 
 def _in_order(angle_deg: ArrayLike, values: ArrayLike) -> tuple[Array, Array]:

@@ -79,7 +79,7 @@ def parts_of(reader: TestReader) -> dict[str, Part]:
     ending = hashlib.sha256(b"\x00")
     for text in reader.ending():
         ending.update(text.encode() + b"\0")
-    found = {
+    result = {
         "configuration": Part(1, [reader.settings_digest()]),
         "ending": Part(len(STATE_FIELDS), [ending.hexdigest()]),
     }
@@ -87,22 +87,22 @@ def parts_of(reader: TestReader) -> dict[str, Part]:
         rows = reader.committed(name)
         step = LEAF_CYCLES if name in RAGGED else LEAF_ROWS
         leaves = [_leaf(reader, name, at, min(rows, at + step)) for at in range(0, rows, step)]
-        found[name] = Part(rows, leaves)
-    return found
+        result[name] = Part(rows, leaves)
+    return result
 
 
 def _leaf(reader: TestReader, stream: str, first: int, stop: int) -> str:
-    found = hashlib.sha256(b"\x00")
+    result = hashlib.sha256(b"\x00")
     columns, checksums = reader.raw_rows(stream, first, stop)
     for column in (*columns, checksums):
-        found.update(column.tobytes())
+        result.update(column.tobytes())
     if stream in RAGGED and stop > first:
         places = {one.name: at for at, one in enumerate(reader.fields(stream))}
         begin = int(columns[places["first"]][0])
         end = int(columns[places["first"]][-1] + columns[places["count"]][-1])
         for column in reader.raw_rows(RAGGED[stream], begin, end)[0]:
-            found.update(column.tobytes())
-    return found.hexdigest()
+            result.update(column.tobytes())
+    return result.hexdigest()
 
 
 def make_seal(reader: TestReader) -> Seal:
@@ -195,7 +195,9 @@ def broken_seals(reader: TestReader) -> Iterator[str]:
         return
     now = parts_of(reader)
     for where, seal in seals:
-        yield from (say("Seal {}: {}", where, one) for one in _differences(reader, seal, now))
+        yield from (
+            say("Seal {}: {}", where, difference) for difference in _differences(reader, seal, now)
+        )
     if reader.compressed and not stored:
         yield say("The seal that was in the file is not there any more.")
 

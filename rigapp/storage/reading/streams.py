@@ -95,7 +95,7 @@ class StreamReader:
         stream: as in ``streams_of``; of ``samples`` and ``unfinished_samples`` those of their
         cycles.
         """
-        found = self._streams[stream]
+        result = self._streams[stream]
         if stream == "samples":
             return self.first_free_sample(self.committed("cycles"))
         if stream == "checkpoints":
@@ -103,11 +103,11 @@ class StreamReader:
         if stream == "waiting":
             return 0
         if stream == "unfinished_samples":
-            return self.first_free_sample(self.committed("unfinished"), found.group)
+            return self.first_free_sample(self.committed("unfinished"), result.group)
         if stream in self._known:
             return self._known[stream]
-        rows = int(self._read(found.path(found.counter)))
-        with telling_damage(self.path, found.path(found.counter)):
+        rows = int(self._read(result.path(result.counter)))
+        with telling_damage(self.path, result.path(result.counter)):
             if rows < 0:
                 raise ValueError(say("rows {} to {} are wanted and there are fewer", 0, rows))
         with contextlib.suppress(UnusableInput):  # that word may be what is damaged
@@ -131,21 +131,21 @@ class StreamReader:
         self, name: str, first: int = 0, stop: int | None = None, stream: str = "revolutions"
     ) -> NDArray[Any]:
         """Return committed rows ``first`` .. ``stop`` of one column of a stream."""
-        found, known = self._streams[stream], self.column_units(stream)
+        result, known = self._streams[stream], self.column_units(stream)
         if name not in known:
             raise UnusableInput(
                 "{}: there is no column {} in {}; there are {}",
                 self.path,
                 repr(name),
-                found.group,
+                result.group,
                 joined(", ", known),
             )
         end = self.committed(stream) if stop is None else min(stop, self.committed(stream))
-        return self._rows(found.path(name), first, end)
+        return self._rows(result.path(name), first, end)
 
     def column_units(self, stream: str = "revolutions") -> dict[str, str]:
         """Return the units of a stream's columns by name, in their order."""
-        return {one.name: one.unit for one in self._streams[stream].fields}
+        return {field.name: field.unit for field in self._streams[stream].fields}
 
     def fields(self, stream: str) -> tuple[FileColumn, ...]:
         """Return the columns of a stream, without its checksum."""
@@ -163,11 +163,11 @@ class StreamReader:
         self, stream: str, first: int, stop: int
     ) -> tuple[list[NDArray[Any]], NDArray[Any]]:
         """Return rows of a stream as they are stored, committed or not: columns, and checksums."""
-        found = self._streams[stream]
-        columns = [self._rows(found.path(one.name), first, stop) for one in found.fields]
-        if found.checksum is None:
+        result = self._streams[stream]
+        columns = [self._rows(result.path(field.name), first, stop) for field in result.fields]
+        if result.checksum is None:
             return columns, np.empty(0, np.uint32)
-        return columns, self._rows(found.path(found.checksum.name), first, stop)
+        return columns, self._rows(result.path(result.checksum.name), first, stop)
 
     def stored_rows(self, path: str, first: int, stop: int) -> NDArray[Any]:
         """Return rows of a dataset as they are stored, committed or not."""
@@ -175,12 +175,12 @@ class StreamReader:
 
     def row_bytes(self, stream: str) -> int:
         """Return the bytes of a row, of a cycle with the samples that it has as a rule."""
-        found = self._streams[stream]
+        result = self._streams[stream]
         if stream in ("cycles", "unfinished"):
             return (
-                found.row_bytes + self.plan.samples_per_cycle * self._streams["samples"].row_bytes
+                result.row_bytes + self.plan.samples_per_cycle * self._streams["samples"].row_bytes
             )
-        return found.row_bytes
+        return result.row_bytes
 
     def declared(self, stream: str) -> int:
         """Return the rows that a stream can have in this file."""
@@ -195,28 +195,29 @@ class StreamReader:
 
         stream: as in ``streams_of``; of ``prediction`` without its curves and profiles.
         """
-        found, rows = self._streams[stream], self.committed(stream)
-        with telling_damage(self.path, found.group):
+        result, rows = self._streams[stream], self.committed(stream)
+        with telling_damage(self.path, result.group):
             return tuple(
                 StoredVariable(
-                    one.name,
+                    field.name,
                     stream,
-                    (rows, *one.shape),
-                    np.dtype(one.dtype),
-                    _attributes(self._file[found.path(one.name)]),
+                    (rows, *field.shape),
+                    np.dtype(field.dtype),
+                    _attributes(self._file[result.path(field.name)]),
                 )
-                for one in found.fields
+                for field in result.fields
             )
 
     def attributes(self, stream: str) -> dict[str, dict[str, Any]]:
         """Return what each column says of itself, also those that the file is too old to have."""
         whole = streams_of(replace(self.plan, event_details=True, profiles=1))[stream]
-        found = {
-            one.name: {"units": one.unit, "long_name": one.description} for one in whole.fields
+        result = {
+            field.name: {"units": field.unit, "long_name": field.description}
+            for field in whole.fields
         }
         if stream in self._streams:
-            found |= {one.name: one.attributes for one in self.variables(stream)}
-        return found
+            result |= {variable.name: variable.attributes for variable in self.variables(stream)}
+        return result
 
     def used_bytes(self, size: int) -> int:
         """Return how many of the bytes of the file, ``size``, hold data.
@@ -226,7 +227,9 @@ class StreamReader:
         if self.compressed:
             return size
         each = {
-            name: sum(np.dtype(one.dtype).itemsize * math.prod(one.shape) for one in found.fields)
+            name: sum(
+                np.dtype(field.dtype).itemsize * math.prod(field.shape) for field in found.fields
+            )
             for name, found in self._streams.items()
         }
         return min(size, sum(self.committed(name) * octets for name, octets in each.items()))
@@ -237,9 +240,11 @@ class StreamReader:
             yield from texts_of(self._file)
 
     def _table(self, stream: str, first: int) -> Columns:
-        found: FileStream = self._streams[stream]
+        result: FileStream = self._streams[stream]
         end = self.committed(stream)
-        return {one.name: self._rows(found.path(one.name), first, end) for one in found.fields}
+        return {
+            field.name: self._rows(result.path(field.name), first, end) for field in result.fields
+        }
 
     def _rows(self, path: str, first: int, end: int) -> NDArray[Any]:
         """Return rows ``first`` .. ``end`` of a dataset, which has them all.
@@ -315,10 +320,10 @@ def _attributes(dataset: h5py.Dataset) -> dict[str, Any]:
 
 
 def _tree(group: h5py.Group) -> dict[str, Any]:
-    found: dict[str, Any] = {}
+    result: dict[str, Any] = {}
     for name, item in group.items():
         if isinstance(item, h5py.Group):
-            found[name] = _tree(item)
+            result[name] = _tree(item)
             continue
         if item is None:
             raise KeyError(name)
@@ -327,13 +332,13 @@ def _tree(group: h5py.Group) -> dict[str, Any]:
         value = item[()]
         if h5py.check_string_dtype(item.dtype) is not None:
             texts = np.asarray(value, dtype=object)
-            value = texts.item().decode() if texts.ndim == 0 else [one.decode() for one in texts]
+            value = texts.item().decode() if texts.ndim == 0 else [text.decode() for text in texts]
         elif isinstance(value, np.ndarray):
             value = value.tolist()
         else:
             value = value.item()
-        found[name] = value
-    return found
+        result[name] = value
+    return result
 
 
 COLUMN_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,99}")

@@ -87,16 +87,16 @@ def _value(one: LargestForce) -> float:
 def _peaks(test: TestReader) -> list[LargestForce]:
     """Return the largest forces of whole revolutions, of each part of one and of each overload."""
     log = _ForceLog(test.events())
-    parts = [_of_part(one) for one in test.unfinished() if log.knows_force(one)]
-    found = [*parts, *_of_rows(test, log)]
+    parts = [_of_part(cycle) for cycle in test.unfinished() if log.knows_force(cycle)]
+    result = [*parts, *_of_rows(test, log)]
     for number, (value, beyond) in log.overloads.items():
         # The part first: a resumed test makes a whole revolution of the same number.
-        known = next((one for one in found if one.revolution == number), None)
+        known = next((one for one in result if one.revolution == number), None)
         angle, whole = (known.angle_deg, known.whole) if known is not None else (math.nan, False)
         most = max(value, known.value_N if known is not None else value)
         if most > 0.0:
-            found.append(LargestForce(most, number, angle, beyond, whole))
-    return found
+            result.append(LargestForce(most, number, angle, beyond, whole))
+    return result
 
 
 def trip_of(test: TestReader) -> Trip | None:
@@ -115,13 +115,13 @@ def trip_of(test: TestReader) -> Trip | None:
         judged_whole = kind is None or kind.whole_revolution
         number = first_out.revolution + (not judged_whole)
     saved = test.cycle_revolutions()
-    parts = [one for one in test.unfinished() if one.revolution == number]
+    parts = [cycle for cycle in test.unfinished() if cycle.revolution == number]
     places = np.flatnonzero(saved == number)
     before = np.flatnonzero(saved < number)
     cycle = test.cycle(int(places[-1])) if places.size else parts[-1] if parts else None
     after = [test.cycle(int(place)) for place in np.flatnonzero(saved > number)]
-    after += [one for one in test.unfinished() if one.revolution > number]
-    peaks = (one for one in reversed(_peaks(test)) if one.revolution == number)
+    after += [cycle for cycle in test.unfinished() if cycle.revolution > number]
+    peaks = (peak for peak in reversed(_peaks(test)) if peak.revolution == number)
     return Trip(
         number,
         _forwards(cycle) if cycle is not None else None,
@@ -143,14 +143,14 @@ def _forwards(cycle: StoredCycle) -> StoredCycle | None:
 
 def _first_out(events: list[Event]) -> Event | None:
     """Return the line of the critical alarm that came first since the test was last begun."""
-    found: Event | None = None
+    result: Event | None = None
     for event in events:
         change = alarm_change(event)
         if event.kind == RESUMED:
-            found = None
+            result = None
         elif change is not None and change.first_out and severity_of(event) is Severity.CRITICAL:
-            found = event
-    return found
+            result = event
+    return result
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -186,37 +186,39 @@ class TripCapture:
 
     def series(self, names: tuple[str, ...]) -> tuple[str, ...]:
         """Return which of some channels every piece has."""
-        return tuple(name for name in names if all(name in one.values for one in self.pieces))
+        return tuple(name for name in names if all(name in piece.values for piece in self.pieces))
 
 
 def trip_capture(test: TestReader) -> TripCapture | None:
     """Return the seconds around the trip of a test; None without one, or without its samples."""
-    found = trip_of(test)
-    if found is None or found.cycle is None:
+    result = trip_of(test)
+    if result is None or result.cycle is None:
         return None
-    cycle, before = found.cycle, [found.before] if found.before is not None else []
-    zero, events = _tripped_at(found, cycle), test.events()
+    cycle, before = result.cycle, [result.before] if result.before is not None else []
+    zero, events = _tripped_at(result, cycle), test.events()
     pieces = tuple(
-        TripPiece(one.columns["time"] - zero, _values(one), one is found.before)
-        for one in (*before, cycle, *found.after)
+        TripPiece(one.columns["time"] - zero, _values(one), one is result.before)
+        for one in (*before, cycle, *result.after)
     )
     first_out = _first_out(events)
     happened = first_out.time if first_out is not None else math.nan
-    reached_standstill = [one.time for one in events if one.kind == STOOD and one.time >= happened]
+    reached_standstill = [
+        event.time for event in events if event.kind == STOOD and event.time >= happened
+    ]
     return TripCapture(
-        found,
+        result,
         pieces,
         _currents(test, cycle.table, zero, pieces[0].time_s[0]),
         as_said(str(test.summary()["reason"]), events),
         happened,
         reached_standstill[0] - happened if reached_standstill else math.nan,
-        _turned_s(found, cycle, zero),
+        _turned_s(result, cycle, zero),
         cycle.table,
     )
 
 
 def _values(cycle: StoredCycle) -> dict[str, NDArray[np.float64]]:
-    names = [one.name for one in cycle.table.curves if one.name in cycle.columns]
+    names = [curve.name for curve in cycle.table.curves if curve.name in cycle.columns]
     return {**{name: cycle.columns[name] for name in names}, "speed": _speed_rpm(cycle)}
 
 

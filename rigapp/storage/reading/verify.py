@@ -88,7 +88,7 @@ _NAMES = {
 
 def _few(rows: NDArray[np.int64]) -> str:
     """Return the first of many rows as text, counted from 0."""
-    shown = joined(", ", [str(one) for one in rows[:8]])
+    shown = joined(", ", [str(row) for row in rows[:8]])
     return shown if rows.size <= 8 else say("{} and others", shown)
 
 
@@ -96,20 +96,20 @@ def wrong_rows(reader: StreamReader, stream: str, first: int, stop: int) -> NDAr
     """Return the rows ``first`` .. ``stop`` of a stream that their checksum does not confirm."""
     if stream in RAGGED:
         return np.flatnonzero(~_confirmed_cycles(reader, stream, first, stop)) + first
-    found = [np.empty(0, np.int64)]
+    result = [np.empty(0, np.int64)]
     for start in range(first, stop, ROWS_AT_ONCE):
         end = min(stop, start + ROWS_AT_ONCE)
         columns, stored = reader.raw_rows(stream, start, end)
         with telling_damage(reader.path, say("its plan")):  # columns are not as it says
             crcs = row_checksums(reader.fields(stream), columns, end - start)
-        found.append(np.flatnonzero(crcs != stored) + start)
-    return np.concatenate(found)
+        result.append(np.flatnonzero(crcs != stored) + start)
+    return np.concatenate(result)
 
 
 def _confirmed_cycles(
     reader: StreamReader, stream: str, first: int, stop: int
 ) -> NDArray[np.bool_]:
-    found = np.zeros(stop - first, bool)
+    result = np.zeros(stop - first, bool)
     fields = reader.fields(stream)
     columns, stored = reader.raw_rows(stream, first, stop)
     for i, values in enumerate(zip(*columns, strict=True)):
@@ -121,5 +121,5 @@ def _confirmed_cycles(
             samples, _ = reader.raw_rows(RAGGED[stream], place, place + count)
         except UnusableInput:
             continue
-        found[i] = cycle_checksum(samples, fields, row) == stored[i]
-    return found
+        result[i] = cycle_checksum(samples, fields, row) == stored[i]
+    return result

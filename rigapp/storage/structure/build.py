@@ -64,11 +64,11 @@ _FORCE = re.compile(r"force(?P<component>_[12])?(_(?P<statistic>max|min|mean|rms
 
 def detectors(table: ChannelTable) -> dict[str, str]:
     """Return column -> the detector that it comes from: an instrument, or a free channel's own."""
-    found = dict.fromkeys(_OF_ENCODER, "encoder")
-    for one in table.channels:
-        names = (one.name, f"raw_{one.name}", *(column.name for column in one.columns))
-        found |= dict.fromkeys(names, one.instrument or one.name)
-    return found
+    result = dict.fromkeys(_OF_ENCODER, "encoder")
+    for channel in table.channels:
+        names = (channel.name, f"raw_{channel.name}", *(column.name for column in channel.columns))
+        result |= dict.fromkeys(names, channel.instrument or channel.name)
+    return result
 
 
 def conventions(
@@ -78,17 +78,17 @@ def conventions(
 
     sources: ``detectors`` of the file. uncertain: it states the uncertainty of its forces.
     """
-    found: dict[str, Any] = {}
+    result: dict[str, Any] = {}
     if (stream.name, field.name) in _UTC_COLUMNS:
-        found |= UTC
+        result |= UTC
     if field.name == "quality":
-        found |= _flags(field.dtype)
+        result |= _flags(field.dtype)
     source = sources.get(field.name)
     if source and stream.name in _MEASURED:
-        found["detector"] = f"{DETECTORS}/{source}"
+        result["detector"] = f"{DETECTORS}/{source}"
     if uncertain and stream.name in _MEASURED:
-        found |= _uncertainty(field.name)
-    return found
+        result |= _uncertainty(field.name)
+    return result
 
 
 def _uncertainty(name: str) -> dict[str, str]:
@@ -158,8 +158,8 @@ def build_file(path: Path, plan: FilePlan, metadata: TestMetadata, name: str) ->
             digest[()] = settings_digest(file, plan)
         # Only now: a copy that is cut short has settings and structure, and lacks what lies last.
         for stream in streams.values():
-            for one in stream.stored:
-                file[stream.path(one.name)][0] = np.zeros(one.shape, hdf_type(one.dtype))
+            for field in stream.stored:
+                file[stream.path(field.name)][0] = np.zeros(field.shape, hdf_type(field.dtype))
 
 
 def _new_file(path: Path) -> h5py.File:
@@ -321,7 +321,7 @@ def _build_stream(
     if stream.counter:
         counter = placed_dataset(group, stream.counter, "<i8", (), "1", _COUNTERS[stream.counter])
         counter[()] = 0
-    names = [one.name for one in stream.fields]
+    names = [field.name for field in stream.fields]
     if stream.dimension in names:
         first = stream.fields[names.index(stream.dimension)]
         scale = _build_field(group, first, stream.capacity)
@@ -329,11 +329,11 @@ def _build_stream(
     else:
         first = None
         scale = bare_dimension(group, stream.dimension, stream.capacity)
-    for one in stream.stored:
-        if one is not first:
-            _build_field(group, one, stream.capacity).dims[0].attach_scale(scale)
-        for name, value in conventions(stream, one, sources, uncertain).items():
-            group[one.name].attrs[name] = value
+    for field in stream.stored:
+        if field is not first:
+            _build_field(group, field, stream.capacity).dims[0].attach_scale(scale)
+        for name, value in conventions(stream, field, sources, uncertain).items():
+            group[field.name].attrs[name] = value
     if stream.name in ("cycles", "unfinished"):
         group["count"].attrs["sample_dimension"] = "sample"
 
@@ -389,9 +389,9 @@ def _build_checkpoint_bytes(file: h5py.File) -> None:
 def _build_waiting_samples(file: h5py.File, stream: FileStream) -> None:
     group = file[stream.group]
     sample = bare_dimension(group, "sample", stream.fields[-1].shape[0])
-    for one in stream.fields:
-        if one.shape:
-            group[one.name].dims[1].attach_scale(sample)
+    for field in stream.fields:
+        if field.shape:
+            group[field.name].dims[1].attach_scale(sample)
 
 
 def _build_configuration(file: h5py.File, plan: FilePlan, metadata: TestMetadata) -> None:

@@ -25,17 +25,19 @@ MANY_ROWS = 64
 
 def row_checksums(fields: Sequence[FileColumn], columns: Sequence[NDArray[Any]], rows: int) -> Crcs:
     """Return the CRC-32C of each of ``rows`` rows; columns: an array a field, of its type."""
-    if rows >= MANY_ROWS and all(one.ndim == 1 and one.itemsize in WORDS for one in columns):
+    if rows >= MANY_ROWS and all(
+        column.ndim == 1 and column.itemsize in WORDS for column in columns
+    ):
         words = np.empty((len(columns), rows), np.uint64)
         for word, column in zip(words, columns, strict=True):
             word[:] = column.view(WORDS[column.itemsize])
-        return word_checksums(words, np.array([one.itemsize for one in columns]))
-    packed = np.empty(rows, [(one.name, one.dtype, one.shape) for one in fields])
+        return word_checksums(words, np.array([column.itemsize for column in columns]))
+    packed = np.empty(rows, [(field.name, field.dtype, field.shape) for field in fields])
     for one, column in zip(fields, columns, strict=True):
         packed[one.name] = column
     size, data, value = packed.itemsize, packed.tobytes(), google_crc32c.value
-    found = [value(data[start : start + size]) for start in range(0, rows * size, size)]
-    return np.array(found, np.uint32)
+    result = [value(data[start : start + size]) for start in range(0, rows * size, size)]
+    return np.array(result, np.uint32)
 
 
 def word_checksums(words: NDArray[np.uint64], sizes: NDArray[np.int64]) -> Crcs:
@@ -65,5 +67,5 @@ def cycle_checksum(
     crc = 0
     for column in samples:
         crc = google_crc32c.extend(crc, column)
-    values = (np.asarray(row[one.name], one.dtype) for one in fields if one.name != "first")
-    return int(google_crc32c.extend(crc, b"".join(one.tobytes() for one in values)))
+    values = (np.asarray(row[field.name], field.dtype) for field in fields if field.name != "first")
+    return int(google_crc32c.extend(crc, b"".join(value.tobytes() for value in values)))

@@ -36,7 +36,7 @@ def settings_digest(file: h5py.File, plan: FilePlan) -> bytes:
     """Return the SHA-256, in hexadecimal, of what is fixed in an open file."""
     changing = {END_TIME}
     for stream in streams_of(plan).values():
-        changing.update(stream.path(one.name) for one in stream.stored)
+        changing.update(stream.path(field.name) for field in stream.stored)
         if stream.counter:
             changing.add(stream.path(stream.counter))
     total = hashlib.sha256()
@@ -76,5 +76,5 @@ def _bytes_of(value: Any) -> bytes:
     array = np.asarray(value)
     if array.dtype.kind == "O":
         texts = (one if isinstance(one, bytes) else str(one).encode() for one in array.flat)
-        return b"".join(len(one).to_bytes(8, "little") + one for one in texts)
+        return b"".join(len(text).to_bytes(8, "little") + text for text in texts)
     return f"{array.dtype.str} {array.shape}".encode() + array.tobytes()

@@ -55,7 +55,7 @@ def rows_of(event: Event, digest: bytes, fields: Sequence[FileColumn]) -> list[d
 
     digest: hexadecimal digest of the row before, of the file's identifier for the first row.
     """
-    width = {one.name: int(one.dtype[1:]) for one in fields if one.dtype.startswith("S")}
+    width = {field.name: int(field.dtype[1:]) for field in fields if field.dtype.startswith("S")}
     texts = {**msgspec.structs.asdict(event), "data": _encoded(event)}
     parts = {name: _parts(texts[name], width[name]) for name in TEXTS if name in width}
     codes = {name: _parts(texts[name], width[name])[0] for name in CODES if name in width}
@@ -93,7 +93,7 @@ def seed_of(identifier: str) -> bytes:
 
 def events_of(columns: Mapping[str, NDArray[Any]]) -> list[Event]:
     """Return the events that columns of rows hold, the continued ones joined."""
-    found: list[Event] = []
+    result: list[Event] = []
     open_texts: dict[str, bytes] = {}
     for row in table_rows(columns):
         for name in TEXTS:
@@ -106,9 +106,9 @@ def events_of(columns: Mapping[str, NDArray[Any]]) -> list[Event]:
         said = _sentences(data.pop(SAID, ()))
         texts["text"] = said.get(texts["text"], texts["text"])
         data = {key: said.get(v, v) if isinstance(v, str) else v for key, v in data.items()}
-        found.append(Event(row["time"], row["revolution"], data=data, **texts))
+        result.append(Event(row["time"], row["revolution"], data=data, **texts))
         open_texts = {}
-    return found
+    return result
 
 
 def as_said(text: str, events: Iterable[Event]) -> str:
@@ -128,7 +128,7 @@ def first_broken_link(columns: Mapping[str, NDArray[Any]], identifier: str) -> i
 
 def table_rows(columns: Mapping[str, NDArray[Any]]) -> Iterable[dict[str, Any]]:
     """Yield the rows of a table given by columns, as plain Python values."""
-    for values in zip(*(one.tolist() for one in columns.values()), strict=True):
+    for values in zip(*(column.tolist() for column in columns.values()), strict=True):
         yield dict(zip(columns, values, strict=True))
 
 
@@ -136,7 +136,9 @@ def columns_of(
     rows: Sequence[Mapping[str, Any]], fields: Sequence[FileColumn]
 ) -> dict[str, NDArray[Any]]:
     """Return rows as one array a column."""
-    return {one.name: np.array([row[one.name] for row in rows], one.dtype) for one in fields}
+    return {
+        field.name: np.array([row[field.name] for row in rows], field.dtype) for field in fields
+    }
 
 
 def _encoded(event: Event) -> str:
@@ -172,20 +174,20 @@ def _sentence(structure: Any) -> Sentence:
 
 def _sentences(structures: Any) -> dict[str, Sentence]:
     """Return sentences by their English texts; what is none, is left out."""
-    found: dict[str, Sentence] = {}
+    result: dict[str, Sentence] = {}
     for one in structures if isinstance(structures, list) else ():
         with contextlib.suppress(ValueError, TypeError, KeyError, AttributeError, RecursionError):
             sentence = _sentence(one)
-            found[str(sentence)] = sentence
-    return found
+            result[str(sentence)] = sentence
+    return result
 
 
 def _decoded(text: str) -> dict[str, Any]:
     try:
-        found = msgspec.json.decode(text) if text else {}
+        result = msgspec.json.decode(text) if text else {}
     except msgspec.DecodeError:
         return {}
-    return found if isinstance(found, dict) else {}
+    return result if isinstance(result, dict) else {}
 
 
 def _parts(text: str, width: int) -> list[bytes]:
@@ -235,7 +237,7 @@ def translated(events: Iterable[Event]) -> list[Event]:
         REST: _rest,
         "gap": lambda event: msgspec.structs.replace(event, level="warning"),
     }
-    return [by_kind[one.kind](one) if one.kind in by_kind else one for one in events]
+    return [by_kind[event.kind](event) if event.kind in by_kind else event for event in events]
 
 
 def _alarm(event: Event, known: dict[str, tuple[str, Severity, AlarmChange]]) -> Event:
@@ -279,7 +281,7 @@ def _kind(title: str, cause: str, first_out: bool) -> tuple[str, Severity, Kind]
     for pattern, key, kind in _TITLES:
         match = pattern.fullmatch(title)
         if match is not None:
-            names = (_CRITERIA.get(one, one) for one in match.groups())
+            names = (_CRITERIA.get(part, part) for part in match.groups())
             return ":".join((key, *names)), kind.severity, kind
     severity = Severity.CRITICAL if first_out else Severity.WARNING
     return title, severity, Kind(severity, title, cause, NOT_RECORDED, NOT_RECORDED)

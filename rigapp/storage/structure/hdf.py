@@ -116,12 +116,12 @@ def _first_trap(file: h5py.File, size: int) -> str:
 
 def _links(group: h5g.GroupID) -> list[tuple[bytes, _Link]]:
     """Return the links of a group with what HDF5 says of each, those before a damaged one."""
-    found: list[tuple[bytes, _Link]] = []
+    result: list[tuple[bytes, _Link]] = []
     with contextlib.suppress(OSError, RuntimeError):
         group.links.iterate(
-            lambda name, info: found.append((name, _Link(info.type, info.u))), info=True
+            lambda name, info: result.append((name, _Link(info.type, info.u))), info=True
         )
-    return found
+    return result
 
 
 def _shown(path: bytes) -> str:

@@ -218,13 +218,17 @@ def streams_of(plan: FilePlan) -> dict[str, FileStream]:
         ),
         *(
             FileColumn(
-                f"curve_{one.name}", one.dtype, one.unit, one.description, (plan.prediction_points,)
+                f"curve_{curve.name}",
+                curve.dtype,
+                curve.unit,
+                curve.description,
+                (plan.prediction_points,),
             )
-            for one in CURVES
-            if one.name in plan.predicted_curves
+            for curve in CURVES
+            if curve.name in plan.predicted_curves
         ),
     )
-    found: tuple[FileStream, ...] = (
+    result: tuple[FileStream, ...] = (
         FileStream(
             "revolutions", "/entry/revolutions", "revolution", "committed",
             _fields(plan.revolution_columns), rows, all_rows,
@@ -248,18 +252,18 @@ def streams_of(plan: FilePlan) -> dict[str, FileStream]:
         ),
     )  # fmt: skip
     if plan.unfinished_samples:
-        found = (*found, *_unfinished_streams(plan))
+        result = (*result, *_unfinished_streams(plan))
     if plan.profiles:
-        found = (*found, *_worn_streams(plan))
+        result = (*result, *_worn_streams(plan))
     if plan.waiting_cycles:
-        found = (*found, _waiting_stream(plan))
+        result = (*result, _waiting_stream(plan))
     if plan.checksums:
-        found = tuple(replace(one, checksum=CHECKSUMS.get(one.name)) for one in found)
+        result = tuple(replace(one, checksum=CHECKSUMS.get(one.name)) for one in result)
         # A copy that is cut short loses what lies last: many samples and curves, before any row.
-        found = tuple(
-            sorted(found, key=lambda one: _LAST.index(one.name) if one.name in _LAST else -1)
+        result = tuple(
+            sorted(result, key=lambda one: _LAST.index(one.name) if one.name in _LAST else -1)
         )
-    return {stream.name: stream for stream in found}
+    return {stream.name: stream for stream in result}
 
 
 _LAST = ("curves", "waiting", "unfinished_samples", "samples")
@@ -336,12 +340,12 @@ def _worn_streams(plan: FilePlan) -> tuple[FileStream, FileStream]:
     group, size = "/entry/prediction", (len(PROFILE_ANGLES_DEG),)
     profiles = (
         *_fields(
-            Column(f"profile_{one.name}", one.dtype, one.unit, one.description)
-            for one in profile_columns()
+            Column(f"profile_{column.name}", column.dtype, column.unit, column.description)
+            for column in profile_columns()
         ),
         *(
-            FileColumn(f"profile_{one}", "<f4", "mm", PROFILE_SENTENCES[one], size)
-            for one in PROFILE_CURVES
+            FileColumn(f"profile_{curve}", "<f4", "mm", PROFILE_SENTENCES[curve], size)
+            for curve in PROFILE_CURVES
         ),
     )
     checkpoints = (
@@ -387,7 +391,9 @@ def planned_rows(plan: FilePlan, revolutions: int) -> dict[str, int]:
 
 
 def _fields(columns: Iterable[Column]) -> tuple[FileColumn, ...]:
-    return tuple(FileColumn(one.name, one.dtype, one.unit, one.description) for one in columns)
+    return tuple(
+        FileColumn(column.name, column.dtype, column.unit, column.description) for column in columns
+    )
 
 
 def _rounded(rows: int) -> int:

@@ -48,14 +48,14 @@ class TestMetadata:
 
 def versions() -> dict[str, str]:
     """Return the versions of what writes the file."""
-    found = {"python": platform.python_version(), "platform": platform.platform()}
+    result = {"python": platform.python_version(), "platform": platform.platform()}
     for name in ("rigapp", "numpy", "h5py", "numba", "msgspec"):
         try:
-            found[name] = importlib.metadata.version(name)
+            result[name] = importlib.metadata.version(name)
         except importlib.metadata.PackageNotFoundError:
-            found[name] = "unknown"
-    found["executable"] = sys.implementation.name
-    return found
+            result[name] = "unknown"
+    result["executable"] = sys.implementation.name
+    return result
 
 
 def file_unit(key: str) -> str:

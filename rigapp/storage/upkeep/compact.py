@@ -119,7 +119,7 @@ def sizes_of(reader: TestReader) -> dict[str, int]:
     sizes: dict[str, int] = {}
     for name, stream in streams_of(reader.plan).items():
         rows = reader.committed(name)
-        sizes.update({stream.path(one.name): rows for one in stream.stored})
+        sizes.update({stream.path(field.name): rows for field in stream.stored})
         sizes[stream.path(stream.dimension)] = rows
     return sizes
 

@@ -43,9 +43,9 @@ def left_cycles(reader: TestReader, cycles: int, last: int) -> list[StoredCycle]
     if not reader.plan.checksums:
         return []
     newest = int(reader.cycle_revolutions()[cycles - 1]) if cycles else 0
-    found = {one.revolution: one for one in _waiting(reader)}
-    found |= {one.revolution: one for one in _uncounted(reader, cycles)}
-    return [found[number] for number in sorted(found) if newest < number <= last]
+    result = {one.revolution: one for one in _waiting(reader)}
+    result |= {one.revolution: one for one in _uncounted(reader, cycles)}
+    return [result[number] for number in sorted(result) if newest < number <= last]
 
 
 def _waiting(reader: TestReader) -> Iterator[StoredCycle]:
@@ -58,7 +58,7 @@ def _waiting(reader: TestReader) -> Iterator[StoredCycle]:
     for slot, checksum in enumerate(checksums):
         values = {one.name: column[slot] for one, column in zip(fields, columns, strict=True)}
         count = int(values["count"])
-        samples = {one.name: values[one.name][:count] for one in fields if one.shape}
+        samples = {field.name: values[field.name][:count] for field in fields if field.shape}
         if count <= 0 or cycle_checksum(samples.values(), WAITING_FIELDS, values) != checksum:
             continue
         number, why = int(values["revolution"]), bytes(values["why"]).decode("ascii", "replace")
@@ -68,8 +68,8 @@ def _waiting(reader: TestReader) -> Iterator[StoredCycle]:
 
 def _uncounted(reader: TestReader, cycles: int) -> Iterator[StoredCycle]:
     """Yield the confirmed cycles that follow the counted ones without a gap."""
-    names = [one.name for one in reader.fields("cycles")]
-    samples = [one.name for one in reader.fields("samples")]
+    names = [field.name for field in reader.fields("cycles")]
+    samples = [field.name for field in reader.fields("samples")]
     first, capacity = reader.first_free_sample(cycles), reader.declared("cycles")
     for index in range(cycles, capacity):
         columns, _ = reader.raw_rows("cycles", index, index + 1)
@@ -80,7 +80,7 @@ def _uncounted(reader: TestReader, cycles: int) -> Iterator[StoredCycle]:
         values, _ = reader.raw_rows("samples", int(row["first"]), first)
         yield StoredCycle(
             int(row["revolution"]),
-            dict(zip(samples, (np.array(one) for one in values), strict=True)),
+            dict(zip(samples, (np.array(value) for value in values), strict=True)),
             bytes(row.get("why", b"scheduled")).decode("ascii", "replace"),
             int(row.get("quality", 0)),
             reader.plan.table,

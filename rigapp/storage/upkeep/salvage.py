@@ -158,9 +158,11 @@ def _sound_rows(reader: TestReader, stream: FileStream) -> Rows:
             if unbroken < stop - rows:
                 break
             rows = stop
-    found = np.concatenate(sound)
+    result = np.concatenate(sound)
     return (
-        found[_rising(reader, stream, found)] if stream.name in ("revolutions", "cycles") else found
+        result[_rising(reader, stream, result)]
+        if stream.name in ("revolutions", "cycles")
+        else result
     )
 
 
@@ -221,8 +223,8 @@ def _sizes(
     for name, stream in streams.items():
         if not stream.counter:
             continue
-        for one in stream.stored:
-            sizes[stream.path(one.name)] = _ranges(chosen[name])
+        for field in stream.stored:
+            sizes[stream.path(field.name)] = _ranges(chosen[name])
         sizes[stream.path(stream.dimension)] = _ranges(chosen[name])
         if name in RAGGED:
             samples = streams[RAGGED[name]]
@@ -234,7 +236,7 @@ def _sizes(
             )
             first[name] = np.cumsum(count) - count
             parts = [(int(a), int(a + n)) for a, n in zip(begin, count, strict=True)]
-            for path in (*(one.name for one in samples.stored), samples.dimension):
+            for path in (*(field.name for field in samples.stored), samples.dimension):
                 sizes[samples.path(path)] = parts
     return sizes, first
 

@@ -150,14 +150,14 @@ def lengths_of(path: Path, streams: Mapping[str, FileStream]) -> dict[str, tuple
     A stream is left out where they are not where the format of HDF5 says: other programs see all
     its rows then.
     """
-    found: dict[str, tuple[int, ...]] = {}
+    result: dict[str, tuple[int, ...]] = {}
     with open_for_reading(path) as file, path.open("rb") as stream:
         for name, one in streams.items():
             names = dict.fromkeys((*(column.name for column in one.stored), one.dimension))
             offsets = [_length_of(file[one.path(column)], stream) for column in names]
             if name not in ("waiting", "checkpoints") and all(offsets):
-                found[name] = tuple(offsets)
-    return found
+                result[name] = tuple(offsets)
+    return result
 
 
 def _length_of(dataset: h5py.Dataset, stream: BinaryIO) -> int:
@@ -191,20 +191,20 @@ def _length_of(dataset: h5py.Dataset, stream: BinaryIO) -> int:
 
 def fitted_streams(plan: FilePlan, places: Places) -> dict[str, FileStream]:
     """Return the streams of a plan with the sizes that the file really has."""
-    found: dict[str, FileStream] = {}
+    result: dict[str, FileStream] = {}
     for name, stream in streams_of(plan).items():
         first = stream.fields[0]
         capacity = places[stream.path(first.name)][1] // first.row_bytes
         planned = min(stream.planned, capacity)
-        found[name] = replace(stream, planned=planned, capacity=capacity)
-    return found
+        result[name] = replace(stream, planned=planned, capacity=capacity)
+    return result
 
 
 def reserve_stream(disk: Disk, stream: FileStream, places: Places, first: int, rows: int) -> None:
     """Reserve the disk space of rows ``first`` .. ``rows`` of a stream; raises OSError."""
-    for one in stream.stored:
-        offset = places[stream.path(one.name)][0]
-        disk.reserve(offset + first * one.row_bytes, (rows - first) * one.row_bytes)
+    for field in stream.stored:
+        offset = places[stream.path(field.name)][0]
+        disk.reserve(offset + first * field.row_bytes, (rows - first) * field.row_bytes)
 
 
 def check_places(disk: Disk, file: Path, streams: Mapping[str, FileStream], places: Places) -> None:
@@ -214,11 +214,13 @@ def check_places(disk: Disk, file: Path, streams: Mapping[str, FileStream], plac
     """
     marks: list[tuple[str, int, int, bytes]] = []
     for stream in streams.values():
-        for one in stream.stored:
-            path = stream.path(one.name)
+        for field in stream.stored:
+            path = stream.path(field.name)
             for row in sorted({0, stream.planned - 1}):
-                mark = ((b"%08d" % len(marks))[::-1] * (one.row_bytes // 8 + 1))[: one.row_bytes]
-                marks.append((path, row, places[path][0] + row * one.row_bytes, mark))
+                mark = ((b"%08d" % len(marks))[::-1] * (field.row_bytes // 8 + 1))[
+                    : field.row_bytes
+                ]
+                marks.append((path, row, places[path][0] + row * field.row_bytes, mark))
     for _, _, offset, mark in marks:
         disk.write(mark, offset)
     with open_for_reading(file) as opened:

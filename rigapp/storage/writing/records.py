@@ -95,7 +95,7 @@ class CycleWriter:
             "quality": [quality],
             "why": [why],
         }
-        sampled = [one for one in stream.fields if one.shape]
+        sampled = [field for field in stream.fields if field.shape]
         if number > sampled[0].shape[0]:
             return
         with self._lock:
@@ -109,9 +109,9 @@ class CycleWriter:
     ) -> None:
         stream = self._streams["waiting"]
         samples = {
-            one.name: np.ascontiguousarray(values[one.name], one.dtype)
-            for one in stream.fields
-            if one.shape
+            field.name: np.ascontiguousarray(values[field.name], field.dtype)
+            for field in stream.fields
+            if field.shape
         }
         if stream.checksum is not None:
             row[stream.checksum.name] = [cycle_checksum(samples.values(), WAITING_FIELDS, row)]
@@ -170,8 +170,8 @@ class CycleWriter:
         place: dict[str, list[Any]],
     ) -> None:
         stored = {
-            one.name: np.ascontiguousarray(values[one.name], one.dtype)
-            for one in self._streams[samples_name].fields
+            field.name: np.ascontiguousarray(values[field.name], field.dtype)
+            for field in self._streams[samples_name].fields
         }
         self._records[samples_name].place(place["first"][0], place["count"][0], stored)
         stream = self._streams[index_name]
@@ -183,7 +183,7 @@ class CycleWriter:
     def _cycle_values(
         self, columns: Mapping[str, ArrayLike] | NDArray[Any]
     ) -> dict[str, NDArray[Any]]:
-        names = [one.name for one in self._streams["samples"].fields]
+        names = [field.name for field in self._streams["samples"].fields]
         if isinstance(columns, Mapping):
             if set(columns) != set(names):
                 odd = joined(", ", sorted(set(columns) ^ set(names)))
@@ -193,13 +193,13 @@ class CycleWriter:
             values = {name: np.asarray(columns[name]) for name in names}
         else:
             values = dict(zip(names, columns, strict=True))
-        if len({one.shape for one in values.values()}) != 1:
+        if len({value.shape for value in values.values()}) != 1:
             raise ValueError(say("the columns of a cycle differ in length"))
         return values
 
 
 def _size(values: Mapping[str, NDArray[Any]]) -> int:
-    return sum(one.nbytes for one in values.values())
+    return sum(value.nbytes for value in values.values())
 
 
 class PredictionWriter:
@@ -227,8 +227,8 @@ class PredictionWriter:
         self._records = records
         self._counts = counts
         self._count_lock = counting
-        known = [one.name for one in prediction_columns()]
-        stored = (one.name for one in plan.prediction_columns)
+        known = [column.name for column in prediction_columns()]
+        stored = (column.name for column in plan.prediction_columns)
         self._stored = [known.index(name) for name in stored if name in known]
         self._lock = threading.Lock()
         self._checkpoint: tuple[int, bytes] | None = None
@@ -270,7 +270,7 @@ class PredictionWriter:
         """
         if "profiles" not in self._streams:
             return False
-        names = [one.name for one in profile_columns()]
+        names = [column.name for column in profile_columns()]
         place: dict[str, ArrayLike] = {
             f"profile_{name}": [value] for name, value in zip(names, values, strict=True)
         }

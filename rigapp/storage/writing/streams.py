@@ -54,7 +54,7 @@ class Capacity:
         self.reserved = reserved
         self._lengths = lengths
         self._ahead = AHEAD.get(stream.name, 0)
-        self._floats = [one for one in stream.fields if np.dtype(one.dtype).kind == "f"]
+        self._floats = [field for field in stream.fields if np.dtype(field.dtype).kind == "f"]
         self._reached = self._shown = -1
         for data, offset in self.reach(rows):
             disk.write(data, offset)
@@ -104,16 +104,16 @@ class Capacity:
 
     def reserve(self, rows: int) -> None:
         """Reserve the disk space of the first ``rows`` rows; raises OSError."""
-        for one in self._stream.stored:
-            start = self._offsets[one.name] + self.reserved * one.row_bytes
-            self._disk.reserve(start, (rows - self.reserved) * one.row_bytes)
+        for field in self._stream.stored:
+            start = self._offsets[field.name] + self.reserved * field.row_bytes
+            self._disk.reserve(start, (rows - self.reserved) * field.row_bytes)
         self.reserved = max(self.reserved, rows)
 
     def give_back(self, rows: int) -> None:
         """Give the disk space after the first ``rows`` rows back."""
-        for one in self._stream.stored:
-            start = self._offsets[one.name] + rows * one.row_bytes
-            self._disk.give_back(start, (self._stream.capacity - rows) * one.row_bytes)
+        for field in self._stream.stored:
+            start = self._offsets[field.name] + rows * field.row_bytes
+            self._disk.give_back(start, (self._stream.capacity - rows) * field.row_bytes)
         self.reserved = min(self.reserved, rows)
 
 
@@ -131,10 +131,10 @@ class RowBuffer:
     ) -> None:
         self._backlog = backlog
         self._fields = stream.fields
-        dtypes = [np.dtype(one.dtype) for one in stream.fields]
-        self._sizes = np.array([one.itemsize for one in dtypes])
+        dtypes = [np.dtype(field.dtype) for field in stream.fields]
+        self._sizes = np.array([dtype.itemsize for dtype in dtypes])
         self._narrow = [(i, one) for i, one in enumerate(dtypes) if one != np.float64]
-        self._offsets = [offsets[one.name] for one in stream.fields]
+        self._offsets = [offsets[field.name] for field in stream.fields]
         self._checksum = None if stream.checksum is None else offsets[stream.checksum.name]
         self._room = room
         self._size = rows
@@ -207,7 +207,8 @@ class RecordPlacer:
         self._backlog = backlog
         self._stream = stream
         self._fields = [
-            (one, np.dtype(one.dtype), one.row_bytes, offsets[one.name]) for one in stream.stored
+            (field, np.dtype(field.dtype), field.row_bytes, offsets[field.name])
+            for field in stream.stored
         ]
         self._room = room
 

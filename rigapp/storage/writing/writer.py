@@ -408,10 +408,10 @@ class TestWriter:
 
     def _forget_samples(self, first: int, stop: int) -> None:
         """Drop synced samples from the page cache: nothing of the test reads them again."""
-        for one in self._streams["samples"].fields:
-            offset = self._places[self._streams["samples"].path(one.name)][0]
-            start = (offset + first * one.row_bytes) // PAGE * PAGE
-            self._disk.forget(start, offset + stop * one.row_bytes - start)
+        for field in self._streams["samples"].fields:
+            offset = self._places[self._streams["samples"].path(field.name)][0]
+            start = (offset + first * field.row_bytes) // PAGE * PAGE
+            self._disk.forget(start, offset + stop * field.row_bytes - start)
         self._samples_synced = stop
 
     def _append_event(self, event: Event, kept_back: int) -> bool:
@@ -436,4 +436,4 @@ class TestWriter:
         )
 
     def _offsets(self, stream: FileStream) -> dict[str, int]:
-        return {one.name: self._places[stream.path(one.name)][0] for one in stream.stored}
+        return {field.name: self._places[stream.path(field.name)][0] for field in stream.stored}
