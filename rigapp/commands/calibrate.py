@@ -132,7 +132,7 @@ def show_trend(folder: Path, to: Path | None, *, as_json: bool) -> int:
 
         write_trend(found, to)
     if as_json:
-        told = [
+        tree = [
             {
                 "kind": kind,
                 "item": item,
@@ -147,7 +147,7 @@ def show_trend(folder: Path, to: Path | None, *, as_json: bool) -> int:
             }
             for kind, item, records in found
         ]
-        print(json.dumps(told))
+        print(json.dumps(tree))
     else:
         for kind, item, records in found:
             print(f"{kind} {item}".rstrip())
@@ -223,7 +223,7 @@ def verify_record(path: Path, public_key: Path | None = None, *, as_json: bool) 
     if public_key is not None:
         against += _not_by(record, public_key)
     if as_json:
-        told = {
+        tree = {
             "number": record.number,
             "kind": record.kind,
             "verified": not against,
@@ -232,7 +232,7 @@ def verify_record(path: Path, public_key: Path | None = None, *, as_json: bool) 
             "unverified": found.unverified,
             "signed_by": signer or None,
         }
-        print(json.dumps(told))
+        print(json.dumps(tree))
         return 1 if against else 0
     print(f"Record {record.number} of a {record.kind}: its digest holds.")
     if found.compared:

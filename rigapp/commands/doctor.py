@@ -97,11 +97,11 @@ def print_rules() -> int:
 
 def _as_json(findings: Sequence[Observation]) -> int:
     good = all(finding.good for finding in findings)
-    told = [
+    tree = [
         {key: value for key, value in asdict(finding).items() if key != "help" or value}
         for finding in findings
     ]
-    print(json.dumps({"good": good, "findings": told}, indent=2))
+    print(json.dumps({"good": good, "findings": tree}, indent=2))
     return 0 if good else 1
 
 

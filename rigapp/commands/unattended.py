@@ -402,7 +402,7 @@ def _lingers() -> bool:
     if shutil.which("loginctl") is None:
         return True
     try:
-        told = subprocess.run(
+        answer = subprocess.run(
             ["loginctl", "show-user", "--property=Linger", "--value"],
             capture_output=True,
             text=True,
@@ -411,4 +411,4 @@ def _lingers() -> bool:
         )
     except subprocess.TimeoutExpired:
         return True
-    return told.returncode != 0 or told.stdout.strip() == "yes"
+    return answer.returncode != 0 or answer.stdout.strip() == "yes"

@@ -351,11 +351,11 @@ class Guard:
         alone = {name: value for name, value in named.items() if name not in measured}
         for verdict in test.run.monitor.judge(alone, test.run.step(int(named["revolution"]))):
             self.verdict(verdict)
-        for found in test.run.joint.look(named):
-            if isinstance(found, str):
-                self._core.alarms.clear(found)
+        for cause in test.run.joint.look(named):
+            if isinstance(cause, str):
+                self._core.alarms.clear(cause)
             else:
-                self._core.warn(found)
+                self._core.warn(cause)
         number, stops, depth = int(named["revolution"]), test.run.stops, test.run.depth
         if stops.judges(number):
             for cause in depth.look(number, named):

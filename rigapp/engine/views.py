@@ -356,11 +356,11 @@ def _being_opened(devices: Devices, error: DeviceError | None) -> tuple[DeviceVi
             DeviceView(**_named(devices, one), connected=one.name in devices.readback)
             for one in needed
         )
-    told = {one.device: one for one in error.each}
+    errors = {one.device: one for one in error.each}
     everyone: list[Guarded] = [*needed, *(slow for slow, _ in devices.slow)]
     return tuple(
         DeviceView(
-            **_named(devices, one, told.get(one.name)), connected=False, needed=one in needed
+            **_named(devices, one, errors.get(one.name)), connected=False, needed=one in needed
         )
         for one in everyone
     )

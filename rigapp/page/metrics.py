@@ -254,11 +254,13 @@ class RigCollector(Collector):
         """Yield every metric with a sample."""
         views = self._views()
         rigs = _apart(views)
-        for told in TOLD:
-            family = _family(told.name, told.words, ("rig", *told.labels), counter=told.counter)
+        for metric in TOLD:
+            family = _family(
+                metric.name, metric.words, ("rig", *metric.labels), counter=metric.counter
+            )
             for view in views:
-                for labels, value in told.samples(view) if view.attached or told.silent else ():
-                    values = [rigs[view.identity], *(labels[name] for name in told.labels)]
+                for labels, value in metric.samples(view) if view.attached or metric.silent else ():
+                    values = [rigs[view.identity], *(labels[name] for name in metric.labels)]
                     family.add_metric(values, value)
             if family.samples:
                 yield family

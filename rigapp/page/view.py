@@ -221,16 +221,16 @@ def _tiles(news: News) -> list[FreeValue]:
     test = status.test or NO_TEST
     share = f"{100.0 * test.revolution / test.planned:.1f} %" if test.planned else ""
     planned = f"of {grouped(test.planned)}, {share}" if test.planned else ""
-    told, sampled, turned, predicted = (age_of(news, one) for one in Renewed)
+    renewed, sampled, turned, predicted = (age_of(news, one) for one in Renewed)
     alarms = status.alarms
     speed = value_text(status.rig.speed_rpm, "rpm", 1)
     rates = quantity_level(alarms, "speed")
     result = [
-        aged(FreeValue("revolution", "Revolution", grouped(test.revolution), planned), told),
-        *(aged(one, told) for one in _step(status)),
+        aged(FreeValue("revolution", "Revolution", grouped(test.revolution), planned), renewed),
+        *(aged(one, renewed) for one in _step(status)),
         aged(FreeValue("speed", "Speed", speed, _wanted(test.target_rpm), rates), sampled),
     ]
-    running = status.engine.state is RunState.RUNNING and not told.old
+    running = status.engine.state is RunState.RUNNING and not renewed.old
     if running and test.expected_end_at > status.engine.host_time:
         ends = dated(MOMENT, time.localtime(test.expected_end_at))
         left = duration(test.expected_end_at - status.engine.host_time)
@@ -252,7 +252,7 @@ def _tiles(news: News) -> list[FreeValue]:
     if test.worst_margin and test.worst_margin_percent is not None:
         margin = f"{test.worst_margin_percent:.0f} %"
         words = margin_words(test.worst_margin)
-        result.append(aged(FreeValue("margin", "Smallest margin", margin, words), told))
+        result.append(aged(FreeValue("margin", "Smallest margin", margin, words), renewed))
     age = value_text(news.data_age_s, "s", 1)
     result.append(FreeValue("age", "Age of the data", age, "", level_of(alarms, "data_age")))
     result += free_values(news)

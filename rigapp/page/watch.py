@@ -116,8 +116,8 @@ class Watch:
     def _show(self, now: float) -> None:
         self.views = tuple(self._set(one, now) for one in self._shown.values())
         rigs = {one.rig.identity: one.parts for one in self._shown.values()}
-        told = {"boot": self._boot, "rigs": list(rigs)}
-        frames = {"rigs": fragments.frame("rigs", told)}
+        content = {"boot": self._boot, "rigs": list(rigs)}
+        frames = {"rigs": fragments.frame("rigs", content)}
         for identity, parts in rigs.items():
             for part, html in parts.items():
                 place = f"{identity}-{part}"

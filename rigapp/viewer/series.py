@@ -314,8 +314,8 @@ class LiveData:
                 *(one.name for one in deviation_columns()),
             )
         )
-        told = deviation_sentence(*differs)
-        return Doubt(sure, unfollowed > 0.0 and sure > UNFOLLOWED_SHARE * most, told)
+        sentence = deviation_sentence(*differs)
+        return Doubt(sure, unfollowed > 0.0 and sure > UNFOLLOWED_SHARE * most, sentence)
 
     def partner(self, prediction: PredictedCycle) -> MeasuredCycle | None:
         """Return the measured cycle of a prediction while it is still kept."""

@@ -145,9 +145,11 @@ def level_of(alarms: Iterable[Alarm], *quantities: str) -> Level:
     return max(
         (
             _LEVELS[alarm.severity]
-            for alarm, told in about
-            if told
-            and any(quantity == told or quantity.startswith(f"{told}_") for quantity in quantities)
+            for alarm, subject in about
+            if subject
+            and any(
+                quantity == subject or quantity.startswith(f"{subject}_") for quantity in quantities
+            )
         ),
         default=Level.NORMAL,
     )

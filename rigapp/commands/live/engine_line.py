@@ -102,8 +102,8 @@ def release_calibration(
         return 0
     client = Client(entry, login_name(), look=False)
     try:
-        told = result_of(client.request("status")).get("calibration")
-        found = msgspec.convert(told, OpenCalibration) if told is not None else None
+        tree = result_of(client.request("status")).get("calibration")
+        found = msgspec.convert(tree, OpenCalibration) if tree is not None else None
         if _may_end(rig, found, sure, read):
             assert found is not None
             requested = {"since": found.since, "reason": reason}

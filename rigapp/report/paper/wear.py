@@ -171,7 +171,7 @@ def _course(difference: np.ndarray) -> str:
     """Return in words how the difference goes on with the cycles."""
     size = np.abs(difference)
     # Early on, where it is lost in the digits of the depth, it tells nothing.
-    told = size > 1e-3 * size.max()
-    if np.all(np.diff(size[told]) >= 0.0):
+    shown = size > 1e-3 * size.max()
+    if np.all(np.diff(size[shown]) >= 0.0):
         return "grows with the cycles, as the paper says"
     return f"is largest, {size.max():.3g} mm, before the end: unlike the paper's it does not grow"

@@ -298,8 +298,8 @@ def _force_line(
         return []
     doubt = ""
     if uncertainty is not None and not largest.lower_bound:
-        told = uncertainty.at(np.array(largest.value_N), of_magnitude=True)
-        doubt = f" ± {quantity(float(told), 'N', 2)}"
+        uncertainty_N = uncertainty.at(np.array(largest.value_N), of_magnitude=True)
+        doubt = f" ± {quantity(float(uncertainty_N), 'N', 2)}"
     place = tr(" in revolution {}", grouped(largest.revolution))
     place += "" if largest.whole else tr(", which the end of the test cut off")
     return [

@@ -440,8 +440,8 @@ def step_section(reader: TestReader) -> list[Section]:
                 ),
             )
         )
-    told = tr("Judged are revolutions at a steady speed, between the ramps and without a pause.")
-    return [Section(tr("Steps"), (Table("", tuple(table), tuple(map(tr, HEADER))), Text(told)))]
+    judged = tr("Judged are revolutions at a steady speed, between the ramps and without a pause.")
+    return [Section(tr("Steps"), (Table("", tuple(table), tuple(map(tr, HEADER))), Text(judged)))]
 
 
 def _residuals(reader: TestReader, revolutions: NDArray[np.int64]) -> NDArray[np.float64]:

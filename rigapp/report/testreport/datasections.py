@@ -195,13 +195,13 @@ def agreement(
     if found.pairs:
         blocks.append(pairs)
     blocks.append(plots.residual_trend(found, rows.gaps))
-    told = [event for event in events if event.kind == "twin"]
-    if told:
+    lines = [event for event in events if event.kind == "twin"]
+    if lines:
         table = tuple(
-            (utc(one.time), grouped(one.revolution), translate(one.text)) for one in told[:TOLD]
+            (utc(one.time), grouped(one.revolution), translate(one.text)) for one in lines[:TOLD]
         )
         header = (tr("time, UTC"), tr("revolution"), tr("what became of the prediction"))
-        left = tr("First {} of {} lines", TOLD, grouped(len(told))) if len(told) > TOLD else ""
+        left = tr("First {} of {} lines", TOLD, grouped(len(lines))) if len(lines) > TOLD else ""
         blocks.append(Table(left, table, header))
     return [Section(title, tuple(blocks))]
 

@@ -232,9 +232,9 @@ def _course(reader: TestReader, after: int | None) -> dict[str, Array]:
     if after is not None:
         stated &= table["revolution"] <= after
     columns = {name: np.asarray(table[name][stated], float) for name in ("revolution", *STATED)}
-    told = np.column_stack([columns[f"wear_coefficient{one}"] for one in ("", "_low", "_high")])
-    new = np.ones(len(told), dtype=bool)
-    new[1:] = (np.diff(told, axis=0) != 0.0).any(axis=1)
+    rows = np.column_stack([columns[f"wear_coefficient{one}"] for one in ("", "_low", "_high")])
+    new = np.ones(len(rows), dtype=bool)
+    new[1:] = (np.diff(rows, axis=0) != 0.0).any(axis=1)
     return {name: values[new] for name, values in columns.items()}
 
 

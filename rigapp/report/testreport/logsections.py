@@ -196,9 +196,9 @@ def sections(
 
 
 def _gaps(events: Sequence[Event], rows: Rows | None) -> tuple[Block, ...]:
-    told = [event for event in events if event.kind == "gap"]
+    gaps = [event for event in events if event.kind == "gap"]
     found = rows.gaps if rows is not None else ()
-    if not told and not found:
+    if not gaps and not found:
         return (Text(tr("None: every revolution follows the one before.")),)
     blocks: list[Block] = []
     if found:
@@ -220,9 +220,9 @@ def _gaps(events: Sequence[Event], rows: Rows | None) -> tuple[Block, ...]:
             tr("without data"),
         )
         blocks += _cut(tr("Where data are missing"), table, header)
-    if told:
+    if gaps:
         rows_told = tuple(
-            (utc(one.time), grouped(one.revolution), translate(one.text)) for one in told
+            (utc(one.time), grouped(one.revolution), translate(one.text)) for one in gaps
         )
         blocks += _cut(
             tr("What the log says"), rows_told, (tr("time, UTC"), tr("after revolution"), tr("gap"))

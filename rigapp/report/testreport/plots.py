@@ -268,12 +268,12 @@ def trip(capture: TripCapture) -> Figure:
     Time 0 is where the force was read that tripped, or the end of the revolution's record.
     """
     found = capture.trip
-    told = tr("revolution {}", grouped(found.revolution))
+    words = tr("revolution {}", grouped(found.revolution))
     if found.peak is not None:
-        told += f", up to {found.peak.sign}{quantity(found.peak.value_N, 'N')}"
-        told += f" at {found.peak.angle_deg:.0f}°"
+        words += f", up to {found.peak.sign}{quantity(found.peak.value_N, 'N')}"
+        words += f" at {found.peak.angle_deg:.0f}°"
     if found.before is not None:
-        told += tr("; grey: revolution {}, before it", grouped(found.before.revolution))
+        words += tr("; grey: revolution {}, before it", grouped(found.before.revolution))
     rows: dict[str, tuple[str, ...]] = {"|F| (N)": ("force",), tr("speed (rpm)"): ("speed",)}
     if probes := capture.series(("probe_1", "probe_2")):
         rows["pin (µm)"] = probes
@@ -303,7 +303,7 @@ def trip(capture: TripCapture) -> Figure:
             panels[0].plot(0.0, found.trigger_N, "o", color=MODEL, ms=4.0)
         panels[-1].set_xlabel(tr("time from the trip (s)"))
         title = tr("The revolution in which the test tripped")
-        return saved(canvas, title, tr("Joint force of {}.", told), f"{capitalised(told)}.")
+        return saved(canvas, title, tr("Joint force of {}.", words), f"{capitalised(words)}.")
 
 
 def cycles(pictures: Sequence[CyclePicture], uncertainty: ForceUncertainty | None = None) -> Figure:
