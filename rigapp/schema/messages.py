@@ -159,7 +159,7 @@ class Remedy(enum.StrEnum):
 
 
 class Recovery(msgspec.Struct, frozen=True):
-    """Say what leads from a state back to work; see ``engine.recovery``.
+    """Say what leads from a state back to work; see ``engine.views``.
 
     step: the next one, NONE while a test runs. verb: the request that does it, empty where only
     hands or time can. sentence: what to do. left: all steps that are not done, in their order.

@@ -132,7 +132,7 @@ TAKEN = {
     "drivers/roboclaw/protocol", "rigapp/storage/filesystem/folder",
     "rigapp/storage/reading/reader", "rigapp/storage/structure/hdf", "rigapp/commands/check",
     "rigapp/commands/run", "rigapp/commands/engine", "rigapp/twin/worker", "rigapp/service/host",
-    "rigapp/engine/engine",
+    "rigapp/service/requests", "rigapp/engine/engine",
     "rigapp/storage/writing/create", "rigapp/storage/filesystem/rescue",
     "rigapp/storage/upkeep/compact",
 }  # fmt: skip

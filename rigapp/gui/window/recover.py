@@ -1,6 +1,6 @@
 """The way out of a fault in one panel: what happened, the steps, and one button for the next one.
 
-Which step is next is told by the engine (``engine.recovery``); the panel shows and asks only.
+Which step is next is told by the engine (``engine.views``); the panel shows and asks only.
 """
 
 from __future__ import annotations
