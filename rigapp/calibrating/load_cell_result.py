@@ -17,9 +17,9 @@ from rigapp_calibration.load_cell.budget import LoadUncertainty, expanded_line, 
 from rigapp_calibration.load_cell.calibrate import LoadCellCalibration, calibrate_load_cell
 from rigapp_calibration.load_cell.characteristics import Creep, applied_force, creep_words
 from rigapp_calibration.load_cell.force_uncertainty import too_uncertain
-from rigapp_calibration.load_cell.former import common_zero_fit
 from rigapp_calibration.load_cell.readings import load_cell_table
 from rigapp_calibration.load_cell.settings import LoadCellSettings
+from rigapp_calibration.load_cell.two_axis import common_zero_fit
 from rigapp_calibration.problems import Problem, blocked
 from rigapp_calibration.taking.readings import Rows
 

@@ -45,7 +45,7 @@ def map_of(files: Sequence[Path], orders: int) -> tuple[Outcome, str, list[dict[
 
     Raises UnusableInput for a file that tells no map.
     """
-    from rigapp.twin.elasticmotion import DOUBTS
+    from rigapp.twin.predict import DOUBTS
 
     rolls = [read_roll(path) for path in files]
     try:
@@ -108,8 +108,7 @@ def _with_elastic(
 ) -> list[SlowRevolution]:
     """Return the revolutions with how their forces (2, n) each, N, move the pin elastically."""
     from rigapp.config.parameters import to_parameters
-    from rigapp.twin.elasticmotion import elastic_motions
-    from rigapp.twin.predict import PredictionError
+    from rigapp.twin.predict import PredictionError, elastic_motions
     from rigapp_model.errors import ModelError
 
     parameters = to_parameters(model, say("{} (its test)", path), "model")
@@ -212,7 +211,7 @@ def parse_harmonics(text: str) -> tuple[Harmonics, ...]:
 
 def map_again(content: Mapping[str, Any]) -> dict[str, Any]:
     """Return the result that the revolutions in a record's content give; raise ReadingsError."""
-    from rigapp.twin.elasticmotion import DOUBTS
+    from rigapp.twin.predict import DOUBTS
 
     speeds = [one["speed_rpm"] * 2.0 * math.pi / 60.0 for one in content["taken"]["files"]]
     found = map_of_harmonics(parse_harmonics(content["readings_csv"]), speeds, DOUBTS)

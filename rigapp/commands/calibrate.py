@@ -128,7 +128,7 @@ def show_trend(folder: Path, to: Path | None, *, as_json: bool) -> int:
     if not found:
         raise UnusableInput(f"{folder}: no calibration record lies in it.")
     if to is not None:
-        from rigapp.calibrating.certificates.trend import write_trend
+        from rigapp.calibrating.daily_history import write_trend
 
         write_trend(found, to)
     if as_json:

@@ -30,9 +30,14 @@ from rigapp.simulation.devices import (
     simulated_names,
     slow_devices,
 )
-from rigapp.simulation.disturbances import Disturbances, SignalFault, WiredSignals, terminals
+from rigapp.simulation.disturbances import (
+    Disturbances,
+    Interference,
+    SignalFault,
+    WiredSignals,
+    terminals,
+)
 from rigapp.simulation.faults import SIGNAL_KINDS, WIRE_KINDS, Timetable, check_fault
-from rigapp.simulation.interference import Interference
 from rigapp.simulation.layout import Drive
 from rigapp.simulation.plant import Plant
 from rigapp.simulation.simulated_operator import SimulatedOperator

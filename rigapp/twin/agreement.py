@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.schema.columns import AGREEMENT_BIN_DEG
-from rigapp.twin.predict import GRID, MeasuredRevolution
+from rigapp.twin.predict import COVERAGE_FACTOR, GRID, MeasuredRevolution, PredictionUncertainty
 from rigapp.twin.tolerances import (
     INDEX,
     LATENCY_S,
@@ -24,7 +24,6 @@ from rigapp.twin.tolerances import (
     UNSTATED_CELL,
     slope,
 )
-from rigapp.twin.uncertainty import COVERAGE_FACTOR, PredictionUncertainty
 from rigapp_model.dynamics import MechanismMotion
 from rigapp_model.friction_circle import CellDoubt
 from rigapp_model.parameters import Parameters

@@ -26,7 +26,7 @@ from rigapp.schema.deviations import (
     deviation_sentence,
 )
 from rigapp.twin.pinpath import Reference
-from rigapp.twin.predict import GRID
+from rigapp.twin.predict import COVERAGE_FACTOR, GRID
 from rigapp.twin.tolerances import (
     CELL_TURN,
     CLEARANCE,
@@ -38,7 +38,6 @@ from rigapp.twin.tolerances import (
     UNSTATED_CELL,
     slope,
 )
-from rigapp.twin.uncertainty import COVERAGE_FACTOR
 from rigapp_model.dynamics import MechanismMotion
 from rigapp_model.friction_circle import CellDoubt
 from rigapp_model.parameters import Parameters

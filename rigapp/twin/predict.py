@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -20,16 +20,72 @@ from rigapp.schema.columns import (
 from rigapp.schema.deviations import deviation_columns
 from rigapp.schema.messages import Prediction, RevolutionMeasured, as_array
 from rigapp.texts import say
+from rigapp.twin.ahead import bushing_ahead
+from rigapp.twin.approach import RIGID
 from rigapp.twin.jointload import UNKNOWN, JointLoad
-from rigapp.twin.uncertainty import PredictionUncertainty, prediction_uncertainty
+from rigapp.twin.measureddepth import ELASTIC_DOUBT
+from rigapp.twin.pinpath import FRICTION_DOUBT, rotated
 from rigapp_model.dynamics import MechanismMotion
+from rigapp_model.frames import into_frame
 from rigapp_model.history import FEWEST_SAMPLES, smooth_history
-from rigapp_model.history_uncertainty import NOTHING_YET, motion_uncertainty
+from rigapp_model.history_uncertainty import NOTHING_YET, MotionUncertainty, motion_uncertainty
+from rigapp_model.joints import perfect_joint
 from rigapp_model.parameters import Parameters
 from rigapp_model.recurrent_motion import RecurrentMotion
 from rigapp_model.wear.techniques import solve_of
 
 Array = NDArray[np.float64]
+Compute = Callable[[Array, Array], MechanismMotion]
+
+COVERAGE_FACTOR = 2.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PredictionUncertainty:
+    """Hold the expanded uncertainty (k = 2, N) of the predicted force at crank angles.
+
+    unfollowed: the largest angular acceleration (rad/s^2) that the angle shows and the prediction
+    does not follow; 0 when none stands out of the noise of the angle. lasting: part of the curve
+    that is alike in each revolution, and does not average out. recurrent: what comes again
+    in each revolution, this one among them.
+    """
+
+    curve: Array
+    lasting: float
+    unfollowed: float
+    recurrent: RecurrentMotion
+
+    @property
+    def largest(self) -> float:
+        """Return the largest of the revolution, N."""
+        return float(self.curve.max())
+
+
+def prediction_uncertainty(
+    doubt: MotionUncertainty,
+    on_grid: Callable[[Array], Array],
+    motion: MechanismMotion,
+    compute: Compute,
+) -> PredictionUncertainty:
+    """Return the uncertainty of the force of a motion that ``compute`` gave.
+
+    doubt: of the angles as they were measured; on_grid: from there to the angles of the motion (one
+    revolution evenly), at which ``compute`` takes speed and acceleration.
+    """
+    speed, acceleration, force = motion.speed, motion.acceleration, motion.force_crank
+    faster = compute(speed + on_grid(doubt.speed), acceleration).force_crank - force
+    pushed = compute(speed, acceleration + on_grid(doubt.acceleration)).force_crank - force
+    step = motion.angle[1] - motion.angle[0]
+    angle = on_grid(doubt.angle)
+    turned = angle * (np.roll(force, -1, axis=-1) - np.roll(force, 1, axis=-1)) / (2.0 * step)
+    parts = np.concatenate([np.asarray(part) for part in (faster, pushed, turned)])
+    return PredictionUncertainty(
+        COVERAGE_FACTOR * np.sqrt(np.sum(parts**2, axis=0)),
+        doubt.lasting,
+        doubt.unfollowed,
+        doubt.recurrent,
+    )
+
 
 GRID: Array = np.arange(PREDICTION_POINTS, dtype=np.float64) * (2.0 * np.pi / PREDICTION_POINTS)
 
@@ -228,3 +284,39 @@ def _at(angle: Array, curve: Array) -> Array:
 
 def _rms(values: Array) -> float:
     return float(np.sqrt(np.mean(values * values)))
+
+
+DOUBTS = (ELASTIC_DOUBT * np.eye(2), FRICTION_DOUBT * np.array([[0.0, -1.0], [1.0, 0.0]]))
+"""Errors of the size and of the direction; times the motion, one standard uncertainty each."""
+
+
+def elastic_motions(
+    parameters: Parameters, angles: Sequence[Array], forces: Sequence[Array]
+) -> list[Array]:
+    """Return the elastic motion (2, n) of the pin in the follower frame, m, in each revolution.
+
+    angles (n,) each: crank angle, rad; forces (2, n) each: on the follower by the pin, crank frame,
+    N. The clearance is left out of the follower's angle. Raises PredictionError, ModelError.
+    """
+    if not angles:
+        return []
+    if not all(np.isfinite(force).all() for force in forces):
+        raise PredictionError(say("its forces are not all numbers"))
+    motion = perfect_joint(parameters.mechanism, GRID, 1.0, 0.0, parameters.joint)
+    seen = []
+    for angle, force in zip(angles, forces, strict=True):
+        turn = np.interp(angle, GRID, motion.follower_angle, period=2.0 * np.pi) - angle
+        seen.append(into_frame(force, np.cos(turn), np.sin(turn)))
+    together, crank = np.concatenate(seen, axis=1), np.concatenate(angles)
+    usual = np.array([np.interp(GRID, crank, row, period=2.0 * np.pi) for row in together])
+    bushing = bushing_ahead(parameters, usual, motion.slip_increments(parameters.joint.pin_radius))
+    approach = RIGID if bushing is None else bushing.upto(0.0)
+    if approach is None:
+        raise PredictionError(say("the model cannot tell how far the force presses the pin in"))
+    lean = -float(np.arctan(parameters.joint.friction_coefficient))
+    motions = []
+    for force in seen:
+        size = np.hypot(*force)
+        normal = rotated(force / np.maximum(size, 1e-300), lean)
+        motions.append(np.asarray(approach.at(0.0, size) * normal))
+    return motions

@@ -31,7 +31,10 @@ from rigapp.twin.measureddepth import (
     FIRST_STEADY,
     NEW_REVOLUTIONS,
     MeasuredDepth,
+    depth_uncertainty,
     measured_depth,
+    on_angles,
+    worn_depth,
 )
 from rigapp.twin.pinpath import (
     PathSum,
@@ -51,7 +54,6 @@ from rigapp.twin.predict import (
     measured_force,
     predict_force,
 )
-from rigapp.twin.profile import depth_uncertainty, on_angles, worn_depth
 from rigapp_model.dynamics import MechanismMotion
 from rigapp_model.errors import ModelError
 from rigapp_model.frames import into_frame

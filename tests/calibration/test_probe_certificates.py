@@ -15,7 +15,7 @@ from rigapp.calibrating.run_out import harmonics_csv, run_out_lines, run_out_res
 from rigapp.config.calibration_settings import ProbeFile, ProbeSection, RunOutFile, RunOutPinSection
 from rigapp.report.page.document import as_html
 from rigapp.report.page.pdf import as_pdf
-from rigapp.twin.elasticmotion import DOUBTS
+from rigapp.twin.predict import DOUBTS
 from rigapp_calibration.probes.calibrate import calibrate_pair, calibrate_probe
 from rigapp_calibration.probes.readings import ProbeReadings, ProbeSettings
 from rigapp_calibration.records import Record, unseal

@@ -15,7 +15,7 @@ from rigapp.simulation import layout
 from rigapp.simulation.constants import packaged_parameters, plant_constants
 from rigapp.simulation.layout import Drive
 from rigapp.simulation.plant import Plant
-from rigapp.twin.elasticmotion import DOUBTS, elastic_motions
+from rigapp.twin.predict import DOUBTS, elastic_motions
 from rigapp_calibration.turning.run_out import (
     FASTEST,
     Roll,

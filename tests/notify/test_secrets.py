@@ -12,8 +12,14 @@ from receivers import Receiver
 from rigapp.config.errors import UnusableInput
 from rigapp.notify import delivery as attempt_module
 from rigapp.notify.channels import attempt
-from rigapp.notify.delivery import AttemptRequest, attempted
-from rigapp.notify.secrets import filled, looked_up, read_secrets, redacted
+from rigapp.notify.delivery import (
+    AttemptRequest,
+    attempted,
+    filled,
+    looked_up,
+    read_secrets,
+    redacted,
+)
 
 SECRET = "s3cret/p:ss@w?rd"  # noqa: S105 - of these tests
 

@@ -16,8 +16,7 @@ from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import PlantSection, RigFile
 from rigapp.simulation import layout
 from rigapp.simulation.constants import plant_constants
-from rigapp.simulation.disturbances import WiredSignals, terminals
-from rigapp.simulation.interference import Interference, wander
+from rigapp.simulation.disturbances import Interference, WiredSignals, terminals, wander
 from rigapp.simulation.layout import Drive
 from rigapp.simulation.plant import Plant, Samples
 

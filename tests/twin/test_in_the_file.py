@@ -16,8 +16,8 @@ from plant_revolutions import PARAMETERS, column, measured_revolutions
 from rigapp.schema.columns import profile_columns
 from rigapp.schema.messages import Prediction, WornProfile, as_array
 from rigapp.twin.checkpoint import Checkpoint, packed, restore, take_over
+from rigapp.twin.measureddepth import ANGLES
 from rigapp.twin.predict import MeasuredRevolution
-from rigapp.twin.profile import ANGLES
 from rigapp.twin.twin import Twin, profile_is_due
 
 

@@ -10,7 +10,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rigapp.twin.approach import RIGID, Approach
-from rigapp.twin.measureddepth import MeasuredDepth, measured_depth
+from rigapp.twin.measureddepth import (
+    ANGLES,
+    MeasuredDepth,
+    depth_uncertainty,
+    measured_depth,
+    swept,
+    worn_depth,
+)
 from rigapp.twin.pinpath import (
     PathSum,
     Reference,
@@ -20,7 +27,6 @@ from rigapp.twin.pinpath import (
     reference_from_mean,
     reference_of,
 )
-from rigapp.twin.profile import ANGLES, depth_uncertainty, swept, worn_depth
 
 R1, R2 = 9.5e-3, 10e-3
 CLEARANCE = R2 - R1

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtri
 
-from rigapp_model.identification.alternatives import alternative_posterior
 from rigapp_model.identification.bins import Bin, Bins
 from rigapp_model.identification.errors import Prior, ProbeErrors
 from rigapp_model.identification.findings import Disturbance, disturbances
@@ -19,6 +18,7 @@ from rigapp_model.identification.posterior import (
     Given,
     IdentificationInputs,
     Nodes,
+    alternative_posterior,
     constant_posterior,
 )
 from rigapp_model.identification.screening import likely_noise
