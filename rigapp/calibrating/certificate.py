@@ -1,12 +1,16 @@
-"""The certificate of a calibration record: PDF or HTML, the same bytes each time.
+"""The papers of a calibration: the certificate of its record, and the worksheet before it.
 
-Its contents follow ISO/IEC 17025:2017, 7.8. Everything comes from the record, nothing from the
-clock or the machine, so that anyone can make the certificate again and compare it byte for byte.
+PDF or HTML, the same bytes each time. The certificate's contents follow ISO/IEC 17025:2017, 7.8.
+Everything in it comes from the record, nothing from the clock or the machine, so that anyone can
+make the certificate again and compare it byte for byte.
 """
 
 from __future__ import annotations
 
+import csv
 import datetime
+import io
+import math
 import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -18,9 +22,13 @@ from rigapp.calibrating.certificates.formatting import (
     taken_words,
     write_page,
 )
+from rigapp.calibrating.load_cell_session import PLANS, load_cell_plan
 from rigapp.calibrating.subjects import subject_of
+from rigapp.config.calibration_settings import LoadCellFile
 from rigapp.config.errors import UnusableInput
+from rigapp.config.writing import whole_file
 from rigapp.report.page.document import Block, Manuscript, Row, Section, Table, Text
+from rigapp_calibration.load_cell.readings import HUNG_COLUMN, LOAD_CELL_COLUMNS
 from rigapp_calibration.records import (
     MALFORMED,
     Record,
@@ -29,6 +37,7 @@ from rigapp_calibration.records import (
     in_future,
     unseal,
 )
+from rigapp_calibration.taking.procedure import Step, StepKind
 
 NEEDED = {"laboratory": "the laboratory", "serial_number": "the serial number"}
 """Keys of [paperwork] without which there is only a draft (ISO/IEC 17025, 7.8.2.1 b and g)."""
@@ -264,3 +273,80 @@ def _standards(settings: Content) -> Table:
         rows.append((_joined(named), "not stated", "not stated", "not stated"))
     header = ("standard", "certificate", "due", "uncertainty")
     return Table("Standards used, by which the results are traceable", tuple(rows), header)
+
+
+TYPED_IN = (
+    "Write the encoder's angle and both signals of each line that has a series. Type them into the"
+    " worksheet that ends in .csv and evaluate it with rigapp calibrate load-cell --readings."
+)
+LEVEL_FIRST = (
+    "The angle reference goes into the settings: [angle] offset_deg is the angle that the encoder"
+    " shows with the crank level, with the other sign."
+)
+
+
+def write_worksheet(plan: str, weights: str, given: LoadCellFile, to: Path) -> int:
+    """Write the worksheet of a plan as PDF, HTML or CSV; return the number of readings.
+
+    weights: the pieces, as ``parse_pieces`` takes them. Raises UnusableInput.
+    """
+    if plan == "daily":
+        kinds = ", ".join(one for one in PLANS if one != plan)
+        raise UnusableInput("--plan daily: a daily check makes no record; choose {}.", kinds)
+    steps = load_cell_plan({"plan": plan, "weights": weights}, given).steps()
+    if to.suffix.lower() == ".csv":
+        with whole_file(to, new=True) as part:
+            part.write_text(_table(steps, given), encoding="utf-8", newline="")
+    else:
+        write_page(to, "worksheet", lambda: _page(steps, plan, given))
+    return sum(one.kind is StepKind.READING for one in steps)
+
+
+def _table(steps: tuple[Step, ...], given: LoadCellFile) -> str:
+    """Return a table of readings whose angles and signals are empty, instructions as comments."""
+    stream = io.StringIO()
+    for words in (f"{given.cell.name}. {TYPED_IN}", LEVEL_FIRST):
+        stream.write(f"# {words}\n")
+    lines = csv.writer(stream, lineterminator="\n")
+    lines.writerow((*LOAD_CELL_COLUMNS, HUNG_COLUMN))
+    for step in steps:
+        stream.write(f"# {step.words}\n")
+        if step.kind is StepKind.READING:
+            hung = f"{step.due:g}" if step.due else ""
+            lines.writerow((step.series, step.number, f"{step.value:g}", "", "", "", hung))
+    return stream.getvalue()
+
+
+def _page(steps: tuple[Step, ...], plan: str, given: LoadCellFile) -> Manuscript:
+    paper = given.paperwork
+    facts: tuple[Row, ...] = (
+        ("Item", given.cell.name),
+        ("Serial number", given.cell.serial_number or paper.serial_number),
+        ("Amplifier, cable", ", ".join(filter(None, (paper.amplifier, paper.cable)))),
+        ("Date, operator", ""),
+        ("Temperature, humidity, pressure at the begin", ""),
+        ("Temperature, humidity, pressure at the end", ""),
+    )
+    unit = given.cell.signal_unit
+    header = (
+        "Series, step", "What to do", "Wait, s", "Angle, degrees",
+        f"Signal 1, {unit}", f"Signal 2, {unit}",
+    )  # fmt: skip
+    return Manuscript(
+        title=f"Worksheet of a calibration: {given.cell.name}, {plan} plan",
+        footer=f"{given.cell.name}, {plan} plan",
+        sections=(
+            Section("", (Table("Identification", facts), Text(TYPED_IN), Text(LEVEL_FIRST))),
+            Section("Readings", (Table("In this order", tuple(_rows(steps)), header),)),
+        ),
+    )
+
+
+def _rows(steps: tuple[Step, ...]) -> Iterator[Row]:
+    for step in steps:
+        name = f"{step.series}, {step.number}" if step.kind is StepKind.READING else ""
+        planned = ""
+        if step.kind is StepKind.SET_UP and step.set_up is not None:
+            planned = f"about {math.degrees(step.set_up) % 360.0:.0f}"
+        wait = f"{step.wait:g}" if step.wait else ""
+        yield name, step.words, wait, planned, "", ""

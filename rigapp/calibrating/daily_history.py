@@ -27,9 +27,8 @@ from rigapp.report.page.document import Block, Figure, Manuscript, Section, Tabl
 from rigapp.report.page.figures import WIDTH_IN, canvas_of, in_style, saved
 from rigapp.texts import say
 from rigapp_calibration.load_cell.as_found import Change, Output, outputs
-from rigapp_calibration.load_cell.daily import DailyCheck
+from rigapp_calibration.load_cell.daily import Chart, ChartFinding, DailyCheck, chart
 from rigapp_calibration.records import Record, moment
-from rigapp_calibration.taking.control_chart import Chart, ChartFinding, chart
 
 STORE = "daily-checks.jsonl"
 

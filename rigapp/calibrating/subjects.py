@@ -15,8 +15,7 @@ from typing import Any
 from rigapp.calibrating.certificates.channel import channel_parts
 from rigapp.calibrating.certificates.formatting import Parts
 from rigapp.calibrating.certificates.load_cell import load_cell_parts
-from rigapp.calibrating.certificates.probes import probe_parts
-from rigapp.calibrating.certificates.run_out import run_out_parts
+from rigapp.calibrating.certificates.probes import probe_parts, run_out_parts
 from rigapp.calibrating.certificates.running_check import running_parts
 from rigapp.calibrating.channel import KIND as CHANNEL
 from rigapp.calibrating.channel import fit_channel

@@ -91,7 +91,7 @@ def say_outcome(outcome: Outcome, to: Path, *, as_json: bool) -> int:
 
 def make_worksheet(settings: Path, to: Path, plan: str, weights: str) -> int:
     """Write the worksheet of a load-cell calibration; return the exit status."""
-    from rigapp.calibrating.worksheet import write_worksheet
+    from rigapp.calibrating.certificate import write_worksheet
     from rigapp.config.calibration_settings import LoadCellFile
 
     refuse_existing(to, "worksheets")

@@ -84,8 +84,7 @@ from rigapp.service.security import Bind, authorise_own_viewer, require_viewers
 from rigapp.service.server import Server
 from rigapp.service.simulated import SampleNumbers, SimulatedDevices, Speed
 from rigapp.texts import joined, say, sentence_of_error
-from rigapp.twin.link import TwinLink
-from rigapp.twin.messages import IdentificationTarget, TwinSetup
+from rigapp.twin.link import IdentificationTarget, TwinLink, TwinSetup
 
 log = logging.getLogger(__name__)
 

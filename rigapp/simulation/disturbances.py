@@ -13,9 +13,9 @@ from numba import float64, types
 from rigapp.config.rig import PlantSection, RigFile
 from rigapp.schema.channels import BASE, LOAD_CELL, PROBES
 from rigapp.simulation.constants import plant_section
+from rigapp.simulation.kernels import normal_pair, uniform
 from rigapp.simulation.layout import Array
 from rigapp.simulation.plant import Samples
-from rigapp.simulation.sensing import normal_pair, uniform
 from rigapp.simulation.surroundings import room_swing_K
 from rigapp_model.compiled import njit
 

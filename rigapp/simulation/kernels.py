@@ -1,4 +1,4 @@
-"""The compiled plant's time stepping.
+"""The compiled plant's sensors and its time stepping.
 
 Classical Runge-Kutta of fourth order, fixed step. Dry friction keeps its sense within a step; a
 step that would reverse the crank ends at rest, and the next one decides whether friction holds it.
@@ -29,11 +29,25 @@ from rigapp.simulation.layout import (
     HELD,
     INTEGRAL,
     LOSS,
+    OUT_ANGLE,
+    OUT_BRIDGE_1,
+    OUT_BRIDGE_2,
+    OUT_DEPTH,
+    OUT_FORCE_1,
+    OUT_FORCE_2,
+    OUT_PROBE_1,
+    OUT_PROBE_2,
+    OUT_RISE,
+    OUT_SHAFT,
+    OUT_SPEED,
+    OUT_TIME,
     OUT_WARM,
     PHASE,
     RISE,
+    ROWS,
     SAMPLE,
     SPEED,
+    STANDARD_GRAVITY_M_S2,
     STATES,
     TIME,
     TORQUE,
@@ -55,9 +69,186 @@ from rigapp.simulation.mechanics import (
     motor,
     resting,
 )
-from rigapp.simulation.sensing import emit, views
-from rigapp.simulation.wall import LASTS, ROW, SQUARE, TOP, WALL, Wall, renew, worn
+from rigapp.simulation.wall import (
+    APPROACH,
+    LASTS,
+    ROW,
+    SQUARE,
+    TOP,
+    WALL,
+    Wall,
+    looked_up,
+    renew,
+    worn,
+)
 from rigapp_model.compiled import njit
+
+# What the compiled plant's sensors see: the terminals of bridges and probes, and their noise.
+#
+# Frames: the load cell sits in the pin, which is clamped to the crank, so it measures in the crank
+# frame, and it measures the force ON THE PIN, which is -F. The probes are clamped to the follower.
+# The pin leans against the bushing in the direction of the normal force on the follower: with the
+# follower in tension (F_e2 < 0) its centre stands at -c along e2, c = running clearance + wear +
+# elastic approach. In the mechanics the follower's length has clearance and wear, not the approach,
+# which is a hundred times smaller. Noise depends on seed, kind and sample number only, so it does
+# not know how samples are grouped. Samples count anew from every departure from rest, and the drift
+# begins with the first one: how long the rig stood before, which is up to whoever starts it, does
+# not change a test of the same seed.
+
+U = types.uint64
+FREE_NOISE = 100
+"""Kinds of the noise of free inputs begin here, behind those of cell, probes and spikes."""
+REST_FORCE = 0.05
+"""Below about this force (N) the pin floats off the wall towards the bushing's centre."""
+
+
+@njit(uint64(U, U, U), cache=True)
+def random_bits(seed: np.uint64, kind: np.uint64, index: np.uint64) -> np.uint64:
+    """Return 64 random bits that depend on seed, kind and index only (SplitMix64 finaliser)."""
+    z = seed * np.uint64(0xD1342543DE82EF95) + kind * np.uint64(0xA0761D6478BD642F)
+    z = z + (index + np.uint64(1)) * np.uint64(0x9E3779B97F4A7C15)
+    z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+    z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
+    z = z ^ (z >> np.uint64(31))
+    z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+    return z ^ (z >> np.uint64(31))
+
+
+@njit(types.UniTuple(F, 2)(U, U, U), cache=True)
+def normal_pair(seed: np.uint64, kind: np.uint64, index: np.uint64) -> tuple[float, float]:
+    """Return two independent standard normal numbers (Box-Muller)."""
+    bits = random_bits(seed, kind, index)
+    scale = 1.0 / 4294967296.0
+    u = (float(bits >> np.uint64(32)) + 0.5) * scale
+    v = (float(bits & np.uint64(0xFFFFFFFF)) + 0.5) * scale
+    radius = math.sqrt(-2.0 * math.log(u))
+    return radius * math.cos(2.0 * math.pi * v), radius * math.sin(2.0 * math.pi * v)
+
+
+@njit(types.float64[::1](U, U, int64, int64), cache=True)
+def uniform(seed: np.uint64, kind: np.uint64, first: int, count: int) -> Array:
+    """Return numbers in [0, 1) for samples first ... first + count - 1."""
+    numbers = np.empty(count)
+    for i in range(count):
+        bits = random_bits(seed, kind, np.uint64(first + i))
+        numbers[i] = float(bits >> np.uint64(11)) / 9007199254740992.0
+    return numbers
+
+
+@njit(float64(float64[:, ::1], int64, int64, F), cache=True)
+def delayed(ring: Array, row: int, head: int, steps: float) -> float:
+    """Return the value of ``steps`` steps ago: cubic Lagrange through the four nearest points."""
+    if steps == 0.0:
+        return ring[row, head]
+    size = ring.shape[1]
+    start = max(int(steps) - 1, 0)
+    x = steps - start
+    a = ring[row, (head - start) % size]
+    b = ring[row, (head - start - 1) % size]
+    c = ring[row, (head - start - 2) % size]
+    d = ring[row, (head - start - 3) % size]
+    return (
+        -a * (x - 1.0) * (x - 2.0) * (x - 3.0) / 6.0
+        + b * x * (x - 2.0) * (x - 3.0) / 2.0
+        - c * x * (x - 1.0) * (x - 3.0) / 2.0
+        + d * x * (x - 1.0) * (x - 2.0) / 6.0
+    )
+
+
+@njit(types.UniTuple(F, 4)(CONSTANTS, SQUARE, ROW, POSITION, F, F, F, F), cache=True)
+def views(
+    k: Constants,
+    table: Array,
+    wall_state: Array,
+    position: Numbers,
+    depth: float,
+    fx: float,
+    fy: float,
+    sense: float,
+) -> tuple[float, float, float, float]:
+    """Return (F_e1, F_n1, pin along e2, pin along n2): N, N, m, m.
+
+    F is the normal force turned by the friction angle in the sense of sliding; an eccentric pin
+    adds its run-out, which turns with the pin against the follower. On the bench the pin carries
+    the weight alone (its force on the pin is -F, so the sign turns) and the probes see micrometers.
+    position: from ``geometry``.
+    """
+    sin_t, cos_t, sin_p, cos_p, _, _, _, _, _ = position
+    if k.bench == 1.0:
+        return k.weight * sin_t, k.weight * cos_t, k.micrometer_1, k.micrometer_2
+    e1 = fx * cos_t + fy * sin_t
+    n1 = -fx * sin_t + fy * cos_t
+    e2 = fx * cos_p + fy * sin_p
+    n2 = -fx * sin_p + fy * cos_p
+    force = math.sqrt(e2 * e2 + n2 * n2 + REST_FORCE * REST_FORCE)
+    lean = (k.clearance + depth + looked_up(table, wall_state, force, APPROACH)) / force
+    cosine = math.sqrt(1.0 - k.joint_friction * k.joint_friction)
+    sine = sense * k.joint_friction
+    along = lean * (cosine * e2 + sine * n2) + k.run_out * (cos_t * cos_p + sin_t * sin_p)
+    across = lean * (cosine * n2 - sine * e2) + k.run_out * (sin_t * cos_p - cos_t * sin_p)
+    return e1, n1, along, across
+
+
+@njit(float64(F, F), cache=True)
+def quantised(value: float, step: float) -> float:
+    """Return the nearest multiple of step (the value itself for step 0)."""
+    if step == 0.0:
+        return value
+    return math.floor(value / step + 0.5) * step
+
+
+@njit(
+    types.void(CONSTANTS, float64[::1], float64[:, ::1], int64, U, U, F, float64[:, ::1], int64),
+    cache=True,
+)
+def emit(
+    k: Constants,
+    state: Array,
+    ring: Array,
+    head: int,
+    index: np.uint64,
+    seed: np.uint64,
+    delay_steps: float,
+    out: Array,
+    column: int,
+) -> None:
+    """Write one sample: the terminals (analog late by the delay, encoder not) and the truth."""
+    time = state[TIME]
+    warm = time - state[WARM]
+    noise_1, noise_2 = normal_pair(seed, np.uint64(1), index)
+    noise_3, noise_4 = normal_pair(seed, np.uint64(2), index)
+    angle = state[ANGLE]
+    # What hangs on the gauges outboard is no force of the follower's; that it is seen as late as
+    # that would move it by thousandths of its size.
+    # Weights hang from a crank that turns upright; in a test the plane is that of the mechanism.
+    pull_x = k.pin_mass * (1.0 - k.bench) * k.gravity_x
+    pull_y = k.pin_mass * ((1.0 - k.bench) * k.gravity_y - k.bench * STANDARD_GRAVITY_M_S2)
+    sine, cosine = math.sin(angle), math.cos(angle)
+    on_pin_1 = k.outboard * state[SPEED] ** 2 + pull_x * cosine + pull_y * sine
+    on_pin_2 = pull_y * cosine - pull_x * sine
+    on_pin_1 -= delayed(ring, 0, head, delay_steps)
+    on_pin_2 -= delayed(ring, 1, head, delay_steps)
+    bridge_1 = k.cell_11 * on_pin_1 + k.cell_12 * on_pin_2 + k.noise_1 * noise_1 + k.drift_1 * warm
+    bridge_2 = k.cell_21 * on_pin_1 + k.cell_22 * on_pin_2 + k.noise_2 * noise_2 + k.drift_2 * warm
+    along = delayed(ring, 2, head, delay_steps)
+    across = delayed(ring, 3, head, delay_steps)
+    probe_1 = k.see_11 * along + k.see_12 * across + k.probe_noise * noise_3
+    probe_2 = k.see_21 * along + k.see_22 * across + k.probe_noise * noise_4
+    out[OUT_SHAFT, column] = k.encoder_direction * (angle - k.index_angle) / (2.0 * math.pi)
+    out[OUT_BRIDGE_1, column] = quantised(bridge_1, k.step_1) + k.zero_1
+    out[OUT_BRIDGE_2, column] = quantised(bridge_2, k.step_2) + k.zero_2
+    out[OUT_PROBE_1, column] = probe_1 * k.volts_per_metre_1 + k.offset_1
+    out[OUT_PROBE_2, column] = probe_2 * k.volts_per_metre_2 + k.offset_2
+    out[OUT_TIME, column] = time
+    out[OUT_ANGLE, column] = angle
+    out[OUT_SPEED, column] = state[SPEED]
+    out[OUT_FORCE_1, column] = ring[0, head]
+    out[OUT_FORCE_2, column] = ring[1, head]
+    out[OUT_DEPTH, column] = state[DEPTH]
+    out[OUT_RISE, column] = state[RISE]
+    for row in range(ROWS, len(out)):
+        out[row, column] = normal_pair(seed, np.uint64(FREE_NOISE + row), index)[0]
+
 
 CREEP_BEGINS_S = 60.0
 """Creep is counted in decades of time after the first minute."""

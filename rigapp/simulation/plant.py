@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rigapp.simulation import impacts, kernels, layout, mechanics, sensing
+from rigapp.simulation import impacts, kernels, layout, mechanics
 from rigapp.simulation.layout import Array, Constants, Drive
 from rigapp.simulation.wall import APPROACH, Wall, looked_up, unworn_wall, worn_wall
 from rigapp.texts import say
@@ -306,7 +306,7 @@ class Plant:
         position = mechanics.geometry(self.constants, angle, depth)
         wall = self._wall
         return np.array(
-            sensing.views(self.constants, wall.table, wall.state, position, depth, fx, fy, 0.0)
+            kernels.views(self.constants, wall.table, wall.state, position, depth, fx, fy, 0.0)
         )
 
 

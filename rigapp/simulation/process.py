@@ -1,7 +1,7 @@
 """The simulated rig as a process: ``python -m rigapp.simulation.process RIG.toml``.
 
 Prints one JSON line with a URL a device as soon as all ports answer, then runs until interrupted.
-Commands come as JSON lines on stdin (see ``control``), unless that is a terminal.
+Commands come as JSON lines on stdin (see ``handle``), unless that is a terminal.
 """
 
 from __future__ import annotations
@@ -121,7 +121,7 @@ def _endpoints(sockets: bool, stack: contextlib.ExitStack) -> Callable[[str], An
 
 def _loop(rig: Any, stopping: list[str], *, exit_with_parent: bool) -> None:
     from rigapp.process.processclock import DEVICE_SHARE, ProcessClock
-    from rigapp.simulation.control import Lines, answer
+    from rigapp.simulation.handle import Lines, answer
 
     lines = Lines()
     stdin = _command_input()

@@ -18,8 +18,8 @@ from rigapp.schema.columns import WEAR_MODELS
 from rigapp.schema.details import error_text
 from rigapp.texts import say, sentence_of_error
 from rigapp.twin.approach import MeanApproach
+from rigapp.twin.link import IdentificationTarget
 from rigapp.twin.measureddepth import MeasuredDepth
-from rigapp.twin.messages import IdentificationTarget
 from rigapp.twin.predict import NOTHING
 from rigapp.twin.tolerances import CLEARANCE
 from rigapp_model.errors import ModelError

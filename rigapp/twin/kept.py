@@ -11,7 +11,7 @@ from rigapp.storage import TestReader
 from rigapp.texts import say
 from rigapp.twin.checkpoint import Checkpoint, restore
 from rigapp.twin.identifying import Identifier
-from rigapp.twin.messages import IdentificationTarget
+from rigapp.twin.link import IdentificationTarget
 from rigapp.twin.twin import Twin
 from rigapp_model.identification import DepthLife, NotIdentifiable
 

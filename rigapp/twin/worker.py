@@ -20,7 +20,7 @@ from rigapp.schema.messages import RevolutionMeasured
 from rigapp.texts import say, sentence_of_error
 from rigapp.twin.checkpoint import packed, restore, take_over
 from rigapp.twin.identifying import Identifier
-from rigapp.twin.messages import TwinAnswer, TwinSetup
+from rigapp.twin.link import TwinAnswer, TwinSetup
 from rigapp.twin.predict import PredictionError, unpack
 from rigapp.twin.twin import Twin
 from rigapp_model.errors import ModelError

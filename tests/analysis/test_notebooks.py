@@ -15,7 +15,7 @@ from patience import PATIENCE_S
 from report.report_samples import eventful
 from twin.recorded_plants import RECORDED, record
 
-from rigapp.twin.messages import IdentificationTarget
+from rigapp.twin.link import IdentificationTarget
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NOTEBOOKS = sorted(path.name for path in (EXAMPLES / "notebooks").glob("*.ipynb"))

@@ -11,7 +11,7 @@ import pytest
 from rigapp.calibrating.daily_history import append_check, read_history
 from rigapp.commands.calibrate import show_history
 from rigapp.config.errors import UnusableInput
-from rigapp_calibration.taking.control_chart import chart, limit_factor
+from rigapp_calibration.load_cell.daily import chart, limit_factor
 
 QUIET = [1.0, 1.0004, 0.9997, 1.0002, 0.9999, 1.0003, 0.9998, 1.0001, 0.9996, 1.0002]
 

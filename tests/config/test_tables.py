@@ -16,7 +16,7 @@ from rigapp.schema.columns import prediction_columns
 from rigapp.schema.criteria import CRITERIA, Criterion, Sight
 from rigapp.schema.verbs import VERBS, Priority, Verb, Who
 from rigapp.service.bounds import parse_arguments
-from rigapp.twin.messages import TwinSetup
+from rigapp.twin.link import TwinSetup
 from rigapp.twin.worker import set_up
 from rigapp_model.wear.techniques import SOLVABLE, TECHNIQUES
 

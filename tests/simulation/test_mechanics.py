@@ -16,7 +16,7 @@ from scipy.integrate import solve_ivp
 
 from rigapp.config.parameters import ParameterFile, SpringSection
 from rigapp.config.rig import PlantSection, RigFile, SimulationSection
-from rigapp.simulation import layout, mechanics, sensing
+from rigapp.simulation import kernels, layout, mechanics
 from rigapp.simulation.constants import Machine, plant_constants
 from rigapp.simulation.layout import Constants, Drive
 from rigapp.simulation.plant import Plant
@@ -125,7 +125,7 @@ def test_plant_and_model_agree_on_one_instant(
     )
     assert fx == pytest.approx(float(motion.force[0]), abs=1e-5 * scale)
     assert fy == pytest.approx(float(motion.force[1]), abs=1e-5 * scale)
-    e1, n1, _, _ = sensing.views(
+    e1, n1, _, _ = kernels.views(
         k, *RIGID, mechanics.geometry(k, angle, depth), depth, fx, fy, sense
     )
     assert (e1, n1) == pytest.approx(tuple(motion.force_crank), abs=1e-5 * scale)

@@ -20,7 +20,7 @@ from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import ChannelSection, RigFile
 from rigapp.schema.faults import FaultRecord
 from rigapp.simulation import devices
-from rigapp.simulation.control import Lines, answer
+from rigapp.simulation.handle import Lines, answer
 from rigapp.simulation.rig import RigSimulation
 from rigapp.simulation.truth import COLUMNS, TruthRecorder
 from rigapp.simulation.wire.pty import PtyEndpoint

@@ -12,7 +12,7 @@ from rigapp.schema.messages import as_array
 from rigapp.storage import FilePlan, TestMetadata, create_test, open_test
 from rigapp.twin.checkpoint import packed, take_over
 from rigapp.twin.identifying import Identifier
-from rigapp.twin.messages import IdentificationTarget
+from rigapp.twin.link import IdentificationTarget
 from rigapp.twin.twin import Twin
 
 REVOLUTIONS, PLANNED = 130, 800

@@ -17,8 +17,8 @@ from rigapp.simulation.constants import plant_constants
 from rigapp.simulation.layout import VELOCITY, Drive
 from rigapp.simulation.plant import Plant
 from rigapp.twin.identifying import LIFE_ERROR, Identifier
+from rigapp.twin.link import IdentificationTarget
 from rigapp.twin.measureddepth import ELASTIC_DOUBT
-from rigapp.twin.messages import IdentificationTarget
 from rigapp.twin.predict import MeasuredRevolution
 from rigapp.twin.twin import Twin
 

@@ -18,7 +18,7 @@ from rigapp.schema.columns import by_name, identified_columns, prediction_column
 from rigapp.schema.messages import Prediction, as_array
 from rigapp.twin.checkpoint import packed, restore
 from rigapp.twin.identifying import Identifier
-from rigapp.twin.messages import IdentificationTarget, TwinSetup
+from rigapp.twin.link import IdentificationTarget, TwinSetup
 from rigapp.twin.twin import Twin
 from rigapp.twin.worker import new_twin
 

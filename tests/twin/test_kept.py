@@ -19,7 +19,7 @@ from rigapp.config.loading import read_test
 from rigapp.report.testreport.identified import identified_test, identified_tests
 from rigapp.schema.messages import Flag
 from rigapp.storage import open_test
-from rigapp.twin.messages import IdentificationTarget
+from rigapp.twin.link import IdentificationTarget
 
 TRUE = 5.05e-4
 

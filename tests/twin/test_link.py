@@ -16,8 +16,7 @@ from rigapp.config.loading import read_parameter_file
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import Prediction, RevolutionMeasured, as_array
 from rigapp.twin.checkpoint import Checkpoint
-from rigapp.twin.link import MAILBOX, TwinLink
-from rigapp.twin.messages import TwinSetup
+from rigapp.twin.link import MAILBOX, TwinLink, TwinSetup
 
 SETUP = TwinSetup(
     parameters=read_parameter_file(

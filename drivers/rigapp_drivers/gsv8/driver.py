@@ -31,7 +31,6 @@ from rigapp_drivers.api import (
     filled,
 )
 from rigapp_drivers.gsv8 import protocol as p
-from rigapp_drivers.gsv8.blocks import BlockMaker
 from rigapp_drivers.gsv8.commission import PROBE, Commissioner, identity_of
 from rigapp_drivers.gsv8.frames import FrameLayout, Tally
 from rigapp_drivers.gsv8.link import Link
@@ -39,7 +38,7 @@ from rigapp_drivers.gsv8.numbers import DataType
 from rigapp_drivers.gsv8.plan import Plan, make_plan, parse_input
 from rigapp_drivers.gsv8.protocol import Command, u8
 from rigapp_drivers.gsv8.registers import Registers
-from rigapp_drivers.gsv8.watch import StreamWatch
+from rigapp_drivers.gsv8.stream import BlockMaker, StreamWatch
 from rigapp_drivers.gsv8.words import Decoder
 from rigapp_drivers.transport import SerialPort, byte_counters, opened
 

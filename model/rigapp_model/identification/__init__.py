@@ -8,10 +8,18 @@ from rigapp_model.identification.bins import Bin, Bins, bins_of
 from rigapp_model.identification.consistency import Consistency, Departure, consistency_of
 from rigapp_model.identification.errors import NotIdentifiable, Prior, ProbeErrors, probe_errors
 from rigapp_model.identification.findings import Disturbance
-from rigapp_model.identification.forecast import Band, Remaining, predictive_band, remaining
+from rigapp_model.identification.forecast import (
+    Band,
+    Estimate,
+    Pairing,
+    Remaining,
+    estimate_of,
+    pairing_of,
+    predictive_band,
+    remaining,
+)
 from rigapp_model.identification.inference import Credible, Identification, Verdict, identify
 from rigapp_model.identification.life import DepthLife, depth_life, weight, worn_ahead
-from rigapp_model.identification.specimens import Estimate, Pairing, estimate_of, pairing_of
 from rigapp_model.identification.words import sentence
 
 __all__ = [

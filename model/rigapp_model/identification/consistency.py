@@ -18,11 +18,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp_model.identification.bins import Bin, Bins, bins_of
-from rigapp_model.identification.excursion import TOLD, UNSEEN_SWING, Excursion, excursion_of
 from rigapp_model.identification.inference import Identification, Verdict
 from rigapp_model.identification.life import DepthLife
 from rigapp_model.identification.posterior import Nodes
-from rigapp_model.identification.screening import WARMED
+from rigapp_model.identification.screening import (
+    TOLD,
+    UNSEEN_SWING,
+    WARMED,
+    Excursion,
+    excursion_of,
+)
 from rigapp_model.identification.shapes import COLUMNS, CREEP, HEAT, STEP, SWING, WARMTH
 from rigapp_model.identification.statements import CHANGE, STATEMENTS, Hypotheses
 

@@ -667,7 +667,7 @@ def test_the_line_is_counted(bench: Any, wait_until: Any) -> None:
 
 
 def test_a_device_that_streams_but_answers_no_more(bench: Any, monkeypatch: Any) -> None:
-    monkeypatch.setattr("rigapp_drivers.gsv8.watch._PATIENCE_S", 0.1)
+    monkeypatch.setattr("rigapp_drivers.gsv8.stream._PATIENCE_S", 0.1)
     b = bench(settings={"poll_interval_s": 0.1})
     b.stream()
     b.driver._link.reply_timeout_s = 0.1

@@ -11,10 +11,10 @@ import pytest
 
 from rigapp_drivers.api import DeviceLost, ProtocolError, ReplyTimeout, SettingRefused
 from rigapp_drivers.gsv8 import link as link_module
-from rigapp_drivers.gsv8.blocks import BlockMaker
 from rigapp_drivers.gsv8.frames import FrameLayout, Response, Run, encode_frames, encode_response
 from rigapp_drivers.gsv8.link import Link, TimedRun
 from rigapp_drivers.gsv8.protocol import Command, request, u8
+from rigapp_drivers.gsv8.stream import BlockMaker
 
 LAYOUT = FrameLayout(2)
 

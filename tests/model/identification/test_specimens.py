@@ -9,7 +9,7 @@ import pytest
 from virtual_tests import ERRORS, NOMINAL, PRIOR, a_life, gathered, readings
 
 from rigapp_model.identification import NotIdentifiable, Prior, identify
-from rigapp_model.identification.specimens import Estimate, estimate_of, pairing_of
+from rigapp_model.identification.forecast import Estimate, estimate_of, pairing_of
 
 
 def campaign(random: np.random.Generator, count: int, tau: float, doubt: float) -> list[Estimate]:

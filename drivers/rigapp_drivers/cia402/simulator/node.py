@@ -28,12 +28,12 @@ from rigapp_drivers.cia402.simulator.objects import (
     Abort,
     AbortTransfer,
     Dictionary,
+    Pdos,
     add_communication,
     add_epos,
     add_identity,
     add_profile,
 )
-from rigapp_drivers.cia402.simulator.pdo import Pdos
 from rigapp_drivers.cia402.slcan import Frame
 from rigapp_drivers.simulated import FaultPlan
 from rigapp_drivers.simulator_api import DriveCommand, MotorState

@@ -1,17 +1,102 @@
-"""Ask a streaming GSV-8 at a low rate whether it lost data or has a fault of its inputs."""
+"""What a streaming GSV-8 sends, cut into Blocks, and what it is asked meanwhile.
+
+At a low rate it is asked whether it lost data or has a fault of its inputs.
+"""
 
 from __future__ import annotations
 
 import logging
 import time
-from collections.abc import Callable
+from collections import deque
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from rigapp_drivers.api import DataOverrun, InputFault, InputFaultKind, ReplyTimeout
+import numpy as np
+
+from rigapp_drivers.api import Block, DataOverrun, InputFault, InputFaultKind, Quality, ReplyTimeout
 from rigapp_drivers.gsv8.frames import Response
-from rigapp_drivers.gsv8.link import Link, Pending
+from rigapp_drivers.gsv8.link import Link, Pending, TimedRun
 from rigapp_drivers.gsv8.protocol import Command, u8
 from rigapp_drivers.gsv8.words import ValueFault, decode_value_fault, status_words
+
+
+class BlockMaker:
+    """Collect runs of one stream and cut them into Blocks.
+
+    rows: which objects of the frame, in the order of the Block's rows. A Block ends where samples
+    are known to be lost, so that ``lost_before`` tells the truth about its first sample.
+    """
+
+    def __init__(
+        self, device: str, sample_rate_Hz: float, rows: Sequence[int], block_s: float
+    ) -> None:
+        self._device = device
+        self._rate = sample_rate_Hz
+        self._rows = list(rows)
+        self._wanted = max(1, round(sample_rate_Hz * block_s))
+        self._block_ns = round(block_s * 1e9)
+        self._runs: deque[TimedRun] = deque()
+        self._held = 0
+        self._sequence = 0
+        self._next_sample = 0
+        self._flag_loss = False
+        self._sensor_broken = False
+
+    def add(self, runs: Sequence[TimedRun]) -> None:
+        """Take samples in their order."""
+        self._runs.extend(runs)
+        self._held += sum(timed.run.values.shape[1] for timed in runs)
+
+    def flag_loss(self) -> None:
+        """Mark the next Block: the device lost samples of an unknown number before it."""
+        self._flag_loss = True
+
+    def flag_sensor(self) -> None:
+        """Mark all Blocks from now on: a sensor is broken, says the device."""
+        self._sensor_broken = True
+
+    def ready(self, now_ns: int) -> bool:
+        """Tell whether enough samples are there, or the oldest have waited long enough."""
+        if self._held >= self._wanted:
+            return True
+        return bool(self._runs) and now_ns - self._runs[0].host_time_ns >= self._block_ns
+
+    def make(self) -> Block | None:
+        """Return the next Block, None when there are no samples."""
+        if not self._runs:
+            return None
+        parts = [self._runs.popleft()]
+        while self._runs and not self._runs[0].run.lost_before:
+            parts.append(self._runs.popleft())
+        values = parts[0].run.values
+        quality = parts[0].run.quality
+        if len(parts) > 1:
+            values = np.concatenate([part.run.values for part in parts], axis=1)
+            quality = np.concatenate([part.run.quality for part in parts])
+        count = values.shape[1]
+        self._held -= count
+        if self._rows != list(range(len(values))):
+            values = values[self._rows]
+        lost = parts[0].run.lost_before
+        if self._flag_loss or lost:
+            quality[0] |= Quality.LOST_BEFORE
+            self._flag_loss = False
+        if self._sensor_broken:
+            quality |= np.uint8(Quality.SENSOR_FAULT)
+        block = Block(
+            device=self._device,
+            sequence=self._sequence,
+            first_sample=self._next_sample + lost,
+            sample_rate_Hz=self._rate,
+            host_time_ns=parts[-1].host_time_ns,
+            values=values,
+            quality=quality,
+            lost_before=lost,
+        )
+        self._sequence += 1
+        self._next_sample += lost + count
+        return block
+
 
 _log = logging.getLogger(__name__)
 
