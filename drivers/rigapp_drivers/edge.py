@@ -161,6 +161,12 @@ class Edge:
         self._note(identity=asdict(identity))
         return identity
 
+    def _configured(self, request: DriveRequest | SlowRequest) -> Readback:
+        with self.calling(DOING["configure"]):
+            readback = dict(self.driver.configure(request))
+        self._note(request=asdict(request), readback=readback)
+        return readback
+
     def _note(self, **content: object) -> None:
         """Put what was asked and answered beside the bytes, where the line is recorded."""
         for recorder in recorders_of(self.name, self.port):
@@ -214,10 +220,7 @@ class GuardedSpindle(Edge):
 
     def configure(self, request: DriveRequest) -> Readback:
         """Set the watchdog and what else differs; raise DeviceError."""
-        with self.calling(DOING["configure"]):
-            readback = dict(self.driver.configure(request))
-        self._note(request=asdict(request), readback=readback)
-        return readback
+        return self._configured(request)
 
     def set_speed(self, speed_rev_per_s: float, acceleration_rev_per_s2: float) -> None:
         """Ramp to a speed; raise DeviceError."""
@@ -245,10 +248,7 @@ class GuardedSlow(Edge):
 
     def configure(self, request: SlowRequest) -> Readback:
         """Check that the device tells these quantities; raise DeviceError."""
-        with self.calling(DOING["configure"]):
-            readback = dict(self.driver.configure(request))
-        self._note(request=asdict(request), readback=readback)
-        return readback
+        return self._configured(request)
 
     def read(self) -> Mapping[str, float]:
         """Return the values now, by quantity, as numbers; raise DeviceError."""

@@ -26,6 +26,7 @@ from rigapp_drivers.api import (
     Identity,
     SettingRefused,
     SettingsLost,
+    SettingSpec,
     filled,
 )
 from rigapp_drivers.cia402.commission import (
@@ -37,7 +38,7 @@ from rigapp_drivers.cia402.commission import (
 )
 from rigapp_drivers.cia402.control import Condition, DriveControl, Readings
 from rigapp_drivers.cia402.monitor import AxisMotion, NodeMonitor
-from rigapp_drivers.cia402.network import TRIES, CanNode, identify
+from rigapp_drivers.cia402.network import TRIES, CanNode, bus_options, identify
 from rigapp_drivers.cia402.probe import PROBE
 from rigapp_drivers.cia402.protocol import (
     EMERGENCY_BASE,
@@ -49,16 +50,87 @@ from rigapp_drivers.cia402.protocol import (
     State,
     state_of,
 )
-from rigapp_drivers.cia402.settings import SETTINGS, bus_options
 from rigapp_drivers.cia402.slcan import Decoder
 from rigapp_drivers.spindles import (
     QUANTITIES,
+    TORQUE_CONSTANT,
     note_survived_silence,
     refuse_speed,
     settings_lost,
     silenced,
     whole_ramp,
 )
+
+BIT_RATES: Final = (10_000, 20_000, 50_000, 100_000, 125_000, 250_000, 500_000, 750_000, 1_000_000)
+INTERFACES: Final = ("slcan", "socketcan", "pcan", "kvaser", "gs_usb")
+
+SETTINGS: Final[Mapping[str, SettingSpec]] = {
+    "interface": SettingSpec(
+        str, "slcan", say("CAN adapter; the port is its channel."), choices=INTERFACES
+    ),
+    "bit_rate": SettingSpec(int, 500_000, say("Bit rate of the CAN bus."), choices=BIT_RATES),
+    "node_id": SettingSpec(int, 1, say("Node id of the drive."), 1, 127),
+    "host_node_id": SettingSpec(
+        int, 127, say("Node id under which this computer sends its heartbeat."), 1, 127
+    ),
+    "heartbeat_ms": SettingSpec(
+        int, 100, say("Period of the drive's heartbeat, which is supervised."), 20, 1000
+    ),
+    "sdo_timeout_ms": SettingSpec(
+        float, 200.0, say("Longest wait for the answer to one request."), 20.0, 2000.0
+    ),
+    "pdo_timeout_ms": SettingSpec(
+        float, 100.0, say("Longest wait for speed and position after a SYNC."), 5.0, 2000.0
+    ),
+    "sleep_after_open_s": SettingSpec(
+        float,
+        0.1,
+        say("Wait after opening an slcan adapter; one that resets needs 2 s."),
+        0.0,
+        10.0,
+    ),
+    "objects": SettingSpec(
+        str,
+        "auto",
+        say('Objects to use: "auto" takes the EPOS4\'s own when the maker is maxon.'),
+        choices=("auto", "epos4", "generic"),
+    ),
+    "velocity_unit": SettingSpec(
+        str,
+        say("as set"),
+        say("Unit to set in the drive; milli-rpm is finer, and not every drive has it."),
+        choices=(say("as set"), "rpm", "milli-rpm"),
+    ),
+    "velocity_step_rpm": SettingSpec(
+        float,
+        0.0,
+        say(
+            "Step in which the drive takes speeds, in rpm of the motor, from its manual, where the"
+            " drive does not tell it (object 60A9); 0: as it tells."
+        ),
+        0.0,
+        1e3,
+    ),
+    "acceleration_unit_rpm_per_s": SettingSpec(
+        float, 1.0, say("Step of the drive's accelerations (assumed; see its manual)."), 1e-6, 1e6
+    ),
+    "supply_unit_V": SettingSpec(float, 0.1, say("Step of object 2200:1 (assumed)."), 1e-6, 1e3),
+    "current_unit_A": SettingSpec(float, 0.001, say("Step of object 30D1:1 (assumed)."), 1e-6, 1e3),
+    "temperature_unit_C": SettingSpec(
+        float, 0.1, say("Step of object 3201:1 (assumed)."), 1e-6, 1e3
+    ),
+    "torque_on_inputs": SettingSpec(
+        int,
+        3,
+        say(
+            "Bits of object 3202:1 that are set while safe torque off is not active"
+            " (assumed); 0 does not look."
+        ),
+        0,
+        255,
+    ),
+    "torque_constant_Nm_per_A": TORQUE_CONSTANT,
+}
 
 _log = logging.getLogger(__name__)
 
@@ -189,11 +261,10 @@ class Cia402Drive:
         refuse_speed(self, speed_rev_per_s, setup.request)
         steps = round(setup.request.direction * speed_rev_per_s / setup.velocity_unit)
         if abs(steps) > _INT32:
-            raise self._refused(
-                say(
-                    "{:.1f} rpm is more than the drive can be told ‹object 60FF›.",
-                    speed_rev_per_s * 60,
-                )
+            raise SettingRefused.at(
+                self,
+                "{:.1f} rpm is more than the drive can be told ‹object 60FF›.",
+                speed_rev_per_s * 60,
             )
         return steps
 
@@ -385,11 +456,10 @@ class Cia402Drive:
 
     def _configured(self) -> Setup:
         if self._setup is None:
-            raise self._refused(say("the drive is not supervised yet; configure the drive first."))
+            raise SettingRefused.at(
+                self, "the drive is not supervised yet; configure the drive first."
+            )
         return self._setup
-
-    def _refused(self, sentence: str) -> SettingRefused:
-        return SettingRefused.at(self, sentence)
 
 
 DRIVER: Final = DriverInfo(

@@ -446,3 +446,26 @@ def _wake(node: CanNode) -> int:
     except ReplyTimeout:
         node.command(Nmt.PRE_OPERATIONAL)
         return node.read(0x1000)
+
+
+_NUMBERED_CHANNELS: Final = ("kvaser", "gs_usb")
+
+
+def bus_options(port: str, settings: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the arguments of ``can.Bus`` for a port; raise ValueError for a wrong channel."""
+    interface = str(settings["interface"])
+    options: dict[str, Any] = {
+        "interface": interface,
+        "channel": port,
+        "bitrate": int(settings["bit_rate"]),
+    }
+    if interface == "slcan":
+        options["sleep_after_open"] = float(settings["sleep_after_open_s"])
+        options["timeout"] = 0.01
+    elif interface in _NUMBERED_CHANNELS:
+        if not port.isdecimal():
+            raise ValueError(say("the channel of {} is a number, not {}", interface, repr(port)))
+        options["channel"] = int(port)
+        if interface == "gs_usb":
+            options["index"] = int(port)
+    return options

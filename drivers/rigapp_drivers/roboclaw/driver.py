@@ -212,14 +212,13 @@ class RoboClaw:
         refuse_speed(self, speed_rev_per_s, request)
         speed = round(request.direction * speed_rev_per_s * request.counts_per_crank_revolution)
         if abs(speed) > min(setup.qpps, _MAXIMUM_SPEED):
-            raise self._refused(
-                say(
-                    "{} counts/s ({:.1f} rpm of the crank) is above the drive's own limit"
-                    " ‹QPPS› of {} counts/s; tune the drive's velocity loop.",
-                    abs(speed),
-                    speed_rev_per_s * 60,
-                    setup.qpps,
-                )
+            raise SettingRefused.at(
+                self,
+                "{} counts/s ({:.1f} rpm of the crank) is above the drive's own limit"
+                " ‹QPPS› of {} counts/s; tune the drive's velocity loop.",
+                abs(speed),
+                speed_rev_per_s * 60,
+                setup.qpps,
             )
         return speed
 
@@ -415,11 +414,10 @@ class RoboClaw:
 
     def _configured(self) -> Setup:
         if self._setup is None:
-            raise self._refused(say("the drive's watchdog is not set; configure the drive first."))
+            raise SettingRefused.at(
+                self, "the drive's watchdog is not set; configure the drive first."
+            )
         return self._setup
-
-    def _refused(self, sentence: str) -> SettingRefused:
-        return SettingRefused.at(self, sentence)
 
 
 DRIVER: Final = DriverInfo(

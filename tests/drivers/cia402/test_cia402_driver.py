@@ -22,9 +22,9 @@ from rigapp_drivers.api import (
     Spindle,
     WrongDevice,
 )
-from rigapp_drivers.cia402.driver import DRIVER, Cia402Drive
+from rigapp_drivers.cia402.driver import DRIVER, SETTINGS, Cia402Drive
+from rigapp_drivers.cia402.network import bus_options
 from rigapp_drivers.cia402.protocol import RPM, State, state_of
-from rigapp_drivers.cia402.settings import SETTINGS, bus_options
 from rigapp_drivers.cia402.simulator import Cia402Simulator
 from rigapp_drivers.cia402.slcan import Frame, encode_frame
 from rigapp_drivers.registry import check_settings, load_driver, load_simulator
