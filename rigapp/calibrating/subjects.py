@@ -12,11 +12,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from rigapp.calibrating.certificates.channel import channel_parts
+from rigapp.calibrating.certificates.comparisons import channel_parts, running_parts
 from rigapp.calibrating.certificates.formatting import Parts
 from rigapp.calibrating.certificates.load_cell import load_cell_parts
 from rigapp.calibrating.certificates.probes import probe_parts, run_out_parts
-from rigapp.calibrating.certificates.running_check import running_parts
 from rigapp.calibrating.channel import KIND as CHANNEL
 from rigapp.calibrating.channel import fit_channel
 from rigapp.calibrating.load_cell_result import fit_load_cell

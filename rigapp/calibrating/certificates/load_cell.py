@@ -147,7 +147,7 @@ def _loads(content: Content, taken: LoadCellReadings) -> list[Content]:
     """
     result = content["result"]
     quadratic = result.get("quadratic_unit_per_N2")
-    told = forces(
+    force = forces(
         taken.signal,
         np.array(result["matrix_N_per_unit"]),
         np.array(result["zero"]),
@@ -156,17 +156,17 @@ def _loads(content: Content, taken: LoadCellReadings) -> list[Content]:
     offset = math.radians(content["settings"]["angle"]["offset_deg"] or 0.0)
     along = pin_force(np.ones(len(taken)), taken.angle, offset)
     # What turns with the pin hangs with every load; it is taken out in use as well.
-    told = told - (result.get("pin_weight_N") or 0.0) * along
+    force = force - (result.get("pin_weight_N") or 0.0) * along
     applied = np.sum(np.array(result["applied_N"]) * along, axis=1)
-    indicated = np.sum(told * along, axis=1)
-    aside = np.sum(told * (along @ ACROSS), axis=1)
+    indicated = np.sum(force * along, axis=1)
+    aside = np.sum(force * (along @ ACROSS), axis=1)
     off = np.hypot(indicated - applied, aside)
-    found: list[Content] = []
+    items: list[Content] = []
     for mass in np.unique(taken.mass):
         here = taken.mass == mass
         load, shown, side = (float(one[here].mean()) for one in (applied, indicated, aside))
         expanded = _uncertainty(result, load)
-        found.append(
+        items.append(
             {
                 "load": load,
                 "applied": by_uncertainty(load, expanded, 1),
@@ -179,15 +179,15 @@ def _loads(content: Content, taken: LoadCellReadings) -> list[Content]:
                 "mark": "",
             }
         )
-    return found
+    return items
 
 
 def _results(loads: Sequence[Content], result: Content) -> Table:
     items, full = [*loads], result["full_scale_N"]
     if full > loads[-1]["load"]:
         expanded = result["expanded_uncertainty_N"]
-        told = by_uncertainty(full, expanded, 1), by_uncertainty(expanded, expanded)
-        items.append({"applied": told[0], "expanded": told[1], "mark": MARKED})
+        shown = by_uncertainty(full, expanded, 1), by_uncertainty(expanded, expanded)
+        items.append({"applied": shown[0], "expanded": shown[1], "mark": MARKED})
     title = (
         "Results by load: means over the pin angles. Error: indicated less applied; across: what is"
         " indicated square to the load; largest error: of a single reading; U: of a single reading"
@@ -205,8 +205,8 @@ def _uncertainty(result: Content, load: float) -> float:
     if not stated:
         line = result["uncertainty_line_N"]
         return float(line["constant_N"] + line["per_N"] * load)
-    told = [(one["load_N"], one["component_one_reading_N"]) for one in stated]
-    return float(np.interp(load, *np.array(told).T))
+    points = [(one["load_N"], one["component_one_reading_N"]) for one in stated]
+    return float(np.interp(load, *np.array(points).T))
 
 
 def _by_load(result: Content, most: float, full: float, what: str) -> list[Table]:
@@ -231,7 +231,7 @@ def _by_load(result: Content, most: float, full: float, what: str) -> list[Table
 def _conditions(settings: Content, creep: Content | None) -> list[Row]:
     angle = settings["angle"]
     offset, level = angle["offset_deg"], angle.get("level_readings_deg", ())
-    told = {
+    values = {
         **settings,
         "used": 100.0 * msgspec.convert(settings["weights"], WeightsSection).relative_uncertainty,
         "resolution": f"{Decimal(str(settings['cell']['resolution_N'])).normalize():f}",
@@ -239,15 +239,15 @@ def _conditions(settings: Content, creep: Content | None) -> list[Row]:
         "level": "",
     }
     if offset is not None:
-        told["offset"] = f"offset {round(offset, 6) + 0.0:g}°"
+        values["offset"] = f"offset {round(offset, 6) + 0.0:g}°"
     if len(level) == 2:
         one, two = (math.remainder(shown, 360.0) for shown in level)
-        told["level"] = f"; level turned end for end at {one:.3f}° and {two:.3f}°"
+        values["level"] = f"; level turned end for end at {one:.3f}° and {two:.3f}°"
     gravity = say(STATED_GRAVITY, settings, say(FROM_LATITUDE, settings))
     use = settings.get("use")
     return [
         ("Local gravity", gravity),
-        *rows_of(CONDITIONS, told),
+        *rows_of(CONDITIONS, values),
         *([] if use is None else rows_of(IN_USE, _in_use(use, creep))),
     ]
 
@@ -290,9 +290,9 @@ def _uncertainties(result: Content, holds: str, beyond: str) -> list[str]:
             f"The expanded uncertainty of one reading is U(F) = {line} with a coverage factor"
             f" k = {factor} at full scale (about 95 %). {holds}{beyond}"
         ]
-    told = {"line": _line_words(own), "factor": f"{own['coverage_factor']:.2f}"}
+    values = {"line": _line_words(own), "factor": f"{own['coverage_factor']:.2f}"}
     return [
-        OF_CALIBRATION.format(**told, load=_load(own["load_N"], result["full_scale_N"])),
+        OF_CALIBRATION.format(**values, load=_load(own["load_N"], result["full_scale_N"])),
         IN_USE_TOO.format(line=line, factor=factor, beyond=beyond),
     ]
 
@@ -374,13 +374,13 @@ def _cell_tables(content: Content) -> list[Table]:
 def _elements(result: Content) -> Iterator[Row]:
     """Yield the elements of the matrix with u and U, rounded by U."""
     keys = ("", "_standard_uncertainty", "_expanded_uncertainty")
-    told = [result.get(f"matrix{key}_N_per_unit") for key in keys]
+    matrices = [result.get(f"matrix{key}_N_per_unit") for key in keys]
     for row, column in np.ndindex(2, 2):
-        values = [None if one is None else one[row][column] for one in told]
+        values = [None if one is None else one[row][column] for one in matrices]
         of_all = values[2] or 0.0
         shown = (
-            UNSTATED if one is None else by_uncertainty(one, of_all, place == 1)
-            for place, one in enumerate(values)
+            UNSTATED if one is None else by_uncertainty(one, of_all, index == 1)
+            for index, one in enumerate(values)
         )
         yield (f"K{row + 1}{column + 1}", *shown)
 

@@ -146,16 +146,16 @@ def _statements(content: Content) -> list[str]:
     return texts
 
 
-def _alignment_table(found: Content) -> Table:
+def _alignment_table(alignment: Content) -> Table:
     rows = [
         (
             words,
-            say(f"{{{what}_deg{at}:+.3f}}°", found),
-            say(f"{{{what}_standard_uncertainty_deg{at}:.3f}}°", found),
+            say(f"{{{what}_deg{at}:+.3f}}°", alignment),
+            say(f"{{{what}_standard_uncertainty_deg{at}:.3f}}°", alignment),
         )
         for words, what, at in ANGLES
     ]
-    matrix = elements("m", found, {"matrix": "+.6f", "matrix_standard_uncertainty": ".6f"})
+    matrix = elements("m", alignment, {"matrix": "+.6f", "matrix_standard_uncertainty": ".6f"})
     title = "Alignment: position along and across the follower = matrix (probe 1, probe 2)"
     return Table(title, (*rows, *matrix), ("", "value", "u"))
 
@@ -259,13 +259,13 @@ def _run_out_statements(result: Content, orders: int) -> list[str]:
         texts.append(ELASTIC)
     if result["between_rolls_um"] is None:
         texts.append(ONE_LOAD)
-    told = {
+    values = {
         **result,
         "orders": orders,
         "moved": max(inertia or (0.0,)),
         "bent": max(elastic or (0.0,)),
     }
-    return [text.format_map(told) for text in texts]
+    return [text.format_map(values) for text in texts]
 
 
 def _orders(result: Content) -> Table:
