@@ -203,8 +203,10 @@ def smooth_history(time: ArrayLike, angle: ArrayLike, harmonics: int = HARMONICS
     width = per_block * float(np.median(np.diff(tau))) * mean_rate
     seen = np.sinc(orders * (width / (2.0 * np.pi)))
     cosines, sines = values[3 : 3 + len(orders)] / seen, values[3 + len(orders) :] / seen
-    smooth, slope, bend = evaluate(tau, phase, values[:3].copy(), cosines, sines)
-    return AngleHistory(smooth, slope / half, bend / half**2, noise * float(np.sqrt(per_block)))
+    smooth, slope, curvature = evaluate(tau, phase, values[:3].copy(), cosines, sines)
+    return AngleHistory(
+        smooth, slope / half, curvature / half**2, noise * float(np.sqrt(per_block))
+    )
 
 
 def _checked(time: ArrayLike, angle: ArrayLike) -> tuple[Array, Array]:

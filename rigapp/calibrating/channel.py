@@ -23,31 +23,31 @@ Content = Mapping[str, Any]
 KIND = "channel"
 
 
-def fit_channel(text: str, given: ChannelFile, where: str, which: str) -> Outcome:
+def fit_channel(text: str, file: ChannelFile, where: str, which: str) -> Outcome:
     """Fit a table of readings; raise ReadingsError."""
-    channel = given.channel
+    channel = file.channel
     settings = ChannelSettings(
         channel.method, channel.reference_standard_uncertainty, channel.resolution_V
     )
     rows = channel_table(read_table(text, CHANNEL_COLUMNS))
-    result = _result(calibrate_channel(rows, settings), given)
+    result = _result(calibrate_channel(rows, settings), file)
     return Outcome(KIND, result, tuple(_lines(result)))
 
 
-def _result(found: ChannelCalibration, given: ChannelFile) -> dict[str, Any]:
+def _result(calibration: ChannelCalibration, file: ChannelFile) -> dict[str, Any]:
     """Return what ``--json`` prints and the record keeps; ``value`` in a key: in ``unit``."""
     table = None
-    if found.points is not None and found.scale is None:
-        table = found.points.T.tolist()
+    if calibration.points is not None and calibration.scale is None:
+        table = calibration.points.T.tolist()
     return {
-        "accepted": found.accepted,
-        "problems": problems_of(found.problems),
-        "unit": given.channel.unit,
-        "scale_per_V": found.scale,
-        "offset_V": found.offset,
+        "accepted": calibration.accepted,
+        "problems": problems_of(calibration.problems),
+        "unit": file.channel.unit,
+        "scale_per_V": calibration.scale,
+        "offset_V": calibration.offset,
         "table": table,
-        **budget_result(found.budget, "value"),
-        "residual_value": None if found.residual is None else found.residual.tolist(),
+        **budget_result(calibration.budget, "value"),
+        "residual_value": None if calibration.residual is None else calibration.residual.tolist(),
     }
 
 

@@ -88,15 +88,19 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
         one = isinstance(names, str)
         allowed = place.kinds if one else place.kinds[:1]
         key = f"{place.section}.{place.key}"
-        found = [_read(rig, key, name, allowed) for name in ((names,) if one else names)]
+        texts_and_records = [
+            _read(rig, key, name, allowed) for name in ((names,) if one else names)
+        ]
         from rigapp.calibrating.verification import verified  # GTC and SciPy: only where needed
 
         try:
-            with_numbers, labels = place.use(rig, section, [record for _, record in found])
+            with_numbers, labels = place.use(
+                rig, section, [record for _, record in texts_and_records]
+            )
             # What a record states must be what the rig file itself could state.
             with_numbers = msgspec.convert(tree_of(with_numbers), type(section))
             each = []
-            for text, record in found:
+            for text, record in texts_and_records:
                 again = verified(text.encode())
                 faults = [*_faults(rig, record, again, now), *_unsigned(record, trusted)]
                 each.append((text, record, again, joined(say(" and "), faults)))
@@ -159,18 +163,18 @@ def _read(rig: Rig, key: str, name: str, kinds: tuple[str, ...]) -> tuple[str, R
 
 def _trusted_keys(rig: Rig) -> dict[str, str]:
     """Return the names of the keys that a rig file trusts by the raw keys; raise UnusableInput."""
-    found: dict[str, str] = {}
+    stems: dict[str, str] = {}
     for name in rig.record.records.trusted_keys:
         from rigapp_calibration.signatures import UnusableKey, public_key_of  # only where needed
 
         path, where = rig.path.parent / name, f"{rig.path}: records.trusted_keys = {name!r}"
         try:
-            found[public_key_of(read_bytes(path))] = Path(name).stem
+            stems[public_key_of(read_bytes(path))] = Path(name).stem
         except OSError as error:
             raise UnusableInput("{}: the key cannot be read ‹{}›.", where, error) from error
         except UnusableKey as error:
             raise UnusableInput("{}: {}.", where, error) from error
-    return found
+    return stems
 
 
 def _unsigned(record: Record, trusted: Mapping[str, str]) -> Iterator[str]:
@@ -210,41 +214,41 @@ def _faults(rig: Rig, record: Record, again: Verification, now: float) -> list[s
     """
     content, here = record.content, rig.record
     if again.compared:
-        found: list[str] = [
+        warnings: list[str] = [
             say("does not follow from its readings ({})", one.rstrip("."))
             for one in again.differences
         ]
     else:
         unknown = (*again.differences, *again.unverified)
-        found = [say("cannot be verified ({})", one.rstrip(".")) for one in unknown]
+        warnings = [say("cannot be verified ({})", one.rstrip(".")) for one in unknown]
     ahead, due = in_future(record, now), str(content["due_at"])
     if ahead:
-        found.append(ahead)
+        warnings.append(ahead)
     if now > moment(due):
-        found.append(say("expired on {}", due[:10]))
+        warnings.append(say("expired on {}", due[:10]))
     taken = content.get("taken") or {}
     where = str(taken.get("rig") or "")
     if where and where != here.name:
-        found.append(say("was taken on the rig {}, this is {}", repr(where), repr(here.name)))
+        warnings.append(say("was taken on the rig {}, this is {}", repr(where), repr(here.name)))
     simulated = taken.get("simulated")
     if simulated is not None and bool(simulated) is not here.simulated:
         kinds = (say("a real rig"), say("a simulated rig"))
-        found.append(
+        warnings.append(
             say("was taken on {}, this is {}", kinds[bool(simulated)], kinds[not simulated])
         )
     line = content["result"].get("uncertainty_line_N")
     full = content["settings"].get("cell", {}).get("full_scale_N")
     if line is not None and full is not None:
-        found += filter(None, [too_uncertain(line["constant_N"] + line["per_N"] * full, full)])
+        warnings += filter(None, [too_uncertain(line["constant_N"] + line["per_N"] * full, full)])
     if full is not None and abs(full / here.load_cell.full_scale_N - 1.0) > 1e-6:
-        found.append(
+        warnings.append(
             say(
                 "is of a load cell of {:g} N, the rig file says {:g} N",
                 full,
                 here.load_cell.full_scale_N,
             )
         )
-    return [*found, *foreign(record.kind, content, here)]
+    return [*warnings, *foreign(record.kind, content, here)]
 
 
 @dataclass(frozen=True, slots=True)

@@ -322,7 +322,7 @@ def _use(given: UseSection, valid_days: int) -> Use:
         dead_zone=0.01 * given.dead_zone_percent,
         zeroed=given.zero_before_test,
         cross_terms=0.01 * given.cross_terms_percent,
-        bend=0.01 * given.bend_percent,
+        nonlinearity=0.01 * given.bend_percent,
         loop=0.01 * given.loop_percent,
     )
 

@@ -131,12 +131,15 @@ def _hat(angle: Array, wave: Array) -> Array:
     left, right = np.append(step[:1], step), np.append(step, step[-1:])
     n = np.maximum(wave, 1e-9)
 
-    def bend(at: Array) -> Array:
+    def double_integral(at: Array) -> Array:
         # (1 - cos) / n^2 without the loss of digits of the difference.
         return np.asarray(2.0 * (np.sin(0.5 * np.outer(at, n)) / n) ** 2)
 
-    whole = bend(angle - left) / left[:, None] + bend(angle + right) / right[:, None]
-    whole = whole - bend(angle) * (1.0 / left + 1.0 / right)[:, None]
+    whole = (
+        double_integral(angle - left) / left[:, None]
+        + double_integral(angle + right) / right[:, None]
+    )
+    whole = whole - double_integral(angle) * (1.0 / left + 1.0 / right)[:, None]
     whole[0] *= 0.5
     return np.asarray(whole)
 

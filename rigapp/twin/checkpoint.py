@@ -86,13 +86,13 @@ class Checkpoint(msgspec.Struct, frozen=True):
 
 def packed(twin: Twin) -> bytes:
     """Return a twin's checkpoint."""
-    found = twin.reference
+    new = twin.reference
     reference = None
-    if found is not None:
+    if new is not None:
         reference = ReferenceRecord(
-            _pair(found.centre), _pair(found.run_out), found.centred,
-            found.radial, found.across, found.approach, found.elastic,
-            found.beyond, found.lean,
+            _pair(new.centre), _pair(new.run_out), new.centred,
+            new.radial, new.across, new.approach, new.elastic,
+            new.beyond, new.lean,
         )  # fmt: skip
     return msgspec.msgpack.encode(
         Checkpoint(
@@ -109,33 +109,35 @@ def packed(twin: Twin) -> bytes:
 
 def restore(twin: Twin, checkpoint: bytes) -> bool:
     """Put a checkpoint into a new twin; False, and nothing changed, when it does not fit."""
-    found = _decoded(checkpoint)
-    if found is None:
+    record = _decoded(checkpoint)
+    if record is None:
         return False
     try:
-        predicted = _bushing(found.predicted, twin.parameters)
-        driven = _bushing(found.driven, twin.parameters)
-        ahead = _ahead(found.loads, twin.parameters)
+        predicted = _bushing(record.predicted, twin.parameters)
+        driven = _bushing(record.driven, twin.parameters)
+        ahead = _ahead(record.loads, twin.parameters)
     except (ModelError, ValueError):
         return False
     twin.predicted, twin.driven, twin.ahead = predicted, driven, ahead
-    twin.newest, twin.profiled = found.newest, found.profiled
-    twin.kept_profile, twin.before = found.kept_profile, found.before
-    if twin.identifier is not None and found.identified is not None:
-        twin.identifier.restore(found.identified, None if ahead is None else ahead.loads)
-    twin.reference = _reference(found.reference)
-    if found.band is not None:
-        twin.agreement.restore(found.band)
-    if found.deviation is not None:
-        twin.deviation.restore(found.deviation)
-    if found.recurrent is not None:
-        twin.recurrent = _recurrent(found.recurrent)
+    twin.newest, twin.profiled = record.newest, record.profiled
+    twin.kept_profile, twin.before = record.kept_profile, record.before
+    if twin.identifier is not None and record.identified is not None:
+        twin.identifier.restore(record.identified, None if ahead is None else ahead.loads)
+    twin.reference = _reference(record.reference)
+    if record.band is not None:
+        twin.agreement.restore(record.band)
+    if record.deviation is not None:
+        twin.deviation.restore(record.deviation)
+    if record.recurrent is not None:
+        twin.recurrent = _recurrent(record.recurrent)
     return True
 
 
-def _recurrent_record(found: RecurrentMotion) -> RecurrentRecord:
-    mean, scatter = found.mean.astype("<c16").tobytes(), found.scatter.astype("<f8").tobytes()
-    return RecurrentRecord(float(found.speed), int(found.seen), mean, scatter, float(found.chance))
+def _recurrent_record(motion: RecurrentMotion) -> RecurrentRecord:
+    mean, scatter = motion.mean.astype("<c16").tobytes(), motion.scatter.astype("<f8").tobytes()
+    return RecurrentRecord(
+        float(motion.speed), int(motion.seen), mean, scatter, float(motion.chance)
+    )
 
 
 def _recurrent(record: RecurrentRecord) -> RecurrentMotion:
@@ -159,13 +161,13 @@ def take_over(twin: Twin, checkpoint: bytes, same_model: bool) -> None:
             planned = sought.planned + twin.before
             twin.identifier.sought = msgspec.structs.replace(sought, planned=planned)
         return
-    found = _decoded(checkpoint)
-    if found is not None and found.reference is not None:
+    record = _decoded(checkpoint)
+    if record is not None and record.reference is not None:
         log.warning(
             "The specimen's last test had another model, or its wear depth is not to be trusted:"
             " the model's bushings begin unworn, and the wear coefficient is not stated."
         )
-        twin.reference, twin.identifier = _reference(found.reference), None
+        twin.reference, twin.identifier = _reference(record.reference), None
 
 
 def _reference(kept: ReferenceRecord | None) -> Reference | None:
@@ -180,10 +182,10 @@ def _reference(kept: ReferenceRecord | None) -> Reference | None:
 
 def _decoded(checkpoint: bytes) -> Checkpoint | None:
     try:
-        found = msgspec.msgpack.decode(checkpoint, type=Checkpoint)
+        record = msgspec.msgpack.decode(checkpoint, type=Checkpoint)
     except msgspec.DecodeError:
         return None
-    return found if found.version == VERSION else None
+    return record if record.version == VERSION else None
 
 
 def _record(bushing: TrackedBushing) -> BushingRecord | None:

@@ -151,7 +151,7 @@ class LifeAhead:
         """Return the life so far; None while there is hardly any."""
         if self.steps < 3:
             return None
-        if self._life is None or self._life.reach < self.depth[-1]:
+        if self._life is None or self._life.computed_depth < self.depth[-1]:
             approach = MeanApproach(np.array(self.depth), np.array(self.approach))
             gain = np.array([approach.gain(depth) for depth in self.depth])
             change = gain * (approach.means[0] - approach.means)

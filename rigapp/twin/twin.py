@@ -215,8 +215,10 @@ class Twin:
         differs = self.deviation.take(
             in_crank, motion, 0.5 * doubt.lasting * averaged.curve, predicted, self.reference
         )
-        found = compare(measured, motion, wear, averaged, load, band, {**known, **differs.columns})
-        return msgspec.structs.replace(found, profile=profile)
+        prediction = compare(
+            measured, motion, wear, averaged, load, band, {**known, **differs.columns}
+        )
+        return msgspec.structs.replace(prediction, profile=profile)
 
     def _learn(self, revolution: int, path: PathSum) -> bool:
         """Gather the new bushing's revolutions into the reference; True when something is new."""
@@ -251,12 +253,12 @@ class Twin:
         """Return how deep the bushing is worn, the approach told far enough for that depth."""
         clearance = self.parameters.joint.clearance
         approach = self._approach(0.0)
-        found = measured_depth(path, self.reference, clearance, approach)
-        if math.isfinite(found.depth):
-            further = self._approach(found.depth)
+        depth = measured_depth(path, self.reference, clearance, approach)
+        if math.isfinite(depth.depth):
+            further = self._approach(depth.depth)
             if further is not approach:
-                found = measured_depth(path, self.reference, clearance, further)
-        return found
+                depth = measured_depth(path, self.reference, clearance, further)
+        return depth
 
     def _profile(self, revolution: int, path: PathSum) -> WornProfile | None:
         """Return a new worn profile when enough revolutions have come together."""
@@ -265,10 +267,10 @@ class Twin:
         waited = revolution - self.profiled
         if not keep and waited < max(1.0, STEP_SHARE * self.profiled):
             return None
-        found = self._worn(revolution, self._path, keep)
+        worn = self._worn(revolution, self._path, keep)
         self._path, self.profiled = None, revolution
         self.kept_profile = revolution if keep else self.kept_profile
-        return found
+        return worn
 
     def _worn(self, revolution: int, path: PathSum, keep: bool) -> WornProfile:
         joint, reference = self.parameters.joint, self.reference

@@ -167,12 +167,12 @@ def _unseen(parts: Scatter, settings: LoadCellSettings, load: float) -> float:
 
 
 def _beyond_largest(parts: Scatter, settings: LoadCellSettings, load: float) -> float:
-    """Return the half width (N) of a bend, of third degree, beyond the largest load."""
+    """Return the half width (N) of a nonlinearity of third degree beyond the largest load."""
     largest, full = parts.branches.largest, settings.cell.full_scale
     # Loads just short of full scale are the pieces' matter, not extrapolation.
     if load <= NEAR * largest:
         return 0.0
-    return settings.use.bend * load * (load**2 - largest**2) / full**2
+    return settings.use.nonlinearity * load * (load**2 - largest**2) / full**2
 
 
 def _reach(settings: LoadCellSettings) -> float:

@@ -88,13 +88,13 @@ class ForceUncertainty:
         loads, *both = map(np.asarray, self.by_load)
         along, across = (np.interp(size, loads, one) for one in both)
         if of_magnitude:
-            told = along
+            combined = along
         elif component is None:
-            told = np.maximum(along, across)
+            combined = np.maximum(along, across)
         else:
             cosine = np.clip(np.abs(component) / np.maximum(size, 1e-300), 0.0, 1.0)
-            told = np.hypot(along * cosine, across * np.sqrt(1.0 - cosine**2))
-        return np.asarray(np.where(size <= loads[-1], told, line), np.float64)
+            combined = np.hypot(along * cosine, across * np.sqrt(1.0 - cosine**2))
+        return np.asarray(np.where(size <= loads[-1], combined, line), np.float64)
 
     @property
     def words(self) -> str:
@@ -126,10 +126,10 @@ def force_uncertainty(
 
 def stated_uncertainty(record: str, line: tuple[float, float] | None) -> ForceUncertainty | None:
     """Return what a sealed record states, else the line of the rig file, else None."""
-    found = _of_record(record)
-    if found is None and line is not None:
-        found = ForceUncertainty(line[0], line[1], RIG_FILE_FACTOR, say("rig file"))
-    return _known(found)
+    candidate = _of_record(record)
+    if candidate is None and line is not None:
+        candidate = ForceUncertainty(line[0], line[1], RIG_FILE_FACTOR, say("rig file"))
+    return _known(candidate)
 
 
 def too_uncertain(expanded_N: float, full_scale_N: float) -> str:
@@ -266,14 +266,14 @@ def _by_load(columns: Sequence[Sequence[float]]) -> tuple[tuple[float, ...], ...
 def _magnitude(stored: Mapping[str, Any]) -> tuple[float, float] | None:
     if "magnitude_constant_N" not in stored:
         return None
-    found = float(stored["magnitude_constant_N"]), float(stored["magnitude_relative"])
+    magnitude = float(stored["magnitude_constant_N"]), float(stored["magnitude_relative"])
     component = float(stored["constant_N"]), float(stored["relative"])
-    return None if found == component else found
+    return None if magnitude == component else magnitude
 
 
-def _known(found: ForceUncertainty | None) -> ForceUncertainty | None:
+def _known(candidate: ForceUncertainty | None) -> ForceUncertainty | None:
     """Return an uncertainty whose numbers are numbers, else None."""
-    if found is None:
+    if candidate is None:
         return None
-    stated = (found.constant_N, found.relative, found.coverage_factor)
-    return found if np.isfinite(stated).all() else None
+    stated = (candidate.constant_N, candidate.relative, candidate.coverage_factor)
+    return candidate if np.isfinite(stated).all() else None

@@ -27,7 +27,7 @@ FALSE_ALARMS = 1e-4
 GAIN_CHANGE = 0.005
 """Relative: a bridge and its amplifier keep their gain ten times better through an afternoon."""
 MASS_SHARE = 0.003
-"""Of full scale: what good cells show of hysteresis and bend, so that less is no piece for sure."""
+"""Of full scale: what good cells show of hysteresis and nonlinearity: less is no piece for sure."""
 FRICTION = 0.0085
 """Of full scale: what friction or slack at a hanger holds back is less, what a hanger weighs more.
 """
@@ -45,7 +45,7 @@ RAYLEIGH_MEDIAN = 1.1774
 """Of the length of a vector whose two parts have standard deviation 1."""
 ANGLES_OF_CUBES = 7
 """So many pin angles tell terms of third degree, which good cells have, from what came later."""
-BEND_OF_CELL = 0.004
+NONLINEARITY_OF_CELL = 0.004
 """Of full scale, standard deviation of terms of second and third degree: makers state linearities
 up to 0.5 %. A gain that changes from one series on looks much like them, but is larger."""
 FEWEST_DEGREES = 8
@@ -213,8 +213,8 @@ def _honest(evidence: Evidence, cells: Averages, terms: Terms) -> tuple[Array, A
         rows = np.column_stack((rows, squares(force)))
     if cells.angles >= ANGLES_OF_CUBES:
         rows = np.column_stack((rows, cubes(force)))
-    bent = BEND_OF_CELL * evidence.settings.cell.full_scale
-    much = np.append(much, np.full(rows.shape[1] - len(much), bent))
+    curved = NONLINEARITY_OF_CELL * evidence.settings.cell.full_scale
+    much = np.append(much, np.full(rows.shape[1] - len(much), curved))
     both = [np.column_stack((one, 0.0 * one)) for one in rows.T]
     both += [one[:, ::-1] for one in both]
     runs = int(cells.run.max()) + 1

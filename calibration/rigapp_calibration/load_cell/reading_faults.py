@@ -31,7 +31,7 @@ SWINGS = 3.0
 NORMAL_MEDIAN = 0.6745
 """Of the size of what has standard deviation 1."""
 FEWEST_SMOOTH = 6
-"""Loaded readings of a run that tell a bend of it, which has two coefficients, from one of them."""
+"""Loaded readings of a run that tell a curvature of two coefficients from one of them."""
 
 
 def single_faults(evidence: Evidence) -> Iterator[Problem]:
@@ -101,8 +101,8 @@ def _off(evidence: Evidence) -> tuple[Array, Array]:
 def _along_only(evidence: Evidence) -> Marks:
     """Tell which readings are off along their load, and little across it.
 
-    A cell of third degree bends every load of its run, which is no wrong one: a reading must be off
-    beside the rest of its run as well.
+    A cell of third degree shifts every load of its run, which is no wrong one: a reading must be
+    off beside the rest of its run as well.
     """
     (off, across), sure = _off(evidence), _sure(evidence)
     wrong = (np.abs(off) > sure) & (np.abs(across) < np.maximum(sure, 0.5 * np.abs(off)))
@@ -112,8 +112,8 @@ def _along_only(evidence: Evidence) -> Marks:
 def _beside(evidence: Evidence, off: Array, asked: Marks) -> Array:
     """Return what readings are off beside the rest of their run, (n,) N; ``off`` of all others.
 
-    The rest tells a gain and a bend, by Huber. What it tells of the heaviest load is less sure: it
-    counts in the scatter of a reading whose place it knows well.
+    The rest tells a gain and a curvature, by Huber. What it tells of the heaviest load is less
+    sure: it counts in the scatter of a reading whose place it knows well.
     """
     beside, runs = off.copy(), evidence.loads.runs()
     share = evidence.loads.applied / evidence.loads.applied.max()

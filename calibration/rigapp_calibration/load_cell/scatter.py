@@ -197,9 +197,9 @@ def _branch_rows(seen: Loads) -> list[Whole]:
 def _between(scores: SeriesScores, power: int, noise: float, axes: slice) -> float:
     """Return the standard deviation between series of a coefficient of w^power, beyond noise, N."""
     rows = scores.shape[:, power, :]
-    found = np.einsum("jm,jma->ja", rows, scores.scores)[:, axes]
+    means = np.einsum("jm,jma->ja", rows, scores.scores)[:, axes]
     own = noise * float(np.mean(np.sum(rows**2, axis=1)))
-    return math.sqrt(max(0.0, float(np.mean(found**2)) - own))
+    return math.sqrt(max(0.0, float(np.mean(means**2)) - own))
 
 
 def _beyond(square: float, noise: float) -> float:
@@ -245,12 +245,12 @@ class SeriesScores:
         count = len(self.scores)
         weight = combination @ self.influence
         form = weight.T @ weight
-        found = float(np.sum(self.covariance * form))
+        variance = float(np.sum(self.covariance * form))
         size = len(form)
         shaped = self.spread.reshape(count, size, count, size) @ form
         expected = float(np.einsum("jsjs->", shaped))
         squared = float(np.einsum("jskt,ktjs->", shaped, shaped))
-        return found, expected**2 / squared if squared > 0.0 else 1.0
+        return variance, expected**2 / squared if squared > 0.0 else 1.0
 
 
 def series_scores(
@@ -274,8 +274,10 @@ def series_scores(
     free = np.eye(count * m) - own.reshape(-1, p) @ bread @ own.reshape(-1, p).T
     blocks = free.reshape(count, m, count, m)
     raise_up = _power(blocks[np.arange(count), :, np.arange(count)], -0.5)
-    found = np.array([q.T @ residual[rows] for (q, _), rows in zip(factors, members, strict=True)])
-    scores = raise_up @ found @ turn
+    projected = np.array(
+        [q.T @ residual[rows] for (q, _), rows in zip(factors, members, strict=True)]
+    )
+    scores = raise_up @ projected @ turn
     made = np.einsum("jab,jbkc->jakc", raise_up, blocks).reshape(count * m, count * m)
     # Scores of residuals from scores of errors, both along and across the load of their series.
     made = np.einsum("jskt,jua,kub->jsaktb", made.reshape(count, m, count, m), turn, turn)
@@ -284,7 +286,7 @@ def series_scores(
     flat = scores.reshape(count, 2 * m)
     covariance, spread = _set_right(flat.T @ flat / count, made)
     rest = residual.copy()
-    for (q, _), rows, score in zip(factors, members, found, strict=True):
+    for (q, _), rows, score in zip(factors, members, projected, strict=True):
         rest[rows] -= q @ score
     return SeriesScores(
         scores=scores,

@@ -39,11 +39,10 @@ class Use:
     the calibration and in use, part of the load. angle: of the pin in use, rad (an eccentric
     encoder). largest: force in use, N, None for full scale. dead_zone: part of full scale that is
     held back of every load, by friction at the hanger. other_adapter: introduces the load in use.
-    zeroed: the zero is taken before a test, so
-    that that of the calibration is not used. What no reading of the calibration shows, parts of
-    full scale: cross_terms f1 f2 at full scale, of each bridge; bend, of the characteristic beyond
-    the largest load; loop, the width of the hysteresis where no falling loads were read, or the
-    cycles in use are longer.
+    zeroed: the zero is taken before a test, so that that of the calibration is not used. What no
+    reading of the calibration shows, parts of full scale: cross_terms f1 f2 at full scale, of each
+    bridge; nonlinearity, of the characteristic beyond the largest load; loop, the width of the
+    hysteresis where no falling loads were read, or the cycles in use are longer.
     """
 
     temperature: float = 0.0
@@ -59,7 +58,7 @@ class Use:
     other_adapter: bool = True
     zeroed: bool = False
     cross_terms: float = 0.0125
-    bend: float = 0.005
+    nonlinearity: float = 0.005
     loop: float = 0.005
 
 

@@ -116,7 +116,7 @@ def pin_force(weight: ArrayLike, angle: ArrayLike, offset: float) -> Array:
 
 GRAM = 1e-3
 FEWEST_LOADS = 3
-"""Above zero: two tell neither a bend nor a loop."""
+"""Above zero: two tell neither a curvature nor a loop."""
 MOST_PIECES = 64
 """The sums of so many pieces are found at once; no laboratory hangs more."""
 

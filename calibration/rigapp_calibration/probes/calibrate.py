@@ -25,7 +25,7 @@ from rigapp_calibration.taking.uncertainty import (
 FEWEST_FREE = 4
 """Degrees of freedom of positions read again: fewer tell their noise worse than a curve does."""
 KNOTS = 16
-"""Places of the range at which its bend is stated; between them it is smooth."""
+"""Places of the range at which its nonlinearity is stated; between them it is smooth."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,15 +100,15 @@ class _Scatter:
     """What the residuals of a line hold, taken apart so that nothing counts twice; m.
 
     noise: standard deviation of one reading, with its degrees of freedom. between: of positions,
-    beyond their noise and the bend. bent: of the line, by terms of second and third degree, at even
-    places of the range. drift: from the first to the last reading. What noise alone would show of
-    them is taken off.
+    beyond their noise and the nonlinearity. nonlinear: what the line leaves, by terms of second and
+    third degree, at even places of the range. drift: from the first to the last reading. What noise
+    alone would show of them is taken off.
     """
 
     noise: float
     degrees: float
     between: float
-    bent: tuple[float, ...]
+    nonlinear: tuple[float, ...]
     drift: float
 
 
@@ -120,36 +120,36 @@ def _scatter(readings: ProbeReadings, residual: Array) -> _Scatter:
     middle = 0.5 * float(readings.position.min() + readings.position.max())
     w = 2.0 * (readings.position - middle) / float(np.ptp(readings.position))
     curve = np.column_stack((np.vander(w, 4, increasing=True), others))
-    found, left, free = _solved(curve, residual)
+    solution, left, free = _solved(curve, residual)
     variance, between = left / free, 0.0
-    steps, place = np.unique(np.round(readings.position, 9), return_inverse=True)
+    steps, position = np.unique(np.round(readings.position, 9), return_inverse=True)
     if count - len(steps) - others.shape[1] >= FEWEST_FREE and len(steps) > 4:
         # Positions that were read again tell noise from what belongs to them.
-        own = np.column_stack((np.eye(len(steps))[place], others))
+        own = np.column_stack((np.eye(len(steps))[position], others))
         _, inside, inside_free = _solved(own, residual)
         variance = inside / inside_free
         more = (left - inside) / (free - inside_free) - variance
         between, free = max(0.0, more) * len(steps) / count, inside_free
-    # Only what a straight line leaves of noise can look like a bend.
+    # Only what a straight line leaves of noise can look nonlinear.
     line = np.linalg.qr(curve[:, :2])[0]
     shapes = np.vander(np.linspace(-1.0, 1.0, KNOTS), 4, increasing=True)
-    told = shapes @ np.linalg.pinv(curve)[:4]
-    told = told - (told @ line) @ line.T
-    bent = shapes @ found[:4]
-    seen = float(bent @ bent)
-    by_noise = (variance + between * count / len(steps)) * float(np.sum(told**2))
+    gains = shapes @ np.linalg.pinv(curve)[:4]
+    gains = gains - (gains @ line) @ line.T
+    curved = shapes @ solution[:4]
+    seen = float(curved @ curved)
+    by_noise = (variance + between * count / len(steps)) * float(np.sum(gains**2))
     kept = math.sqrt(max(0.0, 1.0 - by_noise / seen)) if seen > 0.0 else 0.0
     return _Scatter(
-        math.sqrt(variance), float(free), math.sqrt(between), tuple((kept * bent).tolist()),
-        float(found[4]),
+        math.sqrt(variance), float(free), math.sqrt(between), tuple((kept * curved).tolist()),
+        float(solution[4]),
     )  # fmt: skip
 
 
 def _solved(rows: Array, values: Array) -> tuple[Array, float, int]:
     """Return the least squares solution, the sum of squares that it leaves, degrees of freedom."""
-    found = np.asarray(np.linalg.lstsq(rows, values, rcond=None)[0], np.float64)
-    rest = values - rows @ found
-    return found, float(rest @ rest), max(1, len(values) - int(rows.shape[1]))
+    solution = np.asarray(np.linalg.lstsq(rows, values, rcond=None)[0], np.float64)
+    rest = values - rows @ solution
+    return solution, float(rest @ rest), max(1, len(values) - int(rows.shape[1]))
 
 
 def _result(
@@ -177,10 +177,10 @@ def _result(
         ),
         Contribution(
             say("bend of the line, second and third degree"),
-            math.sqrt(float(np.mean(np.square(parts.bent)))),
+            math.sqrt(float(np.mean(np.square(parts.nonlinear)))),
             evaluation="A",
             distribution="two-point",
-            points=parts.bent,
+            points=parts.nonlinear,
         ),
         Contribution("micrometer", screw),
         # The micrometer's own errors make positions differ as well.

@@ -22,11 +22,11 @@ from rigapp_calibration.taking.readings import (
 )
 
 GOOD_POSITIONS = 11
-"""With ten steps a bend of the line stands out from what single positions are off."""
+"""With ten steps a curvature of the line stands out from what single positions are off."""
 LIMIT_OF_SPAN = 0.005
 """Part of the span that backlash and drift may be."""
 NONLINEAR = 0.01
-"""Part of the span that the line may bend: makers state linearities of 0.2 to 0.5 %."""
+"""Part of the span by which the line may be curved: makers state linearities of 0.2 to 0.5 %."""
 SENSITIVITY_OFF = 0.3
 """Relative: a target or a cable changes it by less; the next range of an amplifier by more."""
 UNIT_OFF = 100.0
@@ -103,15 +103,15 @@ def _motion(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Proble
 
 def checks(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -> Iterator[Problem]:
     """Yield what is wrong with the steps, the cause first; its consequences are left out."""
-    found = list(_scale(readings, settings, line)) or [
+    problems = list(_scale(readings, settings, line)) or [
         *_saturation(readings, settings),
         *_copies(readings),
     ]
-    if not found:
-        found = list(positions(readings, line))
-    if not found:
-        found = [*_monotonic(readings, line), *_systematic(readings, line)]
-    yield from found
+    if not problems:
+        problems = list(positions(readings, line))
+    if not problems:
+        problems = [*_monotonic(readings, line), *_systematic(readings, line)]
+    yield from problems
     if len(np.unique(readings.position)) < GOOD_POSITIONS:
         yield note(
             "few_positions",
@@ -126,9 +126,9 @@ def checks(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -
 
 def _scale(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -> Iterator[Problem]:
     """Yield what is wrong with all positions alike: unit, direction, sensitivity."""
-    span, found = float(np.ptp(readings.position)), 1e6 / line.slope
+    span, measured = float(np.ptp(readings.position)), 1e6 / line.slope
     expected = settings.nominal
-    ratio = found / (1e6 * expected) if expected else 1.0
+    ratio = measured / (1e6 * expected) if expected else 1.0
     small = span < SHORT_SPAN and float(np.ptp(readings.signal)) > 0.5
     if abs(ratio) < 1.0 / UNIT_OFF or abs(ratio) > UNIT_OFF or (small and not expected):
         yield Problem(
@@ -137,7 +137,7 @@ def _scale(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -
                 "The positions span {:g} um and the sensitivity would be {:.4g} um/V:"
                 " positions are written in micrometres, not in millimetres (1 mm = 1000 um).",
                 1e6 * span,
-                found,
+                measured,
             ),
         )
     elif ratio < 0.0:
@@ -147,7 +147,7 @@ def _scale(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -
                 "The sensitivity is {:+.2f} um/V where {:+.2f} is expected: the micrometer"
                 " was turned the other way, or its scale counts the other way. Positive is"
                 " along the axis of the follower (probe 1) or across it (probe 2).",
-                found,
+                measured,
                 1e6 * (expected or 0.0),
             ),
         )
@@ -157,7 +157,7 @@ def _scale(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -
             say(
                 "The sensitivity is {:.2f} um/V where {:.2f} is expected: another range of"
                 " the probe's electronics, or another micrometer screw?",
-                found,
+                measured,
                 1e6 * (expected or 0.0),
             ),
         )
@@ -282,13 +282,13 @@ def systematic(readings: ProbeReadings) -> tuple[float, float, float, float]:
     if 0.0 < down.mean() < 1.0:
         columns.append(down)
     design = np.column_stack(columns)
-    found = np.linalg.lstsq(design, readings.signal, rcond=None)[0]
-    slope = found[1] / half
-    rest = readings.signal - design @ found
+    solution = np.linalg.lstsq(design, readings.signal, rcond=None)[0]
+    slope = solution[1] / half
+    rest = readings.signal - design @ solution
     free = max(1, len(position) - design.shape[1])
     spread = math.sqrt(float(rest @ rest) / free) / abs(slope)
-    offset = found[4] / slope if len(found) > 4 else 0.0
-    return float(offset), float(found[2] / slope), float(found[3] / slope), spread
+    offset = solution[4] / slope if len(solution) > 4 else 0.0
+    return float(offset), float(solution[2] / slope), float(solution[3] / slope), spread
 
 
 WRONG_POSITION = 0.01

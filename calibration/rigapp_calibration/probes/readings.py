@@ -14,7 +14,7 @@ from rigapp_calibration.taking.readings import (
 )
 
 FEWEST_POSITIONS = 5
-"""Fewer do not tell a bend from a wrong position."""
+"""Fewer do not tell a curvature from a wrong position."""
 PROBE_COLUMNS = ("series", "step", "position_um", "signal_V")
 OTHER_COLUMN = "other_signal_V"
 """Voltage of the probe that must not move, taken with each reading by the program itself."""

@@ -143,14 +143,14 @@ def make_map(rolls: Sequence[Roll], orders: int, elastic_doubts: Sequence[Array]
     problems = list(_unusable(rolls, orders))
     if blocked(problems):
         return RunOutMap(False, tuple(problems))
-    found = tuple(
+    harmonics = tuple(
         _develop(index, turn, orders) for index, roll in enumerate(rolls) for turn in roll.turns
     )
-    return map_of_harmonics(found, [roll.speed for roll in rolls], elastic_doubts, problems)
+    return map_of_harmonics(harmonics, [roll.speed for roll in rolls], elastic_doubts, problems)
 
 
 def map_of_harmonics(
-    found: tuple[Harmonics, ...],
+    harmonics: tuple[Harmonics, ...],
     speeds: Sequence[float],
     elastic_doubts: Sequence[Array] = (),
     problems: Sequence[Problem] = (),
@@ -159,7 +159,7 @@ def map_of_harmonics(
 
     problems: what was found in the samples. The rest is as ``make_map`` says.
     """
-    part = _combine(found, speeds, elastic_doubts)
+    part = _combine(harmonics, speeds, elastic_doubts)
     grid = np.linspace(0.0, 2.0 * math.pi, GRID, endpoint=False)
     curve = evaluate(part.coefficients, grid)
     combined = spread_at(part.covariance, grid).max(axis=1)
@@ -167,15 +167,15 @@ def map_of_harmonics(
     inertia = _largest([part.inertia], grid) if part.inertia is not None else None
     elastic = _largest([part.elastic], grid) if part.elastic.any() else None
     between = _largest(part.away, grid) if part.away else None
-    drift = _drift(found, grid)
-    rest = np.asarray(np.mean([h.rest for h in found], axis=0), np.float64)
+    drift = _drift(harmonics, grid)
+    rest = np.asarray(np.mean([h.rest for h in harmonics], axis=0), np.float64)
     peak = np.asarray(np.ptp(curve, axis=1), np.float64)
     problems = (*problems, *_judge(curve, combined, within, between, drift))
-    factor = float(reporting.k_factor(max(2.0, float(len(found) - 1))))
+    factor = float(reporting.k_factor(max(2.0, float(len(harmonics) - 1))))
     return RunOutMap(
         accepted=not blocked(problems),
         problems=problems,
-        harmonics=found,
+        harmonics=harmonics,
         coefficients=part.coefficients,
         covariance=part.covariance,
         combined=combined,
@@ -209,9 +209,9 @@ def _develop(roll: int, turn: SlowRevolution, orders: int) -> Harmonics:
     design = np.column_stack((_basis(turn.angle, orders), np.ones_like(turned), turned))
     moved = np.zeros_like(turn.probes) if turn.elastic is None else turn.elastic
     shown = np.concatenate((turn.probes - moved, moved)).T
-    found = np.linalg.lstsq(design, shown, rcond=None)[0]
-    rest = (shown - design @ found)[:, :2].std(axis=0, ddof=design.shape[1])
-    orders_of = np.asarray(found[: 2 * orders].T, np.float64)
+    solution = np.linalg.lstsq(design, shown, rcond=None)[0]
+    rest = (shown - design @ solution)[:, :2].std(axis=0, ddof=design.shape[1])
+    orders_of = np.asarray(solution[: 2 * orders].T, np.float64)
     return Harmonics(roll, turn.number, orders_of[:2], orders_of[2:], rest)
 
 
@@ -228,11 +228,11 @@ class _Combined:
 
 
 def _combine(
-    found: Sequence[Harmonics], speeds: Sequence[float], elastic_doubts: Sequence[Array]
+    harmonics: Sequence[Harmonics], speeds: Sequence[float], elastic_doubts: Sequence[Array]
 ) -> _Combined:
     """Extrapolate to speed 0 where the speeds differ, else take the mean of the rolls."""
     count = len(speeds)
-    groups = [np.array([h.coefficients for h in found if h.roll == i]) for i in range(count)]
+    groups = [np.array([h.coefficients for h in harmonics if h.roll == i]) for i in range(count)]
     means = np.array([group.mean(axis=0) for group in groups])
     squares = np.square(speeds)
     distinct = math.sqrt(squares.max() / squares.min()) >= DISTINCT
@@ -245,7 +245,7 @@ def _combine(
     for weight, group in zip(weights[0], groups, strict=True):
         for probe in range(2):
             within[probe] += weight**2 * np.cov(group[:, probe].T) / len(group)
-    moved = [np.mean([h.elastic for h in found if h.roll == i], axis=0) for i in range(count)]
+    moved = [np.mean([h.elastic for h in harmonics if h.roll == i], axis=0) for i in range(count)]
     elastic = np.tensordot(weights[0], np.array(moved), axes=1)
     total, free = within.copy(), count - design.shape[1]
     inertia = parts[1] * squares.min() if distinct else None
@@ -268,11 +268,11 @@ def _largest(parts: Sequence[Array], grid: Array) -> Array:
     return np.asarray(np.max(values, axis=0), np.float64)
 
 
-def _drift(found: Sequence[Harmonics], grid: Array) -> Array:
+def _drift(harmonics: Sequence[Harmonics], grid: Array) -> Array:
     """Return the largest change of the map from the first to the last half of a roll, m."""
     worst = np.zeros(2)
-    for index in sorted({one.roll for one in found}):
-        group = [h.coefficients for h in found if h.roll == index]
+    for index in sorted({one.roll for one in harmonics}):
+        group = [h.coefficients for h in harmonics if h.roll == index]
         half = len(group) // 2
         change = np.mean(group[-half:], axis=0) - np.mean(group[:half], axis=0)
         worst = np.maximum(worst, np.abs(evaluate(change, grid)).max(axis=1))

@@ -80,14 +80,14 @@ def remaining(
     require_positive("depth", depth, "m")
     known, errors = identification, identification.errors
     needed = (depth + MARGIN * errors.reference) / (1.0 - min(MARGIN * known.sensitivity, 0.5))
-    if needed > life.reach:
+    if needed > life.computed_depth:
         return Remaining(
             depth,
             None,
             say(
                 "beyond what the model computes: its life reaches {:.4g} um, and {:.4g} um"
                 " are needed for the limits of {:.4g} um",
-                1e6 * life.reach,
+                1e6 * life.computed_depth,
                 1e6 * needed,
                 1e6 * depth,
             ),
@@ -229,7 +229,8 @@ def predictive_band(
     low, high = (mean - 5.0 * deviation).min(axis=0), (mean + 5.0 * deviation).max(axis=0)
     found = [_level(level, weight, mean, deviation, low, high) for level in LEVELS]
     beyond = (
-        found[2] > life.reach * (1.0 - MARGIN * known.sensitivity) - MARGIN * known.errors.reference
+        found[2]
+        > life.computed_depth * (1.0 - MARGIN * known.sensitivity) - MARGIN * known.errors.reference
     )
     lower, middle, upper = (np.where(beyond, np.nan, one) for one in found)
     return Band(at, middle, lower, upper)

@@ -110,7 +110,7 @@ class Identification:
 
 
 def distribution(values: Array, weights: Array, breadth: Array | float) -> tuple[Array, Array]:
-    """Return where the distribution of values bends, and itself there; it is straight between.
+    """Return the corners of the distribution of values, and itself there; it is straight between.
 
     Each value is spread evenly over its breadth; weights sum up to 1.
     """

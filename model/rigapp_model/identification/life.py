@@ -77,8 +77,8 @@ class DepthLife:
     revolution is, again and again; relative_error: bound of the computation's own error, as a part
     of the depth; elastic (m,): standard uncertainty, m, by the bushing's modulus of a reading at
     each row of the course, all of one sign, None without any. It is never extrapolated: beyond
-    ``reach`` nothing is known but that the depth is larger. A load whose *size* changes is in the
-    progress; one whose shape changes needs another life.
+    ``computed_depth`` nothing is known but that the depth is larger. A load whose *size* changes is
+    in the progress; one whose shape changes needs another life.
     """
 
     coefficient: float
@@ -91,7 +91,7 @@ class DepthLife:
         require_not_negative("relative_error", self.relative_error)
 
     @property
-    def reach(self) -> float:
+    def computed_depth(self) -> float:
         """Return the largest depth that is computed, m."""
         return float(self.course.depth[-1])
 

@@ -213,14 +213,14 @@ def _refuse_beyond(given: Given, depth: Array, log_post: Array) -> None:
 
     depth (H,): of the last bin by the hypotheses, m; log_post (J, H).
     """
-    reach = given.life.reach
+    deepest = given.life.computed_depth
     share = np.exp(log_post - log_post.max()).sum(axis=0)
-    if share[depth >= reach].sum() > 1e-3 * share.sum():
+    if share[depth >= deepest].sum() > 1e-3 * share.sum():
         raise NotIdentifiable(
             say(
                 "the model computes the life to a depth of {:.4g} um only, and {:.4g} um"
                 " are measured: compute it further",
-                1e6 * reach,
+                1e6 * deepest,
                 1e6 * given.readings.depth[-1],
             )
         )

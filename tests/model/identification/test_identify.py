@@ -153,7 +153,7 @@ def test_the_depth_reaches_what_remains_within_its_limits() -> None:
 
 def test_beyond_the_computed_life_there_is_no_number_but_a_reason() -> None:
     known = identified(virtual.readings(LIFE, 7, 10000))
-    found = remaining(known, LIFE, LIFE.reach)
+    found = remaining(known, LIFE, LIFE.computed_depth)
     assert found.revolutions is None
     assert "beyond what the model computes" in found.reason
     band = predictive_band(known, LIFE, [20000.0, 1e7])
@@ -199,7 +199,7 @@ def test_beyond_its_end_a_life_is_its_last_depth_to_the_last_bit() -> None:
         progress = np.linspace(0.0, end, 50)
         life = depth_life(virtual.NOMINAL, progress, LIFE.course.at(progress)[0])
         for factor in (1.0, 1.5, 40.0):
-            assert life.course.at(np.array([factor * end]))[0] == life.reach
+            assert life.course.at(np.array([factor * end]))[0] == life.computed_depth
 
 
 NUMBER = np.arange(1.0, 20001.0)
