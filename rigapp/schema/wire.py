@@ -41,6 +41,24 @@ def tree_of(record: Any) -> Any:
     return msgspec.to_builtins(record, builtin_types=(Sentence,))
 
 
+def parts_of_sentence(sentence: Sentence) -> list[Any]:
+    """Return the template of a sentence and, where it has them, its values: for JSON."""
+    values = {
+        name: parts_of_sentence(value) if isinstance(value, Sentence) else value
+        for name, value in sentence.values.items()
+    }
+    return [sentence.template, values] if values else [sentence.template]
+
+
+def sentence_of_parts(parts: Any) -> Sentence:
+    """Return the sentence of its parts; raise ValueError or TypeError where they are of none."""
+    template, values = (*parts, {})[:2]
+    if not isinstance(template, str):
+        raise TypeError(template)
+    made = {k: sentence_of_parts(v) if isinstance(v, list) else v for k, v in values.items()}
+    return Sentence.of(template, made)
+
+
 def _extended(value: object) -> Ext:
     if not isinstance(value, Sentence):
         raise NotImplementedError(f"{type(value).__name__} cannot be sent")

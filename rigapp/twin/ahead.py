@@ -53,7 +53,9 @@ class BushingAhead:
                 self._step()
         except (ModelError, ValueError, ArithmeticError) as error:
             self._failed = True
-            log.warning("The elastic approach is not known beyond %g m: %s", self._reach, error)
+            log.warning(
+                say("The elastic approach is not known beyond {:g} m: {}", self._reach, error)
+            )
         if self._rows and (self._told is None or self._told.depths.size < len(self._rows)):
             order = np.argsort(self.loads.magnitude)
             table = np.array(self._rows)[:, order]

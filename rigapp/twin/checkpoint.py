@@ -9,6 +9,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.texts import say
 from rigapp.twin.agreement import BandRecord
 from rigapp.twin.ahead import BushingAhead
 from rigapp.twin.deviation import DeviationRecord
@@ -164,8 +165,11 @@ def take_over(twin: Twin, checkpoint: bytes, same_model: bool) -> None:
     record = _decoded(checkpoint)
     if record is not None and record.reference is not None:
         log.warning(
-            "The specimen's last test had another model, or its wear depth is not to be trusted:"
-            " the model's bushings begin unworn, and the wear coefficient is not stated."
+            say(
+                "The specimen's last test had another model, or its wear depth is not to be"
+                " trusted: the model's bushings begin unworn, and the wear coefficient is not"
+                " stated."
+            )
         )
         twin.reference, twin.identifier = _reference(record.reference), None
 

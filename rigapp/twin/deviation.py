@@ -25,6 +25,7 @@ from rigapp.schema.deviations import (
     NO_CAUSE,
     deviation_sentence,
 )
+from rigapp.texts import say
 from rigapp.twin.pinpath import Reference
 from rigapp.twin.predict import COVERAGE_FACTOR, GRID
 from rigapp.twin.tolerances import (
@@ -167,7 +168,7 @@ class DeviationWatch:
             before, self.told = self.told, max(found, key=lambda one: abs(one.score))
             if self.told.name not in (before.name, NO_CAUSE):
                 sentence = deviation_sentence(*self.told.columns.values())
-                log.warning("Measurement and model differ %s.", sentence)
+                log.warning(say("Measurement and model differ {}.", sentence))
         return self.told
 
     def _by_force(self, motion: MechanismMotion, left_open: Array, depth: float) -> Deviation:

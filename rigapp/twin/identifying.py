@@ -133,7 +133,9 @@ class LifeAhead:
                 raise ModelError("loads", self.loads.mean_force, say("they wear no depth"), "N")
         except (ModelError, ValueError, ArithmeticError) as error:
             self.failed = error_text(error, say("the wear cannot be computed"))
-            log.warning("The life is not computed beyond %g um: %s", 1e6 * self.depth[-1], error)
+            log.warning(
+                say("The life is not computed beyond {:g} um: {}", 1e6 * self.depth[-1], error)
+            )
             return
         self.progress.append(self._state.cycles)
         self.depth.append(reached)
@@ -314,7 +316,7 @@ class Identifier:
             self.prior()
         except NotIdentifiable as refused:
             self.refused = sentence_of_error(refused)
-            log.warning("The wear coefficient is not stated: %s.", self.refused)
+            log.warning(say("The wear coefficient is not stated: {}.", self.refused))
         return not self.refused
 
     # --- checkpoint ------------------------------------------------------------------------------

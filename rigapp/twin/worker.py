@@ -17,7 +17,7 @@ from rigapp.config.parameters import to_parameters
 from rigapp.process.children import Parent
 from rigapp.schema.details import error_text
 from rigapp.schema.messages import RevolutionMeasured
-from rigapp.texts import say, sentence_of_error
+from rigapp.texts import Sentence, say, sentence_of_error
 from rigapp.twin.checkpoint import packed, restore, take_over
 from rigapp.twin.identifying import Identifier
 from rigapp.twin.link import TwinAnswer, TwinSetup
@@ -43,7 +43,8 @@ class Remarks(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         """Keep a warning."""
-        self._texts.append(record.getMessage())
+        said = record.msg  # with its structure, so that a window says it in its language
+        self._texts.append(said if isinstance(said, Sentence) else record.getMessage())
 
     def take(self) -> tuple[str, ...]:
         """Return what came since the last call, each once."""
@@ -79,8 +80,10 @@ def _cell(stated: tuple[float, float] | None) -> CellDoubt | None:
     """Return what is stated of the load cell; say in words what follows where nothing is."""
     if stated is None:
         log.warning(
-            "The friction coefficient is not stated: the load cell has no calibration record that"
-            " states its uncertainty."
+            say(
+                "The friction coefficient is not stated: the load cell has no calibration record"
+                " that states its uncertainty."
+            )
         )
         return None
     constant, relative = (one / COVERAGE_FACTOR for one in stated)

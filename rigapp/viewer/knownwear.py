@@ -24,6 +24,7 @@ from rigapp.presentation.translation import tr, translate
 from rigapp.process.children import module_command
 from rigapp.schema.columns import WEAR_MODELS
 from rigapp.schema.messages import RunState, last_set_speed
+from rigapp.schema.wire import sentence_of_parts
 from rigapp.viewer.channels import FreeValue
 from rigapp.viewer.lines import QUALITY
 from rigapp.viewer.news import News
@@ -208,11 +209,13 @@ def known_wear(path: Path, after: int, run: Run = run_identify) -> KnownWear:
 
 def of_tree(tree: Mapping[str, Any]) -> KnownWear:
     """Return what the JSON of one test says."""
+    parts = tree.get("sentence_parts")  # the sentence for other languages
+    said = sentence_of_parts(parts) if parts else tree["sentence"]
     if tree["refused"]:
-        return KnownWear(tree["sentence"])
+        return KnownWear(said)
     left = tree["remaining_revolutions"]
     return KnownWear(
-        tree["sentence"],
+        said,
         tree["revolution"],
         tree["planned_revolutions"],
         tuple(

@@ -941,7 +941,7 @@
     </message>
     <message>
         <source>Free&amp;ze</source>
-        <translation>Fest&amp;halten</translation>
+        <translation>Ein&amp;frieren</translation>
     </message>
     <message>
         <source>Friction coefficient</source>
@@ -1837,7 +1837,7 @@
     </message>
     <message>
         <source>Who&amp;le test</source>
-        <translation>&amp;Ganzer Versuch</translation>
+        <translation>&amp;Gesamt</translation>
     </message>
     <message>
         <source>Why a level</source>
@@ -8556,6 +8556,10 @@ ab {}</translation>
         <translation>Die Prognose wird berechnet …</translation>
     </message>
     <message>
+        <source>The friction coefficient is not stated: the load cell has no calibration record that states its uncertainty</source>
+        <translation>Der Reibungskoeffizient wird nicht angegeben: Der Kraftsensor hat keinen Kalibrierdatensatz, der seine Unsicherheit angibt</translation>
+    </message>
+    <message>
         <source>The guides are not installed. Settings (Ctrl+,) list what each key does.
 
 The emergency stop is the red button on the rig. It works without this program, and no program replaces it.</source>
@@ -8712,6 +8716,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Das Signal bei Nennkraft</translation>
     </message>
     <message>
+        <source>The specimen&apos;s last test had another model, or its wear depth is not to be trusted: the model&apos;s bushings begin unworn, and the wear coefficient is not stated</source>
+        <translation>Der letzte Versuch der Probe hatte ein anderes Modell, oder seiner Verschleißtiefe ist nicht zu trauen: Die Buchsen des Modells beginnen unverschlissen, und der Verschleißkoeffizient wird nicht angegeben</translation>
+    </message>
+    <message>
         <source>The spindle did not come to rest for the pause.</source>
         <translation>Die Spindel kam für die Pause nicht zur Ruhe.</translation>
     </message>
@@ -8774,6 +8782,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     <message>
         <source>The test has no stop.wear_depth_um, so nothing says when it ends</source>
         <translation>Der Versuch hat kein stop.wear_depth_um, daher sagt nichts, wann er endet</translation>
+    </message>
+    <message>
+        <source>The test is being started: this takes a few seconds.</source>
+        <translation>Der Versuch wird gestartet: Das dauert einige Sekunden.</translation>
     </message>
     <message>
         <source>The test pauses at the safe angle</source>
@@ -13917,6 +13929,10 @@ Mittel (µm)</translation>
         <translation>{} senken</translation>
     </message>
     <message>
+        <source>Measurement and model differ {}</source>
+        <translation>Messung und Modell weichen voneinander ab: {}</translation>
+    </message>
+    <message>
         <source>Modbus RTU device, {}</source>
         <translation>Modbus-RTU-Gerät, {}</translation>
     </message>
@@ -14037,6 +14053,10 @@ Mittel (µm)</translation>
         <translation>Der Treiber &quot;{}&quot; hat keine Simulation; dem Gerät einen echten Anschluss geben</translation>
     </message>
     <message>
+        <source>The elastic approach is not known beyond {:g} m: {}</source>
+        <translation>Die elastische Annäherung ist jenseits von {} m nicht bekannt: {}</translation>
+    </message>
+    <message>
         <source>The encoder shows the crank turning backwards, while the drive turns forwards. If the crank turned counter-clockwise, exchange A and B of the crank encoder or set encoder.direction = {} in the rig file; if it did not, set spindle.direction = {}</source>
         <translation>Der Drehgeber zeigt, dass die Kurbel rückwärts dreht, während der Antrieb vorwärts dreht. Drehte die Kurbel gegen den Uhrzeigersinn, A und B des Drehgebers der Kurbel tauschen oder encoder.direction = {} in der Prüfstandsdatei setzen; sonst spindle.direction = {} setzen</translation>
     </message>
@@ -14087,6 +14107,10 @@ Mittel (µm)</translation>
     <message>
         <source>The last check lies {:.1f} standard deviations {} the mean of all before: repeat it; if it stays, look for the cause before testing</source>
         <translation>Die letzte Prüfung liegt {} Standardabweichungen {} dem Mittel aller vorigen: sie wiederholen; bleibt es dabei, vor dem Versuch die Ursache suchen</translation>
+    </message>
+    <message>
+        <source>The life is not computed beyond {:g} um: {}</source>
+        <translation>Die Lebensdauer wird jenseits von {} um nicht berechnet: {}</translation>
     </message>
     <message>
         <source>The lines of {} are recorded</source>
@@ -14235,6 +14259,10 @@ Mittel (µm)</translation>
     <message>
         <source>The wear coefficient cannot be told, because {}</source>
         <translation>Der Verschleißkoeffizient ist nicht bestimmbar: {}</translation>
+    </message>
+    <message>
+        <source>The wear coefficient is not stated: {}</source>
+        <translation>Der Verschleißkoeffizient wird nicht angegeben: {}</translation>
     </message>
     <message>
         <source>The wear depth is not to be trusted, so stop.{} does not end the test.</source>

@@ -63,9 +63,6 @@ QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus { border: 2px solid $high
 QLineEdit:disabled { background: $alternate; color: $muted; border-color: $hairline; }
 QLineEdit[wrong="true"] { border: 2px solid $critical; padding: 0 7px; }
 
-QCheckBox { border: 2px solid $clear; border-radius: 4px; padding: 1px; }
-QCheckBox:focus { border-color: $highlight; }
-
 QComboBox, QAbstractSpinBox {
     background: $base; color: $text; border: 1px solid $border; border-radius: ${radius}px;
     padding: 0 7px; min-height: 28px; selection-background-color: $highlight;
@@ -159,6 +156,11 @@ QLabel[role="secondary"] { color: $secondary; }
 )
 
 
+OUTLINE_DARKER = 140
+"""Percent by which Fusion draws the outline of a check box darker than its window: in a dark theme
+nobody would see an empty one."""
+
+
 @cache
 def style_sheet(theme: Theme) -> str:
     """Return the style sheet of a theme."""
@@ -217,6 +219,9 @@ def apply_theme(application: QApplication, theme: Theme) -> None:
     if application.font().family() != FAMILY:
         application.setFont(window_font())
     application.setPalette(qt_palette(theme))
+    boxes = qt_palette(theme)
+    boxes.setColor(QPalette.ColorRole.Window, QColor(theme.border).lighter(OUTLINE_DARKER))
+    application.setPalette(boxes, "QCheckBox")  # type: ignore[arg-type]  # the stubs say bytes
     pg.setConfigOptions(
         antialias=False, useOpenGL=False, background=theme.base, foreground=theme.text
     )

@@ -34,7 +34,7 @@ from rigapp.gui.widgets.build import (
     tell,
 )
 from rigapp.gui.widgets.labels import heading
-from rigapp.gui.widgets.reflow import WrappingGrid, flowing
+from rigapp.gui.widgets.reflow import WrappingGrid
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.prepare.folders import StartingFile, write_files
 from rigapp.prepare.real_rig import (
@@ -255,7 +255,8 @@ class BoxCard(QFrame):
         self.who = prose(f"{name}_who", tr("{}: who answers", words), role="caption")
         column(
             styled_label(words, "title"),
-            flowing("Device", (self.device, 1), "Port", (self.port, 1)),
+            row("Device", (self.device, 1)),
+            row("Port", (self.port, 1)),
             self.who,
             on=self,
             margins=(MARGIN, GAP),

@@ -9,7 +9,10 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
+from typing import TypeVar
 
+import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QFont, QFontMetrics, QPainter, QPolygonF
 
@@ -23,6 +26,8 @@ from rigapp.viewer.news import News
 from rigapp.viewer.shown import MARKS, Level, level_of_limit
 
 Tick = tuple[float, str]
+Floats = NDArray[np.floating]
+Place = TypeVar("Place", float, Floats)
 """A place on an axis, and what stands there."""
 NEAREST = 1e-9
 """Of a range: what is less wide is none."""
@@ -89,15 +94,33 @@ class PlotFrame:
     x_range: tuple[float, float]
     y_range: tuple[float, float]
 
-    def x(self, value: float) -> float:
+    def x(self, value: Place) -> Place:
         """Return the place of a value across."""
         low, high = self.x_range
         return self.rect.left() + self.rect.width() * (value - low) / max(high - low, NEAREST)
 
-    def y(self, value: float) -> float:
+    def y(self, value: Place) -> Place:
         """Return the place of a value from above."""
         low, high = self.y_range
         return self.rect.bottom() - self.rect.height() * (value - low) / max(high - low, NEAREST)
+
+    def clear_first(
+        self, places: Sequence[QRectF], curves: Sequence[tuple[Floats, Floats]]
+    ) -> list[QRectF]:
+        """Return places in their order, those first through which the fewest points of curves go.
+
+        curves: x and y of each, arrays (n,) of values.
+        """
+        points = np.zeros(len(places), np.int64)
+        for values in curves:
+            x, y = (self.x(values[0]), self.y(values[1]))
+            points += [
+                np.count_nonzero(
+                    (x >= one.left()) & (x <= one.right()) & (y >= one.top()) & (y <= one.bottom())
+                )
+                for one in places
+            ]
+        return [places[at] for at in np.argsort(points, kind="stable")]
 
 
 def spread(wanted: Sequence[float], room: float, low: float, high: float) -> list[float]:
@@ -209,8 +232,9 @@ def paint_limit_words(
     limits: Sequence[LimitLine],
     theme: Theme,
     taken: list[QRectF],
+    curves: Sequence[tuple[Floats, Floats]] = (),
 ) -> None:
-    """Write what happens at each limit in the range."""
+    """Write what happens at each limit in the range, beside the curves where there is room."""
     low, high = frame.y_range
     font, metrics = small_font()
     painter.setFont(font)
@@ -220,7 +244,8 @@ def paint_limit_words(
             at = frame.y(one.value)
             tops = (at - height, at) if one.below else (at, at - height)
             text, colour = f"{MARKS[one.level]}{one.words}", _limit_colour(one, theme)
-            _words(painter, frame, text, colour, _along(frame.rect, metrics, text, tops), taken)
+            places = frame.clear_first(_along(frame.rect, metrics, text, tops), curves)
+            _words(painter, frame, text, colour, places, taken, _ground(theme))
 
 
 def paint_next_limits(
@@ -229,8 +254,9 @@ def paint_next_limits(
     limits: Sequence[LimitLine],
     theme: Theme,
     taken: list[QRectF],
+    curves: Sequence[tuple[Floats, Floats]] = (),
 ) -> None:
-    """Write at the edges of the range the next limits beyond it, where no spot stands."""
+    """Write at the edges of the range the next limits beyond it, beside spots and curves."""
     low, high = frame.y_range
     rect = frame.rect
     font, metrics = small_font()
@@ -244,7 +270,7 @@ def paint_next_limits(
     ):
         if edge is not None:
             text = f"{edge.words} {caret}"
-            places = reversed(_along(rect, metrics, text, tops))
+            places = frame.clear_first(_along(rect, metrics, text, tops)[::-1], curves)
             _words(painter, frame, text, theme.muted, places, taken, _ground(theme))
 
 

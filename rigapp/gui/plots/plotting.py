@@ -20,14 +20,14 @@ from PySide6.QtGui import (
     QResizeEvent,
     QShowEvent,
 )
-from PySide6.QtWidgets import QGraphicsItem, QLabel, QRubberBand, QWidget
+from PySide6.QtWidgets import QLabel, QRubberBand, QWidget
 
 from rigapp.gui.look.fonts import sized
+from rigapp.gui.plots.axes import QuietAxis
 from rigapp.gui.plots.curves import Canvas, Dots, ShadedBand, Trace
 from rigapp.gui.plots.marks import (
     Marks,
     PlotFrame,
-    Tick,
     name_room,
     paint_axes,
     paint_captions,
@@ -39,7 +39,6 @@ from rigapp.gui.plots.marks import (
     paint_next_limits,
     paint_readout,
     paint_spots,
-    small_font,
 )
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.readings import (
@@ -54,10 +53,10 @@ from rigapp.gui.plots.readings import (
 )
 from rigapp.gui.widgets.build import named, prose
 from rigapp.gui.widgets.labels import ShortLabel
-from rigapp.presentation.numbers import axis_number, grouped
+from rigapp.presentation.numbers import grouped
 from rigapp.presentation.tokens import BODY_PT, GAP, STEP, Theme
 from rigapp.presentation.translation import Text, tr
-from rigapp.viewer.ranges import SteadyRange, round_places
+from rigapp.viewer.ranges import SteadyRange
 from rigapp.viewer.series import LiveData
 
 LEAST_HEIGHT = 20 * STEP
@@ -93,55 +92,6 @@ class NameRoom:
         if self.width != before:
             for one in self._needs:
                 one.give_room()
-
-
-MOST_TICKS = 5
-"""More are read no better."""
-ROWS_APART = 2.0
-"""Heights of a tick's text between two ticks of a vertical axis."""
-TEXT_APART = "−00,000,000"
-"""At least the width of this between two ticks of a horizontal axis."""
-WIDEST = "−0.0000"
-"""Of the texts at a vertical axis: its room never changes, so that the plot keeps still."""
-
-
-class QuietAxis(pg.AxisItem):  # type: ignore[misc]
-    """One axis: its room beside the plot, and what is to be painted there."""
-
-    def __init__(self, side: str) -> None:
-        super().__init__(side)
-        self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemHasNoContents)
-        self.flat = side == "bottom"
-        self.text = ""
-        self.caption("")
-
-    def caption(self, text: str) -> None:
-        """Take what is drawn along it, with its unit."""
-        self.text = text
-        row = small_font()[1].height()
-        if self.flat:
-            self.setHeight((2 if text else 1) * (row + STEP // 2) + STEP // 2)
-        else:
-            widest = small_font()[1].horizontalAdvance(WIDEST)
-            self.setWidth(widest + STEP + (row + STEP if text else 0))
-
-    def ticks(self) -> list[Tick]:
-        """Return where the ticks are, and what stands at them."""
-        if self._tickLevels is not None:
-            return list(self._tickLevels[0])
-        metrics = small_font()[1]
-        size = self.width() if self.flat else self.height()
-        apart = (
-            metrics.horizontalAdvance(TEXT_APART) if self.flat else metrics.height() * ROWS_APART
-        )
-        most = min(MOST_TICKS, int(size / apart))
-        low, high = self.range
-        step, places = round_places(low, high, max(most, 2), 2 if self.flat else 3)
-        return [(at, axis_number(at, step)) for at in places]
-
-    def wheelEvent(self, event: Any) -> None:
-        """Leave the wheel to the plot."""
-        event.ignore()
 
 
 DRAG = 12
@@ -181,7 +131,6 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self._pens: dict[Any, LinePen] = {}
         self._canvas = Canvas()
         self.addItem(self._canvas)
-        self._taken: list[QRectF] = []
         self._placed: PlotFrame | None = None
         self._marks = Marks()
         self._room = room or NameRoom()
@@ -205,6 +154,10 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self._frame_drawn = QRubberBand(QRubberBand.Shape.Rectangle, self)
         self.give_room()
         self.dress(theme)
+
+    def sizeHint(self) -> QSize:
+        """Want no more than the least: a page then scrolls only where that has no room."""
+        return QSize(self.minimumWidth(), self.minimumHeight())
 
     @property
     def zoomed(self) -> bool:
@@ -459,9 +412,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
             )
             paint_axes(painter, frame, shown, left.ticks(), self.theme)
             paint_captions(painter, frame, bottom.text, left.text, self.theme)
-            self._taken = []
             paint_limits(painter, frame, marks.limits, self.theme)
-            paint_limit_words(painter, frame, marks.limits, self.theme, self._taken)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             paint_moments(painter, frame, marks.moments, self.theme)
 
@@ -471,9 +422,12 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
             return
         frame, marks = self._frame(), self._marks
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        taken = list(self._taken)
+        taken: list[QRectF] = []
         paint_spots(painter, frame, marks.spots, self.theme, taken)
-        paint_next_limits(painter, frame, marks.limits, self.theme, taken)
+        if marks.limits:
+            curves = [(one.x, one.y) for one in self._canvas.traces if len(one.x)]
+            paint_limit_words(painter, frame, marks.limits, self.theme, taken, curves)
+            paint_next_limits(painter, frame, marks.limits, self.theme, taken, curves)
         paint_names(painter, frame, marks.names, self.theme)
         if self.cursors.places:
             rows = self.cursor_readout()
@@ -598,6 +552,19 @@ class PlotPanel(QWidget):
         """Take a theme."""
         for plot in self.findChildren(QuietPlot):
             plot.dress(theme)
+
+    def minimumSizeHint(self) -> QSize:
+        """Return what it needs at its width: a splitter does not ask how its texts wrap."""
+        least, layout = super().minimumSizeHint(), self.layout()
+        if layout is not None and layout.hasHeightForWidth():
+            least.setHeight(max(least.height(), layout.totalMinimumHeightForWidth(self.width())))
+        return least
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Take note that texts wrap otherwise now."""
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self.updateGeometry()
 
     def take_data(self, data: LiveData) -> bool:
         """Take the data that is drawn from now on; return whether it is other than before."""

@@ -292,7 +292,8 @@ class ControlRow(QFrame):
             arguments = {**arguments, "reason": self.text.text().strip()}
             self.text.clear()
         label = tr(verb.replace("_", " "))
-        self.show_answer(f"{label} …", good=True)
+        starting = tr("The test is being started: this takes a few seconds.")
+        self.show_answer(starting if verb == "start" else f"{label} …", good=True)
         self._send(verb, arguments, partial(self._answered, label))
 
     def start_test(self, arguments: dict[str, Any]) -> None:

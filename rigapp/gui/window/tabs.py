@@ -121,6 +121,7 @@ class Tabs(QTabWidget):
         theme: Theme,
         results: ResultShelf,
         worker: TaskWorker,
+        wear: WearReader,
         stalls: StallCounter,
         preferences: Preferences,
         rig: Path | None = None,
@@ -141,7 +142,7 @@ class Tabs(QTabWidget):
             self.requested.emit,
             self.help_wanted.emit,
             preferences,
-            WearReader(worker),
+            wear,
             rig,
             window_keys(),
         )

@@ -55,6 +55,7 @@ from rigapp.presentation.translation import Text, tr
 from rigapp.schema.messages import NO_TEST, RunState, Snapshot
 from rigapp.schema.states import ACTIVE
 from rigapp.viewer.connection import ConnectionState, EngineConnection
+from rigapp.viewer.knownwear import WearReader
 from rigapp.viewer.news import News
 from rigapp.viewer.showntest import ShownTest
 from rigapp.viewer.tasks import TaskWorker
@@ -130,6 +131,8 @@ class MainWindow(QMainWindow):
         self._settings, self._again = settings, tuple(again)
         self.preferences = preferences or Preferences(settings)
         self._reader = TaskWorker("gui-files", bound=32)
+        # What is known of the wear takes seconds: files are not read behind it.
+        self._identifier = TaskWorker("gui-wear", bound=4)
         self._looks = 0
         self.rhythm: Rhythm | None = None
         self._part = 0
@@ -154,7 +157,14 @@ class MainWindow(QMainWindow):
         self.body = ReplayFrame()
         self._results = ResultShelf(results_folder, self._reader)
         self.tabs = Tabs(
-            test, theme, self._results, self._reader, self.watchdog, self.preferences, rig
+            test,
+            theme,
+            self._results,
+            self._reader,
+            WearReader(self._identifier),
+            self.watchdog,
+            self.preferences,
+            rig,
         )
         self.stage = PageStack(self.tabs)
         self.guide = CalibrationGuide(
@@ -210,6 +220,7 @@ class MainWindow(QMainWindow):
         self._looks += 1
         self._test.deliver()
         self._reader.deliver()
+        self._identifier.deliver()
         before = self._connection.state
         snapshot = self._connection.pump()
         if snapshot is not None:
@@ -369,6 +380,7 @@ class MainWindow(QMainWindow):
         self._test.close()
         self._results.close()
         self._reader.close()
+        self._identifier.close()
         if self._help is not None:
             self._help.close()
         super().closeEvent(event)

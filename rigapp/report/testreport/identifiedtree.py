@@ -14,7 +14,8 @@ from typing import Any
 from rigapp.config.writing import harmless
 from rigapp.report.testreport.identified import ForecastBand, IdentifiedTest, IdentifiedTests
 from rigapp.schema.columns import identified_columns
-from rigapp.texts import say
+from rigapp.schema.wire import parts_of_sentence
+from rigapp.texts import as_written, say
 from rigapp_model.identification import Credible, Disturbance, Identification, Pairing, Verdict
 from rigapp_model.identification.words import revolution_of
 
@@ -74,6 +75,7 @@ def tree_of_test(test: IdentifiedTest) -> dict[str, Any]:
         "planned_revolutions": test.planned,
         "refused": test.refused,
         "sentence": test.said,
+        "sentence_parts": parts_of_sentence(as_written(test.said)),
     }
     known = test.known
     if known is None:

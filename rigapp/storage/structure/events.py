@@ -25,7 +25,7 @@ from rigapp.schema.loglines import (
     What,
 )
 from rigapp.schema.messages import Ends, Event, Severity
-from rigapp.schema.wire import json_bytes, tree_of
+from rigapp.schema.wire import json_bytes, parts_of_sentence, sentence_of_parts, tree_of
 from rigapp.storage.structure.layout import FileColumn
 from rigapp.texts import Sentence, braces
 
@@ -142,7 +142,11 @@ def columns_of(
 
 
 def _encoded(event: Event) -> str:
-    said = [_structure(one) for one in (event.text, *event.data.values()) if _has_words(one)]
+    said = [
+        parts_of_sentence(one)
+        for one in (event.text, *event.data.values())
+        if isinstance(one, Sentence) and _has_words(one)
+    ]
     data = {**event.data, SAID: said} if said else event.data
     return json_bytes(data).decode() if data else ""
 
@@ -155,29 +159,12 @@ def _has_words(text: object) -> bool:
     return any(map(str.isalpha, literals)) or any(map(_has_words, text.values.values()))
 
 
-def _structure(sentence: Sentence) -> list[Any]:
-    values = {
-        name: _structure(value) if isinstance(value, Sentence) else value
-        for name, value in sentence.values.items()
-    }
-    return [sentence.template, values] if values else [sentence.template]
-
-
-def _sentence(structure: Any) -> Sentence:
-    """Return a sentence of its structure; raise ValueError or TypeError where it is none."""
-    template, values = (*structure, {})[:2]
-    if not isinstance(template, str):
-        raise TypeError(template)
-    made = {k: _sentence(v) if isinstance(v, list) else v for k, v in values.items()}
-    return Sentence.of(template, made)
-
-
 def _sentences(structures: Any) -> dict[str, Sentence]:
     """Return sentences by their English texts; what is none, is left out."""
     result: dict[str, Sentence] = {}
     for one in structures if isinstance(structures, list) else ():
         with contextlib.suppress(ValueError, TypeError, KeyError, AttributeError, RecursionError):
-            sentence = _sentence(one)
+            sentence = sentence_of_parts(one)
             result[str(sentence)] = sentence
     return result
 
