@@ -19,6 +19,7 @@ def test_start_pause_resume_stop_by_the_mouse_alone(
     def hit(name: str) -> None:
         """Click where a button is, once nothing covers it there."""
         button = window.findChild(QPushButton, name)
+        assert button is not None
 
         def seen() -> bool:
             window.tick()

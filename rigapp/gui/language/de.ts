@@ -6609,7 +6609,7 @@ ab {}</translation>
     </message>
     <message>
         <source>No forecast: the probes have no calibration record. Calibrate them.</source>
-        <translation>Keine Prognose: Die Wegsensoren haben keinen Kalibrierdatensatz. Kalibrieren Sie sie.</translation>
+        <translation>Keine Prognose ohne Kalibrierung der Wegsensoren.</translation>
     </message>
     <message>
         <source>No limit is watched now</source>
