@@ -149,9 +149,11 @@ def spoilt_lines(line: str, key: str, value: str) -> Iterator[str]:
 def of_calibrations(folder: Path) -> Iterator[str]:
     rng = np.random.default_rng(3)
     for angles in (4, 12):
-        for _, plant in MISTAKES.values():
+        for mistake in MISTAKES.values():
             taken = take(Kind(angles, noise=0.07, display=0.02), rng)
-            for problem in calibrate_load_cell(plant(taken, rng), SETTINGS).problems:
+            for problem in calibrate_load_cell(
+                mistake.plant(taken, rng), mistake.settings
+            ).problems:
                 yield problem.sentence
     readings = take(Kind(4), rng).readings
     for spoilt in (

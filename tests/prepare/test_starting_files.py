@@ -139,7 +139,9 @@ def test_the_commands_that_it_offers_work_in_the_folder(tmp_path: Path) -> None:
     done = rigapp("init", folder=tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
     assert "Numerical kernels are compiled once" in done.stdout
-    assert done.stdout.splitlines()[-len(NEXT) :] == [f"  {command}" for command in NEXT]
+    *_, examples = lines = done.stdout.splitlines()
+    assert lines[-1 - len(NEXT) : -1] == [f"  {command}" for command in NEXT]
+    assert Path(examples.rpartition(": ")[2]).is_dir()
     for command in NEXT:
         short = ("--revolutions", "5") if command.startswith("rigapp run") else ()
         done = rigapp(*command.split()[1:], *short, folder=tmp_path)

@@ -14,6 +14,7 @@ from publishing_samples import ADA, RIG_TEXT, event, recorded
 from rigapp.commands.files import package_tests
 from rigapp.publishing.findings import RIG, Passage, found_in
 from rigapp.publishing.package import private_in, published
+from rigapp.storage import open_test
 from rigapp_calibration.records import seal
 
 ROOT = "/root"
@@ -185,8 +186,13 @@ def test_the_verb_refuses_and_says_what_to_do(
     assert "note: t.h5: event 2 holds the name of Eve" in done.stderr
     assert "by Ada Lovelace, CC-BY-4.0" in done.stdout
     assert path.read_bytes() == before
-    with zipfile.ZipFile(to) as archive:
-        assert archive.read("t/t.h5") == before
+    with (
+        zipfile.ZipFile(to) as archive,
+        h5py.File(archive.open("t/t.h5")) as copy,
+        open_test(path) as reader,
+    ):
+        packed = copy["/entry/revolutions/force_max"][:]
+        assert packed.tolist() == reader.column("force_max").tolist() != []
     again = rigapp(*asked, "--allow-private")
     assert again.returncode == 2
     assert "not overwritten" in again.stderr

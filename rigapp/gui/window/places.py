@@ -25,7 +25,7 @@ from rigapp.gui.widgets.build import (
 from rigapp.presentation.tokens import CAPTION_PT, GAP, STEP, Theme
 from rigapp.presentation.translation import Text, marked, tr
 
-RAIL_WIDTH = 12 * STEP
+RAIL_WIDTH = 13 * STEP
 ITEM_HEIGHT = 9 * STEP
 TIGHT_ITEM_HEIGHT = 6 * STEP
 ICON = QSize(24, 24)
