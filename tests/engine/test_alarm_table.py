@@ -51,6 +51,13 @@ def test_what_is_raised_is_in_the_table_with_all_that_its_words_name() -> None:
             raised.add(key)
             assert key in KINDS, where
             assert named(key) <= given, f"{where}: {key} needs {named(key)}"
+    # ``Engine.warn`` makes the alarm of a key and a sentence, also as a callback.
+    for where, call in calls("warn", "partial"):
+        key_node = call.args[1] if getattr(call.args[0], "attr", "") == "warn" else call.args[0]
+        key = getattr(key_node, "value", None)
+        if isinstance(key, str):
+            raised.add(key)
+            assert named(key) <= {"sentence"}, where
     later = {"input:broken", "input:suspect", "input:before", "input", "input:saturated"}
     assert raised | later == set(KINDS), "raised nowhere, or by a key that is no literal"
 

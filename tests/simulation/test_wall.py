@@ -118,7 +118,9 @@ def plant_and_model(
         plant_constants(parameters, msgspec.structs.replace(rig, simulation=simulation)),
         angle_rad=0.0,
     )
-    worn = life(to_parameters(parameters), TURN, float(turns[-1] + 1), "continuous", 1e-3)
+    # Rows beside each place where it is asked: between two the depth is no straight line.
+    rows = [float(turn + more) for turn in turns for more in (0, 1)]
+    worn = life(to_parameters(parameters), TURN, rows[-1], "continuous", 1e-3, rows=rows)
     found = []
     for turn in turns:
         while plant.angle_rad < TURN * turn:
