@@ -17,12 +17,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 
 from rigapp.gui.panel import Act
-from rigapp.gui.panels.connecting import connection_steps
 from rigapp.gui.panels.results import ResultsPanel
 from rigapp.gui.results.documents import KINDS, DocumentPanel
 from rigapp.gui.results.resultcard import SHAPES, ResultCard, colour_of
 from rigapp.gui.results.results_index import ResultReader, ResultShelf
 from rigapp.gui.results.resulttable import TITLES
+from rigapp.gui.window.side import connection_steps
 from rigapp.gui.window.tabs import NUMBERS
 from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.results import key_numbers, trust_lines

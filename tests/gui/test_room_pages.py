@@ -20,7 +20,7 @@ from study.studies import finished
 from rigapp.config.loading import parse_test
 from rigapp.gui.language import speak_language
 from rigapp.gui.look.dress import style_sheet
-from rigapp.gui.testfile.steps import STEPS
+from rigapp.gui.testfile.sequence import STEPS
 from rigapp.gui.window.help import HelpWindow
 from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.tokens import DARK, LIGHT, THEMES

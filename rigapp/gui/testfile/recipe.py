@@ -39,8 +39,7 @@ from rigapp.gui.testfile.fields import (
 from rigapp.gui.testfile.form import FieldForm, page_of
 from rigapp.gui.testfile.rules import LimitSentences
 from rigapp.gui.testfile.selected_test import SelectedTest, edited, read_selected
-from rigapp.gui.testfile.sequence import SequenceCard
-from rigapp.gui.testfile.steps import MODEL, STEPS, StepBar
+from rigapp.gui.testfile.sequence import MODEL, STEPS, SequenceCard, StepBar
 from rigapp.gui.testfile.unsaved import UnsavedBar
 from rigapp.gui.widgets.build import button, column, named, prose, row, scrolling, tell
 from rigapp.gui.widgets.labels import ElidedLabel

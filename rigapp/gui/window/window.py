@@ -31,22 +31,20 @@ from rigapp.gui.results.documents import launch_process
 from rigapp.gui.results.results_index import ResultShelf
 from rigapp.gui.widgets.build import GuardedButton, button, column, follow_in_tab_order, named, row
 from rigapp.gui.widgets.chunkedtask import ChunkedTask
+from rigapp.gui.window.bars import ReplayBar, ReplayFrame, StartBar
 from rigapp.gui.window.calibrating import CalibrationGuide
 from rigapp.gui.window.command import KEY as COMMAND_KEY
 from rigapp.gui.window.command import ViewerBar, why_forbidden
 from rigapp.gui.window.controls import STARTABLE, ControlRow
-from rigapp.gui.window.header import Header
+from rigapp.gui.window.header import Header, MessageLine
 from rigapp.gui.window.headline import headline, measured, rig_words
 from rigapp.gui.window.help import HelpWindow
-from rigapp.gui.window.messageline import MessageLine
 from rigapp.gui.window.notice import CloseBar, NoticeBar
 from rigapp.gui.window.pagestack import PageStack
 from rigapp.gui.window.places import PageBar, Rail, RailPlace
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.gui.window.recover import RecoverPanel
-from rigapp.gui.window.replaybar import ReplayBar, ReplayFrame
 from rigapp.gui.window.side import SideColumn
-from rigapp.gui.window.startbar import StartBar
 from rigapp.gui.window.tabs import Tabs
 from rigapp.gui.window.watchdog import IDLE_PERIOD_S, PERIOD_S, Watchdog
 from rigapp.presentation.states import occupied_text

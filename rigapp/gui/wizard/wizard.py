@@ -15,10 +15,9 @@ from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.gui.look.dress import dress_part
 from rigapp.gui.widgets.build import column, named, prose, tell
 from rigapp.gui.widgets.steps import ShownStep, StepRow
-from rigapp.gui.wizard.angle_page import AnglePage
 from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import AskLater
-from rigapp.gui.wizard.pages import FACES
+from rigapp.gui.wizard.pages import FACES, AnglePage
 from rigapp.gui.wizard.plan_page import PlanPage
 from rigapp.gui.wizard.result_page import CertificatePage, ChartPlot, ResultPage
 from rigapp.gui.wizard.scenes import Picture
