@@ -104,24 +104,6 @@ class PlotFrame:
         low, high = self.y_range
         return self.rect.bottom() - self.rect.height() * (value - low) / max(high - low, NEAREST)
 
-    def clear_first(
-        self, places: Sequence[QRectF], curves: Sequence[tuple[Floats, Floats]]
-    ) -> list[QRectF]:
-        """Return places in their order, those first through which the fewest points of curves go.
-
-        curves: x and y of each, arrays (n,) of values.
-        """
-        points = np.zeros(len(places), np.int64)
-        for values in curves:
-            x, y = (self.x(values[0]), self.y(values[1]))
-            points += [
-                np.count_nonzero(
-                    (x >= one.left()) & (x <= one.right()) & (y >= one.top()) & (y <= one.bottom())
-                )
-                for one in places
-            ]
-        return [places[at] for at in np.argsort(points, kind="stable")]
-
 
 def spread(wanted: Sequence[float], room: float, low: float, high: float) -> list[float]:
     """Return places near the wanted ones, in their order, that are ``room`` apart in low..high.
@@ -226,6 +208,22 @@ def _limit_colour(limit: LimitLine, theme: Theme) -> str:
     return theme.ink(limit.level, theme.secondary)
 
 
+def _clear_first(places: Sequence[QRectF], curves: Sequence[tuple[Floats, Floats]]) -> list[QRectF]:
+    """Return places in their order, those first through which the fewest points of curves go.
+
+    curves: x and y of each on the screen, arrays (n,).
+    """
+    points = np.zeros(len(places), np.int64)
+    for x, y in curves:
+        points += [
+            np.count_nonzero(
+                (x >= one.left()) & (x <= one.right()) & (y >= one.top()) & (y <= one.bottom())
+            )
+            for one in places
+        ]
+    return [places[at] for at in np.argsort(points, kind="stable")]
+
+
 def paint_limit_words(
     painter: QPainter,
     frame: PlotFrame,
@@ -234,7 +232,10 @@ def paint_limit_words(
     taken: list[QRectF],
     curves: Sequence[tuple[Floats, Floats]] = (),
 ) -> None:
-    """Write what happens at each limit in the range, beside the curves where there is room."""
+    """Write what happens at each limit in the range, beside the curves where there is room.
+
+    curves: x and y of each on the screen, arrays (n,).
+    """
     low, high = frame.y_range
     font, metrics = small_font()
     painter.setFont(font)
@@ -244,7 +245,7 @@ def paint_limit_words(
             at = frame.y(one.value)
             tops = (at - height, at) if one.below else (at, at - height)
             text, colour = f"{MARKS[one.level]}{one.words}", _limit_colour(one, theme)
-            places = frame.clear_first(_along(frame.rect, metrics, text, tops), curves)
+            places = _clear_first(_along(frame.rect, metrics, text, tops), curves)
             _words(painter, frame, text, colour, places, taken, _ground(theme))
 
 
@@ -256,7 +257,10 @@ def paint_next_limits(
     taken: list[QRectF],
     curves: Sequence[tuple[Floats, Floats]] = (),
 ) -> None:
-    """Write at the edges of the range the next limits beyond it, beside spots and curves."""
+    """Write at the edges of the range the next limits beyond it, beside spots and curves.
+
+    curves: see ``paint_limit_words``.
+    """
     low, high = frame.y_range
     rect = frame.rect
     font, metrics = small_font()
@@ -270,7 +274,7 @@ def paint_next_limits(
     ):
         if edge is not None:
             text = f"{edge.words} {caret}"
-            places = frame.clear_first(_along(rect, metrics, text, tops)[::-1], curves)
+            places = _clear_first(_along(rect, metrics, text, tops)[::-1], curves)
             _words(painter, frame, text, theme.muted, places, taken, _ground(theme))
 
 

@@ -425,7 +425,8 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         taken: list[QRectF] = []
         paint_spots(painter, frame, marks.spots, self.theme, taken)
         if marks.limits:
-            curves = [(one.x, one.y) for one in self._canvas.traces if len(one.x)]
+            traces = [one for one in self._canvas.traces if len(one.x)]
+            curves = [(frame.x(one.x), frame.y(one.y)) for one in traces]
             paint_limit_words(painter, frame, marks.limits, self.theme, taken, curves)
             paint_next_limits(painter, frame, marks.limits, self.theme, taken, curves)
         paint_names(painter, frame, marks.names, self.theme)

@@ -95,7 +95,7 @@ class StreamReader:
         stream: as in ``streams_of``; of ``samples`` and ``unfinished_samples`` those of their
         cycles.
         """
-        result = self._streams[stream]
+        layout = self._streams[stream]
         if stream == "samples":
             return self.first_free_sample(self.committed("cycles"))
         if stream == "checkpoints":
@@ -103,11 +103,11 @@ class StreamReader:
         if stream == "waiting":
             return 0
         if stream == "unfinished_samples":
-            return self.first_free_sample(self.committed("unfinished"), result.group)
+            return self.first_free_sample(self.committed("unfinished"), layout.group)
         if stream in self._known:
             return self._known[stream]
-        rows = int(self._read(result.path(result.counter)))
-        with telling_damage(self.path, result.path(result.counter)):
+        rows = int(self._read(layout.path(layout.counter)))
+        with telling_damage(self.path, layout.path(layout.counter)):
             if rows < 0:
                 raise ValueError(say("rows {} to {} are wanted and there are fewer", 0, rows))
         with contextlib.suppress(UnusableInput):  # that word may be what is damaged
@@ -131,17 +131,17 @@ class StreamReader:
         self, name: str, first: int = 0, stop: int | None = None, stream: str = "revolutions"
     ) -> NDArray[Any]:
         """Return committed rows ``first`` .. ``stop`` of one column of a stream."""
-        result, known = self._streams[stream], self.column_units(stream)
+        layout, known = self._streams[stream], self.column_units(stream)
         if name not in known:
             raise UnusableInput(
                 "{}: there is no column {} in {}; there are {}",
                 self.path,
                 repr(name),
-                result.group,
+                layout.group,
                 joined(", ", known),
             )
         end = self.committed(stream) if stop is None else min(stop, self.committed(stream))
-        return self._rows(result.path(name), first, end)
+        return self._rows(layout.path(name), first, end)
 
     def column_units(self, stream: str = "revolutions") -> dict[str, str]:
         """Return the units of a stream's columns by name, in their order."""
@@ -163,11 +163,11 @@ class StreamReader:
         self, stream: str, first: int, stop: int
     ) -> tuple[list[NDArray[Any]], NDArray[Any]]:
         """Return rows of a stream as they are stored, committed or not: columns, and checksums."""
-        result = self._streams[stream]
-        columns = [self._rows(result.path(field.name), first, stop) for field in result.fields]
-        if result.checksum is None:
+        layout = self._streams[stream]
+        columns = [self._rows(layout.path(field.name), first, stop) for field in layout.fields]
+        if layout.checksum is None:
             return columns, np.empty(0, np.uint32)
-        return columns, self._rows(result.path(result.checksum.name), first, stop)
+        return columns, self._rows(layout.path(layout.checksum.name), first, stop)
 
     def stored_rows(self, path: str, first: int, stop: int) -> NDArray[Any]:
         """Return rows of a dataset as they are stored, committed or not."""
@@ -175,19 +175,19 @@ class StreamReader:
 
     def row_bytes(self, stream: str) -> int:
         """Return the bytes of a row, of a cycle with the samples that it has as a rule."""
-        result = self._streams[stream]
+        layout = self._streams[stream]
         if stream in ("cycles", "unfinished"):
             return (
-                result.row_bytes + self.plan.samples_per_cycle * self._streams["samples"].row_bytes
+                layout.row_bytes + self.plan.samples_per_cycle * self._streams["samples"].row_bytes
             )
-        return result.row_bytes
+        return layout.row_bytes
 
     def declared(self, stream: str) -> int:
         """Return the rows that a stream can have in this file."""
-        found = self._streams[stream]
-        with telling_damage(self.path, found.group):
-            first = found.fields[0]
-            dataset = self._file[found.path(first.name)]
+        layout = self._streams[stream]
+        with telling_damage(self.path, layout.group):
+            first = layout.fields[0]
+            dataset = self._file[layout.path(first.name)]
             return len(dataset) if self.compressed else _room_of(dataset) // first.row_bytes
 
     def variables(self, stream: str) -> tuple[StoredVariable, ...]:
@@ -195,17 +195,17 @@ class StreamReader:
 
         stream: as in ``streams_of``; of ``prediction`` without its curves and profiles.
         """
-        result, rows = self._streams[stream], self.committed(stream)
-        with telling_damage(self.path, result.group):
+        layout, rows = self._streams[stream], self.committed(stream)
+        with telling_damage(self.path, layout.group):
             return tuple(
                 StoredVariable(
                     field.name,
                     stream,
                     (rows, *field.shape),
                     np.dtype(field.dtype),
-                    _attributes(self._file[result.path(field.name)]),
+                    _attributes(self._file[layout.path(field.name)]),
                 )
-                for field in result.fields
+                for field in layout.fields
             )
 
     def attributes(self, stream: str) -> dict[str, dict[str, Any]]:
@@ -240,10 +240,10 @@ class StreamReader:
             yield from texts_of(self._file)
 
     def _table(self, stream: str, first: int) -> Columns:
-        result: FileStream = self._streams[stream]
+        layout: FileStream = self._streams[stream]
         end = self.committed(stream)
         return {
-            field.name: self._rows(result.path(field.name), first, end) for field in result.fields
+            field.name: self._rows(layout.path(field.name), first, end) for field in layout.fields
         }
 
     def _rows(self, path: str, first: int, end: int) -> NDArray[Any]:
