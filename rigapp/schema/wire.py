@@ -61,6 +61,7 @@ def sentence_of_parts(parts: Any) -> Sentence:
 
 def _extended(value: object) -> Ext:
     if not isinstance(value, Sentence):
+        # The error by which msgspec knows that a type is not one of ours.
         raise NotImplementedError(f"{type(value).__name__} cannot be sent")
     return Ext(SENTENCE, encode([value.template, value.values]))
 

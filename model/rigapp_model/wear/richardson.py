@@ -106,19 +106,18 @@ def integrate(
             depth = moment.front.depth(problem.ring.inner).max()
             early = float(np.clip(np.sqrt(rows[-1] / target), 1.0, EARLY_TOLERANCE))
             allowed = tolerance * float(depth) * early
+            # Of the step: what would just be allowed, the error being of second order.
+            suited = 0.8 * np.sqrt(allowed / max(moment.time_error, 1e-300))
             # Smaller steps are of no use where the error is older, or the mesh's: nodes that come
             # into contact one after another.
             worth_it = target - done > SMALLEST_PART * target
             if worth_it and allowed < moment.time_error < 0.7 * refused:
-                share = np.sqrt(allowed / moment.time_error)
-                step = (target - done) * float(np.clip(0.8 * share, 0.2, 0.7))
+                step = (target - done) * float(np.clip(suited, 0.2, 0.7))
                 refused = moment.time_error
                 continue
             refused = np.inf
             # A step that a row cut short says nothing against the longer one that was wanted.
-            share = np.sqrt(allowed / max(moment.time_error, 1e-300))
-            growth = float(np.clip(0.8 * share, 1.5, LARGEST_GROWTH))
-            step = max(step, (target - done) * growth)
+            step = max(step, (target - done) * float(np.clip(suited, 1.5, LARGEST_GROWTH)))
             runs, done = after, target
             yield moment
 
