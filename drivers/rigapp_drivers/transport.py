@@ -39,7 +39,7 @@ if sys.platform != "win32":
 
         _PORT_ERRORS += (termios.error,)
 _NOT_ABLE: tuple[type[Exception], ...] = (AttributeError, NotImplementedError, *_PORT_ERRORS)
-"""What a port raises that has no such line or buffer, as a socket or a pseudo-terminal."""
+"""What a port raises that has no file descriptor to wait for, or no mode of low latency."""
 _PARITIES = {"none": "N", "even": "E", "odd": "O"}
 _SLICE_S = 0.1  # a waiting reader looks this often whether the port was closed
 _DRAIN_QUIET_S = 0.02  # longer than a USB adapter holds bytes back (16 ms)
