@@ -19,7 +19,7 @@ from rigapp.engine.judging.depthwatch import DepthWatch
 from rigapp.engine.judging.jointwatch import STAYS, JointWatch
 from rigapp.engine.judging.limits import LevelPassed, RuleMonitor
 from rigapp.engine.samples import slow
-from rigapp.engine.values.reduce import _extremes_and_moments
+from rigapp.engine.values.reduce import LANES, _extremes_and_moments
 from rigapp.schema.channels import BASE
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.states import ENDED
@@ -210,14 +210,17 @@ def test_a_pairing_that_has_left_its_range_is_not_back_by_values_that_are_none()
     assert [look(0.5) for _ in range(STAYS)][-1] == ["pairing_left"]
 
 
-def test_extremes_are_those_of_the_numbers_among_the_samples() -> None:
-    counts = np.arange(9, dtype=np.int64)
-    out = np.empty(5)
-    for place in range(9):
-        x = np.arange(9.0)
+@pytest.mark.parametrize("samples", [9, 3 * LANES + 5])
+def test_extremes_are_those_of_the_numbers_among_the_samples(samples: int) -> None:
+    counts = np.arange(samples, dtype=np.int64)
+    out, lanes = np.empty(5), np.empty((4, LANES))
+    for place in range(samples):
+        x = np.arange(float(samples))[::-1].copy()
         x[place] = math.nan
-        _extremes_and_moments(x, 9, counts, 1.0, 0.0, out)
+        _extremes_and_moments(x, samples, counts, 1.0, 0.0, lanes, out)
         assert out[:2].tolist() == [np.nanmax(x), np.nanmin(x)]
         assert np.isnan(out[2:4]).all(), "RMS and mean tell that one was none"
-    _extremes_and_moments(np.full(9, math.nan), 9, counts, 1.0, 0.0, out)
+        assert out[4] == float(place == 0)
+    nothing = np.full(samples, math.nan)
+    _extremes_and_moments(nothing, samples, counts, 1.0, 0.0, lanes, out)
     assert np.isnan(out[:4]).all()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import threading
+import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
@@ -64,6 +65,10 @@ def cycle_message(number: int, measured: Measured) -> Cycle:
         curves={name: curve.astype("<f4").tobytes() for name, curve in values.curves.items()},
     )
 
+
+HOLD_EVERY_S = 0.05
+"""A cycle that nothing wants yet goes into the file so often at most: each one up to 1,200 rpm. It
+takes half of what a revolution costs, and a simulated rig may make a thousand a second."""
 
 CURVES_WAITING = 256
 """Predictions that wait for their cycle: a twin that lags more has lost its place anyway."""
@@ -139,6 +144,7 @@ class Recorder:
         self._waiting_profile: WornProfile | None = None
         self._last: tuple[int, int] | None = None
         self._whole = False
+        self._held_s = -math.inf
         self.committed = 0
 
     def begin(self, sample: int) -> None:
@@ -171,10 +177,15 @@ class Recorder:
             quality = int(row[measured.calibration.table.place["quality"]])
             leaving = self._history.add(number, measured, quality)
             self._keep(leaving)
-            waiting = self._history.waiting()
-            if waiting is not None:
-                samples = self._samples(measured)
-                self._store.hold_cycle(number, samples, waiting.why or "", quality)
+            self._hold(number, measured, quality)
+
+    def _hold(self, number: int, measured: Measured, quality: int) -> None:
+        """Put a cycle that waits in memory into the file too, for after a crash."""
+        waiting, now_s = self._history.waiting(), time.monotonic()
+        if waiting is None or (waiting.why is None and now_s < self._held_s + HOLD_EVERY_S):
+            return
+        self._held_s = now_s
+        self._store.hold_cycle(number, self._samples(measured), waiting.why or "", quality)
 
     def trigger(self, critical: bool) -> None:
         """Keep the next whole cycle and those around it: something has happened."""
