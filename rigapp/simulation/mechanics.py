@@ -37,7 +37,7 @@ WANDER = 0.137
 POSITION = types.UniTuple(F, 9)
 
 
-@njit(POSITION(CONSTANTS, F, F), cache=True)
+@njit(POSITION(CONSTANTS, F, F), cache=True, forceinline=True)
 def geometry(k: Constants, angle: float, depth: float) -> Numbers:
     """Return (sin t, cos t, sin p, cos p, p', p'', x3, x3', x3'')."""
     length = k.follower_length + k.lengthening_sign * (k.clearance + depth)
@@ -54,7 +54,7 @@ def geometry(k: Constants, angle: float, depth: float) -> Numbers:
     return sin_t, cos_t, sin_p, cos_p, p1, p2, x3, x31, x32
 
 
-@njit(types.UniTuple(F, 15)(CONSTANTS, F, F), cache=True)
+@njit(types.UniTuple(F, 15)(CONSTANTS, F, F), cache=True, forceinline=True)
 def bodies(k: Constants, angle: float, depth: float) -> Numbers:
     """Return the coefficients of one position.
 
@@ -82,7 +82,7 @@ def bodies(k: Constants, angle: float, depth: float) -> Numbers:
     )  # fmt: skip
 
 
-@njit(types.UniTuple(F, 2)(CONSTANTS, types.UniTuple(F, 15), F, F, F), cache=True)
+@njit(types.UniTuple(F, 2)(CONSTANTS, types.UniTuple(F, 15), F, F, F), cache=True, forceinline=True)
 def reaction(
     k: Constants, b: Numbers, acceleration: float, square: float, couple: float
 ) -> tuple[float, float]:
@@ -99,7 +99,7 @@ def reaction(
     return fx, moment / ((arm + half) * cos_p)
 
 
-@njit(types.UniTuple(F, 5)(CONSTANTS, F, F, F, F, F, F), cache=True)
+@njit(types.UniTuple(F, 5)(CONSTANTS, F, F, F, F, F, F), cache=True, forceinline=True)
 def motion(
     k: Constants,
     angle: float,
@@ -155,7 +155,7 @@ def energy(k: Constants, angle: float, speed: float, depth: float) -> tuple[floa
     return 0.5 * b[12] * speed * speed, 0.5 * k.stiffness * stretch * stretch - weight
 
 
-@njit(types.UniTuple(F, 3)(CONSTANTS, DRIVE, F, F, F, F), cache=True)
+@njit(types.UniTuple(F, 3)(CONSTANTS, DRIVE, F, F, F, F), cache=True, forceinline=True)
 def motor(
     k: Constants, d: Drive, angle: float, speed: float, integral: float, fraction: float
 ) -> tuple[float, float, float]:

@@ -285,7 +285,7 @@ def renew(w: Wall, k: Bore, force: float) -> None:
         tabulate(w, k, w.state[LASTS])
 
 
-@njit(types.Tuple((int64, F))(ROW, F), cache=True)
+@njit(types.Tuple((int64, F))(ROW, F), cache=True, forceinline=True)
 def place(state: Array, force: float) -> tuple[int, float]:
     """Return the row of the table below a force (N) and which part of the way to the next it is."""
     share = LEVELS**2 * max(force, 0.0) / state[TOP]
@@ -293,14 +293,14 @@ def place(state: Array, force: float) -> tuple[int, float]:
     return level, (share - level * level) / (2.0 * level + 1.0)
 
 
-@njit(float64(SQUARE, ROW, F, int64), cache=True)
+@njit(float64(SQUARE, ROW, F, int64), cache=True, forceinline=True)
 def looked_up(table: Array, state: Array, force: float, column: int) -> float:
     """Return a column of the table at a force, N."""
     level, part = place(state, force)
     return (1.0 - part) * table[level, column] + part * table[level + 1, column]
 
 
-@njit(types.UniTuple(F, 2)(SQUARE, ROW, F, F, F), cache=True)
+@njit(types.UniTuple(F, 2)(SQUARE, ROW, F, F, F), cache=True, forceinline=True)
 def worn(
     table: Array, state: Array, wear_coefficient: float, force: float, slip: float
 ) -> tuple[float, float]:
