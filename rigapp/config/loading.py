@@ -30,6 +30,16 @@ if TYPE_CHECKING:
 SCHEMA = 1
 LARGEST_SETTINGS_BYTES = 1 << 20
 
+KINDS: Mapping[type[msgspec.Struct], str] = {
+    RigFile: say("rig file"),
+    TestFile: say("test file"),
+    ParameterFile: say("parameter file"),
+    NotifyFile: say("file of notifications"),
+    OperatorsFile: say("file of operators"),
+    ReportFile: say("file of report settings"),
+}
+"""What the files are called that are told from one another by their tables."""
+
 Record = TypeVar("Record", bound=msgspec.Struct)
 
 
@@ -143,6 +153,7 @@ def _record(
 
 def _decode(path: Path, tree: Mapping[str, Any], record: type[Record]) -> Record:
     _check_schema(path, tree)
+    _refuse_another_kind(path, tree, record)
     for where, key, allowed in _unknown_keys(tree, _known(record)):
         raise UnusableInput(
             "{}: {}{} is not a known key{}.", path, where, key, _nearest(key, allowed)
@@ -151,6 +162,22 @@ def _decode(path: Path, tree: Mapping[str, Any], record: type[Record]) -> Record
         return msgspec.convert(tree, record)
     except msgspec.ValidationError as error:
         raise UnusableInput("{}: {}.", path, _sentence(error, record)) from error
+
+
+def _refuse_another_kind(path: Path, tree: Mapping[str, Any], wanted: type[Record]) -> None:
+    """Refuse a file whose tables are those of another kind: two files given in the wrong order."""
+
+    def belongs(kind: type[msgspec.Struct]) -> bool:
+        return all(key in _known(kind)[""] for key in tree)
+
+    other = next((kind for kind in KINDS if belongs(kind)), None)
+    if other is not None and not belongs(wanted) and wanted in KINDS:
+        raise UnusableInput(
+            "{}: this is a {}; a {} belongs here. Check which file goes where.",
+            path,
+            KINDS[other],
+            KINDS[wanted],
+        )
 
 
 def _check_schema(path: Path, tree: Mapping[str, Any]) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import typing
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import msgspec
@@ -13,7 +13,14 @@ from hypothesis import strategies as st
 
 from rigapp.config.calibration_settings import LoadCellFile, ProbeFile, RunOutFile
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import parse_rig, parse_test, read_parameters, read_rig, read_test
+from rigapp.config.loading import (
+    parse_rig,
+    parse_test,
+    read_parameter_file,
+    read_parameters,
+    read_rig,
+    read_test,
+)
 from rigapp.config.numbers import ANY
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.ranges import keys_of
@@ -81,6 +88,23 @@ def test_mistake_in_a_rig_file(old: str, new: str, needle: str) -> None:
     assert old in text
     with pytest.raises(UnusableInput, match=needle.replace("[", r"\[").replace("]", r"\]")):
         parse_rig(text.replace(old, new, 1), "rig.toml")
+
+
+@pytest.mark.parametrize(
+    ("read", "name", "kinds"),
+    [
+        (read_rig, "paper.toml", ("test file", "rig file")),
+        (read_test, "simulated.toml", ("rig file", "test file")),
+        (read_parameter_file, "simulated.toml", ("rig file", "parameter file")),
+    ],
+)
+def test_a_file_in_the_place_of_another_is_told(
+    read: Callable[[Path], object], name: str, kinds: tuple[str, str]
+) -> None:
+    with pytest.raises(UnusableInput) as refused:
+        read(EXAMPLES / name)
+    given, wanted = kinds
+    assert f"{name}: this is a {given}; a {wanted} belongs here" in str(refused.value)
 
 
 def test_missing_file_is_named(tmp_path: Path) -> None:

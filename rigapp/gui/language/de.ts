@@ -10462,6 +10462,18 @@ Versuchs</translation>
         <translation>Datei</translation>
     </message>
     <message>
+        <source>file of notifications</source>
+        <translation>Datei der Meldungen</translation>
+    </message>
+    <message>
+        <source>file of operators</source>
+        <translation>Datei der Bediener</translation>
+    </message>
+    <message>
+        <source>file of report settings</source>
+        <translation>Datei der Berichtseinstellungen</translation>
+    </message>
+    <message>
         <source>find, e.g. cable, spikes, daq</source>
         <translation>suchen, z. B. cable, spikes, daq</translation>
     </message>
@@ -11332,6 +11344,10 @@ Kräften</translation>
         <translation>Seite {} von {}</translation>
     </message>
     <message>
+        <source>parameter file</source>
+        <translation>Parameterdatei</translation>
+    </message>
+    <message>
         <source>pause</source>
         <translation>Pause</translation>
     </message>
@@ -11928,6 +11944,10 @@ Mittel (µm)</translation>
     <message>
         <source>test extended</source>
         <translation>Versuch verlängert</translation>
+    </message>
+    <message>
+        <source>test file</source>
+        <translation>Versuchsdatei</translation>
     </message>
     <message>
         <source>text</source>
@@ -17307,6 +17327,10 @@ Mittel (µm)</translation>
     <message>
         <source>{}: this is a folder, not a test file</source>
         <translation>{}: Dies ist ein Ordner, keine Versuchsdatei</translation>
+    </message>
+    <message>
+        <source>{}: this is a {}; a {} belongs here. Check which file goes where</source>
+        <translation>{}: Dies ist eine {}; hierher gehört eine {}. Prüfen Sie, welche Datei wohin gehört</translation>
     </message>
     <message>
         <source>{}: this is neither PNG nor JPEG</source>
