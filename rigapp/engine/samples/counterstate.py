@@ -41,17 +41,14 @@ class StateAt(IntEnum):
     UNLOCKED_TURN = 24
     TRAVEL = 25
     TRAVEL_FIRST = 26
-    LAST_MOVED = 27
-    INDEX_EVENTS = 28
-    COUNT_ERRORS = 29
-    BEFORE = 30
-    SEEN = 31
-    ODD = 32
-    GAP = 33
-    SKIPPED = 34
-    OFF_INDEX = 35
-    SKIPS = 36
-    SIZE = 37
+    BEFORE = 27
+    SEEN = 28
+    ODD = 29
+    GAP = 30
+    SKIPPED = 31
+    OFF_INDEX = 32
+    SKIPS = 33
+    SIZE = 34
 
 
 class ParameterAt(IntEnum):

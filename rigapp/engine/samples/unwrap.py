@@ -85,8 +85,8 @@ def wrap(value: int, modulus: int) -> int:
     return (value + half) % modulus - half
 
 
-@njit("void(int64, int64, int64[::1], int64[::1])", cache=True, nogil=True)
-def _begin_counting(count: int, sample: int, state: Counts, parameters: Counts) -> None:
+@njit("void(int64, int64[::1], int64[::1])", cache=True, nogil=True)
+def _begin_counting(count: int, state: Counts, parameters: Counts) -> None:
     """Take the first count of all: it says where the crank is only if it never restarts."""
     restarts = parameters[ParameterAt.RESTARTS] != 0
     start = 0 if restarts else count
@@ -96,14 +96,12 @@ def _begin_counting(count: int, sample: int, state: Counts, parameters: Counts) 
     state[StateAt.BASE] = start - start % parameters[ParameterAt.COUNTS]
     state[StateAt.HIGH] = start
     state[StateAt.LOCKED] = 0 if restarts else 1
-    state[StateAt.LAST_MOVED] = sample
     state[StateAt.TRAVEL_FIRST] = state[StateAt.TRAVEL]
 
 
 @njit("void(int64[::1])", cache=True, nogil=True)
 def _doubt(state: Counts) -> None:
     state[StateAt.FLAGS] |= _COUNT_MISMATCH
-    state[StateAt.COUNT_ERRORS] += 1
 
 
 @njit("void(int64, int64[::1], int64[::1])", cache=True, nogil=True)
@@ -244,11 +242,8 @@ def _step_on(count: int, step: int, state: Counts, parameters: Counts) -> None:
     state[StateAt.JUMPED] = 0
 
 
-@njit("void(int64, int64, int64, int64[::1], float64[::1], int64[::1])",
-            cache=True, nogil=True)  # fmt: skip
-def _follow(
-    count: int, sample: int, lost: int, state: Counts, mean_step: Floats, parameters: Counts
-) -> None:
+@njit("void(int64, int64, int64[::1], float64[::1], int64[::1])", cache=True, nogil=True)
+def _follow(count: int, lost: int, state: Counts, mean_step: Floats, parameters: Counts) -> None:
     """Follow the count of one sample, whatever it does. lost: samples lost before it, -1 unknown.
 
     Leaves in the state: POSITION, what it was BEFORE, whether the index was SEEN, the step was ODD,
@@ -279,7 +274,6 @@ def _follow(
         reach = DITHER + tolerance
         at_zero = restarts and min(expected, 0) - reach <= phase <= max(expected, 0) + reach
         if wrapped or (odd and at_zero):
-            state[StateAt.INDEX_EVENTS] += 1
             state[StateAt.OTHER_VALID] = 0
             move = expected if odd else step
             if state[StateAt.LOCKED] == 0:
@@ -299,7 +293,6 @@ def _follow(
     if state[StateAt.LOCKED] == 0:
         state[StateAt.UNLOCKED_TURN] += step
     if state[StateAt.POSITION] != before or count != state[StateAt.PREVIOUS]:
-        state[StateAt.LAST_MOVED] = sample
         state[StateAt.RUN] = 0
     else:
         state[StateAt.RUN] += 1
@@ -443,13 +436,12 @@ def _place(
     return found
 
 
-@njit("int64(int64[::1], uint8[::1], int64, int64, int64[::1], float64[::1], int64[::1],"
+@njit("int64(int64[::1], uint8[::1], int64, int64[::1], float64[::1], int64[::1],"
             "int64[::1], uint8[::1])", cache=True, nogil=True)  # fmt: skip
 def _plain_run(
     counts: Counts,
     quality: NDArray[np.uint8],
     start: int,
-    first_sample: int,
     state: Counts,
     mean_step: Floats,
     parameters: Counts,
@@ -501,7 +493,6 @@ def _plain_run(
         state[StateAt.TRAVEL] += now - state[StateAt.POSITION]
         state[StateAt.PREVIOUS], state[StateAt.POSITION], state[StateAt.STEP] = previous, now, step
         state[StateAt.HIGH] = high
-        state[StateAt.LAST_MOVED] = first_sample + i - 1
         state[StateAt.RUN] = 0
         state[StateAt.KEPT] += i - start
         mean_step[0] = mean
@@ -549,17 +540,15 @@ def scan(
     i = 0
     while i < counts.shape[0]:
         if i > 0 or lost == 0:
-            i = _plain_run(
-                counts, quality, i, first_sample, state, mean_step, parameters, position, keep
-            )
+            i = _plain_run(counts, quality, i, state, mean_step, parameters, position, keep)
             if i == counts.shape[0]:
                 break
         count, sample = counts[i] * parameters[ParameterAt.DIRECTION], first_sample + i
         missing = lost if i == 0 else 0
         if state[StateAt.STARTED] == 0:
-            _begin_counting(count, sample, state, parameters)
+            _begin_counting(count, state, parameters)
         else:
-            _follow(count, sample, missing, state, mean_step, parameters)
+            _follow(count, missing, state, mean_step, parameters)
             if i == 0:
                 state[StateAt.TRAVEL_FIRST] = state[StateAt.TRAVEL]
             _note_marks(quality[i], state)
