@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pyarrow.parquet
 import pytest
-from storage_samples import PLAN, cycle, ended, row
+from storage_samples import FULL, cycle, ended, row
 
 from rigapp.config.errors import UnusableInput
 from rigapp.storage import compact_test, export_test
@@ -19,7 +19,7 @@ from rigapp.storage.reading import export as export_module
 @pytest.fixture
 def recorded(quick_folder: Path) -> Path:
     """Return a test of 45 revolutions, 4 of them with their whole cycle."""
-    return ended(quick_folder, 45, "stopped")
+    return ended(quick_folder, 45, "stopped", FULL)
 
 
 def read_csv(path: Path) -> tuple[list[str], np.ndarray]:
@@ -37,8 +37,8 @@ def test_statistics_as_csv(recorded: Path) -> None:
     assert "force_max_N" in names
     assert "force_1_angle_of_max_deg" in names
     assert "probe_2_rms_um" in names
-    expected = np.array([row(i) for i in range(1, 46)])
-    whole = [one.dtype != "<f8" for one in PLAN.revolution_columns]
+    expected = np.array([row(i, FULL) for i in range(1, 46)])
+    whole = [one.dtype != "<f8" for one in FULL.revolution_columns]
     expected[:, whole] = np.trunc(expected[:, whole])
     np.testing.assert_array_equal(values, expected)
 
@@ -54,7 +54,9 @@ def test_cycles_as_csv(recorded: Path, compressed: bool, monkeypatch: pytest.Mon
     names, values = read_csv(target)
     assert names[:4] == ["revolution", "angle_deg", "time_s", "force_1_N"]
     assert names[-2:] == ["raw_probe_2_V", "raw_count"]
-    expected = [np.vstack((np.full(cycle(i).shape[1], i), cycle(i))).T for i in (10, 20, 30, 40)]
+    expected = [
+        np.vstack((np.full(cycle(i, FULL).shape[1], i), cycle(i, FULL))).T for i in (10, 20, 30, 40)
+    ]
     np.testing.assert_array_equal(values, np.concatenate(expected))
     assert len(steps) == 2
     assert steps[-1] == (number, number)

@@ -11,7 +11,18 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from storage_samples import METADATA, PLAN, check, curves, cycle, new_test, prediction, row, write
+from storage_samples import (
+    FULL,
+    METADATA,
+    PLAN,
+    check,
+    curves,
+    cycle,
+    new_test,
+    prediction,
+    row,
+    write,
+)
 
 from rigapp.schema.messages import Event
 from rigapp.storage import DiskFull, FilePlan, StorageFailed, open_test, row_numbers
@@ -139,7 +150,7 @@ def test_configuration_calibration_and_metadata_come_back(quick_folder: Path) ->
 
 
 def test_every_number_has_a_unit_and_a_name(quick_folder: Path) -> None:
-    new_test(quick_folder).close()
+    new_test(quick_folder, FULL).close()
 
     def has_unit(name: str, item: object) -> None:
         if not isinstance(item, h5py.Dataset) or item.dtype.kind not in "fi":
