@@ -6,6 +6,8 @@ mended and kept as an @example, so that no file beside the sources decides what 
 
 from __future__ import annotations
 
+import signal
+from collections import Counter
 from collections.abc import Callable, Generator, Iterator
 from contextlib import ExitStack
 from typing import Any
@@ -15,7 +17,9 @@ from hypothesis import settings
 
 from rigapp.process.memory import begin_to_load, end_of_loading
 
-settings.register_profile("rigapp", deadline=None, derandomize=True, print_blob=True)
+settings.register_profile(
+    "rigapp", max_examples=25, deadline=None, derandomize=True, print_blob=True
+)
 settings.register_profile("search", deadline=None, database=None, max_examples=500, print_blob=True)
 settings.load_profile("rigapp")
 
@@ -35,14 +39,16 @@ def pytest_collection() -> Generator[None, object, object]:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Leave all cases but the first of a sampled test to the long suite."""
-    seen: set[tuple[pytest.Item | pytest.Collector | None, str]] = set()
+    """Leave to the long suite all cases of a sampled test but the first, or but each n-th."""
+    seen: Counter[tuple[pytest.Item | pytest.Collector | None, str]] = Counter()
     for item in items:
-        if item.get_closest_marker("sampled") is not None:
+        sampled = item.get_closest_marker("sampled")
+        if sampled is not None:
             of = (item.parent, getattr(item, "originalname", item.name))
-            if of in seen:
+            every = sampled.kwargs.get("every")
+            if seen[of] % every if every else seen[of]:
                 item.add_marker(pytest.mark.long)
-            seen.add(of)
+            seen[of] += 1
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -53,6 +59,9 @@ def _settings_of_nobody(tmp_path_factory: pytest.TempPathFactory) -> Iterator[No
         patch.setenv("XDG_DATA_HOME", str(tmp_path_factory.mktemp("data")))
         # An engine shares the memory of a test with the window, which may grow more than an engine.
         patch.setattr("rigapp.service.server.GROWTH_BYTES", 1_000_000_000)
+        if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+            # As in the background of a shell; every program that a test starts would inherit it.
+            signal.signal(signal.SIGINT, signal.default_int_handler)
         yield
 
 

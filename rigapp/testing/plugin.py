@@ -45,8 +45,9 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Name the mark of the suite's tests."""
+    """Name the marks of the suite's tests."""
     config.addinivalue_line("markers", f"{MARK}: runs on every driver that a contract names")
+    config.addinivalue_line("markers", "sampled: rigapp's default suite runs a part of its cases")
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:

@@ -105,6 +105,7 @@ def test_close_from_another_thread_ends_a_waiting_read(source: Contract, bench: 
     b.judge(b.blocks(20))
 
 
+@pytest.mark.sampled(every=2)
 def test_fault_is_told_in_time_and_no_wrong_sample_is_good(
     source_fault: tuple[Contract, ExpectedFault], bench: Make, caplog: pytest.LogCaptureFixture
 ) -> None:

@@ -51,6 +51,7 @@ def test_a_port_in_use_is_refused_and_the_first_user_notices_nothing(
     assert b.driver.read() == pytest.approx(b.truth)
 
 
+@pytest.mark.sampled(every=2)
 def test_fault_is_told_in_time_and_no_wrong_value_is_told(
     slow_fault: tuple[Contract, ExpectedFault], bench: Make
 ) -> None:

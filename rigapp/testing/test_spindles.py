@@ -137,6 +137,7 @@ def test_a_silent_host_stops_the_motor(spindle: Contract, bench: Make) -> None:
     b.turn()
 
 
+@pytest.mark.sampled(every=3)
 @pytest.mark.parametrize("kind", ["restart_unseen", "watchdog_lost"])
 @pytest.mark.parametrize("call", ["set_speed", "reset_fault"])
 def test_a_drive_that_does_not_supervise_the_host_is_not_enabled(
@@ -222,6 +223,7 @@ def test_what_is_confirmed_late_or_for_another_command_is_no_power_off(
         b.stops_within(PROMPT_S, b.port.time_s, "what was confirmed")
 
 
+@pytest.mark.sampled(every=2)
 def test_fault_is_told_in_time_and_the_spindle_is_safe(
     spindle_fault: tuple[Contract, ExpectedFault], bench: Make, caplog: pytest.LogCaptureFixture
 ) -> None:

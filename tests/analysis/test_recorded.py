@@ -202,6 +202,7 @@ def test_xarray_knows_the_engine_by_name(ended: Path) -> None:
         assert "speed" not in data
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", ["force", "extrema", "overlay", "wear"])
 def test_each_picture_is_one_line(ended: Path, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MPLBACKEND", "agg")

@@ -10,16 +10,18 @@ from tests.calibration.calibrated_tests import coverage
 
 LOW, HIGH = 0.93, 0.97
 LONG = 1000
-SHORT, FORCES = 16, 50
-SPREAD = 0.045 / SHORT**0.5
-"""Standard deviation of a part: that of one calibration's 50 forces is 0.045, since a calibration
-that is off by much of its own U loses more of them."""
+FORCES = 50
+SPREAD = 0.045
+"""Standard deviation of the part of one calibration's 50 forces; one that is off by much of its own
+U loses more of them."""
 
 
-def test_forces_of_a_test_lie_within_the_stated_uncertainty(tmp_path: Path) -> None:
-    found = coverage(tmp_path, range(SHORT), FORCES)
+@pytest.mark.parametrize("sets", [5, pytest.param(16, marks=pytest.mark.long)])
+def test_forces_of_a_test_lie_within_the_stated_uncertainty(tmp_path: Path, sets: int) -> None:
+    found = coverage(tmp_path, range(sets), FORCES)
     assert found.pop("refused") == 0.0
-    low, high = LOW - 3.0 * SPREAD, HIGH + 2.5 * SPREAD
+    spread = SPREAD / sets**0.5
+    low, high = LOW - 3.0 * spread, HIGH + 2.5 * spread
     assert all(low <= part <= high for part in found.values()), found
 
 

@@ -253,6 +253,7 @@ def test_the_certificate_of_a_record_of_before_is_made(tmp_path: Path) -> None:
     assert "the uncertainty cannot be verified" in words
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(("full", "decimals"), [(5.0, 3), (400.0, 2), (20e3, 0)])
 def test_numbers_are_rounded_by_u_whatever_the_cell_bears(
     tmp_path: Path, full: float, decimals: int

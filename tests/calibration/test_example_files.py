@@ -14,6 +14,7 @@ FOLDER = Path(__file__).parents[2] / "examples" / "calibration"
 SETTINGS = sorted(path for path in FOLDER.glob("*.toml") if path.with_suffix(".csv").exists())
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("settings", SETTINGS, ids=lambda path: path.stem)
 def test_the_command_in_the_first_line_makes_a_record(settings: Path, tmp_path: Path) -> None:
     _, _, *arguments = shlex.split(settings.read_text("utf-8").splitlines()[0])

@@ -49,6 +49,7 @@ def test_forces_lie_within_u_of_the_truth_all_rows_together() -> None:
             assert part >= stats.binom.ppf(0.001, len(counted), 0.94) / len(counted), name
 
 
+@pytest.mark.sampled(every=4)
 @pytest.mark.parametrize("full", [5.0, 400.0, 20e3])
 @pytest.mark.parametrize("share", [0.001, 0.05])
 def test_the_weight_of_the_pin_is_no_gain(full: float, share: float) -> None:
@@ -95,6 +96,7 @@ def test_the_repeated_angles_tell_the_repeatability() -> None:
     assert found.traits.repeatability < 0.5
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("factor", [0.907, 1.03])
 def test_what_all_loads_share_is_found_by_the_rated_output(factor: float) -> None:
     """20 lb taken for 10 kg, a cable that always carries 3 %: nothing else shows them."""
@@ -116,11 +118,12 @@ def test_what_all_loads_share_is_found_by_the_rated_output(factor: float) -> Non
         assert stating(output / factor) == {"rated_output"}
 
 
-def test_zeros_that_are_alike_one_after_the_other_tell_less() -> None:
+@pytest.mark.parametrize("sets", [8, pytest.param(24, marks=pytest.mark.long)])
+def test_zeros_that_are_alike_one_after_the_other_tell_less(sets: int) -> None:
     """An amplifier that warms up leaves no white noise about the circle of the zeros."""
     warm = row("warm-up of the zero 0.5 %")
     off, stated = [], []
-    for seed in range(24):
+    for seed in range(sets):
         _, _, found = calibrated(warm, np.random.default_rng(seed))
         assert found.pin_weight is not None
         off.append(found.pin_weight.value)  # there is none

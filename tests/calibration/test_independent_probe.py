@@ -13,6 +13,7 @@ from tests.calibration.independent_probe import Nature, Probe, take
 from tests.calibration.probe_coverage import PLAIN, ROWS, Row, coverage, readings_of, settings_of
 
 
+@pytest.mark.sampled(every=5)
 @pytest.mark.parametrize("row", ROWS, ids=lambda one: one.name)
 def test_positions_lie_within_u_of_the_truth(row: Row) -> None:
     found = coverage(row, 40, 21)

@@ -34,6 +34,7 @@ def changed(readings: LoadCellReadings, **arrays) -> LoadCellReadings:
     return replace(readings, **arrays)
 
 
+@pytest.mark.sampled(every=5)
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.parametrize("angles", [4, 8, 12])
 def test_honest_readings_are_accepted(seed: int, angles: int) -> None:
@@ -348,8 +349,9 @@ def test_a_number_that_stands_twice_is_told_from_a_second_run(
     assert numbered_twice(range(len(steps)), steps) is None
 
 
-def test_good_readings_are_never_refused() -> None:
-    for seed in range(60):
+@pytest.mark.parametrize("sets", [12, pytest.param(60, marks=pytest.mark.long)])
+def test_good_readings_are_never_refused(sets: int) -> None:
+    for seed in range(sets):
         found = calibrate_load_cell(*random_good(seed))
         assert found.accepted, (seed, [one.sentence for one in found.problems])
 

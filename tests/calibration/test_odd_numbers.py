@@ -17,6 +17,7 @@ UNREADABLE = ("1e308", "-1e308", "abc", "")
 ODD = (*UNREADABLE, "nan", "inf", "-inf", "1e400", "1e-300", "1e11", "0", "-5")
 
 
+@pytest.mark.sampled(every=7)
 @pytest.mark.parametrize("column", range(2, 6))
 @pytest.mark.parametrize("number", ODD)
 @pytest.mark.parametrize("rows", [slice(5, 6), slice(1, None, 2), slice(1, None)])

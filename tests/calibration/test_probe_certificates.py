@@ -110,6 +110,7 @@ def test_run_out_of_one_speed_says_what_it_does_not_know(tmp_path: Path) -> None
     )
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("kind", ["probe", "probe pair"])
 def test_probe_certificates_are_whole_and_reproducible(tmp_path: Path, kind: str) -> None:
     settings = ProbeSettings("Probe", 10.0, 0.5e-6)

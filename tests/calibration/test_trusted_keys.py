@@ -19,9 +19,10 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 TRUST = '[records]\ntrusted_keys = ["keys/lab.pub"]\n'
 
 
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
+@pytest.fixture(scope="module")
+def signed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder with a signed record, one without, and one signed by somebody else."""
+    tmp_path = tmp_path_factory.mktemp("signed")
     (tmp_path / "keys").mkdir()
     readings, settings = (EXAMPLES / "calibration" / f"load_cell.{one}" for one in ("csv", "toml"))
     done = rigapp(
@@ -36,6 +37,12 @@ def folder(tmp_path: Path) -> Path:
             "--key", tmp_path / "keys" / f"{name}.key", "--to", tmp_path / f"{name}.json",
         )  # fmt: skip
     return tmp_path
+
+
+@pytest.fixture
+def folder(signed: Path, tmp_path: Path) -> Path:
+    """Return a copy of that folder."""
+    return Path(shutil.copytree(signed, tmp_path, dirs_exist_ok=True))
 
 
 def rig(folder: Path, record: str, more: str = "", trust: str = TRUST) -> RigRecords:
@@ -55,6 +62,7 @@ def test_who_signed_is_said(folder: Path) -> None:
     assert not rig(folder, "plain.json", trust="").blocking
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("record", "words"),
     [("plain.json", "is not signed"), ("other.json", "that the rig file does not trust")],

@@ -23,6 +23,7 @@ PAIRS = [pair for pair in product(MISTAKES, ALL) if can_be_told(*pair)]
 SHORT = [pair for pair in PAIRS if pair[1] in ("4 angles, coarse, all", "8 angles, means, all")]
 
 
+@pytest.mark.sampled(every=5)
 @pytest.mark.parametrize("name", KINDS)
 def test_good_calibrations_are_accepted(name: str) -> None:
     assert refusals(KINDS[name], 2, 1) == {}
@@ -35,8 +36,15 @@ def test_a_display_that_rounds_alike_at_every_angle_makes_no_wrong_piece() -> No
         assert blocking(take(kind, np.random.default_rng((11, number))).readings) == ()
 
 
-@pytest.mark.parametrize(("mistake", "name"), SHORT)
+@pytest.mark.parametrize(("mistake", "name"), dict(reversed(SHORT)).items())
 def test_a_mistake_has_its_right_name(mistake: str, name: str) -> None:
+    found = outcomes(KINDS[name], MISTAKES[mistake], 1, 2)
+    assert rightly_named(found, MISTAKES[mistake].right) == 1.0, found
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("mistake", "name"), SHORT)
+def test_a_mistake_has_its_right_name_in_each_plan(mistake: str, name: str) -> None:
     found = outcomes(KINDS[name], MISTAKES[mistake], 3, 2)
     assert rightly_named(found, MISTAKES[mistake].right) == 1.0, found
 

@@ -61,6 +61,7 @@ def listed(monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[doctor.Observa
     return examine
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("name", "words"),
     [

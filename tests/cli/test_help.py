@@ -41,6 +41,7 @@ def test_the_list_of_verbs_is_not_cut(path: tuple[str, ...]) -> None:
         assert (f"{name} {first}" in shown) is not verb.hidden
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("typed", "offered"),
     [

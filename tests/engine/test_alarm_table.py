@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import string
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -12,20 +13,30 @@ import pytest
 from rigapp.schema.alarms import KINDS, exceeded, key_of, kind_of, make_alarm
 from rigapp.schema.messages import Ends, Severity
 
+ABOUT = ("make_alarm", "warn", "partial", "clear", "is_active")
 SOURCES = sorted((Path(__file__).parents[2] / "rigapp").rglob("*.py"))
 
 
 def calls(*names: str) -> Iterator[tuple[str, ast.Call]]:
     """Yield every call of the program of a function or method with one of these names."""
+    for where, name, node in _calls():
+        if name in names:
+            yield where, node
+
+
+@cache
+def _calls() -> list[tuple[str, str, ast.Call]]:
+    found = []
     for path in SOURCES:
         text = path.read_text(encoding="utf-8")
-        if not any(f"{name}(" in text for name in names):
+        if not any(f"{name}(" in text for name in ABOUT):
             continue  # to parse the whole source takes seconds
         for node in ast.walk(ast.parse(text)):
             if isinstance(node, ast.Call):
                 name = getattr(node.func, "id", getattr(node.func, "attr", ""))
-                if name in names:
-                    yield f"{path.name}:{node.lineno}", node
+                if name in ABOUT:
+                    found.append((f"{path.name}:{node.lineno}", name, node))
+    return found
 
 
 def keys_of(argument: ast.expr) -> set[str]:

@@ -126,6 +126,7 @@ def test_what_is_not_whole_yet_is_the_rest(truth: Shaft, kind: str, sizes: list[
         assert abs(int(part.counts[-1])) < truth.turn
 
 
+@pytest.mark.sampled(every=4)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("size", [1, 19, 10_000])
 def test_from_a_stand_through_zero_to_3000_rpm_backwards(kind: str, size: int) -> None:

@@ -348,6 +348,7 @@ def checks_of(rig: ChannelRig, what: str) -> list[Check]:
     return [one for one in preflight(None, None, None, rig.engine.status()) if one.name == what]
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("garbled", ["warm", None], ids=["ValueError", "TypeError"])
 def test_a_garbled_answer_costs_its_values_until_the_device_is_opened_again(
     rig: ChannelRig, monkeypatch: pytest.MonkeyPatch, garbled: Any

@@ -180,6 +180,7 @@ def bring_to(rig: Watched, state: RunState) -> None:
     rig.crank.deaf = False
 
 
+@pytest.mark.sampled(every=2)
 @pytest.mark.parametrize(
     ("danger", "state"),
     [

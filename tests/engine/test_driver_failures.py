@@ -137,6 +137,7 @@ CONNECTING = (
 )
 
 
+@pytest.mark.sampled(every=3)
 @pytest.mark.parametrize(("thing", "method", "device", "doing"), CONNECTING)
 def test_a_driver_that_fails_while_connecting_is_a_fault_that_connecting_again_mends(
     rig: ChannelRig, thing: str, method: str, device: str, doing: str
@@ -339,6 +340,7 @@ def test_one_failed_answer_of_the_drive_ends_nothing(rig: ChannelRig, error: Bas
     assert rig.engine.state is RUNNING
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("error", tried(ANYWHERE), ids=named)
 def test_a_start_that_the_driver_fails_turns_nothing(rig: ChannelRig, error: BaseException) -> None:
     rig.engine.connect()
@@ -352,6 +354,7 @@ def test_a_start_that_the_driver_fails_turns_nothing(rig: ChannelRig, error: Bas
     back_to_work(rig)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("error", tried(ANYWHERE), ids=named)
 def test_a_resume_that_the_driver_fails_ends_the_test(
     rig: ChannelRig, error: BaseException
@@ -412,6 +415,7 @@ def test_a_reset_that_the_driver_fails_is_refused_in_a_sentence(
     assert rig.engine.state is RunState.READY
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("thing", "method"), [("source", "stop"), ("source", "close"), ("spindle", "close")]
 )

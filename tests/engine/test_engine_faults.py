@@ -387,6 +387,7 @@ def test_a_drive_that_confirms_and_ignores_every_command_is_stopped_by_its_watch
     rig.engine.shutdown(20.0)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("healthy", [True, False])
 def test_a_standstill_that_only_the_drive_reports_is_left_to_its_watchdog_and_told(
     rig: MemoryRig, healthy: bool

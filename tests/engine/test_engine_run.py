@@ -537,6 +537,7 @@ def test_what_a_driver_warns_of_is_in_the_log(rig: MemoryRig) -> None:
     ]
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("samples", [7, 48, 700, 3000])
 def test_which_revolutions_are_steady_does_not_depend_on_the_size_of_blocks(
     rig: MemoryRig, monkeypatch: pytest.MonkeyPatch, samples: int

@@ -196,6 +196,7 @@ def test_a_gap_after_a_gap_is_another_one(tmp_path: Path) -> None:
         assert one.alarms() == ["time_jump"]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "speed"),
     [

@@ -48,6 +48,7 @@ def ends_without_a_value(rig: ChannelRig, quantity: str) -> None:
     assert rig.is_stationary
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("answer", NO_NUMBERS)
 def test_a_limited_slow_channel_that_tells_no_number(rig: ChannelRig, answer: float) -> None:
     eventually(heard(rig.engine, "room_temperature"))
@@ -58,6 +59,7 @@ def test_a_limited_slow_channel_that_tells_no_number(rig: ChannelRig, answer: fl
     ends_without_a_value(rig, "room_temperature")
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("answer", NO_NUMBERS)
 def test_a_limited_quantity_of_the_drive_that_is_no_number(rig: ChannelRig, answer: float) -> None:
     rule = LimitRule("motor_current", critical_above=60.0, action_critical="stop")

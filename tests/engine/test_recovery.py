@@ -222,7 +222,7 @@ def leads_out(deeds: list[str]) -> list[str]:
 @example(["connect", "start", "file fails", "wait for the end"])
 @example(["connect", "start", "commands ignored", "drive off", "wait for the end"])
 @example(["connect", "turns by itself", "wait for the end"])
-@settings(max_examples=4, phases=NO_SHRINKING)
+@settings(max_examples=2, phases=NO_SHRINKING)
 def test_ready_is_reached_from_every_state_by_the_steps_that_are_named(deeds: list[str]) -> None:
     leads_out(deeds)
 

@@ -116,6 +116,7 @@ def test_a_blocked_crank_does_not_keep_its_power() -> None:
     rig.engine.shutdown(20.0)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("limit_rpm", [5.0, 200.0])
 def test_the_way_to_the_rest_stays_below_the_overspeed_limit(limit_rpm: float) -> None:
     rig = MemoryRig()

@@ -277,7 +277,7 @@ def test_what_was_seen_before_the_command_does_not_count() -> None:
     assert sequence.step(replace(old, drive_s=0.55)) is DriveStep.STANDING
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=15, deadline=None)
 @given(
     st.floats(0.0, 359.9),
     st.floats(1.0, 600.0),

@@ -55,6 +55,7 @@ def test_the_data_have_names_units_and_no_formula(plot: QuietPlot, tmp_path: Pat
     assert len(rows) == 1 + 22
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("ending", ["png", "svg", "pdf"])
 def test_the_picture_is_saved(plot: QuietPlot, tmp_path: Path, ending: str) -> None:
     path = tmp_path / f"plot.{ending}"

@@ -166,6 +166,7 @@ def study_file(folder: Path, points: int) -> Path:
     return file
 
 
+@pytest.mark.long
 def test_a_study_is_computed_from_the_window(opened: Opened, tmp_path: Path, qtbot: Any) -> None:
     panel = opened(tmp_path)
     panel.run.begin(str(study_file(tmp_path, 4)))

@@ -276,6 +276,7 @@ def test_the_residual_is_measured_minus_model(
     assert means[abs(angle - 180.0) < 20.0].mean() == pytest.approx(1.0, abs=0.3)
 
 
+@pytest.mark.long
 def test_every_visible_control_has_a_name(
     window: MainWindow, engine: Any, attach: Attach, alarm: Alarm
 ) -> None:

@@ -113,6 +113,7 @@ def test_terminal_counts_the_seconds_and_reads_both_times_by_itself(
     assert "Readings of the creep" in certificate
 
 
+@pytest.mark.sampled
 @pytest.mark.usefixtures("at_once")
 @pytest.mark.parametrize("interrupted", [False, True])
 def test_the_operator_leaves_it_out_and_the_stated_one_counts(

@@ -141,6 +141,7 @@ def test_a_subject_is_fitted_kept_and_certified(changed: Path) -> None:
     assert "Certificate of calibration: T 1" in (changed / "certificate.html").read_text("utf-8")
 
 
+@pytest.mark.long
 def test_a_column_is_stored_with_its_unit_and_sentence(
     changed: Path, ended: subprocess.CompletedProcess[str]
 ) -> None:

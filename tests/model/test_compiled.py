@@ -90,6 +90,7 @@ def test_a_caller_sees_what_has_changed_in_other_files(program: Path) -> None:
     assert run(program) == (233.0, 234.0, 0)
 
 
+@pytest.mark.long
 def test_a_changed_kernel_takes_the_place_of_the_old_one(program: Path) -> None:
     run(program)
     before = sorted(path.name for path in (program / "__pycache__").glob("*.nb?"))

@@ -31,6 +31,14 @@ def clean_file(quick_place: Path) -> Path:
 
 
 @pytest.fixture
+def no_report(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Draw no report: it takes a second, and these tests do not look at it."""
+    from rigapp.publishing import packaged
+
+    monkeypatch.setattr(packaged, "_report", lambda path: b"no report")
+
+
+@pytest.fixture
 def folder(quick_place: Path) -> Iterator[Path]:
     """Return a folder for one test."""
     with tempfile.TemporaryDirectory(dir=quick_place) as one:

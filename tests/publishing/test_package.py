@@ -201,6 +201,7 @@ def test_nothing_is_overwritten(clean_file: Path, folder: Path) -> None:
     assert to.read_bytes() == b"mine"
 
 
+@pytest.mark.long
 def test_what_appears_meanwhile_is_not_overwritten(
     clean_file: Path, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -274,7 +275,8 @@ def test_a_large_file_is_read_a_piece_at_a_time(folder: Path) -> None:
 
 
 @pytest.mark.sampled
-@pytest.mark.parametrize("change", [compact_test, Path.unlink, Path.touch])
+@pytest.mark.usefixtures("no_report")
+@pytest.mark.parametrize("change", [Path.touch, compact_test, Path.unlink])
 def test_a_test_that_changes_meanwhile_is_told(
     folder: Path, monkeypatch: pytest.MonkeyPatch, change: Callable[[Path], object]
 ) -> None:

@@ -198,6 +198,7 @@ def test_the_verb_refuses_and_says_what_to_do(
     assert "not overwritten" in again.stderr
 
 
+@pytest.mark.usefixtures("no_report")
 def test_naming_people_as_authors_is_enough(folder: Path) -> None:
     path = recorded(folder / "t.h5", events=[event("note", "Eve Fox", "a squeak")])
     to = folder / "p.zip"

@@ -88,6 +88,7 @@ def test_long_tests_keep_every_peak(monkeypatch: pytest.MonkeyPatch, paper: Path
     assert np.isfinite(table["force_rms_N"]).all()
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("steady", [0, 1, 3])
 def test_a_test_that_hardly_left_its_ramp_says_so(tmp_path: Path, steady: int) -> None:
     path = tmp_path / "ramp.h5"

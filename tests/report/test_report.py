@@ -152,7 +152,7 @@ def test_page_needs_nothing_else_and_can_be_read_aloud(page: Page) -> None:
     assert LIGHT.text in wear
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize("ending", ["html", "pdf"])
 def test_same_file_gives_the_same_bytes(eventful_file: Path, tmp_path: Path, ending: str) -> None:
     script = (

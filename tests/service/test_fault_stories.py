@@ -168,6 +168,7 @@ def test_disk_delayed_by_two_seconds_costs_no_revolution(
     assert "the disk took" in told[0].text
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seconds", [3.0, pytest.param(10.0, marks=pytest.mark.long)])
 def test_suspended_engine_is_recorded_and_never_silent(
     tmp_path: Path, running: Callable[..., Running], seconds: float

@@ -26,6 +26,7 @@ def host(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[EngineHost
     host.close()
 
 
+@pytest.mark.long
 def test_fault_is_injected_on_request(host: EngineHost) -> None:
     early = host.handle(Request(verb="inject_fault", arguments={"kind": "cable_pull"}))
     assert not early.ok

@@ -125,6 +125,7 @@ def leads_back(host: EngineHost, path: Path) -> None:
         assert not last, (steps, refused)
 
 
+@pytest.mark.long
 def test_the_steps_lead_back_from_an_emergency_stop(host: EngineHost, tmp_path: Path) -> None:
     recovers(host, FaultChoice("emergency_stop", "drive"), tmp_path)
 

@@ -214,6 +214,7 @@ def test_cross_talk_is_that_of_the_true_cell(parameters: ParameterFile, flawed: 
     assert abs(believed - true).max() > 0.2
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("rate", [10.0, 960.0, 12000.0])
 def test_analog_is_late_by_the_filter_delay_and_the_encoder_is_not(
     perfect_rig: RigFile, parameters: ParameterFile, rate: float

@@ -403,6 +403,7 @@ def test_truth_is_thinned_to_the_room(make: Callable[..., Bench], tmp_path: Path
         np.testing.assert_allclose(time, number / 960.0, atol=1e-9)
 
 
+@pytest.mark.sampled(every=5)
 @pytest.mark.parametrize("error", [KeyError("x"), SystemExit(2), struct.error("4 bytes")], ids=str)
 @pytest.mark.parametrize(
     ("name", "method"),

@@ -67,6 +67,7 @@ def test_a_narrow_contact_is_hertzs() -> None:
     assert peak == pytest.approx(2.0 * force / (math.pi * half * WIDTH), rel=0.015)
 
 
+@pytest.mark.sampled(every=3)
 @pytest.mark.parametrize("clearance", [1e-3, 0.5e-3, 50e-6, 5e-6])
 @pytest.mark.parametrize("force", [20.0, 85.0])
 def test_contact_is_that_of_finite_elements_as_the_clearance_closes(
@@ -133,6 +134,7 @@ def plant_and_model(
     return np.array(found)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(("turns", "faster"), [([10, 30, 100], 1.0), ([20, 70, 200, 428], 50.0)])
 def test_plant_wears_like_the_model_at_an_equal_coefficient(
     rig: RigFile, parameters: ParameterFile, turns: list[int], faster: float

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.schema.channels import BASE, ChannelTable
-from rigapp.schema.columns import prediction_columns
+from rigapp.schema.columns import PREDICTED_CURVES, prediction_columns
 from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, TestMetadata, TestReader, TestWriter, create_test
 from rigapp.storage.structure.build import build_file
@@ -29,7 +29,8 @@ PLAN = replace(
     channels=FORCES.channels,
     revolution_columns=FORCES.revolution_columns,
     cycle_columns=FORCES.cycle_columns,
-    prediction_columns=prediction_columns()[:13],
+    prediction_columns=prediction_columns()[:6],
+    predicted_curves=PREDICTED_CURVES[:3],
 )
 """With half as many columns, a file is made, written and checked in half the time."""
 METADATA = TestMetadata(

@@ -100,7 +100,7 @@ def many_flips(folder: Path, number: int, seed: int) -> None:
 
 
 def test_a_flipped_bit_in_the_data_is_named(quick_folder: Path) -> None:
-    many_flips(quick_folder, 10, 1)
+    many_flips(quick_folder, 6, 1)
 
 
 @pytest.mark.soak

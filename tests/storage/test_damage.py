@@ -39,7 +39,7 @@ def told(path: Path) -> str:
     return f"{path}: read"
 
 
-@pytest.mark.parametrize("number", [12, pytest.param(40, marks=pytest.mark.long)])
+@pytest.mark.parametrize("number", [8, pytest.param(40, marks=pytest.mark.long)])
 def test_a_damaged_byte_anywhere_is_told_with_the_files_name(
     quick_folder: Path, number: int
 ) -> None:

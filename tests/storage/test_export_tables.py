@@ -28,6 +28,7 @@ def table_of(path: Path, **ways: Any) -> list[list[str]]:
         return list(csv.reader(file, **ways))
 
 
+@pytest.mark.sampled(every=5)
 @pytest.mark.parametrize("separator", [";", "\t"])
 @pytest.mark.parametrize("decimal", [",", "."])
 @pytest.mark.parametrize("cycles", [False, True])

@@ -179,6 +179,7 @@ def sent(path: Path, trap: Trap) -> Path:
     return copy
 
 
+@pytest.mark.sampled(every=3)
 @pytest.mark.parametrize("trap", TRAPS.values(), ids=TRAPS)
 def test_a_trap_is_refused_before_anything_is_read(finished: Path, trap: Trap) -> None:
     path = sent(finished, trap)

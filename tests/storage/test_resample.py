@@ -139,6 +139,7 @@ def test_a_stored_cycle_on_a_grid(path: Path) -> None:
         assert np.abs(difference).max() < 1e-2
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("ending", [".csv", ".parquet"])
 def test_export_on_a_grid(path: Path, tmp_path: Path, ending: str) -> None:
     target = tmp_path / f"even{ending}"

@@ -90,6 +90,7 @@ def test_summary_has_the_promised_keys(quick_folder: Path) -> None:
         assert reader.metadata()["ended"].endswith("+00:00")
 
 
+@pytest.mark.sampled(every=2)
 @pytest.mark.parametrize(
     ("stored", "shown"), [("complete", "complete"), ("stopped", "stopped"), ("fault", "stopped")]
 )
@@ -202,7 +203,7 @@ texts = st.text(max_size=700)
 
 
 @settings(
-    max_examples=8,
+    max_examples=5,
     deadline=None,
     suppress_health_check=[HealthCheck.function_scoped_fixture],
 )
@@ -246,7 +247,7 @@ def test_an_altered_event_shows(quick_folder: Path) -> None:
 
 
 @settings(
-    max_examples=8,
+    max_examples=5,
     deadline=None,
     suppress_health_check=[HealthCheck.function_scoped_fixture],
 )

@@ -38,6 +38,7 @@ def mean_force(revolutions: int) -> float:
     return float(np.mean([row(one)[FORCE] for one in range(1, revolutions + 1)]))
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("engine", ["h5netcdf", "netcdf4"])
 def test_means_of_a_killed_test_are_those_of_its_rows(quick_folder: Path, engine: str) -> None:
     pytest.importorskip("netCDF4" if engine == "netcdf4" else engine)
@@ -84,13 +85,13 @@ def test_rows_that_come_while_another_thread_commits_stay(quick_folder: Path) ->
         committer = threading.Thread(target=commit)
         committer.start()
         try:
-            write(writer, 1, 20_000, every=1000)
+            write(writer, 1, 6_000, every=1000)
         finally:
             done.set()
             committer.join(PATIENCE_S)
         writer.commit()
         with open_test(writer.path) as reader:
-            assert check(reader, every=1000) == 20_000
+            assert check(reader, every=1000) == 6_000
 
 
 def test_a_reader_that_stays_open_reads_what_comes_later(quick_folder: Path) -> None:

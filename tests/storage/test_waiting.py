@@ -37,6 +37,7 @@ def killed_writer(folder: Path, last: int, ready: int) -> None:
     signal.pause()
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("last", [31, 40])
 def test_after_a_kill_the_cycles_before_it_are_there(quick_folder: Path, last: int) -> None:
     ready, told = os.pipe()

@@ -55,6 +55,7 @@ def test_a_healthy_rig_is_within_its_band_and_the_band_is_steady() -> None:
     assert bands.mean() < 0.06 * 87.0  # of the largest force
 
 
+@pytest.mark.long
 def test_counts_of_many_revolutions_tell_what_one_leaves_open_at_150_rpm() -> None:
     twin, parts, bands, off = Twin(PARAMETERS, "continuous"), [], [], []
     revolutions = measured_revolutions(1.1, 30, speed=5.0 * np.pi, counts=3600)

@@ -141,12 +141,15 @@ def test_without_a_record_it_is_refused_in_words_and_the_columns_are_unknown(
     ("stop", "key"),
     [
         (StopSection(wear_coefficient_mm3_per_Nm=0.2 * NOMINAL, identified_revolutions=3), ""),
-        (StopSection(remaining_revolutions=900.0, identified_revolutions=3), ""),
+        (
+            StopSection(remaining_revolutions=900.0, identified_revolutions=3),
+            "remaining_revolutions",
+        ),
         (StopSection(wear_consistency=4.0, identified_revolutions=3), "wear_consistency"),
     ],
 )
 def test_each_of_them_can_end_a_test(stop: StopSection, key: str) -> None:
-    predictions, _ = told(100)
+    predictions, _ = told(66)
     monitor = StopMonitor(stop)
     assert monitor.any
     met = []
@@ -172,7 +175,7 @@ def test_clearance_and_width_are_in_the_budget_of_the_coefficient() -> None:
 
 def test_the_temperature_of_the_room_goes_into_the_bins() -> None:
     twin = a_twin()
-    for measured, _ in revolutions(1.1, REVOLUTIONS)[:40]:
+    for measured, _ in revolutions(1.1, REVOLUTIONS)[:24]:
         twin.predict(replace(measured, temperature=20.0 + 0.1 * measured.revolution))
     assert twin.identifier is not None
     warm = [one.warm for one in twin.identifier.bins.closed]

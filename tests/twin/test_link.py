@@ -148,6 +148,7 @@ def test_stalled_worker_drops_the_oldest_and_blocks_nobody(
     assert any(text.startswith("revolutions ") and "not predicted" in text for text in reports)
 
 
+@pytest.mark.long
 def test_revolutions_that_cannot_be_predicted_are_told_and_nobody_dies(
     link: TwinLink, inbox: Inbox, reports: list[str], capfd: pytest.CaptureFixture[str]
 ) -> None:
@@ -170,6 +171,7 @@ def test_revolutions_that_cannot_be_predicted_are_told_and_nobody_dies(
     assert capfd.readouterr().err == ""
 
 
+@pytest.mark.long
 def test_a_model_that_no_twin_can_use_is_told_once(
     inbox: Inbox, reports: list[str], tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:

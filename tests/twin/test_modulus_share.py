@@ -29,6 +29,7 @@ def life_with(factor: float, force: float) -> LifeAhead:
     return ahead
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(("factor", "force"), [(FIFTH, 50.0), (1.0 / FIFTH, 110.0), (FIFTH, 250.0)])
 def test_a_wrong_modulus_moves_a_reading_by_its_stated_share(factor: float, force: float) -> None:
     """Read the depth of one bushing with the approach of another, as the probes' zero leaves it."""

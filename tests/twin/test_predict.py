@@ -97,7 +97,7 @@ def test_wrong_sign_is_seen() -> None:
     assert found["residual_1_rms"] > 20.0
 
 
-@settings(deadline=None, max_examples=30)
+@settings(deadline=None, max_examples=12)
 @given(st.floats(-60.0, 60.0))
 def test_phase_shift_is_the_lag_of_the_measurement(degrees: float) -> None:
     curve = 50.0 + 30.0 * np.cos(GRID) + 8.0 * np.sin(2.0 * GRID)

@@ -213,6 +213,7 @@ FOREIGN = {
 """Object that the drive lacks -> how the set-up ends, or what it advises."""
 
 
+@pytest.mark.sampled(every=4)
 @pytest.mark.parametrize("lacking", FOREIGN, ids=hex)
 def test_a_foreign_drive_turns_without_what_is_optional(
     drive_rig: Any, wait_until: Any, request_for: Any, lacking: int
@@ -649,6 +650,7 @@ def _frame(identifier: int, data: str) -> Frame:
 # --- faults ---------------------------------------------------------------------------------------
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("code", [0x2310, 0x3220, 0x7320, 0x8611, 0xFF0B, 0x2345])
 def test_a_fault_during_a_run_is_told_in_words_and_reset(
     drive_rig: Any, connect: Any, wait_until: Any, code: int

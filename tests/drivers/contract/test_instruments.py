@@ -92,6 +92,7 @@ def devices_of(
     return make_devices(read_rig(path).record, ports)
 
 
+@pytest.mark.sampled(every=3)
 @pytest.mark.parametrize("quadrature", ["after", "before"])
 def test_every_instrument_is_reached_by_the_rig_file(
     source: Contract, spindle: Contract, bench: Make, tmp_path: Path, quadrature: str

@@ -254,6 +254,7 @@ def test_a_counter_that_is_dead_ends_the_stream_with_its_name(bench: Callable[..
 # --- the device -----------------------------------------------------------------------------------
 
 
+@pytest.mark.sampled
 def test_a_hang_is_lost_and_says_so(bench: Callable[..., Any]) -> None:
     b = bench(settings=SILENT)
     b.configure()
@@ -266,6 +267,7 @@ def test_a_hang_is_lost_and_says_so(bench: Callable[..., Any]) -> None:
     b.driver.stop()
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("tells_rate", [True, False])
 def test_a_reset_is_lost_and_says_so(
     bench: Callable[..., Any], clock: str, tells_rate: bool
@@ -314,6 +316,7 @@ def test_a_cable_that_is_pulled(bench: Callable[..., Any]) -> None:
         b.read_until(lambda: False, "an error")
 
 
+@pytest.mark.sampled
 @only_encoder
 @pytest.mark.parametrize("sends_rest", [True, False])
 def test_a_standing_shaft_is_not_a_fault(bench: Callable[..., Any], sends_rest: bool) -> None:
@@ -352,6 +355,7 @@ def test_one_lost_reply_is_asked_for_again(bench: Callable[..., Any]) -> None:
     assert b.wire.received.count(b"srate 62500\r") == 2
 
 
+@pytest.mark.sampled
 @only_internal
 @pytest.mark.parametrize(
     ("fault", "error", "words"),

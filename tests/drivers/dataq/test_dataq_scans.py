@@ -251,6 +251,7 @@ def test_motion_within_the_limits_never_breaks_the_stream(changes: list[int]) ->
     assert np.concatenate([run.values[0] for run in runs]).tolist() == counts[1:]
 
 
+@pytest.mark.sampled(every=3)
 @pytest.mark.parametrize("rule", sorted(RULES))
 @pytest.mark.parametrize("word", [0, 0x7FFF, 0xFFFF, 0x1234])
 def test_dead_inputs_leave_the_odds_of_a_single_check(rule: str, word: int) -> None:

@@ -106,6 +106,7 @@ def test_user_scale_and_offset_left_by_someone_else_are_put_right(bench: Any) ->
     assert setup.readback["mode"] == "0x00000002"
 
 
+@pytest.mark.sampled(every=3)
 @pytest.mark.parametrize(
     ("settings", "rate"),
     [

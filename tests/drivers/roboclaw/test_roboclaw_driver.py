@@ -643,6 +643,7 @@ def test_a_drive_that_is_late_by_the_same_time_again_and_again_is_heard(
         assert not drive.status().faults
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("late_s", [0.12, 0.2, 0.35])
 def test_a_line_whose_answers_are_all_late_is_understood_and_named(
     drive_rig: Any, connect: Any, late_s: float, caplog: pytest.LogCaptureFixture

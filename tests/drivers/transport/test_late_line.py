@@ -194,6 +194,7 @@ def test_gsv8_never_takes_the_answer_to_another_question_and_writes_once(
     assert len(writes) == 3
 
 
+@pytest.mark.sampled(every=2)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("delay", NAMED_DELAYS)
 def test_canopen_never_gives_the_value_of_another_object(

@@ -230,6 +230,7 @@ MODULES: Final[tuple[ModuleType, ...]] = (
 )
 
 
+@pytest.mark.sampled(every=2)
 @pytest.mark.parametrize(
     "count", [1500, pytest.param(1_000_000, marks=[pytest.mark.soak, pytest.mark.timeout(3600)])]
 )

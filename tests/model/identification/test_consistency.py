@@ -32,6 +32,7 @@ def watched(depth, renewed_until: float = np.inf) -> Consistency:
     return found
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_a_coefficient_that_doubles_is_told_before_five_times_the_scatter_has_worn(seed) -> None:
     depth = virtual.readings(LIFE, seed, LAST, 1.1 * DOUBLED)
@@ -51,6 +52,7 @@ def test_a_coefficient_that_falls_is_told_as_slower() -> None:
     assert not told.faster
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_nothing_is_told_where_nothing_changed(seed) -> None:
     found = watched(virtual.readings(LIFE, seed, LAST))

@@ -280,6 +280,7 @@ def test_limits_cover_the_truth_as_often_as_they_say(part, seed) -> None:
     assert tests - left_in < 4
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("kind", ["running-in", "change"])
 def test_what_moves_depth_beyond_its_noise_is_told_at_twenty_to_one(kind) -> None:
     random, told = np.random.default_rng(4), 0

@@ -27,6 +27,7 @@ def known(one: rig.Recorded, last: int):
 MORE = ("AR 200", "hourly", "creep")
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     "kind", ["daily", "step", *(pytest.param(one, marks=pytest.mark.long) for one in MORE)]
 )

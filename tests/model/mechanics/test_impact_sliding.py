@@ -147,6 +147,7 @@ class Independent:
         return y[8:], impacts
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("joint", "material", "law"),
     [

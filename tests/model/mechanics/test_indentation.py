@@ -24,6 +24,7 @@ CASE_B = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871, 0.0
                    Spring(525.0, 0.2794 + 20.0 / 525.0))  # fmt: skip
 
 
+@pytest.mark.sampled(every=3)
 @pytest.mark.parametrize("width", [3e-3, 13.1e-3, 50e-3])
 @pytest.mark.parametrize("material", [POLYMER, STEEL])
 def test_the_default_law_is_as_stiff_as_the_elements_at_every_width(

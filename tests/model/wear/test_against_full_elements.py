@@ -10,6 +10,7 @@ from rigapp_model.bushing.contact import simpson_weights
 from rigapp_model.bushing.ring import pressure_distribution
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("sectors", [120, 180])
 def test_condensed_contact_is_the_full_one(ring, sectors: int) -> None:
     force = 110.0 / 0.0131

@@ -58,6 +58,7 @@ def test_coarse_mesh_keeps_the_peak(ring, pressure_reference) -> None:
     assert found.pressure.max() == pytest.approx(1e6 * pressure_reference[0, 1], rel=3e-3)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("degrees", [15.0, 30.0, 50.0])
 def test_incompressible_plate_follows_persson(degrees: float) -> None:
     ratio, inner, clearance = 0.49999, 0.01, 1e-7

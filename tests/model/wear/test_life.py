@@ -75,6 +75,7 @@ CASES = {
 }
 
 
+@pytest.mark.sampled(every=3)
 @pytest.mark.parametrize("case", CASES)
 def test_error_reported_is_not_below_the_true_one(parameters, case: str) -> None:
     change, cycles, technique, force, fine = CASES[case]

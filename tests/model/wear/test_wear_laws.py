@@ -68,6 +68,7 @@ def test_the_reference_pressure_only_scales_the_coefficient_of_a_pressure_expone
     assert one.max_depth[-1] == pytest.approx(other.max_depth[-1], rel=2e-3)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("exponent", [0.7, 1.5])
 def test_a_pressure_exponent_wears_as_many_small_explicit_steps_say(
     parameters: Parameters, exponent: float
