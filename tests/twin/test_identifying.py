@@ -143,7 +143,7 @@ def test_without_a_record_it_is_refused_in_words_and_the_columns_are_unknown(
         (StopSection(wear_coefficient_mm3_per_Nm=0.2 * NOMINAL, identified_revolutions=3), ""),
         (
             StopSection(remaining_revolutions=900.0, identified_revolutions=3),
-            "remaining_revolutions",
+            "remaining_revolutions_low",
         ),
         (StopSection(wear_consistency=4.0, identified_revolutions=3), "wear_consistency"),
     ],
