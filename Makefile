@@ -23,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK = 1
 # Hundreds of programs that the tests start shall not compile the source again, each for itself.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: run test kernels lint audit hooks search bench long soak docs single lock pictures translations clean
+.PHONY: run test pytest kernels lint audit hooks search bench long soak docs single lock pictures translations clean
 
 run: kernels
 	@$(BIN)/python -m rigapp.start
@@ -31,10 +31,12 @@ run: kernels
 # Three workers on two cores: stories of whole rigs wait more than they compute. Each begins with a
 # part of its own, so that most modules are tested by one worker, which makes their fixtures once; who
 # is done takes work from the others. One file or folder is quicker without workers and without the
-# checks of the whole source.
-test: $(TEST_READY)
-	+@$(MAKE) --no-print-directory -j2 $(if $(TESTS),,lint) kernels
-	$(BIN)/python -m pytest $(or $(TESTS),-n 3 --dist worksteal) -m "not soak and not long"
+# checks of the whole source, which run beside the tests and are printed together when they end.
+test: $(TEST_READY) kernels
+	+@$(MAKE) --no-print-directory -j2 --output-sync=target $(if $(TESTS),,lint) pytest
+
+pytest: $(TEST_READY)
+	+$(BIN)/python -m pytest $(or $(TESTS),-n 3 --dist worksteal) -m "not soak and not long"
 
 lint: audit $(TEST_READY)
 	$(BIN)/ruff format --check .

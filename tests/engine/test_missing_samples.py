@@ -50,11 +50,12 @@ SILENT = {"stale_data", "samples_missing", "device_lost", "time_jump"}
 """What it is, where it is too long; some devices are asked when they are silent, and found lost. On
 a computer that is late the samples may be back before the limit is seen to be passed."""
 ELSEWHERE = [
-    pytest.param(name, speed, marks=pytest.mark.long)
+    pytest.param(name, speed, marks=pytest.mark.long if speed in ("1", "max") else pytest.mark.soak)
     for name, speed in product((GSV8, DATAQ, BY_ENCODER), ("1", "20", "100", "max"))
-    if (name, speed) not in {(GSV8, "1"), (GSV8, "20"), (DATAQ, "20"), (BY_ENCODER, "1")}
+    if (name, speed) != (GSV8, "1")
 ]
-"""The same on more instruments and at more speeds."""
+"""The same on more instruments and at more speeds. A computer with other work cannot keep 20 or 100
+times the speed of a rig, and an engine that is behind ends the test late; ``max`` waits for it."""
 MORE = ((GSV8, "20"), (DATAQ, "1"), (BY_ENCODER, "1"), (BY_ENCODER, "20"))
 
 
@@ -140,13 +141,7 @@ def rig(name: str, speed: str, folder: Path, revolutions: int = 100_000) -> Iter
 
 @pytest.mark.parametrize(
     ("name", "speed"),
-    [
-        (GSV8, "1"),
-        pytest.param(GSV8, "20", marks=pytest.mark.long),
-        pytest.param(DATAQ, "20", marks=pytest.mark.long),
-        pytest.param(BY_ENCODER, "1", marks=pytest.mark.long),
-        *ELSEWHERE,
-    ],
+    [(GSV8, "1"), *ELSEWHERE],
 )
 def test_a_silence_beyond_the_limit_ends_the_test_and_is_the_reason(
     tmp_path: Path, name: str, speed: str

@@ -6,14 +6,13 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-import pytest
+import yaml
 
 ROOT = Path(__file__).parents[2]
 PROJECT: dict[str, Any] = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
 
 
 def test_the_citation_is_that_of_the_package() -> None:
-    yaml = pytest.importorskip("yaml")
     cited = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
     assert {"cff-version", "message", "title", "authors"} <= set(cited), "what the format requires"
     assert cited["version"] == PROJECT["version"]

@@ -27,7 +27,6 @@ from rigapp.notify.store import state_file
 from rigapp.schema.messages import Alarm, RunState, Severity, Status
 from rigapp.schema.notices import AlarmChanged
 
-pytest.importorskip("apprise", reason="needs the extra notify")
 pytestmark = pytest.mark.skipif(not hasattr(os, "killpg"), reason="needs groups of processes")
 
 RUNNING = Heartbeat(

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import keyring
 import pytest
 from receivers import Receiver
 
@@ -61,7 +62,6 @@ def test_a_secret_that_is_nowhere_is_named_with_what_to_do(tmp_path: Path) -> No
 def test_the_keyring_is_asked_for_what_the_file_lacks(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    keyring = pytest.importorskip("keyring")
     asked: list[tuple[str, str]] = []
 
     def get_password(service: str, name: str) -> str:
@@ -96,7 +96,6 @@ def test_a_secret_is_quoted_in_its_place_and_is_the_whole_url_as_it_stands() -> 
     ],
 )
 def test_a_url_with_a_secret_of_its_own_is_refused(tmp_path: Path, url: str, good: bool) -> None:
-    pytest.importorskip("apprise")
     secrets = secrets_file(
         tmp_path,
         text=f'password = "{SECRET}"\nwhole = "tgram://123456789:abcdefg_hijklmnop/1"\n'
@@ -113,7 +112,6 @@ def test_a_url_with_a_secret_of_its_own_is_refused(tmp_path: Path, url: str, goo
 def test_a_secret_arrives_and_no_reason_repeats_it(
     tmp_path: Path, receiver: Receiver, answer: int
 ) -> None:
-    pytest.importorskip("apprise")
     receiver.answer = answer
     secrets = secrets_file(tmp_path, text='token = "topsecrettoken"\n')
     url = f"json://me:{{token}}@127.0.0.1:{receiver.port}/hook/{{token}}"

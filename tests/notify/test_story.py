@@ -18,8 +18,6 @@ from rigapp.service.host import EngineHost
 from rigapp.service.simulated import parse_speed
 from rigapp.storage import open_test
 
-pytest.importorskip("apprise", reason="needs the extra notify")
-
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TOKEN = "topsecrettoken"  # noqa: S105 - of this test
 

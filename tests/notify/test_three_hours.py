@@ -28,8 +28,6 @@ from rigapp.service.host import EngineHost
 from rigapp.service.simulated import parse_speed
 from rigapp.storage import open_test
 
-pytest.importorskip("apprise", reason="needs the extra notify")
-
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RIG_NAME = "Simulated slider-crank"
 HOURS = float(os.environ.get("RIGAPP_SOAK_HOURS", "3"))

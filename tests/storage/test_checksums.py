@@ -171,8 +171,9 @@ def test_the_compressed_copy_keeps_checksums_and_protects_its_structure(
     compact_test(path)
     assert damage_of(path) == []
     assert path.read_bytes()[8] >= 2, "the superblock has a checksum from version 2 on"
-    netcdf4 = pytest.importorskip("netCDF4")
-    with netcdf4.Dataset(path) as file:
+    import netCDF4
+
+    with netCDF4.Dataset(path) as file:
         assert len(file["/entry/revolutions"].variables["force_max"]) == 60
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+import xarray
 from patience import PATIENCE_S
 from storage_samples import METADATA, PLAN, check, ended, new_test, row, write
 
@@ -18,7 +19,6 @@ from rigapp.storage.structure.layout import AHEAD, streams_of
 from rigapp.storage.writing import writer as writer_module
 from rigapp.storage.writing.create import lengths_of
 
-xarray = pytest.importorskip("xarray")
 LONG = FilePlan(revolutions=60_000, cycles=40, samples_per_cycle=50, events=256, checksums=True)
 FORCE = PLAN.revolution_columns.index(
     next(one for one in PLAN.revolution_columns if one.name == "force_max")
@@ -41,7 +41,6 @@ def mean_force(revolutions: int) -> float:
 @pytest.mark.sampled
 @pytest.mark.parametrize("engine", ["h5netcdf", "netcdf4"])
 def test_means_of_a_killed_test_are_those_of_its_rows(quick_folder: Path, engine: str) -> None:
-    pytest.importorskip("netCDF4" if engine == "netcdf4" else engine)
     path = killed(quick_folder)
     rows = xarray.open_dataset(path, group="/entry/revolutions", engine=engine)
     assert float(rows.force_max.mean()) == pytest.approx(mean_force(150))

@@ -16,8 +16,6 @@ import xarray
 from patience import PATIENCE_S
 from study.studies import PRESSURE, command, started, written
 
-pytest.importorskip("distributed", reason="needs the extra studies")
-
 LONG = """schema = 1
 kind = "life"
 parameters = "parameters.toml"

@@ -8,13 +8,12 @@ from functools import partial
 from importlib.resources import files
 from typing import Any
 
+import can
+import canopen
 import pytest
+from canopen.profiles import p402
 
 from rigapp_drivers.cia402.simulator import Cia402Simulator
-
-can = pytest.importorskip("can")
-canopen = pytest.importorskip("canopen")
-p402 = pytest.importorskip("canopen.profiles.p402")
 
 NODE = 5
 EDS = str(files("rigapp_drivers.cia402") / "objects.eds")

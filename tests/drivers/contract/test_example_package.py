@@ -18,7 +18,6 @@ EXAMPLE = ROOT / "examples" / "driver_example"
 @pytest.fixture(scope="module")
 def installed(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, str]:
     """Build and install the example package beside the program; return the environment."""
-    pytest.importorskip("setuptools", reason="building the example package needs setuptools")
     folder = tmp_path_factory.mktemp("third_party")
     source = folder / "source"
     shutil.copytree(EXAMPLE, source)

@@ -6,7 +6,6 @@ its own. Its reader polls without a pause, so the sessions are short.
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import subprocess
 import sys
@@ -18,12 +17,6 @@ import pytest
 
 from rigapp_drivers.api import DataRequest
 from rigapp_drivers.gsv8.protocol import Command, f32, request, u8, u16
-
-VENDOR_MISSING = importlib.util.find_spec("gsv86lib") is None
-OTHER_MISSING = importlib.util.find_spec("gsvpiko") is None
-
-needs_vendor = pytest.mark.skipif(VENDOR_MISSING, reason="gsv86lib is not installed")
-needs_other = pytest.mark.skipif(OTHER_MISSING, reason="gsvpiko is not installed")
 
 PREAMBLE = """
 import json, os, sys, time, warnings, logging
@@ -47,7 +40,6 @@ def _run(script: str, port: str) -> Any:
     return json.loads(done.stdout.strip().splitlines()[-1])
 
 
-@needs_vendor
 def test_vendors_client_configures_zeroes_and_streams(bench: Any) -> None:
     b = bench()
     result = _run(
@@ -99,7 +91,6 @@ def test_vendors_client_configures_zeroes_and_streams(bench: Any) -> None:
         assert request(command, parameters) in sent
 
 
-@needs_vendor
 def test_vendors_client_sees_refusals_and_digital_lines(bench: Any) -> None:
     b = bench()
     result = _run(
@@ -121,7 +112,6 @@ def test_vendors_client_sees_refusals_and_digital_lines(bench: Any) -> None:
     assert result == {"refused": True, "output": True, "threshold": 1.5, "rate": 10.0}
 
 
-@needs_vendor
 def test_vendors_client_reads_the_counter_that_our_driver_set_up(bench: Any) -> None:
     b = bench()
     b.driver.open()
@@ -151,7 +141,6 @@ def test_vendors_client_reads_the_counter_that_our_driver_set_up(bench: Any) -> 
 
 
 @pytest.mark.long
-@needs_other
 def test_independent_client_configures_and_streams(bench: Any) -> None:
     b = bench()
     result = _run(
@@ -213,7 +202,6 @@ def test_independent_client_configures_and_streams(bench: Any) -> None:
         assert values == pytest.approx([0.5, -0.25, 2.5, -2.5], abs=1e-5)
 
 
-@needs_other
 def test_independent_client_builds_the_same_bytes() -> None:
     result = _run(
         """

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from typing import Any, Final
 
 import pytest
+from pymodbus import datastore, server
 
 from rigapp_drivers.api import (
     ConnectionFailed,
@@ -23,9 +24,6 @@ from rigapp_drivers.api import (
 from rigapp_drivers.modbus_sensor.driver import ModbusSensor
 from rigapp_drivers.modbus_sensor.registers import OWN
 from rigapp_drivers.modbus_sensor.simulator import crc16
-
-datastore = pytest.importorskip("pymodbus.datastore")
-server = pytest.importorskip("pymodbus.server")
 
 VALUES: Final = {1: 215, 2: 480, 17: 1013}
 """What the devices on the line tell by their address."""

@@ -7,17 +7,13 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
+from basicmicro import Basicmicro
 
 from rigapp_drivers.roboclaw.link import Link
 from rigapp_drivers.roboclaw.protocol import Command
 from rigapp_drivers.roboclaw.simulator import RoboClawSimulator
 from rigapp_drivers.simulator_api import MotorState
 from rigapp_drivers.transport import SerialPort
-
-try:
-    from basicmicro import Basicmicro
-except ImportError as missing:  # pragma: no cover
-    pytest.skip(f"the client basicmicro does not import: {missing}", allow_module_level=True)
 
 ADDRESS = 0x80
 

@@ -230,7 +230,8 @@ def unsprung_lives(
 
 @pytest.mark.long
 @pytest.mark.parametrize(
-    ("number", "cycles"), [(2, 300), pytest.param(10, 300, marks=pytest.mark.soak)]
+    ("number", "cycles"),
+    [(2, 300), pytest.param(10, 300, marks=[pytest.mark.soak, pytest.mark.timeout(3600)])],
 )
 def test_chaotic_lives_agree_within_their_stated_errors(
     parameters, number: int, cycles: int, monkeypatch
