@@ -190,6 +190,7 @@ def state_of(simulation: subprocess.Popen[str]) -> dict[str, Any]:
     return state
 
 
+@pytest.mark.long
 def test_dead_engine_stops_the_spindle_by_the_drives_watchdog(
     tmp_path: Path,
     running: Callable[..., Running],

@@ -29,6 +29,7 @@ def geared(folder: Path, example: str, gear_ratio: str) -> Path:
     return path
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("example", "gear_ratio"),
     [

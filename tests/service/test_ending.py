@@ -47,6 +47,14 @@ main()
 
 
 @pytest.fixture(autouse=True)
+def _signals_count() -> Iterator[None]:
+    """Take signals as a program at a terminal does; ``nohup`` lets a hang-up be ignored."""
+    usual = signal.signal(signal.SIGHUP, signal.SIG_DFL)
+    yield
+    signal.signal(signal.SIGHUP, usual)
+
+
+@pytest.fixture(autouse=True)
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
     (tmp_path / "temporary").mkdir()

@@ -187,6 +187,7 @@ def test_the_queue_waits_and_fails_no_test(
     assert bo.request("queue_remove", {"numbers": [1]}).ok
 
 
+@pytest.mark.long
 @pytest.mark.timeout(300)
 @pytest.mark.parametrize(
     "end", [pytest.param("calibration_end", marks=pytest.mark.long), "calibration_release"]

@@ -84,6 +84,7 @@ def command(rig_file: Path, *options: str) -> list[str]:
     return [sys.executable, "-m", "rigapp.simulation.process", str(rig_file), *options]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "number", [signal.SIGINT, pytest.param(signal.SIGTERM, marks=pytest.mark.long)]
 )

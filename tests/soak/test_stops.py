@@ -76,7 +76,9 @@ def is_ready_after_next_step(engine: Engine) -> bool:
 @pytest.mark.parametrize(
     "case",
     [
-        pytest.param(one, id=one.name, marks=() if one.name in QUICK else pytest.mark.soak)
+        pytest.param(
+            one, id=one.name, marks=pytest.mark.long if one.name in QUICK else pytest.mark.soak
+        )
         for one in CASES
     ],
 )

@@ -75,6 +75,7 @@ def test_counts_of_many_revolutions_tell_what_one_leaves_open_at_150_rpm() -> No
     assert np.abs(np.diff(bands[FIRST:])).max() < 0.1 * np.mean(bands[FIRST:])
 
 
+@pytest.mark.long
 @pytest.mark.sampled
 @pytest.mark.parametrize(
     "fault",
