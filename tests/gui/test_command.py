@@ -123,7 +123,7 @@ def test_command_is_taken_seen_by_the_other_and_given_back(
     until(lambda: one.header.state.value.whole == "Running")
     assert "Nobody" in one.controls.command_line.text.text()
     assert one.controls.buttons["pause"].isEnabled()
-    with qtbot.waitActive(one):
+    with qtbot.waitActive(one, timeout=PATIENCE_MS):
         one.activateWindow()
     qtbot.keyClick(one, Qt.Key.Key_F2)
     until(lambda: "You are in command" in one.controls.command_line.text.text())
@@ -172,7 +172,7 @@ def test_taking_over_names_who_loses_command_and_begins_with_the_harmless_answer
     until(lambda: one.header.state.value.whole == "Running")
     one.controls.command_line.act()
     until(lambda: other.viewer_bar.isVisible())
-    with qtbot.waitActive(other):
+    with qtbot.waitActive(other, timeout=PATIENCE_MS):
         other.activateWindow()
     qtbot.keyClick(other, Qt.Key.Key_F2)
     bar = other.viewer_bar

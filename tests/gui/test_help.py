@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from patience import PATIENCE_MS
 from PySide6.QtCore import QPoint, QUrl
 from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
@@ -22,7 +23,7 @@ def shown(qtbot: QtBot) -> HelpWindow:
     window = HelpWindow()
     qtbot.addWidget(window)
     window.show()
-    qtbot.waitExposed(window)
+    qtbot.waitExposed(window, timeout=PATIENCE_MS)
     return window
 
 

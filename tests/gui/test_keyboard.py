@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
+from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -57,7 +58,7 @@ def reached(control: QWidget, chain: list[QWidget]) -> bool:
 def attached(window: MainWindow, engine: Any, attach: Attach, qtbot: Any) -> MainWindow:
     engine.say(count=5, simulated=True)
     attach()
-    with qtbot.waitActive(window):
+    with qtbot.waitActive(window, timeout=PATIENCE_MS):
         window.activateWindow()
     return window
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from patience import PATIENCE_MS
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QSpinBox, QVBoxLayout, QWidget
@@ -48,11 +49,11 @@ def test_the_wheel_scrolls_a_form_and_changes_only_what_has_the_focus(
     area = scrolling("form", "Form", inside)
     qtbot.addWidget(area)
     area.resize(300, 200)
-    with qtbot.waitActive(area):
+    with qtbot.waitActive(area, timeout=PATIENCE_MS):
         area.show()
         area.activateWindow()
     other.setFocus()
-    qtbot.waitUntil(other.hasFocus)
+    qtbot.waitUntil(other.hasFocus, timeout=PATIENCE_MS)
 
     def value() -> int:
         return field.currentIndex() if isinstance(field, QComboBox) else field.value()
@@ -66,14 +67,18 @@ def test_the_wheel_scrolls_a_form_and_changes_only_what_has_the_focus(
     assert area.verticalScrollBar().value() > 0
     area.verticalScrollBar().setValue(0)
     field.setFocus()
-    qtbot.waitUntil(field.hasFocus)  # a window that ended beside it may take it for a moment
+    qtbot.waitUntil(
+        field.hasFocus, timeout=PATIENCE_MS
+    )  # a window that ended beside it may take it for a moment
 
     def changes() -> bool:
+        area.activateWindow()
+        field.setFocus()
         roll(field)
         return bool(value() != before)
 
     # A platform without a screen may lose one notch of a busy computer.
-    qtbot.waitUntil(changes)
+    qtbot.waitUntil(changes, timeout=PATIENCE_MS)
     assert area.verticalScrollBar().value() == 0
 
 
@@ -93,7 +98,10 @@ def test_stop_is_never_grey_and_says_when_nothing_runs(
     engine.reply = Reply(ok=False, sentence=str(refused.value))
     stop.click()
     attach()
-    qtbot.waitUntil(lambda: bool(window.tick() or "Nothing" in window.controls.answer.whole))
+    qtbot.waitUntil(
+        lambda: bool(window.tick() or "Nothing" in window.controls.answer.whole),
+        timeout=PATIENCE_MS,
+    )
     assert window.controls.answer.whole == "Nothing is running: there is nothing to stop."
     assert engine.verbs == ["stop"]  # a test may have begun since
 
@@ -107,7 +115,9 @@ def test_a_stop_that_fails_at_rest_is_never_called_needless(
     window.controls.buttons["stop"].click()
     attach()
     answer = window.controls.answer
-    qtbot.waitUntil(lambda: bool(window.tick() or "does not answer" in answer.whole))
+    qtbot.waitUntil(
+        lambda: bool(window.tick() or "does not answer" in answer.whole), timeout=PATIENCE_MS
+    )
     assert answer.whole.startswith("\u25b2")
 
 
@@ -119,10 +129,10 @@ def test_stop_is_pressed_from_the_window_of_the_help_too(
     window.show_help()
     helped = window._help
     assert helped is not None
-    with qtbot.waitActive(helped):
+    with qtbot.waitActive(helped, timeout=PATIENCE_MS):
         helped.activateWindow()
     qtbot.keyClick(helped.browser, Qt.Key.Key_F12)
-    qtbot.waitUntil(lambda: bool(window.tick() or engine.verbs))
+    qtbot.waitUntil(lambda: bool(window.tick() or engine.verbs), timeout=PATIENCE_MS)
     assert engine.verbs == ["stop"]
 
 

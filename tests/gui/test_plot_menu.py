@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from patience import PATIENCE_MS
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QImage
 from PySide6.QtTest import QTest
@@ -42,7 +43,7 @@ def plot(light_application: Any, qtbot: Any) -> QuietPlot:
         names=(CurveName("=|F|", LinePen("main"), 100.0), CurveName("model", MODEL, 20.0))
     )
     made.show()
-    qtbot.waitExposed(made)
+    qtbot.waitExposed(made, timeout=PATIENCE_MS)
     return made
 
 

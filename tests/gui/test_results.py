@@ -387,7 +387,7 @@ def test_the_window_begins_with_four_ways_and_the_last_tests(
     page = window.tabs.panels["start"]
     assert "simulated: nothing real turns" in page.rig.text()
     page.setFocus()
-    with qtbot.waitActive(window):
+    with qtbot.waitActive(window, timeout=PATIENCE_MS):
         window.activateWindow()
     # Each key stands on its card, and does the same from a field that takes digits.
     for act, name in ((Act.RESULTS, "results"), (Act.PREPARE, "prepare")):

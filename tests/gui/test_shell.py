@@ -45,7 +45,7 @@ def test_each_place_is_reached_by_its_key_and_shows_the_page_seen_last(
 ) -> None:
     engine.say(count=3)
     attach()
-    with qtbot.waitActive(window):
+    with qtbot.waitActive(window, timeout=PATIENCE_MS):
         window.activateWindow()
     window.tabs.setCurrentIndex(2)
     for key, place in zip(
@@ -69,7 +69,7 @@ def test_the_focus_of_the_rail_goes_to_the_place_that_is_shown(
 ) -> None:
     engine.say(count=3)
     attach()
-    with qtbot.waitActive(window):
+    with qtbot.waitActive(window, timeout=PATIENCE_MS):
         window.activateWindow()
     window.rail.buttons[RailPlace.WATCH].setFocus()
     qtbot.keyClick(window, Qt.Key.Key_4, Qt.KeyboardModifier.AltModifier)
@@ -96,7 +96,7 @@ def test_a_calibration_stands_in_the_window_and_is_left_and_come_back_to(
     engine.reply = Reply(ok=True, result={"key": "of this session", "since": 1.0})
     engine.say(count=0, curves=False, state=RunState.READY, file="")
     attach()
-    with qtbot.waitActive(window):
+    with qtbot.waitActive(window, timeout=PATIENCE_MS):
         window.activateWindow()
     qtbot.keyClick(window, Qt.Key.Key_F3)
     assert window.stage.guiding

@@ -9,6 +9,7 @@ from typing import Any
 
 import msgspec
 import pytest
+from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 from snapshots import ALARM, make_snapshot, make_status
 
@@ -167,7 +168,7 @@ def test_the_key_of_the_message_line_does_what_it_says(
     step = Recovery(Remedy.RESUME, "start", "Start a test.", (Remedy.RESUME,))
     engine.say(count=0, curves=False, state=RunState.READY, planned=0, file="", recovery=step)
     attach()
-    with qtbot.waitActive(window):
+    with qtbot.waitActive(window, timeout=PATIENCE_MS):
         window.activateWindow()
     assert window.notice.text.text() == "Start a test. (F10)"
     assert window.recover.isHidden()

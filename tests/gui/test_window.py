@@ -62,7 +62,7 @@ def test_the_header_tells_state_cycle_end_age_margin_agreement(
 
 
 def test_one_key_does_it(window: MainWindow, engine: Any, attach: Attach, qtbot: Any) -> None:
-    with qtbot.waitActive(window):
+    with qtbot.waitActive(window, timeout=PATIENCE_MS):
         window.activateWindow()
     for number, (key, verb, state) in enumerate(
         [
@@ -122,7 +122,7 @@ def test_one_key_acknowledges_the_alarm_that_is_told_and_leads_to_where_it_is(
 ) -> None:
     engine.say(count=3, alarms=(alarm,))
     attach()
-    with qtbot.waitActive(window):
+    with qtbot.waitActive(window, timeout=PATIENCE_MS):
         window.activateWindow()
     window.tabs.show_page("results")
     qtbot.keyClick(window, Qt.Key.Key_F7)
@@ -135,7 +135,7 @@ def test_one_key_acknowledges_the_alarm_that_is_told_and_leads_to_where_it_is(
 def test_a_note_takes_one_key(window: MainWindow, engine: Any, attach: Attach, qtbot: Any) -> None:
     engine.say(count=3)
     attach()
-    with qtbot.waitActive(window):
+    with qtbot.waitActive(window, timeout=PATIENCE_MS):
         window.activateWindow()
     qtbot.keyClick(window, Qt.Key.Key_F8)
     assert window.focusWidget() is window.controls.text
@@ -440,7 +440,7 @@ def test_light_and_dark_are_both_complete(
 ) -> None:
     engine.say(count=5, alarms=(alarm,))
     attach()
-    with qtbot.waitActive(window):
+    with qtbot.waitActive(window, timeout=PATIENCE_MS):
         window.activateWindow()
     for theme, background in (("dark", DARK.base), ("light", LIGHT.base)):
         qtbot.keyClick(window, Qt.Key.Key_F9)

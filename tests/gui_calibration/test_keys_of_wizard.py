@@ -27,7 +27,7 @@ def shown(window: MainWindow, engine: Any, attach: Callable[[], None], qtbot: An
     engine.reply = Reply(ok=False, sentence="There are no signals.")
     engine.say(count=0, curves=False, state=RunState.READY, file="")
     attach()
-    with qtbot.waitActive(window):
+    with qtbot.waitActive(window, timeout=PATIENCE_MS):
         window.activateWindow()
     return window
 

@@ -146,7 +146,7 @@ def test_every_choice_is_pressed_by_a_letter(qtbot: Any) -> None:
     chooser.show()
     letters = [one.text.split("&")[1][0].lower() for one in CHOICES.values()]
     assert len(set(letters)) == len(letters)
-    with qtbot.waitActive(chooser):
+    with qtbot.waitActive(chooser, timeout=PATIENCE_MS):
         chooser.activateWindow()
     with qtbot.waitSignal(chooser.chosen, timeout=PATIENCE_MS) as heard:
         qtbot.keyClick(chooser, Qt.Key.Key_D, Qt.KeyboardModifier.AltModifier)
