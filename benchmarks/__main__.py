@@ -31,18 +31,18 @@ LEAST_SHARE = 2.0 / 3.0
 
 def fallen(rows: list[dict[str, Any]], stored: dict[str, float]) -> list[str]:
     """Return a sentence for each ratio that fell by more than a third of the stored one."""
-    found = []
+    names = []
     for row in rows:
         name, now = row.get("name", ""), row.get("ratio")
         if name not in stored or not now:
             continue
         share = stored[name] / now if name in COSTS else now / stored[name]
         if share < LEAST_SHARE:
-            found.append(
+            names.append(
                 f"{row['what']}: {now:,.4g} x {row['peer']}, {stored[name]:,.4g} x stored:"
                 f" {100 * share:.0f} % of it is left"
             )
-    return found
+    return names
 
 
 def ratios_of(rows: list[dict[str, Any]]) -> dict[str, float]:
@@ -53,14 +53,14 @@ def ratios_of(rows: list[dict[str, Any]]) -> dict[str, float]:
 def table(figures: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Return a row for each budget that was measured, skipped ones behind them."""
     rows = []
-    for one in figures:
-        if "skipped" in one:
+    for figure in figures:
+        if "skipped" in figure:
             continue
-        budget = BUDGETS[one["name"]]
-        kept = budget.kept(one["value"])
+        budget = BUDGETS[figure["name"]]
+        kept = budget.kept(figure["value"])
         limit = {"limit": budget.limit, "at_least": budget.at_least, "unit": budget.unit}
-        rows.append({"what": budget.what, **one, **limit, "kept": kept})
-    return rows + [one for one in figures if "skipped" in one]
+        rows.append({"what": budget.what, **figure, **limit, "kept": kept})
+    return rows + [figure for figure in figures if "skipped" in figure]
 
 
 def line(row: dict[str, Any]) -> str:
@@ -99,7 +99,7 @@ def main() -> int:
             if status != 0 and collected.stat().st_size == before:
                 failed.append(name)
             print(flush=True)
-        figures = [json.loads(one) for one in collected.read_text("utf-8").splitlines()]
+        figures = [json.loads(line) for line in collected.read_text("utf-8").splitlines()]
     rows = table(figures)
     print("\n".join(map(line, rows)))
     if options.json:
@@ -111,8 +111,8 @@ def main() -> int:
         RATIOS.write_text(json.dumps(kept, indent=1, sort_keys=True) + "\n", "utf-8")
     if failed:
         print(f"failed: {', '.join(failed)}", file=sys.stderr)
-    for one in worse:
-        print(f"fallen: {one}", file=sys.stderr)
+    for name in worse:
+        print(f"fallen: {name}", file=sys.stderr)
     return 1 if failed or worse else 0
 
 

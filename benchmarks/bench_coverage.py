@@ -29,15 +29,15 @@ def main() -> None:
     given = parser.parse_args()
     print(f"{given.calibrations} virtual calibrations each, truth held in %")
     outside: dict[bool, list[str]] = {False: [], True: []}
-    wanted = [one for one in SCENARIOS if given.scenario in one.name][: size(99, 1)]
+    wanted = [scenario for scenario in SCENARIOS if given.scenario in scenario.name][: size(99, 1)]
     furthest = 0.0
-    for place, scenario in enumerate(wanted):
-        found = coverage(scenario, given.calibrations, given.seed + place)
-        if place == 0:
-            print(f"  {'':<24}" + "".join(f"{name:>23}" for name in found))
-        line = "".join(f"{100.0 * part:>23.1f}" for part, _ in found.values())
+    for index, scenario in enumerate(wanted):
+        covered = coverage(scenario, given.calibrations, given.seed + index)
+        if index == 0:
+            print(f"  {'':<24}" + "".join(f"{name:>23}" for name in covered))
+        line = "".join(f"{100.0 * part:>23.1f}" for part, _ in covered.values())
         print(f"  {scenario.name:<24}{line}", flush=True)
-        for name, (part, _) in found.items():
+        for name, (part, _) in covered.items():
             if "mean of" not in name:
                 furthest = max(furthest, abs(100.0 * part - 95.0))
             if not LOW <= part <= HIGH:

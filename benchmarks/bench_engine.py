@@ -12,15 +12,13 @@ or 16,000 (integer) frames a second with a counter, 48,000 without.
 from __future__ import annotations
 
 import os
-import statistics
 import tempfile
 import time
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from budgets import measured, size
+from budgets import measured, median_s, size
 
 from rigapp.config.recipe import CyclesSection, LimitRule
 from rigapp.engine.judging.limits import RuleMonitor
@@ -47,8 +45,8 @@ KEEP = 10
 def calibration() -> Calibration:
     """Return a full calibration with a latency that is no whole number of samples."""
     latency_s = 1.1e-3
-    table = ChannelTable(tuple(replace(one, latency_s=latency_s) for one in BASE.channels))
-    wires = tuple(Wire(one, row, one.signal_unit) for row, one in enumerate(table.sampled))
+    table = ChannelTable(tuple(replace(channel, latency_s=latency_s) for channel in BASE.channels))
+    wires = tuple(Wire(c, row, c.signal_unit) for row, c in enumerate(table.sampled))
     return Calibration(
         table=table,
         wires=wires,
@@ -141,8 +139,8 @@ def whole_path(folder: Path, samples: int) -> float:
     first = sequence = 0
     committed = start = time.process_time()
     while not run.complete:
-        for one in templates:
-            block = Block("daq", sequence, first, RATE, first * 1000, one.values, one.quality)
+        for made in templates:
+            block = Block("daq", sequence, first, RATE, first * 1000, made.values, made.quality)
             processor.handle(block)
             first += samples
             sequence += 1
@@ -157,17 +155,6 @@ def whole_path(folder: Path, samples: int) -> float:
     return REVOLUTIONS / elapsed
 
 
-def micros(work: Callable[[], object], times: int = size(2000, 70)) -> float:
-    """Return the median of seven timings of a call, in microseconds."""
-    found = []
-    for _ in range(7):
-        start = time.perf_counter()
-        for _ in range(times // 7):
-            work()
-        found.append((time.perf_counter() - start) / (times // 7) * 1e6)
-    return statistics.median(found)
-
-
 def parts() -> None:
     """Print what each step of one revolution costs, against one reading pass of its block."""
     kind = calibration()
@@ -178,8 +165,8 @@ def parts() -> None:
     reducer = Reducer(kind)
     inside = np.ascontiguousarray(revolution.values)
     flat = inside.ravel()
-    reading = micros(lambda: flat.max())
-    reduce = micros(lambda: reducer.reduce(Measured(revolution, kind)))
+    reading = 1e6 * median_s(lambda: flat.max(), 7, 285)
+    reduce = 1e6 * median_s(lambda: reducer.reduce(Measured(revolution, kind)), 7, 285)
     print(f"one reading pass of the block (max of {flat.size} float32): {reading:6.1f} us")
     print(f"latency, calibration, statistics, speed:            {reduce:6.1f} us")
     measured("reduce", reduce / reading, "reading pass", reduce / reading)

@@ -45,15 +45,15 @@ def cycles(count: int) -> list[tuple[MeasuredCycle, PredictedCycle]]:
     random = np.random.default_rng(1)
     angle = np.linspace(0.0, 360.0, POINTS, endpoint=False)
     coarse = np.arange(360.0)
-    found = []
+    cycles = []
     for number in range(count):
         noise = random.normal(0.0, 0.7, (2, POINTS))
-        one, two = forces(angle)
-        one, two = one + noise[0], two + noise[1]
-        channels = {"force_1": one, "force_2": two, "force": np.hypot(one, two)}
+        first, second = forces(angle)
+        first, second = first + noise[0], second + noise[1]
+        channels = {"force_1": first, "force_2": second, "force": np.hypot(first, second)}
         model_1, model_2 = forces(coarse)
         curves = {"force_1": model_1, "force_2": model_2, "force": np.hypot(model_1, model_2)}
-        found.append(
+        cycles.append(
             (
                 MeasuredCycle(
                     number,
@@ -67,7 +67,7 @@ def cycles(count: int) -> list[tuple[MeasuredCycle, PredictedCycle]]:
                 ),
             )
         )
-    return found
+    return cycles
 
 
 def forces(angle_deg: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -97,10 +97,10 @@ def own_overlays(application: QApplication) -> float:
     data = cycles(4)
     recipe = read_test(EXAMPLE).record
     shown = [LiveData() for _ in data]
-    for one in shown:
+    for curves in shown:
         rows = np.full((len(data), len(prediction_columns())), 1.0)
         rows[:, 0] = np.arange(len(data))
-        one.predictions.extend(rows)
+        curves.predictions.extend(rows)
     box = QWidget()
     grid = QGridLayout(box)
     panels = [OverlayPanel(f"bench{index}", LIGHT) for index in range(4)]
@@ -108,9 +108,9 @@ def own_overlays(application: QApplication) -> float:
         grid.addWidget(panel, index // 2, index % 2)
 
     def update(frame: int) -> None:
-        for index, (panel, one) in enumerate(zip(panels, shown, strict=True)):
-            one.cycle, one.prediction = data[(frame + index) % 4]
-            panel.show_news(News(data=one, recipe=recipe))
+        for index, (panel, curves) in enumerate(zip(panels, shown, strict=True)):
+            curves.cycle, curves.prediction = data[(frame + index) % 4]
+            panel.show_news(News(data=curves, recipe=recipe))
 
     return median_ms(application, box, update)
 
@@ -133,11 +133,11 @@ def plain_overlays(application: QApplication) -> float:
         for index in range(4):
             cycle, model = data[(frame + index) % 4]
             angle = cycle.angle_deg.astype(np.float64)
-            for place, name in enumerate(CURVES):
+            for row, name in enumerate(CURVES):
                 predicted = model.at(angle, name)
-                upper[index][place].setData(angle, cycle.channels[name])
-                upper[index][place + 3].setData(angle, predicted)
-                lower[index][place].setData(angle, cycle.channels[name] - predicted)
+                upper[index][row].setData(angle, cycle.channels[name])
+                upper[index][row + 3].setData(angle, predicted)
+                lower[index][row].setData(angle, cycle.channels[name] - predicted)
 
     return median_ms(application, view, update)
 

@@ -84,67 +84,67 @@ def covered(seed: int) -> list[tuple[bool, bool, float, bool]]:
     former, and whether another statement was told.
     """
     life = a_life()
-    one = virtual.drawn(np.random.default_rng([1, seed]), life, LAST)
-    end = float(one.clean[-1])
-    reached = int(np.argmax(one.clean >= end)) + 1
-    found = []
+    drawn = virtual.drawn(np.random.default_rng([1, seed]), life, LAST)
+    end = float(drawn.clean[-1])
+    reached = int(np.argmax(drawn.clean >= end)) + 1
+    outcomes = []
     for part in PARTS:
         now = int(part * LAST)
-        bins = virtual.gathered_at_once(one.depth[:now])
+        bins = virtual.gathered_at_once(drawn.depth[:now])
         known = identify(bins, life, virtual.ERRORS, virtual.PRIOR)
         within = known.coefficient
         left = remaining(known, life, end).revolutions
         weights = {each.name: each.weight for each in known.verdicts}
-        found.append(
+        outcomes.append(
             (
-                within.low <= one.coefficient <= within.high,
+                within.low <= drawn.coefficient <= within.high,
                 left is not None and left.low <= reached - now <= left.high,
                 0.5 * (within.high - within.low) / within.median,
                 max(weights.values()) > ODDS * weights["constant"],
             )
         )
-    return found
+    return outcomes
 
 
 def told(seed: int) -> list[tuple[bool, bool]]:
     """Return whether running-in and a change were told, in tests that they move by over 5 sigma."""
-    life, found = a_life(), []
+    life, outcomes = a_life(), []
     for part in PARTS:
         each = []
         for kind in ("running-in", "change"):
             random = np.random.default_rng([2, seed, int(100 * part), len(kind)])
-            one = virtual.drawn(random, life, int(part * LAST), kind)
-            while virtual.moved(life, one.scaled) <= GROWTH:
-                one = virtual.drawn(random, life, int(part * LAST), kind)
-            bins = virtual.gathered_at_once(one.depth)
+            drawn = virtual.drawn(random, life, int(part * LAST), kind)
+            while virtual.moved(life, drawn.scaled) <= GROWTH:
+                drawn = virtual.drawn(random, life, int(part * LAST), kind)
+            bins = virtual.gathered_at_once(drawn.depth)
             known = identify(bins, life, virtual.ERRORS, virtual.PRIOR)
             weights = {verdict.name: verdict.weight for verdict in known.verdicts}
             each.append(weights[kind] > ODDS * weights["constant"])
-        found.append((each[0], each[1]))
-    return found
+        outcomes.append((each[0], each[1]))
+    return outcomes
 
 
-def watched(one: virtual.Drawn) -> Consistency:
+def watched(drawn: virtual.Drawn) -> Consistency:
     """Judge a test as the twin does, until a departure is told or it ends."""
-    life, found = a_life(), Consistency()
-    coarse = virtual.gathered_at_once(one.depth)
+    life, consistency = a_life(), Consistency()
+    coarse = virtual.gathered_at_once(drawn.depth)
     done = 0
-    for fine in virtual.gathered_at_once(one.depth, FINE):
+    for fine in virtual.gathered_at_once(drawn.depth, FINE):
         now = done
         while now < len(coarse) and coarse[now].revolution < fine.first:
             now += 1
         if now > max(done, 5):
-            found.renew(identify(coarse[:now], life, virtual.ERRORS, virtual.PRIOR))
+            consistency.renew(identify(coarse[:now], life, virtual.ERRORS, virtual.PRIOR))
         done = now
-        if found.judge(fine, life) is not None:
+        if consistency.judge(fine, life) is not None:
             break
-    return found
+    return consistency
 
 
 def false_alarm(seed: int) -> bool:
     """Return whether a departure was told in a test without one."""
-    one = virtual.drawn(np.random.default_rng([3, seed]), a_life(), LAST)
-    return watched(one).departure is not None
+    drawn = virtual.drawn(np.random.default_rng([3, seed]), a_life(), LAST)
+    return watched(drawn).departure is not None
 
 
 def doubled(seed: int) -> float:
@@ -193,7 +193,7 @@ def line(name: str, value: str, goal: str, met: bool) -> bool:
 
 def shares(values: Iterable[Iterable[bool]]) -> list[float]:
     """Return the mean of each column."""
-    return [float(one) for one in np.mean([list(row) for row in values], axis=0)]
+    return [float(mean) for mean in np.mean([list(row) for row in values], axis=0)]
 
 
 def main() -> None:
@@ -214,16 +214,16 @@ def main() -> None:
                 good = COVERED[0] <= share <= COVERED[1]
                 title = f"{name} within its 95 % limits, at {part:.0%} of life"
                 met.append(line(title, f"{share:.1%}", within, good))
-        widths = shares([one[2] for one in row] for row in rows)
-        print("        half width of the limits: " + ", ".join(f"{one:.1%}" for one in widths))
-        wrong = shares([one[3] for one in row] for row in rows)
+        widths = shares([part[2] for part in row] for row in rows)
+        print("        half width of the limits: " + ", ".join(f"{width:.1%}" for width in widths))
+        wrong = shares([part[3] for part in row] for row in rows)
         for part, share in zip(PARTS, wrong, strict=True):
             title = f"another statement told where there is none, at {part:.0%}"
             met.append(line(title, f"{share:.1%}", f"< {MOST_FALSE:.0%}", share < MOST_FALSE))
         for index, kind in enumerate(("running-in", "change")):
             if index == 0:
                 rows_told = list(pool.map(told, range(max(given.tests // 5, 1))))
-            columns = shares([one[index] for one in row] for row in rows_told)
+            columns = shares([part[index] for part in row] for row in rows_told)
             for part, share in zip(PARTS, columns, strict=True):
                 title = f"{kind} over 5 sigma told at odds > 20, at {part:.0%} of life"
                 met.append(line(title, f"{share:.1%}", f">= {TOLD:.0%}", share >= TOLD))

@@ -51,7 +51,7 @@ GROUP = 8
 """Specimens of a pairing that are taken together."""
 CHANNEL = " T"
 """What the name of a kind ends with where the rig measures the temperature."""
-KINDS = (*(one + CHANNEL for one in rig.KINDS), "white", "daily", "hourly")
+KINDS = (*(kind + CHANNEL for kind in rig.KINDS), "white", "daily", "hourly")
 ERRORS = ProbeErrors(0.01, 1e-6, 0.3e-6, 0.4e-6)
 STATED = {"clearance": replace(ERRORS, geometry=0.04), "gain": replace(ERRORS, load=0.02)}
 """What is stated of rows whose joint or load cell is not as the estimator believes."""
@@ -70,14 +70,14 @@ def told_life() -> DepthLife:
     return depth_life(rig.COEFFICIENT, progress, depth, elastic=np.abs(moved))
 
 
-def gathered(one: rig.Recorded, kind: str) -> list[list[Bin]]:
+def gathered(test: rig.Recorded, kind: str) -> list[list[Bin]]:
     """Return the bins that are closed at each part of a test, one reading a revolution."""
-    bins, found, room = Bins(), [], warmth(one, kind)
-    for number, (read, warm) in enumerate(zip(one.read, room, strict=True), start=1):
+    bins, closed, room = Bins(), [], warmth(test, kind)
+    for number, (read, warm) in enumerate(zip(test.read, room, strict=True), start=1):
         bins.add(float(number), float(number), float(read), float(warm))
         if number in (int(part * rig.LAST) for part in PARTS):
-            found.append(list(bins.closed))
-    return found
+            closed.append(list(bins.closed))
+    return closed
 
 
 def stated(kind: str) -> ProbeErrors:
@@ -85,9 +85,9 @@ def stated(kind: str) -> ProbeErrors:
     return STATED.get(kind.removesuffix(CHANNEL), ERRORS)
 
 
-def warmth(one: rig.Recorded, kind: str) -> np.ndarray:
+def warmth(test: rig.Recorded, kind: str) -> np.ndarray:
     """Return the room's temperature (n,), degC, NaN for a rig that does not measure it."""
-    return 21.0 + one.room if kind.endswith(CHANNEL) else np.full(one.room.size, np.nan)
+    return 21.0 + test.room if kind.endswith(CHANNEL) else np.full(test.room.size, np.nan)
 
 
 Row = tuple[float, float, float, float]
@@ -99,20 +99,20 @@ def covered(work: tuple[str, int]) -> tuple[list[Row], list[tuple[Estimate, floa
     NaN where nothing is stated. And what a pairing is told of each, with the true coefficient.
     """
     kind, seed = work
-    one, life = recorded(kind, seed), told_life()
+    test, life = recorded(kind, seed), told_life()
     rows: list[Row] = []
-    told: list[tuple[Estimate, float] | None] = []
-    end = float(one.clean[-1])
-    reached = int(np.argmax(one.clean >= end)) + 1
-    for bins in gathered(one, kind):
+    estimates: list[tuple[Estimate, float] | None] = []
+    end = float(test.clean[-1])
+    reached = int(np.argmax(test.clean >= end)) + 1
+    for bins in gathered(test, kind):
         try:
             known = identify(bins, life, stated(kind), PRIOR)
         except NotIdentifiable:
             rows.append((np.nan,) * 4)
-            told.append(None)
+            estimates.append(None)
             continue
         limits = known.coefficient
-        truth = one.ratio * rig.COEFFICIENT
+        truth = test.ratio * rig.COEFFICIENT
         left = remaining(known, life, end).revolutions
         rows.append(
             (
@@ -125,18 +125,18 @@ def covered(work: tuple[str, int]) -> tuple[list[Row], list[tuple[Estimate, floa
             )
         )
         try:
-            told.append((estimate_of(known, f"{seed}"), truth))
+            estimates.append((estimate_of(known, f"{seed}"), truth))
         except NotIdentifiable:
-            told.append(None)
-    return rows, told
+            estimates.append(None)
+    return rows, estimates
 
 
-def pooled(told: Sequence[Sequence[tuple[Estimate, float] | None]]) -> str:
+def pooled(tests: Sequence[Sequence[tuple[Estimate, float] | None]]) -> str:
     """Return of groups of specimens at each part how many medians and specimens are held, %."""
-    found = []
+    shares = []
     for part in range(len(PARTS)):
-        known = [one[part] for one in told]
-        some = [one for one in known if one is not None]
+        known = [estimates[part] for estimates in tests]
+        some = [estimate for estimate in known if estimate is not None]
         medians, specimens = [], []
         for begin in range(0, len(some) - GROUP + 1, GROUP):
             group = some[begin : begin + GROUP]
@@ -147,8 +147,8 @@ def pooled(told: Sequence[Sequence[tuple[Estimate, float] | None]]) -> str:
                 for limits, (_, truth) in zip(pairing.each, group, strict=True)
             ]
         if medians:
-            found.append(f"{100.0 * np.mean(medians):.0f} {100.0 * np.mean(specimens):.0f}")
-    return "/".join(found)
+            shares.append(f"{100.0 * np.mean(medians):.0f} {100.0 * np.mean(specimens):.0f}")
+    return "/".join(shares)
 
 
 def recorded(kind: str, seed: int, doubled_at: int | None = None) -> rig.Recorded:
@@ -156,20 +156,20 @@ def recorded(kind: str, seed: int, doubled_at: int | None = None) -> rig.Recorde
     return rig.recorded(kind.removesuffix(CHANNEL), seed, doubled_at)
 
 
-def watched(one: rig.Recorded, kind: str) -> Consistency:
+def watched(test: rig.Recorded, kind: str) -> Consistency:
     """Judge a test as the twin does, to its first departure."""
-    life, found, bins = told_life(), Consistency(), Bins()
-    rows = zip(one.read.tolist(), warmth(one, kind).tolist(), strict=True)
+    life, consistency, bins = told_life(), Consistency(), Bins()
+    rows = zip(test.read.tolist(), warmth(test, kind).tolist(), strict=True)
     for number, (depth, warm) in enumerate(rows, start=1):
         turn = float(number)
-        if found.add(turn, turn, depth, life, warm) is not None:
+        if consistency.add(turn, turn, depth, life, warm) is not None:
             break
         if bins.add(turn, turn, depth, warm) is not None and len(bins.closed) > 4:
             try:
-                found.renew(identify(bins, life, stated(kind), PRIOR))
+                consistency.renew(identify(bins, life, stated(kind), PRIOR))
             except NotIdentifiable:
                 continue
-    return found
+    return consistency
 
 
 def false_alarm(work: tuple[str, int]) -> float:
@@ -180,16 +180,16 @@ def false_alarm(work: tuple[str, int]) -> float:
 def growth(work: tuple[str, int]) -> float:
     """Return by how many scatters the depth grew until a doubled coefficient was told."""
     half = rig.LAST // 2
-    one = recorded(*work, doubled_at=half)
-    departure = watched(one, work[0]).departure
+    test = recorded(*work, doubled_at=half)
+    departure = watched(test, work[0]).departure
     if departure is None or departure.revolution < half:
         return float("inf")
-    return float((one.true[int(departure.revolution) - 1] - one.true[half - 1]) / rig.SCATTER)
+    return float((test.true[int(departure.revolution) - 1] - test.true[half - 1]) / rig.SCATTER)
 
 
 def shown(values: np.ndarray, form: str) -> str:
     """Return a figure for each part of life."""
-    return "/".join(format(float(one), form) for one in values)
+    return "/".join(format(float(value), form) for value in values)
 
 
 def main() -> None:
@@ -214,13 +214,13 @@ def main() -> None:
             start = time.perf_counter()
             work = [(kind, given.seed + number) for number in range(given.tests)]
             tests = list(pool.map(covered, work))
-            rows = np.array([one for one, _ in tests])
+            rows = np.array([row for row, _ in tests])
             held = 100.0 * np.nanmean(rows, axis=0)
             stated = 1.0 - np.isnan(rows[..., 0]).mean()
             text = (
                 f"{kind:<10}  {shown(held[:, 0], '3.0f'):<12}  {shown(held[:, 2], '+.1f'):<15}  "
                 f"{shown(held[:, 3], '.1f'):<15}  {shown(held[:, 1], '3.0f'):<12}"
-                f"  {pooled([one for _, one in tests]):<20}"
+                f"  {pooled([estimates for _, estimates in tests]):<20}"
             )
             good = bool((held[:, 0] >= 100.0 * COVERED[0]).all())
             if watched_tests:

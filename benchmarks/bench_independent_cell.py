@@ -27,18 +27,18 @@ def main() -> None:
     parser.add_argument("--row", default="", help="only those whose name contains it")
     given = parser.parse_args()
     for what, of in (("cell", independent_coverage), ("probe", probe_coverage)):
-        rows = [one for one in of.ROWS if given.row in one.name]
+        rows = [row for row in of.ROWS if given.row in row.name]
         if not rows:
             continue
         print(f"{given.sets} calibrations of a {what} each, and its use, truth held in %")
         least = 1.0
         for row in rows:
-            found = of.coverage(row, given.sets, given.seed)
+            covered = of.coverage(row, given.sets, given.seed)
             if row is rows[0]:
-                print(f"  {'':<34}" + "".join(f"{name:>24}" for name in found))
-            parts = "".join(f"{100.0 * one:>24.1f}" for one in found.values())
+                print(f"  {'':<34}" + "".join(f"{name:>24}" for name in covered))
+            parts = "".join(f"{100.0 * share:>24.1f}" for share in covered.values())
             print(f"  {row.name:<34}{parts}", flush=True)
-            least = min([least, *(part for name, part in found.items() if name != "refused")])
+            least = min([least, *(part for name, part in covered.items() if name != "refused")])
         measured(f"independent_{what}", 100.0 * least)
 
 

@@ -130,7 +130,7 @@ class Cost:
 
 def cost_of(verb: Verb, path: Path, folder: Path) -> Cost:
     """Run a verb on a file in a process of its own, in a folder that is emptied afterwards."""
-    arguments = [str(path) if one == "FILE" else one for one in verb.arguments or ("FILE",)]
+    arguments = [str(path) if word == "FILE" else word for word in verb.arguments or ("FILE",)]
     command = [sys.executable, "-c", verb.program, *arguments]
     log = folder / "told.txt"
     begin = time.perf_counter()
@@ -141,13 +141,14 @@ def cost_of(verb: Verb, path: Path, folder: Path) -> Cost:
         took = time.perf_counter() - begin
         stream.seek(0)
         lines = stream.read().splitlines()
-    for one in folder.iterdir():
-        one.unlink()
+    for path in folder.iterdir():
+        path.unlink()
     if child.returncode:
         print("\n".join(lines[-5:]))
     words = [line.split() for line in lines]
-    told = {one[0]: float(one[1]) for one in words if len(one) == 2 and one[0] in TOLD}
-    return Cost(took, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024, told, child.returncode)
+    figures = {line[0]: float(line[1]) for line in words if len(line) == 2 and line[0] in TOLD}
+    cpu = used.ru_utime + used.ru_stime
+    return Cost(took, cpu, used.ru_maxrss / 1024, figures, child.returncode)
 
 
 def main() -> None:
@@ -168,7 +169,7 @@ def main() -> None:
             folder.mkdir()
             path = Path(name) / "long.h5"
             for ended in (False, True):
-                verbs = [one for one in options.only if VERBS[one].ended == ended]
+                verbs = [verb for verb in options.only if VERBS[verb].ended == ended]
                 if not verbs:
                     continue
                 path.unlink(missing_ok=True)

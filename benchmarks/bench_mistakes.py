@@ -32,9 +32,9 @@ def good(sets: int, word: str) -> None:
     print(f"{'good calibrations':34} refused")
     for name, kind in KINDS.items():
         if word in name:
-            found = refusals(kind, sets, 11)
-            total, count = total + found.total(), count + sets
-            print(f"{name:34} {100.0 * found.total() / sets:5.1f} %  {dict(found) or ''}")
+            refused = refusals(kind, sets, 11)
+            total, count = total + refused.total(), count + sets
+            print(f"{name:34} {100.0 * refused.total() / sets:5.1f} %  {dict(refused) or ''}")
     print(f"{'all':34} {100.0 * total / max(count, 1):5.2f} % of {count}")
     measured("mistakes_refused", 100.0 * total / max(count, 1))
 
@@ -42,17 +42,17 @@ def good(sets: int, word: str) -> None:
 def planted(sets: int, word: str) -> None:
     """Print how often each mistake has its right name."""
     worst = 1.0
-    for mistake, one in MISTAKES.items():
-        right = one.right
+    for mistake, planted_mistake in MISTAKES.items():
+        right = planted_mistake.right
         print(f"\n{mistake}: refused as {' or '.join(sorted(right))}")
         for name, kind in KINDS.items():
             if word not in name or not name.endswith("all"):
                 continue
-            found = outcomes(kind, one, sets, 12)
-            share, told = rightly_named(found, right), can_be_told(mistake, name)
-            worst = min(worst, share) if told else worst
-            rest = {code: count for code, count in found.most_common(4) if code not in right}
-            mark = "" if told else "(too few readings to tell)"
+            counts = outcomes(kind, planted_mistake, sets, 12)
+            share, tellable = rightly_named(counts, right), can_be_told(mistake, name)
+            worst = min(worst, share) if tellable else worst
+            rest = {code: count for code, count in counts.most_common(4) if code not in right}
+            mark = "" if tellable else "(too few readings to tell)"
             print(f"  {name:32} {100.0 * share:5.1f} %  {rest or ''} {mark}")
     measured("mistakes_named", 100.0 * worst)
 
@@ -60,9 +60,9 @@ def planted(sets: int, word: str) -> None:
 def unseen(sets: int) -> None:
     """Print what no reading can show, as the notes say."""
     print("\nevery pin angle off: no reading shows it, an angle reference must")
-    for mistake, one in UNSEEN.items():
-        found = outcomes(KINDS["8 angles, means, all"], one, sets, 13)
-        print(f"  {mistake:32} accepted in {100.0 * found['accepted'] / sets:.0f} %")
+    for mistake, unseen_mistake in UNSEEN.items():
+        counts = outcomes(KINDS["8 angles, means, all"], unseen_mistake, sets, 13)
+        print(f"  {mistake:32} accepted in {100.0 * counts['accepted'] / sets:.0f} %")
 
 
 def main() -> None:
@@ -74,11 +74,11 @@ def main() -> None:
         default="8 angles, means" if size(0, 1) else "",
         help="only kinds whose name contains it",
     )
-    told = parser.parse_args()
+    options = parser.parse_args()
     start = time.perf_counter()
-    good(told.sets, told.word)
-    planted(told.sets, told.word)
-    unseen(told.sets)
+    good(options.sets, options.word)
+    planted(options.sets, options.word)
+    unseen(options.sets)
     print(f"\n{time.perf_counter() - start:.0f} s")
 
 

@@ -95,9 +95,9 @@ def looked_at() -> Iterator[None]:
             running("page", "--rig", str(RIG), "--bind", "127.0.0.1:0", output=subprocess.PIPE)
         )
         assert page.stdout is not None
-        found = re.search(r":(\d+)/", page.stdout.readline())
-        assert found is not None, "the page did not start"
-        reader = stack.enter_context(reading(int(found[1])))
+        address = re.search(r":(\d+)/", page.stdout.readline())
+        assert address is not None, "the page did not start"
+        reader = stack.enter_context(reading(int(address[1])))
         yield
         assert reader.poll() is None, "the readers ended early"
 
@@ -153,16 +153,16 @@ def main() -> None:
 
 def judge(alone: list[tuple[float, list[float]]], watched: list[tuple[float, list[float]]]) -> None:
     """Print what was found."""
-    cpu = [statistics.median(one for one, _ in turns) for turns in (alone, watched)]
-    ages = [sorted(age for _, found in turns for age in found) for turns in (alone, watched)]
-    p99 = [found[int(0.99 * len(found))] for found in ages]
+    cpu = [statistics.median(load for load, _ in turns) for turns in (alone, watched)]
+    ages = [sorted(age for _, sampled in turns for age in sampled) for turns in (alone, watched)]
+    p99 = [ordered[int(0.99 * len(ordered))] for ordered in ages]
     ratios = (cpu[1] / cpu[0], p99[1] / p99[0])
     print(f"{'':32s} {'alone':>10s} {f'{PAGES} pages':>10s} {'ratio':>8s}")
-    for what, scale, (one, other), ratio in (
+    for what, scale, (without, beside), ratio in (
         ("engine, processor (% of a core)", 100.0, cpu, ratios[0]),
         ("age of the data, p99 (ms)", 1e3, p99, ratios[1]),
     ):
-        print(f"{what:32s} {scale * one:10.1f} {scale * other:10.1f} {ratio:8.2f}")
+        print(f"{what:32s} {scale * without:10.1f} {scale * beside:10.1f} {ratio:8.2f}")
     measured("page_cpu", ratios[0])
     measured("page_age", ratios[1])
 

@@ -4,11 +4,11 @@ Run with ``python benchmarks/bench_service.py``.
 
 Trip: from the Block with the first sample above the overload limit, as the driver hands it over, to
 the drive-off command, as it enters the drive's driver. In memory the devices cost nothing; on the
-simulated rig the command goes over real wire bytes. Budget: 100 ms and one revolution.
+simulated rig the command goes over real wire bytes.
 
 Snapshot: from the end of a revolution (its host time in the file) to the viewer's hands, through
 wire bytes, assembler, file, ZeroMQ and MessagePack, with a viewer that polls every 5 ms on a rig in
-real time at 120 rpm. Budget: 100 ms at the 99th percentile.
+real time at 120 rpm.
 """
 
 from __future__ import annotations
@@ -100,15 +100,15 @@ def trip_ms(engine: Engine, source: Any, spindle: Any) -> float:
 
 def memory_trips() -> list[float]:
     """Return the trips of rigs in memory, ms."""
-    found = []
+    times = []
     for _ in range(MEMORY_TRIPS):
         rig = MemoryRig()
         rig.engine.connect()
         rig.start(a_test(LONG))
         eventually(lambda rig=rig: len(rig.store.rows) >= 5)  # type: ignore[misc]
-        found.append(trip_ms(rig.engine, rig.source, rig.spindle))
+        times.append(trip_ms(rig.engine, rig.source, rig.spindle))
         rig.engine.shutdown()
-    return found
+    return times
 
 
 def is_reset(engine: Engine) -> bool:

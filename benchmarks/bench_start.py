@@ -2,24 +2,18 @@
 
 from __future__ import annotations
 
-import statistics
 import subprocess
 import sys
-import time
 
-from budgets import measured, size
+from budgets import measured, median_s, size
 
 RUNS = size(9, 1)
 
 
 def seconds(*command: str) -> float:
     """Return the median wall time of a command."""
-    times = []
-    for _ in range(RUNS):
-        begin = time.perf_counter()
-        subprocess.run([sys.executable, *command], stdout=subprocess.DEVNULL, check=True)
-        times.append(time.perf_counter() - begin)
-    return statistics.median(times)
+    run = [sys.executable, *command]
+    return median_s(lambda: subprocess.run(run, stdout=subprocess.DEVNULL, check=True), RUNS)
 
 
 def main() -> None:

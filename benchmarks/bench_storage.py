@@ -185,7 +185,7 @@ class PyMeasureCsv:
         self._handlers[0].emit(dict(zip(ROW_NAMES, values.tolist(), strict=True)))
 
     def cycle(self, number: int, columns: Cycle) -> None:
-        for sample in zip(*(one.tolist() for one in columns.values()), strict=True):
+        for sample in zip(*(column.tolist() for column in columns.values()), strict=True):
             self._handlers[1].emit(dict(zip(columns, sample, strict=True)))
 
     def commit(self) -> None:
@@ -213,7 +213,7 @@ class BlueskyJson:
         self._event("rows", dict(zip(ROW_NAMES, values.tolist(), strict=True)))
 
     def cycle(self, number: int, columns: Cycle) -> None:
-        self._event("cycles", {name: one.tolist() for name, one in columns.items()})
+        self._event("cycles", {name: values.tolist() for name, values in columns.items()})
 
     def _event(self, descriptor: str, data: dict[str, Any]) -> None:
         self._number += 1
@@ -335,7 +335,7 @@ def compare(folder: Path, seconds: float, cycles: bool) -> None:
             skipped(f"storing by {name}", f"{package} is not installed")
     _judge_peers(rates)
     if cycles:
-        peers = [np.median([one for one, _ in rates[name]]) for name in rates if "h5py" in name]
+        peers = [np.median([rate for rate, _ in rates[name]]) for name in rates if "h5py" in name]
         measured("store", float(own[0]), "best h5py", float(own[0] / max(peers)))
         measured("store_peer", float(own[0] / max(peers)))
     times = np.concatenate(calls) / 1e3
@@ -427,8 +427,8 @@ def time_calls(folder: Path, seconds: float) -> None:
         pace.wait(max(0.0, start + number / PACED_HZ - time.perf_counter()))
     way.close()
     way.path.unlink()
-    for name, found in (("processor time", spent), ("elapsed", wall)):
-        times = np.array(found) / 1e3
+    for name, seconds in (("processor time", spent), ("elapsed", wall)):
+        times = np.array(seconds) / 1e3
         print(
             f"in place at {PACED_HZ} rev/s, one call, {name}: median {np.median(times):.1f} us,",
             end="",

@@ -45,17 +45,20 @@ def main() -> None:
     given = parser.parse_args()
     rates: dict[int, list[float]] = {1: [], 2: []}
     with tempfile.TemporaryDirectory() as folder:
-        place = Path(folder)
-        shutil.copy(EXAMPLES / "parameters.toml", place)
+        root = Path(folder)
+        shutil.copy(EXAMPLES / "parameters.toml", root)
         text = (EXAMPLES / "study.toml").read_text("utf-8")
-        study = place / "study.toml"
+        study = root / "study.toml"
         study.write_text(text.replace("points = 320", f"points = {given.lives}"), "utf-8")
         for number in range(given.rounds):
-            for workers, found in rates.items():
-                found.append(rate(study, place / f"{number}-{workers}", workers))
-    one, two = (statistics.median(found) for found in rates.values())
-    efficiency, lasts_s = two / one / 2.0, GOAL_LIVES / two
-    print(f"lives a second: {one:.1f} with one worker, {two:.1f} with two: {two / one:.2f} times")
+            for workers, measured_rates in rates.items():
+                measured_rates.append(rate(study, root / f"{number}-{workers}", workers))
+    single, double = (statistics.median(measured_rates) for measured_rates in rates.values())
+    efficiency, lasts_s = double / single / 2.0, GOAL_LIVES / double
+    print(
+        f"lives a second: {single:.1f} with one worker, {double:.1f} with two:"
+        f" {double / single:.2f} times"
+    )
     measured("workers", 100.0 * efficiency)
     measured("lives", lasts_s / 60.0)
 

@@ -9,14 +9,13 @@ limit. All ratios are of medians of this run.
 from __future__ import annotations
 
 import argparse
-import statistics
 import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from budgets import measured, size
+from budgets import measured, median_s, size
 
 from rigapp_model.bushing.compliance import circular_compliance
 from rigapp_model.bushing.contact import simpson_weights, solve_contact
@@ -42,18 +41,6 @@ PARAMETERS = Parameters(
     Material(206e9, 0.29),
 )
 CYCLES, SPEED = size(23_000, 230), np.pi
-
-
-def median(action: Callable[[], object], rounds: int, repeat: int = 1) -> float:
-    """Return the median time of an action, s, after one call that does not count."""
-    action()
-    times = []
-    for _ in range(rounds):
-        start = time.perf_counter()
-        for _ in range(size(repeat, 1)):
-            action()
-        times.append((time.perf_counter() - start) / size(repeat, 1))
-    return statistics.median(times)
 
 
 def contacts(rounds: int) -> None:
@@ -92,13 +79,13 @@ def contacts(rounds: int) -> None:
         return full_ring.solve_full(0.010, 0.020, 0.0095, 500e6, 0.38, force[0], 180, levels)
 
     taken = {
-        "scikit-fem, the whole system": median(whole, max(rounds // 2, size(2, 1))),
-        "condense the ring once": median(condense, rounds, 5),
-        "contact, unworn, no start": median(solve(circle, None), rounds, 100),
-        "contact, unworn, from another force": median(solve(circle, other), rounds, 100),
-        "contact, worn 0.4 mm, no start": median(solve(surface, None), rounds, 20),
-        "contact, worn 0.4 mm, from another force": median(solve(surface, near), rounds, 20),
-        "contact, worn 0.4 mm, from the last cycle": median(solve(surface, last), rounds, 20),
+        "scikit-fem, the whole system": median_s(whole, max(rounds // 2, size(2, 1))),
+        "condense the ring once": median_s(condense, rounds, 5),
+        "contact, unworn, no start": median_s(solve(circle, None), rounds, 100),
+        "contact, unworn, from another force": median_s(solve(circle, other), rounds, 100),
+        "contact, worn 0.4 mm, no start": median_s(solve(surface, None), rounds, 20),
+        "contact, worn 0.4 mm, from another force": median_s(solve(surface, near), rounds, 20),
+        "contact, worn 0.4 mm, from the last cycle": median_s(solve(surface, last), rounds, 20),
     }
     base = taken["scikit-fem, the whole system"]
     print(f"one contact, 180 x 8 elements, median of {rounds}")
@@ -137,9 +124,9 @@ def lives(rounds: int) -> None:
     for tolerance in ("1e-3", "1e-2"):
         for technique in ("perfect", "continuous"):
             run = lambda t=technique, e=float(tolerance): life(PARAMETERS, SPEED, CYCLES, t, e)  # noqa: E731
-            seconds = median(run, rounds)
-            found = run()
-            bound = found.estimated_error[-1] / found.max_depth[-1]
+            seconds = median_s(run, rounds)
+            result = run()
+            bound = result.estimated_error[-1] / result.max_depth[-1]
             name = f"implicit, {technique}, tolerance {tolerance}"
             print(
                 f"  {name:<42}{1e3 * seconds:10.1f} ms   1/{explicit / seconds:,.0f}"
@@ -149,11 +136,11 @@ def lives(rounds: int) -> None:
                 name = "life_0.1" if tolerance == "1e-3" else "life_1"
                 measured(name, 1e3 * seconds, "explicit extrapolation", explicit / seconds)
     state = unworn_state(PARAMETERS, 100.0).advance_by(loads, 5000.0)
-    seconds = median(lambda: state.advance_by(loads, 500.0), rounds)
+    seconds = median_s(lambda: state.advance_by(loads, 500.0), rounds)
     name = "live state, 500 cycles"
     print(f"  {name:<42}{1e3 * seconds:10.1f} ms")
-    one = Front(problem.unworn().surface)
-    seconds = median(lambda: touched(problem, one, loads), rounds)
+    unworn = Front(problem.unworn().surface)
+    seconds = median_s(lambda: touched(problem, unworn, loads), rounds)
     print(f"  {'six contacts, unworn, as explicit takes':<42}{1e3 * seconds:10.1f} ms")
 
 

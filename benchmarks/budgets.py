@@ -9,6 +9,9 @@ from __future__ import annotations
 
 import json
 import os
+import statistics
+import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -111,6 +114,18 @@ def collect(figure: dict[str, object]) -> None:
     if path := os.environ.get(COLLECTED):
         with open(path, "a", encoding="utf-8") as file:
             file.write(json.dumps(figure) + "\n")
+
+
+def median_s(work: Callable[[], object], rounds: int, repeat: int = 1) -> float:
+    """Return the median time of a call, s, after one that does not count; repeat: in each round."""
+    work()
+    times, repeat = [], size(repeat, 1)
+    for _ in range(rounds):
+        start = time.perf_counter()
+        for _ in range(repeat):
+            work()
+        times.append((time.perf_counter() - start) / repeat)
+    return statistics.median(times)
 
 
 def size(whole: Any, small: Any) -> Any:

@@ -53,8 +53,8 @@ def make_long_test(path: Path, rows: int, *, ended: bool = False) -> None:
             ("revolutions", plan.revolution_columns),
             ("prediction", plan.prediction_columns),
         ):
-            for at, one in enumerate(columns):
-                _fill(raw, file[f"/entry/{group}/{one.name}"], one.name, rows, at)
+            for at, column in enumerate(columns):
+                _fill(raw, file[f"/entry/{group}/{column.name}"], column.name, rows, at)
             raw.seek(file[f"/entry/{group}/committed"].id.get_offset())
             raw.write(rows.to_bytes(8, "little"))
     if ended:
@@ -102,8 +102,8 @@ def _cycle(number: int, plan: FilePlan) -> dict[str, NDArray[Any]]:
     angle = np.linspace(0.0, 360.0, SAMPLES, endpoint=False)
     wave = 60.0 * np.sin(np.radians(angle)) + noise.normal(0.0, 1.0, SAMPLES)
     return {
-        one.name: angle.astype(one.dtype) if one.name == "angle" else wave.astype(one.dtype)
-        for one in plan.cycle_columns
+        column.name: (angle if column.name == "angle" else wave).astype(column.dtype)
+        for column in plan.cycle_columns
     }
 
 

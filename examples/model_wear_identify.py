@@ -60,8 +60,8 @@ def test_of(life: DepthLife, coefficient: float, seed: int) -> Identification:
     seen = depth * (1.0 + random.normal(0.0, PROBES.sensitivity))
     seen += random.normal(0.0, PROBES.reference) + random.normal(0.0, PROBES.scatter, number.size)
     bins = Bins()
-    for revolution, one in zip(number, seen, strict=True):
-        bins.add(revolution, revolution, one)
+    for revolution, depth in zip(number, seen, strict=True):
+        bins.add(revolution, revolution, depth)
     return identify(bins, life, PROBES, Prior(life.coefficient))
 
 
@@ -73,7 +73,7 @@ def main() -> dict[str, float]:
     left = remaining(known, model, END).revolutions
     scatter = np.random.default_rng(7).normal(0.0, 0.2, 5)
     tests = [test_of(model, k, n) for n, k in enumerate(1.1 * model.coefficient * np.exp(scatter))]
-    pairing = pairing_of([estimate_of(one, "one record") for one in tests], "five virtual tests")
+    pairing = pairing_of([estimate_of(test, "one record") for test in tests], "five virtual tests")
     result = {
         "coefficient_mm3_per_Nm": MM3_PER_NM * known.coefficient.median,
         "low_mm3_per_Nm": MM3_PER_NM * known.coefficient.low,

@@ -16,13 +16,13 @@ WIDTH = 13.1e-3
 def main() -> dict[str, float]:
     """Print and return peak pressure, contact angle and indentation for 110 N."""
     force = 110.0 / WIDTH
-    found = pressure_distribution(RING, (force, 0.0))
+    contact = pressure_distribution(RING, (force, 0.0))
     result = {
-        "peak_pressure_MPa": 1e-6 * float(found.pressure.max()),
-        "half_angle_deg": float(np.degrees(found.half_angle)),
+        "peak_pressure_MPa": 1e-6 * float(contact.pressure.max()),
+        "half_angle_deg": float(np.degrees(contact.half_angle)),
         "perssons_half_angle_deg": float(np.degrees(RING.half_angle(force))),
-        "indentation_um": 1e6 * float(found.pin[0] - RING.clearance),
-        "pressure_integral_over_force": float(found.contact.force.sum()) / force,
+        "indentation_um": 1e6 * float(contact.pin[0] - RING.clearance),
+        "pressure_integral_over_force": float(contact.contact.force.sum()) / force,
     }
     for name, value in result.items():
         print(f"{name:>30} {value:.5g}")

@@ -165,7 +165,7 @@ class SimpleAdc:
 
     def _block(self) -> drivers.Block:
         """Hand over the samples up to the next gap; a gap is flagged at the sample behind it."""
-        gaps = [place for place, sample in enumerate(self._samples) if place and sample[2]]
+        gaps = [index for index, sample in enumerate(self._samples) if index and sample[2]]
         end = gaps[0] if gaps else len(self._samples)
         taken, self._samples = np.array(self._samples[:end], np.int32).T, self._samples[end:]
         lost, count = int(taken[2, 0]), taken.shape[1]
