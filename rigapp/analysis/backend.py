@@ -120,7 +120,7 @@ def _angle(values: NDArray[np.float64], words: str) -> xarray.Variable:
 
 def _revolutions(reader: TestReader, path: Path) -> xarray.Dataset:
     result = _columns(reader, path, "revolutions", "revolution")
-    return xarray.Dataset(result).set_coords([one for one in ("host_time",) if one in result])
+    return xarray.Dataset(result).set_coords([name for name in ("host_time",) if name in result])
 
 
 def _cycles(reader: TestReader, path: Path) -> xarray.Dataset:
@@ -139,7 +139,7 @@ def _cycles(reader: TestReader, path: Path) -> xarray.Dataset:
 def _prediction(reader: TestReader, path: Path) -> xarray.Dataset:
     result = _columns(reader, path, "prediction", "revolution")
     result |= _columns(reader, path, "curves", "curve_revolution", "angle")
-    if any("angle" in one.dims for one in result.values()):
+    if any("angle" in column.dims for column in result.values()):
         result["angle"] = _angle(reader.angles(), "crank angle")
     return xarray.Dataset(result)
 
@@ -149,12 +149,12 @@ def _events(reader: TestReader, path: Path) -> xarray.Dataset:
     events = reader.events()
     attributes = reader.attributes("events")
     columns: Mapping[str, Callable[[Any], Any]] = {
-        "data": lambda one: json_bytes(one.data).decode() if one.data else "",
+        "data": lambda event: json_bytes(event.data).decode() if event.data else "",
     }
     names = ("time", "revolution", "kind", "source", "text", "before", "after", "key", "level")
     result = {}
     for name in (*names, "data"):
-        value = columns.get(name, lambda one, name=name: getattr(one, name))
+        value = columns.get(name, lambda event, name=name: getattr(event, name))
         kind = {"time": "f8", "revolution": "i8"}.get(name, "U")
         values = np.array([value(event) for event in events], dtype=kind)
         result[name] = xarray.Variable("event", values, attributes[name])
@@ -168,8 +168,8 @@ def _profiles(reader: TestReader, path: Path) -> xarray.Dataset:
         del empty["angle"]
         dims, about = ("revolution", "angle"), reader.attributes("profiles")
         result = {
-            name: xarray.Variable(dims[: one.ndim], one, about[f"{_PROFILE}{name}"])
-            for name, one in empty.items()
+            name: xarray.Variable(dims[: values.ndim], values, about[f"{_PROFILE}{name}"])
+            for name, values in empty.items()
         }
     result["angle"] = _angle(np.asarray(reader.profiles()["angle"]), PROFILE_ANGLE)
     return xarray.Dataset(result)

@@ -60,14 +60,14 @@ class Pictures:
             cycles = cycles_at(reader, places)
         with _canvas(1) as (figure, (axes,)):
             shades = np.linspace(0.75, 0.0, len(cycles)) if len(cycles) > 1 else [0.0]
-            for one, shade in zip(cycles, shades, strict=True):  # the newest on top, black
+            for cycle, shade in zip(cycles, shades, strict=True):  # the newest on top, black
                 grey = (shade, shade, shade)
-                line = envelope(one.columns["angle"], one.columns[channel])
-                axes.plot(*line, color=grey, label=f"{one.revolution:,} measured")
-                if channel in one.model:
+                line = envelope(cycle.columns["angle"], cycle.columns[channel])
+                axes.plot(*line, color=grey, label=f"{cycle.revolution:,} measured")
+                if channel in cycle.model:
                     style = {**MODEL_LINE, "alpha": 1.0 - 0.8 * shade}
-                    label = f"{one.model_revolution:,} model"
-                    axes.plot(one.model["angle"], one.model[channel], **style, label=label)
+                    label = f"{cycle.model_revolution:,} model"
+                    axes.plot(cycle.model["angle"], cycle.model[channel], **style, label=label)
             axes.set_xlabel("crank angle (°)")
             axes.set_ylabel(f"{channel} ({units[channel]})")
             axes.set_xlim(0.0, 360.0)
@@ -105,7 +105,7 @@ class Pictures:
                 f"{self._path}: of revolution {missing[0]} no whole cycle is kept;"
                 " test.cycles.revolution tells which are"
             )
-        return sorted(len(saved) - 1 - saved[::-1].index(one) for one in set(wanted))
+        return sorted(len(saved) - 1 - saved[::-1].index(revolution) for revolution in set(wanted))
 
     def _chapter(self, made: Callable[[TestReader], Chapter | None], needs: str) -> Any:
         with open_test(self._path) as reader:

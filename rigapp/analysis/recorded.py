@@ -115,9 +115,9 @@ class RecordedTest:
                 f"{self.path}: of revolution {revolution} no whole cycle is kept;"
                 " test.cycles.revolution tells which are"
             )
-        one = cycles.isel(revolution=int(places[-1]))
-        first = int(one["first"])
-        return one.isel(sample=slice(first, first + int(one["count"])))
+        cycle = cycles.isel(revolution=int(places[-1]))
+        first = int(cycle["first"])
+        return cycle.isel(sample=slice(first, first + int(cycle["count"])))
 
     def even_cycles(self, points: int = 360, method: Method = "linear") -> xarray.Dataset:
         """Return the whole cycles over ``revolution`` and ``angle``, so many angles a turn.
@@ -172,8 +172,8 @@ class RecordedTests(Sequence[RecordedTest]):
         self._results = [result_of(path) for path in self.paths]
         self._tests = [
             RecordedTest(path, chunks)
-            for path, one in zip(self.paths, self._results, strict=True)
-            if one.status != NOT_READABLE
+            for path, result in zip(self.paths, self._results, strict=True)
+            if result.status != NOT_READABLE
         ]
 
     def __repr__(self) -> str:
@@ -182,8 +182,8 @@ class RecordedTests(Sequence[RecordedTest]):
     def __len__(self) -> int:
         return len(self._tests)
 
-    def __getitem__(self, place: Any) -> Any:
-        return self._tests[place]
+    def __getitem__(self, index: Any) -> Any:
+        return self._tests[index]
 
     def __iter__(self) -> Iterator[RecordedTest]:
         return iter(self._tests)
@@ -229,21 +229,22 @@ class RecordedTests(Sequence[RecordedTest]):
     @property
     def configuration(self) -> dict[str, dict[str, Any]]:
         """Return the configuration of each test by the name of its file."""
-        return {one.path.stem: one.configuration for one in self}
+        return {test.path.stem: test.configuration for test in self}
 
     @property
     def status(self) -> dict[str, str]:
         """Return the status of each file by its name."""
-        return {path.stem: one.status for path, one in zip(self.paths, self._results, strict=True)}
+        results = zip(self.paths, self._results, strict=True)
+        return {path.stem: result.status for path, result in results}
 
     def _joined(self, group: str) -> xarray.Dataset:
         """Return what grows along the group's rows, of all tests one after another."""
         rows = ROWS[group]
         parts = []
-        for one in self:
-            data: xarray.Dataset = getattr(one, group)
+        for test in self:
+            data: xarray.Dataset = getattr(test, group)
             data = data.drop_dims([name for name in data.dims if name not in (rows, "angle")])
-            parts.append(data.assign_coords(test=(rows, [one.path.stem] * data.sizes[rows])))
+            parts.append(data.assign_coords(test=(rows, [test.path.stem] * data.sizes[rows])))
         if not parts:
             return xarray.Dataset()
         return xarray.concat(

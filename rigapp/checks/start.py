@@ -166,7 +166,7 @@ def record_checks(records: RigRecords) -> Iterator[Check]:
             yield Check(say("Calibration of {}", _words(name)), GOOD, say("a record that is valid"))
     recorded = {*known, *records.texts}
     for name, section in (("load_cell", "load_cell"), ("probes", "probe")):
-        if not any(one.startswith(section) for one in recorded):
+        if not any(section_name.startswith(section) for section_name in recorded):
             yield Check(
                 say("Calibration of {}", _words(name)),
                 ATTENTION,
@@ -271,7 +271,7 @@ def _of_channels(status: Status, rig: RigFile | None) -> Iterator[Check]:
                 say("Check sensor and wiring, or adjust the probe"),
             )
     shown = {channel.name for channel in status.rig.channels}
-    for silent in (one for one in table.slow if one.name not in shown):
+    for silent in (channel for channel in table.slow if channel.name not in shown):
         yield Check(
             say("Channel {}", silent.name),
             ATTENTION,

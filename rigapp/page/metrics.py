@@ -53,9 +53,9 @@ def _column(column: str, scale: float = 1.0) -> Callable[[RigView], Samples]:
 def _statistics(stem: str) -> Callable[[RigView], Samples]:
     def samples(view: RigView) -> Samples:
         return [
-            ({"statistic": one}, view.values[f"{stem}_{one}"])
-            for one in ("max", "min", "rms", "mean")
-            if f"{stem}_{one}" in view.values
+            ({"statistic": statistic}, view.values[f"{stem}_{statistic}"])
+            for statistic in ("max", "min", "rms", "mean")
+            if f"{stem}_{statistic}" in view.values
         ]
 
     return samples
@@ -74,7 +74,7 @@ def _process(pick: str) -> Callable[[RigView], Samples]:
 
 
 def _states(view: RigView) -> Samples:
-    return [({"state": one.value}, float(view.state == one.value)) for one in RunState]
+    return [({"state": state.value}, float(view.state == state.value)) for state in RunState]
 
 
 def _limits_used(view: RigView) -> Samples:

@@ -103,9 +103,9 @@ class _Frame:
     def line(self, x: Floats, y: Floats) -> str:
         """Return the path of a line; what is not known breaks it."""
         words, pen = [], "M"
-        for one, other in zip(self._x(x), self._y(y), strict=True):
-            if math.isfinite(one) and math.isfinite(other):
-                words.append(f"{pen}{one:.1f} {other:.1f}")
+        for x_px, y_px in zip(self._x(x), self._y(y), strict=True):
+            if math.isfinite(x_px) and math.isfinite(y_px):
+                words.append(f"{pen}{x_px:.1f} {y_px:.1f}")
                 pen = "L"
             else:
                 pen = "M"
@@ -215,10 +215,10 @@ class Painter:
         """Return the trends of which something is known."""
         quantities = trend_quantities(news.data.channels)
         free = [channel.name for channel in news.data.channels.free]
-        names = [one for one in (LARGEST, "wear", "residual", *free) if one in quantities]
+        names = [name for name in (LARGEST, "wear", "residual", *free) if name in quantities]
         requested = {name: quantities[name] for name in names} | _LIMITED
-        result = (self._trend(name, one, news) for name, one in requested.items())
-        return [one for one in result if one is not None]
+        result = (self._trend(name, quantity, news) for name, quantity in requested.items())
+        return [plot for plot in result if plot is not None]
 
     def _trend(self, name: str, quantity: TrendQuantity, news: News) -> Plot | None:
         rows, predictions = news.data.rows, news.data.predictions
@@ -235,13 +235,13 @@ class Painter:
             (line, table, drawn(table, line.column, flagged, EVERYTHING, BUCKETS, quantity.scale))
             for line, table in lines
         ]
-        seen = [one for one in seen if np.isfinite(one[2].low)]
+        seen = [curve for curve in seen if np.isfinite(curve[2].low)]
         if not seen:
             return None
         ribbons = [
             ribbon for line, table, _ in seen for ribbon in _ribbons(name, line, table, quantity)
         ]
-        lows, highs = zip(*((one.low, one.high) for _, _, one in seen), strict=True)
+        lows, highs = zip(*((drawn.low, drawn.high) for _, _, drawn in seen), strict=True)
         drawing = Drawing(
             quantity.title,
             "Revolution",
@@ -249,7 +249,7 @@ class Painter:
             (float(rows.revolutions[0]), float(rows.revolutions[-1])),
             min(lows),
             max(highs),
-            [_curve(line, table is predictions, one) for line, table, one in seen],
+            [_curve(line, table is predictions, curve) for line, table, curve in seen],
             ribbons,
         )
         return self._plot(name, drawing, quantity.minimum_span)
@@ -281,11 +281,11 @@ def _fitted(title: str, x_axis: str, y_axis: str, curves: list[Curve]) -> Drawin
     return Drawing(title, x_axis, y_axis, (0.0, 360.0), low, high, curves)
 
 
-def _curve(line: TrendLine, predicted: bool, one: Drawn) -> Curve:
+def _curve(line: TrendLine, predicted: bool, curve: Drawn) -> Curve:
     """Return a trend's line: what the model says has its colour, whatever it is beside."""
     measured = not predicted or line.column.startswith(("measured_", "residual", *_LIMITED))
     role = line.role if measured else "model"
-    return Curve(one.x, one.y, role, line.text if measured else "model")
+    return Curve(curve.x, curve.y, role, line.text if measured else "model")
 
 
 def _ribbons(
@@ -297,7 +297,7 @@ def _ribbons(
         low, high = (
             table.series(f"{name}_{side}").envelope(*rows, BUCKETS) for side in ("low", "high")
         )
-        least, most = (quantity.scale * one.astype(np.float64) for one in (low.low, high.high))
+        least, most = (quantity.scale * y.astype(np.float64) for y in (low.low, high.high))
         yield Ribbon(table.revolutions[low.first], least, most, line.role)
     elif line.doubt and line.doubt in table.names:
         x, least, most = banded(table, line.column, line.doubt, EVERYTHING, BUCKETS, quantity.scale)

@@ -125,7 +125,7 @@ class BoundedConnection(H11Protocol):
                 and connection.cycle is None
                 and not connection.transport.is_closing()
             ]
-            min(silent, key=lambda one: one.requested_at).drop()
+            min(silent, key=lambda connection: connection.requested_at).drop()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """End."""

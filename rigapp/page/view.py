@@ -182,7 +182,7 @@ def _values(news: News) -> dict[str, float]:
 
 def _wear(news: News) -> dict[str, float]:
     known = newest_wear(news.data.predictions)
-    names = (f"{one}{suffix}" for one in (COEFFICIENT, REMAINING) for suffix in _SUFFIXES)
+    names = (f"{name}{suffix}" for name in (COEFFICIENT, REMAINING) for suffix in _SUFFIXES)
     return {name: known[name] for name in names if math.isfinite(known[name])}
 
 
@@ -193,10 +193,11 @@ def _limits(news: News) -> list[LimitView]:
     old = age_of(news, Renewed.REVOLUTION).old
     return [
         LimitView(
-            one.limit.title, one.value, one.limit.limit, one.limit.unit, one.limit.action,
-            one.used, one.passed, one.text, _mark(one.level, old=old),
+            margin.limit.title, margin.value, margin.limit.limit, margin.limit.unit,
+            margin.limit.action, margin.used, margin.passed, margin.text,
+            _mark(margin.level, old=old),
         )
-        for one in margins(news)
+        for margin in margins(news)
     ]  # fmt: skip
 
 
@@ -221,13 +222,13 @@ def _tiles(news: News) -> list[FreeValue]:
     test = status.test or NO_TEST
     share = f"{100.0 * test.revolution / test.planned:.1f} %" if test.planned else ""
     planned = f"of {grouped(test.planned)}, {share}" if test.planned else ""
-    renewed, sampled, turned, predicted = (age_of(news, one) for one in Renewed)
+    renewed, sampled, turned, predicted = (age_of(news, renewal) for renewal in Renewed)
     alarms = status.alarms
     speed = value_text(status.rig.speed_rpm, "rpm", 1)
     rates = quantity_level(alarms, "speed")
     result = [
         aged(FreeValue("revolution", "Revolution", grouped(test.revolution), planned), renewed),
-        *(aged(one, renewed) for one in _step(status)),
+        *(aged(value, renewed) for value in _step(status)),
         aged(FreeValue("speed", "Speed", speed, _wanted(test.target_rpm), rates), sampled),
     ]
     running = status.engine.state is RunState.RUNNING and not renewed.old
@@ -246,9 +247,9 @@ def _tiles(news: News) -> list[FreeValue]:
     if math.isfinite(residual):
         level = level_of(alarms, "residual_rms")
         text = f"{residual:.2f} N"
-        one = FreeValue("residual", "Measured − model", text, "RMS", level)
-        result.append(aged(one, predicted))
-    result += (aged(one, predicted) for one in (*_depth(news), *wear_of(news, time.time())))
+        value = FreeValue("residual", "Measured − model", text, "RMS", level)
+        result.append(aged(value, predicted))
+    result += (aged(value, predicted) for value in (*_depth(news), *wear_of(news, time.time())))
     if test.worst_margin and test.worst_margin_percent is not None:
         margin = f"{test.worst_margin_percent:.0f} %"
         words = margin_words(test.worst_margin)

@@ -74,8 +74,8 @@ class Watch:
         """End the thread and let go of the engines."""
         self._worker.halt()
         self._worker.join(SILENCE_S)
-        for one in self._shown.values():
-            one.rig.close()
+        for shown in self._shown.values():
+            shown.rig.close()
 
     def _step(self) -> None:
         try:
@@ -94,48 +94,48 @@ class Watch:
         if now >= self._rigs_at:
             self._rigs_at = now + RIGS_S
             self._look_for_rigs()
-        for one in self._shown.values():
-            if one.rig.pump():
-                one.painter.forget()
-                one.trends_at = 0.0
+        for shown in self._shown.values():
+            if shown.rig.pump():
+                shown.painter.forget()
+                shown.trends_at = 0.0
         if now >= self._show_at:
             self._show_at = now + SHOW_S
             self._show(now)
 
     def _look_for_rigs(self) -> None:
         try:
-            found = self._find_rigs()
+            rigs = self._find_rigs()
         except UnusableInput as error:
             log.warning("%s", error)
             return
-        for key, (name, find) in found.items():
+        for key, (name, find) in rigs.items():
             if key not in self._shown and len(self._shown) < MOST_RIGS:
                 identity = f"rig{len(self._shown) + 1}"
                 self._shown[key] = _Shown(WatchedRig(identity, name, find))
 
     def _show(self, now: float) -> None:
-        self.views = tuple(self._set(one, now) for one in self._shown.values())
-        rigs = {one.rig.identity: one.parts for one in self._shown.values()}
+        self.views = tuple(self._set(shown, now) for shown in self._shown.values())
+        rigs = {shown.rig.identity: shown.parts for shown in self._shown.values()}
         content = {"boot": self._boot, "rigs": list(rigs)}
         frames = {"rigs": fragments.frame("rigs", content)}
         for identity, parts in rigs.items():
             for part, html in parts.items():
-                place = f"{identity}-{part}"
-                frames[place] = fragments.frame("fragment", {"place": place, "html": html})
+                key = f"{identity}-{part}"
+                frames[key] = fragments.frame("fragment", {"place": key, "html": html})
         frames["beat"] = fragments.frame("beat", time.time())
         self._page = fragments.page(rigs, self._boot)
         self._publish(frames)
 
-    def _set(self, one: _Shown, now: float) -> RigView:
+    def _set(self, shown: _Shown, now: float) -> RigView:
         """Make the fragments of a rig anew; what they are made of is returned."""
-        news = one.rig.news()
-        view = view_of(one.rig, news)
-        one.parts["head"] = fragments.head(view, time.time())
-        one.parts["log"] = fragments.log(view)
-        one.parts["force"] = fragments.pictures([one.painter.force(news)])
-        if now >= one.trends_at:
-            one.trends_at = now + TRENDS_S
-            one.parts["trends"] = fragments.pictures(one.painter.trends(news))
+        news = shown.rig.news()
+        view = view_of(shown.rig, news)
+        shown.parts["head"] = fragments.head(view, time.time())
+        shown.parts["log"] = fragments.log(view)
+        shown.parts["force"] = fragments.pictures([shown.painter.force(news)])
+        if now >= shown.trends_at:
+            shown.trends_at = now + TRENDS_S
+            shown.parts["trends"] = fragments.pictures(shown.painter.trends(news))
         return view
 
     def _died(self, worker: Worker, error: BaseException) -> None:

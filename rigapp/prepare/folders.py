@@ -44,11 +44,11 @@ def write_files(folder: Path, files: list[StartingFile]) -> None:
 def starting_files(examples: Path) -> Iterator[StartingFile]:
     """Yield the files that a folder starts with, their names and what they call each other new."""
     for source in _sources(examples):
-        place = source.relative_to(examples)
+        path = source.relative_to(examples)
         text = read_text(source)
         for old, new in NEW_NAMES.items():
             text = text.replace(old, new)
-        yield StartingFile(place.with_name(NEW_NAMES.get(place.name, place.name)), text)
+        yield StartingFile(path.with_name(NEW_NAMES.get(path.name, path.name)), text)
 
 
 def _sources(examples: Path) -> list[Path]:
@@ -62,9 +62,9 @@ def _sources(examples: Path) -> list[Path]:
 
 def _refuse_existing(folder: Path, files: list[StartingFile]) -> None:
     """Refuse a folder that has one of the files, or whose name is that of a file."""
-    for place in (folder, *(folder / name for name in ("calibration", "notebooks"))):
-        if os.path.lexists(place) and not place.is_dir():
-            raise UnusableInput("{}: is no folder; nothing is written, name another folder.", place)
+    for path in (folder, *(folder / name for name in ("calibration", "notebooks"))):
+        if os.path.lexists(path) and not path.is_dir():
+            raise UnusableInput("{}: is no folder; nothing is written, name another folder.", path)
     there = [str(file.place) for file in files if os.path.lexists(folder / file.place)]
     if there:
         names = joined(", ", there)
@@ -90,15 +90,15 @@ def _write(folder: Path, files: list[StartingFile]) -> None:
 
 def _make_folder(folder: Path, undo: ExitStack) -> None:
     """Make a folder with those above it; remember to remove them, where they are empty then."""
-    missing = [one for one in (folder, *folder.parents) if not one.exists()]
+    missing = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise UnusableInput(
             "{}: the folder cannot be made ‹{}›; name another folder.", folder, error.strerror
         ) from error
-    for one in reversed(missing):
-        undo.callback(_remove_empty, one)
+    for path in reversed(missing):
+        undo.callback(_remove_empty, path)
 
 
 def _remove_empty(folder: Path) -> None:

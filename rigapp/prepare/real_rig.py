@@ -126,7 +126,7 @@ def search_ports() -> list[FoundPort]:
     drivers = _drivers()
     result = [_looked_at(port, drivers) for port in sorted(list_ports.comports())]
     result += [FoundPort(name, say("CAN interface")) for name in can_networks()]
-    return sorted(result, key=lambda one: not one.driver)
+    return sorted(result, key=lambda port: not port.driver)
 
 
 def _looked_at(port: Any, drivers: Sequence[DriverInfo]) -> FoundPort:

@@ -31,9 +31,9 @@ def _shipped(folder: str, file: str) -> Path:
     # Some other package may have put a folder "examples" beside an installed rigapp.
     if (source / "pyproject.toml").is_file() and (source / folder / file).is_file():
         return source / folder
-    for one in _installed((SHARED / folder / file).as_posix()):
-        if one.is_file():
-            return one.parent
+    for path in _installed((SHARED / folder / file).as_posix()):
+        if path.is_file():
+            return path.parent
     raise UnusableInput(
         "The shipped {} are neither in {} nor where rigapp is installed; install it"
         " again, or name files of your own.",

@@ -26,21 +26,21 @@ def contexts(code: str) -> dict[str, dict[str, str]]:
 
     Unfinished ones are left out. Raises OSError when it cannot be read.
     """
-    found: dict[str, dict[str, str]] = {WINDOW: {}, SENTENCES: {}}
+    texts_by_context: dict[str, dict[str, str]] = {WINDOW: {}, SENTENCES: {}}
     shipped = catalogue_file(code).read_bytes()
     for context in ElementTree.fromstring(shipped).iter("context"):  # noqa: S314 - our own file
-        texts = found[context.findtext("name", WINDOW)]
+        texts = texts_by_context[context.findtext("name", WINDOW)]
         for message in context.iter("message"):
             said = message.find("translation")
             if said is not None and said.text and "type" not in said.attrib:
                 texts[message.findtext("source", "")] = said.text
-    return found
+    return texts_by_context
 
 
 def translations(code: str) -> dict[str, str]:
     """Return all translations of a catalogue by their English texts; raise OSError."""
-    found = contexts(code)
-    return found[SENTENCES] | found[WINDOW]
+    known = contexts(code)
+    return known[SENTENCES] | known[WINDOW]
 
 
 def spoken(code: str) -> AbstractContextManager[None]:

@@ -111,10 +111,10 @@ def _remarks(result: TestResult) -> Iterator[TrustLine]:
         model = f"{result.model_depth_um:.1f} µm"
         yield TrustLine(False, tr("Wear differs from the model"), tr("{}, model {}", depth, model))
     cycles = grouped(result.revolutions)
-    whole = result.gaps == 0 and result.flagged == 0
+    lossless = result.gaps == 0 and result.flagged == 0
     marked = tr("{} gaps, {} of {} cycles flagged", result.gaps, grouped(result.flagged), cycles)
-    lost = tr("Nothing lost") if whole else tr("Data are missing or doubtful")
-    yield TrustLine(whole, lost, marked)
+    lost = tr("Nothing lost") if lossless else tr("Data are missing or doubtful")
+    yield TrustLine(lossless, lost, marked)
     if result.outcome is HowEnded.INTERRUPTED:
         safe = tr("{} cycles are safe; it can be resumed", cycles)
         yield TrustLine(False, tr("Not closed"), safe)
@@ -140,7 +140,7 @@ def origin_of(result: TestResult) -> str:
     if result.started and result.ended:
         took = duration((_when(result.ended) - _when(result.started)).total_seconds())
     span = tr("{} to {}, {}", began, ended, took) if took else began
-    return "  ·  ".join(one for one in (result.title, result.specimen, cycles, span) if one)
+    return "  ·  ".join(part for part in (result.title, result.specimen, cycles, span) if part)
 
 
 def file_line(result: TestResult) -> str:

@@ -90,9 +90,10 @@ def calibration_text(status: Status) -> str:
     )
 
 
-def calibration_words(one: OpenCalibration) -> str:
+def calibration_words(calibration: OpenCalibration) -> str:
     """Return what is calibrated, by whom and since when."""
-    return tr("{}, by {}, since {}", tr(one.what), one.who, since_text(one.since, time.time()))
+    since = since_text(calibration.since, time.time())
+    return tr("{}, by {}, since {}", tr(calibration.what), calibration.who, since)
 
 
 def occupied_text(status: Status) -> str:
@@ -118,19 +119,19 @@ def state_line(status: Status, key: str = "") -> str:
     step, occupied = status.recovery, calibration_text(status)
     reason = "" if status.engine.state is RunState.CALIBRATING else status.engine.reason
     pressed = f" ({key})" if key and step.verb and step.left else ""
-    told = [
+    parts = [
         f"{word}: {translate(reason)}" if reason else "",
         f"{tr(STATES[RunState.CALIBRATING])}: {occupied}." if occupied else "",
         translate(step.sentence) + pressed,
     ]
-    return "  ".join(one for one in told if one) or _unnamed(status, word)
+    return "  ".join(part for part in parts if part) or _unnamed(status, word)
 
 
 def state_details(status: Status) -> str:
     """Return the technical details of what ``state_line`` says, a line each."""
-    told = (status.engine.reason, status.recovery.sentence)
-    alarm = worst_alarm(status.alarms) if not any(told) else None
-    texts = told if alarm is None else (alarm.title, alarm.cause)
+    reasons = (status.engine.reason, status.recovery.sentence)
+    alarm = worst_alarm(status.alarms) if not any(reasons) else None
+    texts = reasons if alarm is None else (alarm.title, alarm.cause)
     return "\n".join(filter(None, map(details_of, texts)))
 
 
@@ -144,18 +145,18 @@ def _unnamed(status: Status, word: str) -> str:
 
 def listed_alarms(alarms: Iterable[Alarm]) -> list[Alarm]:
     """Return the alarms that are told of: those that are not over, and not shelved."""
-    return [one for one in alarms if one.state not in ("normal", "shelved")]
+    return [alarm for alarm in alarms if alarm.state not in ("normal", "shelved")]
 
 
 def worst_alarm(alarms: Iterable[Alarm]) -> Alarm | None:
     """Return the alarm to name: not acknowledged, first out, critical, then the oldest."""
     return min(
         listed_alarms(alarms),
-        key=lambda one: (
-            one.acknowledged,
-            not one.first_out,
-            one.severity is not Severity.CRITICAL,
-            one.raised_at,
+        key=lambda alarm: (
+            alarm.acknowledged,
+            not alarm.first_out,
+            alarm.severity is not Severity.CRITICAL,
+            alarm.raised_at,
         ),
         default=None,
     )

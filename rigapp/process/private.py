@@ -11,14 +11,14 @@ from rigapp.config.errors import UnusableInput
 SMALL_BYTES = 1 << 16
 
 
-def owned_by_user(found: os.stat_result) -> bool:
+def owned_by_user(status: os.stat_result) -> bool:
     """Tell whether a file or folder belongs to this user; yes where there are no owners."""
-    return not hasattr(os, "getuid") or found.st_uid == os.getuid()
+    return not hasattr(os, "getuid") or status.st_uid == os.getuid()
 
 
-def open_to_others(found: os.stat_result) -> bool:
+def open_to_others(status: os.stat_result) -> bool:
     """Tell whether another user may read or write something; no where modes do not say so."""
-    return hasattr(os, "getuid") and bool(found.st_mode & 0o077)
+    return hasattr(os, "getuid") and bool(status.st_mode & 0o077)
 
 
 def private_folder(folder: Path, instead: str = "") -> Path:
@@ -30,20 +30,20 @@ def private_folder(folder: Path, instead: str = "") -> Path:
     """
     try:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-        found = folder.lstat()
-        if not stat.S_ISDIR(found.st_mode):
+        status = folder.lstat()
+        if not stat.S_ISDIR(status.st_mode):
             raise UnusableInput("{}: is a link, not a folder{}.", folder, instead)
         if not hasattr(os, "getuid"):
             return folder
-        if not owned_by_user(found):
+        if not owned_by_user(status):
             raise UnusableInput("{}: belongs to somebody else{}.", folder, instead)
-        if found.st_mode & 0o022:
+        if status.st_mode & 0o022:
             raise UnusableInput(
                 "{}: others can write into it; look at what is in it, then chmod 700 it{}.",
                 folder,
                 instead,
             )
-        if stat.S_IMODE(found.st_mode) != 0o700:
+        if stat.S_IMODE(status.st_mode) != 0o700:
             folder.chmod(0o700)
     except OSError as error:
         raise UnusableInput("{}: cannot be made ‹{}›{}.", folder, error, instead) from error
@@ -59,9 +59,9 @@ def read_own(path: Path) -> bytes | None:
     except OSError:
         return None
     try:
-        found = os.fstat(descriptor)
+        status = os.fstat(descriptor)
         if not (
-            stat.S_ISREG(found.st_mode) and found.st_size <= SMALL_BYTES and owned_by_user(found)
+            stat.S_ISREG(status.st_mode) and status.st_size <= SMALL_BYTES and owned_by_user(status)
         ):
             return None
         return os.read(descriptor, SMALL_BYTES)

@@ -66,9 +66,9 @@ def remove_left_behind(folder: Path, pattern: str) -> list[Path]:
 
 def _abandoned(entry: os.DirEntry[str], pid: int) -> bool:
     try:
-        found = entry.stat(follow_symlinks=False)
+        status = entry.stat(follow_symlinks=False)
     except OSError:
         return False
-    if stat.S_ISLNK(found.st_mode) or (hasattr(os, "getuid") and found.st_uid != os.getuid()):
+    if stat.S_ISLNK(status.st_mode) or (hasattr(os, "getuid") and status.st_uid != os.getuid()):
         return False
     return not pid_exists(pid)

@@ -83,9 +83,9 @@ def ended(queue: Queue, number: int, sentence: str, *, done: bool) -> Queue:
     )
 
 
-def put_back(queue: Queue, one: QueuedTest) -> Queue:
+def put_back(queue: Queue, test: QueuedTest) -> Queue:
     """Return a queue whose test could not begin, as before; the queue begins no other by itself."""
-    items = tuple(one if other.number == one.number else other for other in queue.items)
+    items = tuple(test if other.number == test.number else other for other in queue.items)
     return msgspec.structs.replace(queue, items=items, working=False)
 
 
@@ -108,18 +108,18 @@ def after_finish(queue: Queue, finished: Finished) -> Queue:
 
 def cut_off(queue: Queue) -> Queue:
     """Return a queue whose engine ended without a word: what ran is stopped, nothing works."""
-    one = queue.running
-    if one is not None:
+    test = queue.running
+    if test is not None:
         words = say("the computer or the program ended while it ran")
-        queue = ended(queue, one.number, words, done=False)
+        queue = ended(queue, test.number, words, done=False)
     return halted(queue)
 
 
-def line(one: QueuedTest) -> str:
+def line(test: QueuedTest) -> str:
     """Return one line about a test for people."""
-    name = PurePath(one.file or one.test).name
+    name = PurePath(test.file or test.test).name
     return say(
-        "{}  {} {}  {}", f"{one.number:>4}", f"{one.state.value:<8}", name, one.sentence
+        "{}  {} {}  {}", f"{test.number:>4}", f"{test.state.value:<8}", name, test.sentence
     ).rstrip()
 
 

@@ -42,8 +42,8 @@ class QueueStore:
     def view(self) -> Queue:
         """Return the queue for those who look often: read when the file is another one."""
         try:
-            found = self._path.stat()
-            state = (found.st_mtime_ns, found.st_ino)
+            status = self._path.stat()
+            state = (status.st_mtime_ns, status.st_ino)
             if state != self._seen[0]:
                 self._seen = (state, self.read())
         except (OSError, UnusableInput):

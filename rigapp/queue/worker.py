@@ -100,32 +100,32 @@ class QueueWorker:
         if now.running is None:
             self._tell(now)
 
-    def _begin(self, one: QueuedTest) -> Queue:
+    def _begin(self, test: QueuedTest) -> Queue:
         """Begin a test unless the queue was stopped meanwhile; return the queue."""
-        file = one.file or str(new_result(Path(one.folder), Path(one.test).stem))
-        now = self._store.change(lambda queue: begun(queue, one.number, file))
+        file = test.file or str(new_result(Path(test.folder), Path(test.test).stem))
+        now = self._store.change(lambda queue: begun(queue, test.number, file))
         if now.running is None:
             return now
         try:
-            end = self._hands.begin(Path(one.test), Path(file), self._operator)
+            end = self._hands.begin(Path(test.test), Path(file), self._operator)
         except Occupied as error:
-            self._store.change(lambda queue: put_back(queue, one))
+            self._store.change(lambda queue: put_back(queue, test))
             self._hands.tell(say("{}; then start the queue again.", error))
             raise
         except Exception as error:
             words = error_text(error, say("The test could not be begun."))
-            self._store.change(lambda queue: ended(queue, one.number, words, done=False))
+            self._store.change(lambda queue: ended(queue, test.number, words, done=False))
             raise
         if end is None:
             return self._store.read()
         return self._store.change(lambda queue: after_finish(queue, end))
 
     def _tell(self, queue: Queue) -> None:
-        one = queue.next
-        if one is not None and one.state is ItemState.STOPPED:
-            name = Path(one.test).name
+        test = queue.next
+        if test is not None and test.state is ItemState.STOPPED:
+            name = Path(test.test).name
             words = say(
-                "test {}, {}: {} {} more wait.", one.number, name, one.sentence, _waiting(queue)
+                "test {}, {}: {} {} more wait.", test.number, name, test.sentence, _waiting(queue)
             )
             self._hands.tell(words)
 

@@ -80,7 +80,7 @@ def make_alarm(kind: str, what: str = "", /, **values: object) -> Cause:
     """Return an alarm of a kind; what: which of its alarms, values: what its words name."""
     shared = KINDS[kind]
     named = {"0": what, **values}
-    title, sentence = (Sentence.of(one, named) for one in (shared.title, shared.sentence))
+    title, sentence = (Sentence.of(template, named) for template in (shared.title, shared.sentence))
     value = values.get(shared.value)
     measured = float(value) if isinstance(value, float | int) else None
     return Cause(shared, key_of(kind, what), title, sentence, measured)
@@ -93,16 +93,16 @@ def recorded_text(text: str, key: str) -> str:
     """
     kind, what = kind_of(key), key.rpartition(":")[2]
     fixed = (kind.title, kind.consequence, kind.action) if kind is not None else ()
-    led_to = [one for one, _ in RULE_ACTIONS.values()]
+    led_to = [consequence for consequence, _ in RULE_ACTIONS.values()]
     rule = key.split(":")[1] if key.startswith("rule:") else what
     known = [
-        *(Sentence.of(one, {"0": what}) for one in fixed if "{" not in one.replace("{}", "")),
+        *(Sentence.of(text, {"0": what}) for text in fixed if "{" not in text.replace("{}", "")),
         *led_to,
         say("{} above limit", rule),
         say("{} below limit", rule),
         LOOK_AT_TREND,
     ]
-    return next((one for one in known if one == text), text)
+    return next((sentence for sentence in known if sentence == text), text)
 
 
 def kind_of(key: str) -> Kind | None:

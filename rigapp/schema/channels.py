@@ -174,7 +174,7 @@ class ChannelTable:
             Column("angle", "<f4", "deg", "crank angle of the sample, latency corrected"),
             Column("time", "<f8", "s", "device time of the sample since the start of the test"),
             *map(_calibrated, base),
-            *(_raw(one) for one in base if one.kind is Kind.SAMPLED),
+            *(_raw(channel) for channel in base if channel.kind is Kind.SAMPLED),
             Column("raw_count", "<f4", "count", "signal of count as the device sent it"),
             *(column for channel in free for column in (_calibrated(channel), _raw(channel))),
         )
@@ -192,7 +192,7 @@ class ChannelTable:
     @cached_property
     def place(self) -> dict[str, int]:
         """Return name -> place of a row's values."""
-        return {name: place for place, name in enumerate(self.names)}
+        return {name: index for index, name in enumerate(self.names)}
 
     def _of(self, *kinds: Kind) -> tuple[Channel, ...]:
         return tuple(channel for channel in self.channels if channel.kind in kinds)

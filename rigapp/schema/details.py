@@ -31,7 +31,7 @@ def details_of(text: str) -> str:
 
 def marked_details(text: str) -> str:
     """Return the details of a text marked as such, to stand behind another sentence."""
-    return "".join(f" ‹{one}›" for one in _parted(text)[1])
+    return "".join(f" ‹{detail}›" for detail in _parted(text)[1])
 
 
 def indented(text: str) -> str:
@@ -85,10 +85,10 @@ def _bare(sentence: Sentence) -> Sentence:
 
 def _raised_here(error: BaseException) -> bool:
     """Tell whether this program's own code raised an error: then its text is a sentence."""
-    place = error.__traceback__
-    while place is not None and place.tb_next is not None:
-        place = place.tb_next
-    return place is not None and _is_ours(str(place.tb_frame.f_globals.get("__name__", "")))
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    return trace is not None and _is_ours(str(trace.tb_frame.f_globals.get("__name__", "")))
 
 
 def _is_ours(module: str) -> bool:
@@ -100,7 +100,7 @@ def _parted(text: str) -> tuple[str, list[str]]:
     # Nearly every text has none, and this is asked for with every repaint.
     if "‹" not in text and "://" not in text:
         return text, details
-    while (found := _DETAILS.search(text)) is not None:
-        details.append(" ".join((found[1] or found[2] or "").split()))
-        text = text[: found.start()] + text[found.end() :]
+    while (match := _DETAILS.search(text)) is not None:
+        details.append(" ".join((match[1] or match[2] or "").split()))
+        text = text[: match.start()] + text[match.end() :]
     return text, [detail for detail in details if detail]

@@ -78,5 +78,5 @@ def deviation_sentence(
     return say("beyond tolerances: {} {} would explain it", name, number)
 
 
-def _is_cause(place: float) -> bool:
-    return place in range(1, len(DEVIATIONS))
+def _is_cause(number: float) -> bool:
+    return number in range(1, len(DEVIATIONS))

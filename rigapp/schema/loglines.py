@@ -139,7 +139,7 @@ def alarm_change(event: Event) -> AlarmChange | None:
     if result is None:
         return None
     title, consequence, action = (
-        recorded_text(one, event.key) for one in (result.title, result.consequence, result.action)
+        recorded_text(text, event.key) for text in (result.title, result.consequence, result.action)
     )
     return msgspec.structs.replace(result, title=title, consequence=consequence, action=action)
 

@@ -576,6 +576,6 @@ def last_set_speed(speed: NDArray[Any], quality: NDArray[Any]) -> float:
     speed, quality: the columns (n,), signed and as ``Flag``, NaN where not known. NaN without rows.
     """
     flags = np.nan_to_num(quality).astype(np.int64)
-    whole = np.flatnonzero(flags & NOT_STEADY == 0)
-    place = whole[-1:] if whole.size else slice(-1, None)
-    return abs(float(speed[place][0])) if len(speed) else float("nan")
+    steady = np.flatnonzero(flags & NOT_STEADY == 0)
+    row = steady[-1:] if steady.size else slice(-1, None)
+    return abs(float(speed[row][0])) if len(speed) else float("nan")

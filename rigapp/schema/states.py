@@ -120,7 +120,7 @@ def transition(state: RunState, trigger: Trigger) -> RunState:
     """Return the next state; raise Refused when the trigger means nothing in this state."""
     following = TABLE.get((state, trigger))
     if following is None:
-        possible = [one.value for (at, one) in TABLE if at is state]
+        possible = [command.value for (at, command) in TABLE if at is state]
         raise Refused(
             '"{}" is not possible while {}; possible now: {}',
             trigger.value,

@@ -184,7 +184,7 @@ class BugReports:
 
 def versions() -> dict[str, str]:
     """Return the versions of the program, of the packages that it names, and of the system."""
-    needed = (re.split(r"[^\w.-]", one)[0] for one in metadata.requires("rigapp") or ())
+    needed = (re.split(r"[^\w.-]", need)[0] for need in metadata.requires("rigapp") or ())
     result = {name: _version(name) for name in dict.fromkeys(("rigapp", *needed))}
     system = {"python": platform.python_version(), "system": platform.platform()}
     return {**system, **{name: version for name, version in result.items() if version}}
@@ -239,7 +239,7 @@ def _public(tree: Any, names: Iterable[str]) -> Any:
 def _names_here() -> Iterator[str]:
     """Yield the names of this account and this computer."""
     host = socket.gethostname()
-    yield from (one for one in (host, host.partition(".")[0]) if len(one) >= SHORTEST_NAME)
+    yield from (name for name in (host, host.partition(".")[0]) if len(name) >= SHORTEST_NAME)
     try:
         login = getpass.getuser()
     except (KeyError, OSError, ImportError):
@@ -255,6 +255,6 @@ def _names_here() -> Iterator[str]:
 
 def _spellings(name: str) -> Iterator[str]:
     """Yield a name and its words, as far as they are long enough to tell somebody."""
-    for one in (name.strip(), *re.split(r"[\s.,_-]+", name)):
-        if len(one) >= SHORTEST_NAME:
-            yield one
+    for spelling in (name.strip(), *re.split(r"[\s.,_-]+", name)):
+        if len(spelling) >= SHORTEST_NAME:
+            yield spelling

@@ -229,7 +229,7 @@ class EngineHost:
         *,
         resume: bool,
         reason: str = "",
-        examined: Callable[[Resumption], None] = lambda found: None,
+        examined: Callable[[Resumption], None] = lambda resumption: None,
         calibration: str = "",
     ) -> None:
         """Connect where needed and start a test, or go on with it; raises what the engine raises.
@@ -260,9 +260,9 @@ class EngineHost:
                     LogEntry("specimen", say("{}: {}", words, specimen or say("no name")), operator)
                 )
             if past is not None:
-                found = self._compare(past, test.record)
-                examined(found)
-                notes += remarks(found, operator, reason)
+                resumption = self._compare(past, test.record)
+                examined(resumption)
+                notes += remarks(resumption, operator, reason)
                 if self.simulated.needed and past.worn is None:
                     words = say(
                         "the file tells no wear depth: the simulated rig has an unworn bushing"
@@ -344,11 +344,11 @@ class EngineHost:
                     path,
                 )
             )
-        found = with_records(now)
-        changed = found.texts != self.records.texts or now.record != self._rig.record
+        records = with_records(now)
+        changed = records.texts != self.records.texts or now.record != self._rig.record
         if changed:
-            self.engine.use_records(found.rig, found.texts)
-        self._rig, self.records = now, found
+            self.engine.use_records(records.rig, records.texts)
+        self._rig, self.records = now, records
         return changed
 
     def _make_ready(self, test: TestFile) -> None:

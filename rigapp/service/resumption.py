@@ -157,7 +157,7 @@ def read_past(path: Path) -> Past:
             rig = parse_rig(reader.configuration()["rig"], say("{} (its rig)", path), recorded=True)
         except (KeyError, UnusableInput):
             rig = None
-        rests = [one for one in map(rest_signals, reader.events()) if one is not None]
+        rests = [signals for signals in map(rest_signals, reader.events()) if signals is not None]
         new = _new_position(reader)
         return Past(
             path=path,
@@ -254,7 +254,7 @@ def _of_rig(past: Past, rig: RigFile) -> Iterator[Compared]:
     same = past.rig.name == rig.name
     yield Compared("Rig", past.rig.name, rig.name, Fit.GOOD if same else Fit.NOTED)
     for role, what in (("encoder", say("Data acquisition")), ("spindle", "Drive")):
-        then, here = (one.devices[getattr(one, role).device] for one in (past.rig, rig))
+        then, here = (file.devices[getattr(file, role).device] for file in (past.rig, rig))
         yield from _of_kind(what, then, here, Fit.BLOCKS)
         if then.driver == here.driver:
             yield Compared(what, then.driver, here.driver)
@@ -275,7 +275,7 @@ def _of_kind(
     what: str, then: DeviceSection, here: DeviceSection, otherwise: Fit
 ) -> Iterator[Compared]:
     """Compare whether a device is simulated: measured values are not continued by invented ones."""
-    was, is_now = ("simulated" if one.simulated else "real" for one in (then, here))
+    was, is_now = ("simulated" if device.simulated else "real" for device in (then, here))
     if was != is_now:
         text = say("{}: {} in the test, {} in this rig", what, was, is_now)
         yield Compared(say("Kind of device"), was, is_now, otherwise, text)
@@ -304,8 +304,8 @@ def _of_devices(past: Past, devices: Mapping[str, Mapping[str, Any]]) -> Iterato
         ]
         if changed:
             before, now = (
-                joined(", ", (say("{} {}", key, one[key]) for key in changed))
-                for one in (then, readback)
+                joined(", ", (say("{} {}", key, record[key]) for key in changed))
+                for record in (then, readback)
             )
             text = say("{} is set otherwise than before: {}", name, joined(", ", changed))
             yield Compared(say("Settings of {}", name), before, now, Fit.NOTED, text)
@@ -317,7 +317,7 @@ _NUMBER = "device_serial_number"
 def _of_identity(
     name: str, then: Mapping[str, Any], readback: Mapping[str, Any]
 ) -> Iterator[Compared]:
-    before, now = (str(one.get(_NUMBER, "")) for one in (then, readback))
+    before, now = (str(record.get(_NUMBER, "")) for record in (then, readback))
     if before and now and before != now:
         text = say("{} is another device: serial number {}, before {}", name, now, before)
         yield Compared(say("Device {}", name), before, now, Fit.REASON, text)
@@ -342,11 +342,11 @@ def _equal(before: Any, now: Any) -> bool:
     if isinstance(now, Mapping) and isinstance(before, Mapping):
         return before.keys() == now.keys() and all(_equal(before[k], now[k]) for k in now)
     try:
-        one, other = np.asarray(before, np.float64), np.asarray(now, np.float64)
+        first, second = np.asarray(before, np.float64), np.asarray(now, np.float64)
     except (TypeError, ValueError):
         return str(before) == str(now)
-    return one.shape == other.shape and bool(
-        np.allclose(one, other, rtol=SAME, atol=SAME_ABOUT_ZERO)
+    return first.shape == second.shape and bool(
+        np.allclose(first, second, rtol=SAME, atol=SAME_ABOUT_ZERO)
     )
 
 
@@ -366,7 +366,7 @@ def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Compared]:
         now = present[section]
         keys = [key for key in {**then, **now} if key not in NOT_COMPARED]
         changed = [key for key in keys if not _same(then.get(key), now.get(key))]
-        names = [str(one.get("record", "")) for one in (then, now)]
+        names = [str(record.get("record", "")) for record in (then, now)]
         if section != "encoder" and names[0] != names[1]:
             changed = changed or ["record"]
         if not changed:
@@ -374,17 +374,17 @@ def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Compared]:
             yield Compared(what, name, name, Fit.GOOD, say("as before"))
             continue
         before, here = (
-            str(joined(", ", (say("{} {}", key, one.get(key, "none")) for key in changed)))
-            for one in (then, now)
+            str(joined(", ", (say("{} {}", key, record.get(key, "none")) for key in changed)))
+            for record in (then, now)
         )
         text = say("{} is not that of the test ({})", what.lower(), joined(", ", changed))
         yield Compared(what, before, here, fit, text)
-    was, is_now = (one.get("acquisition", {}) for one in (past.calibration, present))
-    before, here = (str(one.get("clock", "time")) for one in (was, is_now))
+    was, is_now = (record.get("acquisition", {}) for record in (past.calibration, present))
+    before, here = (str(record.get("clock", "time")) for record in (was, is_now))
     if before != here:
         text = say("the test was sampled by {}, this rig samples by {}", before, here)
         yield Compared(say("Sample clock"), before, here, Fit.BLOCKS, text)
-    before, here = (f"{one.get('sample_rate_Hz', 0.0):g} Hz" for one in (was, is_now))
+    before, here = (f"{record.get('sample_rate_Hz', 0.0):g} Hz" for record in (was, is_now))
     if before != here:
         yield Compared(say("Sample rate"), before, here, Fit.NOTED)
 
@@ -399,7 +399,8 @@ def _of_zero(
         shift = calibration.load_cell.matrix @ (np.asarray(now) - np.asarray(before))
         size = float(np.hypot(*shift))
         then, here = (
-            joined(", ", (f"{value:.5f}" for value in one)) + " mV/V" for one in (before, now)
+            joined(", ", (f"{value:.5f}" for value in signals)) + " mV/V"
+            for signals in (before, now)
         )
         if size <= limit:
             return Compared(what, then, here, Fit.GOOD, say("moved by {:.1f} N", size))
@@ -427,14 +428,14 @@ def _of_zero(
         text = text if rest is None else say("the file does not tell them")
         yield Compared(say("Load cell at rest"), "", "", Fit.NOTED, say("not compared: {}", text))
         return
-    where = [one.crank_angle_deg for one in (past.rest, rest)]
+    where = [signals.crank_angle_deg for signals in (past.rest, rest)]
     if _same_angle(*where):
         words = say("with the crank at rest the load cell shows a force that differs")
         yield compared(say("Load cell at rest"), past.rest.pair, rest.pair, words)
         return
     then, here = (
-        say("crank angle not known") if one is None else say("crank at {:.0f} deg", one)
-        for one in where
+        say("crank angle not known") if angle is None else say("crank at {:.0f} deg", angle)
+        for angle in where
     )
     text = say(
         "not compared: the crank is not known to stand as it stood, and a spring"
@@ -458,31 +459,31 @@ def stored_tare(past: Past) -> tuple[Pair, float | None] | None:
     return (float(tare[0]), float(tare[1])), None if degrees is None else math.radians(degrees)
 
 
-def remarks(found: Resumption, operator: str, reason: str) -> list[LogEntry]:
+def remarks(resumption: Resumption, operator: str, reason: str) -> list[LogEntry]:
     """Return what goes into the log.
 
     Raises Refused when the test cannot go on, or not without a reason.
     """
-    if found.blocked:
-        raise Refused("{} cannot go on here: {}", found.file, found.blocked)
+    if resumption.blocked:
+        raise Refused("{} cannot go on here: {}", resumption.file, resumption.blocked)
     why = reason.strip()
     refuse_long("reason", why)
-    if found.asks_reason and not why:
+    if resumption.asks_reason and not why:
         raise Refused(
             "{} goes on only with a reason: {}; put it right, or give the reason, which"
             " is recorded",
-            found.file,
-            found.asks_reason,
+            resumption.file,
+            resumption.asks_reason,
         )
     who = operator or "operator"
     text = say(
         "going on after {}; the test was {}{}",
-        interval(found.gap_s),
-        found.status,
-        ": " + found.reason if found.reason else "",
+        interval(resumption.gap_s),
+        resumption.status,
+        ": " + resumption.reason if resumption.reason else "",
     )
     lines = [LogEntry("resumed", text, who)]
-    for finding in found.findings:
+    for finding in resumption.findings:
         if finding.fit in (Fit.NOTED, Fit.REASON):
             sentence = finding.sentence or say("{} differs", finding.what)
             if finding.fit is Fit.REASON:

@@ -64,10 +64,10 @@ def parse_bind(text: str) -> Bind:
     A wildcard is refused: viewers could not know
     the address from the entry, and it would open interfaces that nobody thought of.
     """
-    found = re.fullmatch(r"tcp://(?:\[([^\]]+)\]|([^:/]+)):(\d{1,5})", text)
-    if found is None:
+    parts = re.fullmatch(r"tcp://(?:\[([^\]]+)\]|([^:/]+)):(\d{1,5})", text)
+    if parts is None:
         raise UnusableInput("--bind {}: give tcp://ADDRESS:PORT.", text)
-    address, port = interface_address(f"--bind {text}", found[1] or found[2]), int(found[3])
+    address, port = interface_address(f"--bind {text}", parts[1] or parts[2]), int(parts[3])
     if port > 65534:
         raise UnusableInput(
             "--bind {}: the port and the next one are used; give at most 65534.", text

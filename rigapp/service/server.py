@@ -62,7 +62,7 @@ class Connections:
     def __init__(self, sockets: Iterable[Socket]) -> None:
         """Begin to watch; the sockets are not bound yet."""
         events = zmq.EVENT_ACCEPTED | zmq.EVENT_DISCONNECTED
-        self._monitors = [one.get_monitor_socket(events) for one in sockets]
+        self._monitors = [socket.get_monitor_socket(events) for socket in sockets]
         self._handles: set[int] = set()
         self._process = psutil.Process()
         self._usual = self._process.memory_info().rss

@@ -97,8 +97,8 @@ def design_of(vary: Mapping[str, Varied], section: DesignSection) -> Design:
             )
         unit, blocks = _drawn(len(vary), section)
         rows = [
-            {key: _at(varied, u) for (key, varied), u in zip(vary.items(), one, strict=True)}
-            for one in unit.tolist()
+            {key: _at(varied, u) for (key, varied), u in zip(vary.items(), point, strict=True)}
+            for point in unit.tolist()
         ]
     if len(rows) * section.repeats > MOST_POINTS:
         raise UnusableInput(
@@ -136,7 +136,7 @@ def _require_usable(key: str, varied: Varied) -> None:
 
 def _grid(vary: Mapping[str, Varied]) -> list[dict[str, Value]]:
     """Return every combination, the last key changing quickest."""
-    sizes = [one.levels if isinstance(one, Spread) else len(one) for one in vary.values()]
+    sizes = [v.levels if isinstance(v, Spread) else len(v) for v in vary.values()]
     if math.prod(sizes) > MOST_POINTS:
         raise UnusableInput(
             'the grid has {} points; at most {}: take fewer levels, or design.kind = "sobol".',
@@ -144,10 +144,10 @@ def _grid(vary: Mapping[str, Varied]) -> list[dict[str, Value]]:
             f"{MOST_POINTS:,}",
         )
     levels: list[Sequence[Value]] = [
-        [_at(one, u) for u in np.linspace(0.0, 1.0, one.levels)] if isinstance(one, Spread) else one
-        for one in vary.values()
+        [_at(v, u) for u in np.linspace(0.0, 1.0, v.levels)] if isinstance(v, Spread) else v
+        for v in vary.values()
     ]
-    return [dict(zip(vary, one, strict=True)) for one in itertools.product(*levels)]
+    return [dict(zip(vary, combination, strict=True)) for combination in itertools.product(*levels)]
 
 
 def _drawn(dimensions: int, section: DesignSection) -> tuple[Unit, int]:
@@ -163,8 +163,8 @@ def _drawn(dimensions: int, section: DesignSection) -> tuple[Unit, int]:
     pair = _sobol(2 * dimensions, base, section.seed)
     a, b = pair[:, :dimensions], pair[:, dimensions:]
     mixed = [a.copy() for _ in range(dimensions)]
-    for place, one in enumerate(mixed):
-        one[:, place] = b[:, place]
+    for index, column in enumerate(mixed):
+        column[:, index] = b[:, index]
     rest = _sobol(dimensions, count - base * (dimensions + 2), section.seed + 1)
     return np.concatenate([a, b, *mixed, rest]), base
 

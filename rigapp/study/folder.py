@@ -84,8 +84,8 @@ class StudyResults:
     @property
     def failed(self) -> tuple[tuple[int, str], ...]:
         """Return the points without a result, each with the reason."""
-        found = enumerate(self.problems)
-        return tuple((number, why) for number, why in found if why not in ("", NOT_COMPUTED))
+        problems = enumerate(self.problems)
+        return tuple((number, why) for number, why in problems if why not in ("", NOT_COMPUTED))
 
 
 def studies_in(folder: Path) -> tuple[StudyResults, ...]:
@@ -93,9 +93,9 @@ def studies_in(folder: Path) -> tuple[StudyResults, ...]:
 
     One that cannot be read, or has no table yet, says why. Raises OSError for no such folder.
     """
-    there = [folder, *(one for one in folder.iterdir() if one.is_dir())]
-    found = [study_results(one) for one in there if (one / IDENTITY).is_file()]
-    return tuple(sorted(found, key=lambda one: one.changed, reverse=True))
+    there = [folder, *(path for path in folder.iterdir() if path.is_dir())]
+    studies = [study_results(path) for path in there if (path / IDENTITY).is_file()]
+    return tuple(sorted(studies, key=lambda study: study.changed, reverse=True))
 
 
 def points_done(folder: Path) -> int:
@@ -106,7 +106,7 @@ def points_done(folder: Path) -> int:
 
 def study_results(folder: Path) -> StudyResults:
     """Return what a study's folder holds; what cannot be read is said in the answer."""
-    newest = next((one for one in (TABLE, ROWS, IDENTITY) if (folder / one).exists()), "")
+    newest = next((name for name in (TABLE, ROWS, IDENTITY) if (folder / name).exists()), "")
     changed = (folder / newest).stat().st_mtime
     if newest != TABLE:
         said = say(
@@ -148,13 +148,13 @@ def _text(value: Any) -> str:
 def _columns(file: h5py.File, role: str) -> tuple[StudyColumn, ...]:
     """Return the columns of a role, in the order of their sensitivities where these are known."""
     names = [name for name, data in file.items() if _text(data.attrs.get("role", "")) == role]
-    order = [str(one) for one in file[role].asstr()[...]] if role in file else []
+    order = [str(key) for key in file[role].asstr()[...]] if role in file else []
     names.sort(key=lambda name: order.index(name) if name in order else len(order))
     return tuple(_column(name, file[name]) for name in names)
 
 
 def _column(name: str, data: h5py.Dataset) -> StudyColumn:
-    unit, words = (_text(data.attrs.get(one, "")) for one in ("units", "long_name"))
+    unit, words = (_text(data.attrs.get(attribute, "")) for attribute in ("units", "long_name"))
     if data.dtype.kind not in "OS":  # no texts
         return StudyColumn(name, unit, Sentence(words), data[...].astype(np.float64))
     texts, places = np.unique(data.asstr()[...].astype(str), return_inverse=True)
@@ -180,10 +180,10 @@ def _power(path: Path) -> tuple[PowerRow, ...]:
     with path.open(newline="", encoding="utf-8") as file:
         return tuple(
             PowerRow(
-                float(one["coefficient_factor"]),
-                float(one["share_of_tests"]),
-                float(one["revolutions"]),
-                int(one["tests"]),
+                float(row["coefficient_factor"]),
+                float(row["share_of_tests"]),
+                float(row["revolutions"]),
+                int(row["tests"]),
             )
-            for one in csv.DictReader(file)
+            for row in csv.DictReader(file)
         )

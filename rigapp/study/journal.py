@@ -60,7 +60,7 @@ class StudyJournal:
 
     def append(self, rows: Iterable[StudyRow]) -> None:
         """Write rows; they are on the disk when this returns."""
-        lines = b"".join(json_bytes(one) + b"\n" for one in rows)
+        lines = b"".join(json_bytes(row) + b"\n" for row in rows)
         self._file.write(lines)
         self._file.flush()
         os.fsync(self._file.fileno())
@@ -92,13 +92,13 @@ class StudyJournal:
         self._file.seek(0)
         data = self._file.read()
         end = data.rfind(b"\n") + 1
-        found = {}
+        results = {}
         for line in data[:end].splitlines():
             try:
                 row = msgspec.json.decode(line, type=StudyRow)
             except msgspec.DecodeError as error:
                 raise UnusableInput("{}: is damaged ‹{}›.", self.folder / ROWS, error) from error
-            found[row.number] = row
+            results[row.number] = row
         self._file.truncate(end)
         self._file.seek(end)
-        return found
+        return results

@@ -126,11 +126,11 @@ def _pressure(parameters: Parameters | None, run: PressureRun, seed: int) -> Num
 
     assert parameters is not None
     ring = ring_of(parameters.joint, parameters.bushing.material)
-    found = pressure_distribution(ring, (run.force_N / parameters.joint.bushing_width, 0.0))
+    contact = pressure_distribution(ring, (run.force_N / parameters.joint.bushing_width, 0.0))
     return {
-        "peak_pressure_MPa": float(found.pressure.max() / MPA),
-        "contact_half_angle_deg": math.degrees(found.half_angle),
-        "indentation_mm": float((found.pin[0] - ring.clearance) / MM),
+        "peak_pressure_MPa": float(contact.pressure.max() / MPA),
+        "contact_half_angle_deg": math.degrees(contact.half_angle),
+        "indentation_mm": float((contact.pin[0] - ring.clearance) / MM),
     }
 
 
@@ -138,7 +138,7 @@ def _life(parameters: Parameters | None, run: LifeRun, seed: int) -> Noted:
     from rigapp_model.wear.life import life
 
     assert parameters is not None
-    found = life(
+    result = life(
         parameters,
         _speed(run.rpm),
         run.cycles,
@@ -148,15 +148,15 @@ def _life(parameters: Parameters | None, run: LifeRun, seed: int) -> Noted:
         rows=(run.cycles,),  # a study keeps the end alone, and each row between costs steps
     )
     numbers = {
-        "max_depth_mm": float(found.max_depth[-1] / MM),
-        "worn_area_mm2": float(found.worn_area[-1] / MM2),
-        "worn_mass_g": float(found.worn_mass[-1] / GRAM),
-        "peak_pressure_MPa": float(found.peak_pressure[-1] / MPA),
-        "mean_force_N": float(found.mean_force[-1]),
-        "estimated_error_mm": float(found.estimated_error[-1] / MM),
-        "tolerance_met": float(found.tolerance_met),
+        "max_depth_mm": float(result.max_depth[-1] / MM),
+        "worn_area_mm2": float(result.worn_area[-1] / MM2),
+        "worn_mass_g": float(result.worn_mass[-1] / GRAM),
+        "peak_pressure_MPa": float(result.peak_pressure[-1] / MPA),
+        "mean_force_N": float(result.mean_force[-1]),
+        "estimated_error_mm": float(result.estimated_error[-1] / MM),
+        "tolerance_met": float(result.tolerance_met),
     }
-    return Noted(numbers, found.notes)
+    return Noted(numbers, result.notes)
 
 
 def _identify(parameters: Parameters | None, run: IdentifyRun, seed: int) -> Numbers:
@@ -164,11 +164,11 @@ def _identify(parameters: Parameters | None, run: IdentifyRun, seed: int) -> Num
 
     from rigapp.report.testreport.identified import identified_test
 
-    found = identified_test(Path(run.file), run.after_revolution or None)
-    if found.known is None:
-        raise UnusableInput(found.said)
-    known = found.known.coefficient
-    left = found.left.revolutions if found.left is not None else None
+    identified = identified_test(Path(run.file), run.after_revolution or None)
+    if identified.known is None:
+        raise UnusableInput(identified.said)
+    known = identified.known.coefficient
+    left = identified.left.revolutions if identified.left is not None else None
     return {
         "wear_coefficient_mm3_per_Nm": MM3_PER_NM * known.median,
         "wear_coefficient_low_mm3_per_Nm": MM3_PER_NM * known.low,

@@ -56,13 +56,13 @@ def _row(batch: Batch, point: StudyPoint) -> StudyRow:
     kind = KINDS[batch.kind]
     try:
         parameters, run = meant(batch, point.values)
-        found = kind.compute(parameters, run, point.seed)
+        computed_point = kind.compute(parameters, run, point.seed)
     except (ValueError, ArithmeticError, UnusableInput, OSError) as error:
         return StudyRow(
             point.number, problem=joined(" ", error_text(error, "it cannot be computed").split())
         )
-    noted = found if isinstance(found, Noted) else Noted(found)
-    known = {key: one for key, one in noted.numbers.items() if math.isfinite(one)}
+    noted = computed_point if isinstance(computed_point, Noted) else Noted(computed_point)
+    known = {key: number for key, number in noted.numbers.items() if math.isfinite(number)}
     return StudyRow(point.number, known, notes=str(joined(" ", noted.notes)))
 
 

@@ -60,13 +60,13 @@ def seen_by_factor(
 ) -> dict[float, list[float]]:
     """Return of each factor the revolutions at which its tests saw it, inf where they did not."""
     assert isinstance(study.run, VirtualTest)
-    found: dict[float, list[float]] = {}
+    by_key: dict[float, list[float]] = {}
     for point in design.points:
         row = rows.get(point.number)
         if row is not None and not row.problem:
             factor = float(point.values.get(FACTOR, study.run.coefficient_factor))
-            found.setdefault(factor, []).append(row.numbers.get("seen_revolution", math.inf))
-    return found
+            by_key.setdefault(factor, []).append(row.numbers.get("seen_revolution", math.inf))
+    return by_key
 
 
 def revolutions_until(seen: list[float], share: float) -> float:
@@ -142,18 +142,18 @@ def _files(path: Path, record: StudyFile) -> dict[str, Varied]:
     """Return the recorded tests of ``identify`` as one more key that varies."""
     if not isinstance(record.run, IdentifyRun):
         return {}
-    found = sorted(
-        {str(one) for pattern in record.run.files for one in _matching(path.parent, pattern)}
+    paths = sorted(
+        {str(match) for pattern in record.run.files for match in _matching(path.parent, pattern)}
     )
-    if not found:
+    if not paths:
         raise UnusableInput("run.files = {}: there are no such files.", record.run.files)
-    return {"run.file": [*found]}
+    return {"run.file": [*paths]}
 
 
 def _matching(folder: Path, pattern: str) -> Iterator[Path]:
     from glob import glob
 
-    return (Path(one).resolve() for one in glob(str(folder / pattern), recursive=True))
+    return (Path(name).resolve() for name in glob(str(folder / pattern), recursive=True))
 
 
 def _require_known(record: StudyFile, vary: dict[str, Varied]) -> None:
@@ -168,7 +168,7 @@ def _require_known(record: StudyFile, vary: dict[str, Varied]) -> None:
             )
         number = known[name].value_type in (float, int)
         values = [varied.low] if isinstance(varied, Spread) else varied
-        wrong = [one for one in values if isinstance(one, str) is number]
+        wrong = [value for value in values if isinstance(value, str) is number]
         if wrong:
             wanted = "numbers" if number else "texts"
             raise UnusableInput("vary.{}: {}: give {}.", name, repr(wrong[0]), wanted)
@@ -192,7 +192,7 @@ def run_study(
         importlib.import_module("distributed")
     with StudyJournal(folder, study.identity) as journal:
         rows = dict(journal.rows)
-        todo = [one for one in study.design.points if one.number not in rows]
+        todo = [point for point in study.design.points if point.number not in rows]
         try:
             if todo:
                 _compute(study, todo, journal, rows, scheduler, workers, progress, told)
@@ -200,8 +200,8 @@ def run_study(
             _written(study, folder, rows)
             raise
         files, known = _written(study, folder, rows)
-    failed = sum(bool(one.problem) for one in rows.values())
-    noted = sum(bool(one.notes) for one in rows.values())
+    failed = sum(bool(row.problem) for row in rows.values())
+    noted = sum(bool(row.notes) for row in rows.values())
     unresolved = tuple(_unresolved(study, known))
     return StudyEnd(len(study.design.points), len(rows), failed, files, noted, unresolved)
 
@@ -209,8 +209,8 @@ def run_study(
 def _unresolved(study: Study, known: Mapping[str, Indices]) -> Iterator[str]:
     """Yield a sentence for each result whose sensitivities are wide."""
     keys = len(study.design.points[0].values) if study.design.points else 0
-    for name, one in known.items():
-        base = one.points_needed(study.design.blocks)
+    for name, indices in known.items():
+        base = indices.points_needed(study.design.blocks)
         if base:
             yield say(
                 "The sensitivities of {} are not resolved: their limits are wider than ±{:.0f} %;"
@@ -258,14 +258,14 @@ def _compute(
             return client.submit(computed, batch, pure=False)
 
         cores = max(sum(client.nthreads().values()), 1)
-        waiting = as_completed(send(one) for one in itertools.islice(batches, AHEAD * cores))
+        waiting = as_completed(send(batch) for batch in itertools.islice(batches, AHEAD * cores))
         for future in waiting:
-            found = _result(future)
-            journal.append(found)
-            rows |= {one.number: one for one in found}
+            finished = _result(future)
+            journal.append(finished)
+            rows |= {row.number: row for row in finished}
             future.release()
-            for one in itertools.islice(batches, 1):
-                waiting.add(send(one))
+            for batch in itertools.islice(batches, 1):
+                waiting.add(send(batch))
             if progress is not None:
                 progress(float(len(rows)), float(total))
 

@@ -46,7 +46,7 @@ class Indices:
         return int(2 ** math.ceil(math.log2(base_points * (widest / RESOLVED) ** 2)))
 
 
-INDICES = tuple(one.name for one in fields(Indices))
+INDICES = tuple(field.name for field in fields(Indices))
 
 
 def indices_of(blocks: Floats, seed: int) -> Indices | None:

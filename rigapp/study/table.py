@@ -44,11 +44,11 @@ def write_tables(
         "parameters": identity.parameters,
         "source": f"rigapp {identity.version}",
     }
-    found = [folder / TABLE, folder / CSV]
-    for path, write in zip(found, (_netcdf, _csv), strict=True):
+    files = [folder / TABLE, folder / CSV]
+    for path, write in zip(files, (_netcdf, _csv), strict=True):
         with whole_file(path) as part:
             write(table, part)
-    return found
+    return files
 
 
 def dataset(
@@ -62,19 +62,19 @@ def dataset(
     keys = list(design.points[0].values) if design.points else []
     columns: dict[str, Any] = {}
     for key in keys:
-        values = np.array([one.values[key] for one in design.points])
+        values = np.array([point.values[key] for point in design.points])
         unit = unit_of_key(key).words if values.dtype.kind == "f" else ""
         columns[key] = ("point", values, {"units": unit or "1", "role": "parameter"})
-    for one in KINDS[study.kind].results:
-        about = {"units": one.unit, "long_name": str(one.words), "role": "result"}
-        columns[one.name] = ("point", result(one.name, design, rows), about)
-    problems = [str(_problem(rows.get(one.number))) for one in design.points]
+    for quantity in KINDS[study.kind].results:
+        about = {"units": quantity.unit, "long_name": str(quantity.words), "role": "result"}
+        columns[quantity.name] = ("point", result(quantity.name, design, rows), about)
+    problems = [str(_problem(rows.get(point.number))) for point in design.points]
     about = {"long_name": "why there is no result", "role": "problem"}
     columns["problem"] = ("point", np.array(problems, dtype=object), about)
-    notes = [one.notes if one else "" for one in map(rows.get, (p.number for p in design.points))]
+    notes = [row.notes if row else "" for row in map(rows.get, (p.number for p in design.points))]
     about = {"long_name": "what must be known about the results", "role": "notes"}
     columns["notes"] = ("point", np.array(notes, dtype=object), about)
-    table = xarray.Dataset(columns, {"point": [one.number for one in design.points]})
+    table = xarray.Dataset(columns, {"point": [point.number for point in design.points]})
     return table.merge(_sensitivity_columns(keys, known)) if known else table
 
 
@@ -84,8 +84,8 @@ def _problem(row: StudyRow | None) -> str:
 
 def result(name: str, design: Design, rows: Mapping[int, StudyRow]) -> NDArray[np.float64]:
     """Return a result at each point, NaN where there is none."""
-    found = (rows.get(one.number) for one in design.points)
-    return np.array([row.numbers.get(name, math.nan) if row else math.nan for row in found])
+    known_rows = (rows.get(point.number) for point in design.points)
+    return np.array([row.numbers.get(name, math.nan) if row else math.nan for row in known_rows])
 
 
 def sensitivities(
@@ -95,13 +95,13 @@ def sensitivities(
     keys = len(design.points[0].values) if design.points else 0
     if not design.blocks:
         return {}
-    found = {}
-    for one in KINDS[study.kind].results:
-        values = result(one.name, design, rows)[: design.blocks * (keys + 2)]
+    known = {}
+    for quantity in KINDS[study.kind].results:
+        values = result(quantity.name, design, rows)[: design.blocks * (keys + 2)]
         indices = indices_of(values.reshape(keys + 2, design.blocks), study.design.seed)
         if indices is not None:
-            found[one.name] = indices
-    return found
+            known[quantity.name] = indices
+    return known
 
 
 def _sensitivity_columns(keys: list[str], known: Mapping[str, Indices]) -> xarray.Dataset:
@@ -116,7 +116,7 @@ def _sensitivity_columns(keys: list[str], known: Mapping[str, Indices]) -> xarra
     columns = {
         f"{SENSITIVITY}{name}": (
             ("result", "parameter"),
-            np.array([getattr(one, name) for one in known.values()]),
+            np.array([getattr(indices, name) for indices in known.values()]),
             {"units": "1", "long_name": text, "role": "sensitivity"},
         )
         for name, text in words.items()
@@ -129,7 +129,8 @@ def _netcdf(table: xarray.Dataset, path: Path) -> None:
 
 
 def _csv(table: xarray.Dataset, path: Path) -> None:
-    names = ["point", *(name for name, one in table.data_vars.items() if one.dims == ("point",))]
+    columns_of_points = (n for n, c in table.data_vars.items() if c.dims == ("point",))
+    names = ["point", *columns_of_points]
     columns: list[list[Value]] = [table[name].values.tolist() for name in names]
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
@@ -154,9 +155,10 @@ def draw_study(
 ) -> list[Path]:
     """Draw ``results.png``, and ``sensitivities.png`` where any are known; return them."""
     keys = list(design.points[0].values)[:MOST_SHOWN] if design.points else []
-    names = [one.name for one in KINDS[study.kind].results if _varies(one.name, design, rows)]
+    results = KINDS[study.kind].results
+    names = [result.name for result in results if _varies(result.name, design, rows)]
     files = []
-    titles = {one.name: _title(one) for one in KINDS[study.kind].results}
+    titles = {result.name: _title(result) for result in results}
     if keys and names:
         shown = {name: titles[name] for name in names[:MOST_SHOWN]}
         logarithmic = {key for key in keys if is_logarithmic(study.vary.get(key))}
@@ -171,13 +173,13 @@ def draw_study(
         def bars(canvas: Any) -> None:
             panels = canvas.subplots(1, len(known), squeeze=False, sharey=True)[0]
             places = np.arange(len(next(iter(known.values())).total))
-            for axes, (name, one) in zip(panels, known.items(), strict=True):
+            for axes, (name, indices) in zip(panels, known.items(), strict=True):
                 for shift, what, colour in (
                     (-0.18, "first_order", COLOURS["force_1"]),
                     (0.18, "total", MODEL),
                 ):
                     middle, low, high = (
-                        getattr(one, f"{what}{end}") for end in ("", "_low", "_high")
+                        getattr(indices, f"{what}{end}") for end in ("", "_low", "_high")
                     )
                     reach = np.maximum([middle - low, high - middle], 0.0)
                     label = what.replace("_", " ")
@@ -213,7 +215,7 @@ def is_logarithmic(varied: Varied | None) -> bool:
     """Tell whether a parameter was varied in the logarithm, or listed over a decade and more."""
     if isinstance(varied, Spread):
         return varied.scale == "log"
-    numbers = [one for one in varied or [] if isinstance(one, int | float)]
+    numbers = [value for value in varied or [] if isinstance(value, int | float)]
     return len(numbers) > 1 and min(numbers) > 0.0 and max(numbers) >= DECADE * min(numbers)
 
 
@@ -221,9 +223,9 @@ def _printed(unit: str) -> str:
     return symbol(unit).replace("^2", "²").replace("^3", "³")
 
 
-def _title(one: Result) -> str:
-    words = stem_of(one.name).replace("_", " ")
-    return words if one.unit in ("", "1") else f"{words}, {_printed(one.unit)}"
+def _title(result: Result) -> str:
+    words = stem_of(result.name).replace("_", " ")
+    return words if result.unit in ("", "1") else f"{words}, {_printed(result.unit)}"
 
 
 def _scatter(
@@ -239,7 +241,7 @@ def _scatter(
     for name, line in zip(names, grid, strict=True):
         values = result(name, design, rows)
         for key, axes in zip(keys, line, strict=True):
-            varied = [one.values[key] for one in design.points]
+            varied = [point.values[key] for point in design.points]
             axes.plot(varied, values, ".", ms=2.0, color=COLOURS["force_1"])
         line[0].set_ylabel(names[name])
     for key, axes in zip(keys, grid[-1], strict=True):

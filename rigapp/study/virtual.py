@@ -62,33 +62,33 @@ def virtual_test(parameters: Parameters, run: VirtualTest, seed: int) -> dict[st
     number = np.arange(1.0, run.revolutions + 1.0)
     depth = life.course.at(run.coefficient_factor * number)[0]
     seen, bins = _measured(depth, errors, seed), Bins()
-    told: list[tuple[float, Credible]] = []
-    for revolution, one in zip(number.tolist(), seen.tolist(), strict=True):
+    estimates: list[tuple[float, Credible]] = []
+    for revolution, depth in zip(number.tolist(), seen.tolist(), strict=True):
         closed = len(bins.closed)
-        bins.add(revolution, revolution, one)
+        bins.add(revolution, revolution, depth)
         if len(bins.closed) > closed:
             try:
                 known = identify(bins.closed, life, errors, Prior(life.coefficient)).coefficient
             except NotIdentifiable:
                 continue
-            told.append((revolution, known))
-    if not told:
+            estimates.append((revolution, known))
+    if not estimates:
         raise ValueError(say("the test is over before a bin of revolutions is complete"))
-    last = told[-1][1]
+    last = estimates[-1][1]
     return {
         "wear_coefficient_mm3_per_Nm": MM3_PER_NM * last.median,
         "wear_coefficient_low_mm3_per_Nm": MM3_PER_NM * last.low,
         "wear_coefficient_high_mm3_per_Nm": MM3_PER_NM * last.high,
         "half_width": 0.5 * (last.high - last.low) / last.median,
         "covered": float(last.low <= true <= last.high),
-        "seen_revolution": _seen_from(told, life.coefficient),
+        "seen_revolution": _seen_from(estimates, life.coefficient),
     }
 
 
-def _seen_from(told: list[tuple[float, Credible]], reference: float) -> float:
+def _seen_from(estimates: list[tuple[float, Credible]], reference: float) -> float:
     """Return the revolution from which all limits leave a coefficient out; NaN without one."""
     seen = math.nan
-    for revolution, known in reversed(told):
+    for revolution, known in reversed(estimates):
         if known.low <= reference <= known.high:
             break
         seen = revolution

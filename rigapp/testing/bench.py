@@ -131,7 +131,7 @@ class SlowBench:
         self.contract = contract
         self.simulator = make_simulator(contract, contract.simulator)
         self.truth = {
-            name: 20.0 + 7.0 * place for place, name in enumerate(contract.info.quantities)
+            name: 20.0 + 7.0 * index for index, name in enumerate(contract.info.quantities)
         }
         self.simulator.observe(self.truth)
         later = partial(self.simulator.receive, b"")
@@ -186,19 +186,19 @@ class Feed:
         index = np.arange(self.samples, self.samples + count)
         self.samples += count
         analog = {
-            number: span * truth(place, index)
-            for place, (number, span) in enumerate(self._ranges.items())
+            number: span * truth(row, index)
+            for row, (number, span) in enumerate(self._ranges.items())
         }
         data: bytes = self._simulator.sample(RigSignals(analog, index / PERIOD), now_s)
         return data
 
 
-def truth(place: int, index: NDArray[Any]) -> NDArray[np.float64]:
+def truth(row: int, index: NDArray[Any]) -> NDArray[np.float64]:
     """Return what the analog input at a place of the request sees, as a part of its range."""
     turn = (np.asarray(index) % PERIOD) / PERIOD
-    if place == 0:
+    if row == 0:
         return np.asarray(SPAN * (2.0 * turn - 1.0))
-    return np.asarray(SPAN * np.cos(2.0 * np.pi * turn + place))
+    return np.asarray(SPAN * np.cos(2.0 * np.pi * turn + row))
 
 
 class SourceBench:
@@ -253,9 +253,9 @@ class SourceBench:
             assert block.values.shape == (len(rows), len(block.quality))
             sound = (block.quality & ~np.uint8(Quality.LOST_BEFORE)) == 0
             index = self._index(block, rows)
-            for place, name in enumerate(n for n in self.contract.inputs if "analog" in n):
+            for row, name in enumerate(n for n in self.contract.inputs if "analog" in n):
                 signal = self._electrical(block, rows.index(name)) / self.contract.inputs[name][1]
-                wrong = sound & (np.abs(signal - truth(place, index)) > TOLERANCE)
+                wrong = sound & (np.abs(signal - truth(row, index)) > TOLERANCE)
                 assert not wrong.any(), f"{name}: wrong samples accepted as good: {signal[wrong]}"
             steps = np.diff(index) % PERIOD
             unflagged = (block.quality == 0)[1:] & sound[:-1]

@@ -57,31 +57,31 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     contracts = _contracts(metafunc.config)
     requested = {name: ARGUMENTS[name] for name in ARGUMENTS if name in metafunc.fixturenames}
     for argument, (kind, with_faults) in requested.items():
-        found = [one for one in contracts if kind in (None, one.info.kind)]
+        chosen = [contract for contract in contracts if kind in (None, contract.info.kind)]
         if with_faults:
-            pairs = [(one, fault) for one in found for fault in one.faults]
-            ids = [f"{one.info.name}-{fault.name}" for one, fault in pairs]
+            pairs = [(contract, fault) for contract in chosen for fault in contract.faults]
+            ids = [f"{contract.info.name}-{fault.name}" for contract, fault in pairs]
             metafunc.parametrize(argument, pairs, ids=ids)
         else:
-            metafunc.parametrize(argument, found, ids=[one.info.name for one in found])
+            metafunc.parametrize(argument, chosen, ids=[contract.info.name for contract in chosen])
 
 
 def _contracts(config: pytest.Config) -> list[Contract]:
     # Every test of the suite asks, and each reading looks through all installed packages.
-    found = config.stash.get(CONTRACTS, None)
-    if found is None:
+    contracts = config.stash.get(CONTRACTS, None)
+    if contracts is None:
         try:
-            found = read_contracts(config.getoption(OPTION))
+            contracts = read_contracts(config.getoption(OPTION))
         except (OSError, ValueError) as error:
             raise pytest.UsageError(f"{OPTION}: {error}") from error
-        config.stash[CONTRACTS] = found
-    return found
+        config.stash[CONTRACTS] = contracts
+    return contracts
 
 
 @pytest.fixture
 def known_drivers(pytestconfig: pytest.Config) -> tuple[DriverInfo, ...]:
     """Return every driver that a contract names."""
-    return tuple(one.info for one in _contracts(pytestconfig))
+    return tuple(contract.info for contract in _contracts(pytestconfig))
 
 
 @pytest.fixture
@@ -95,5 +95,5 @@ def bench(tmp_path: Path) -> Iterator[Callable[..., Any]]:
         return made[-1]
 
     yield make
-    for one in made:
-        one.close()
+    for bench in made:
+        bench.close()

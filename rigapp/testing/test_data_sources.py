@@ -114,13 +114,13 @@ def test_fault_is_told_in_time_and_no_wrong_sample_is_good(
     b.connect()
     b.judge(b.blocks(100))
     b.port.start_fault(fault)
-    blocks, told, words = _read_until_told(b, fault, caplog)
+    blocks, reported, words = _read_until_told(b, fault, caplog)
     b.judge(blocks, gaps=fault.unnumbered)
-    assert told in fault.tells, f"{fault.name}: told {told}: {words}"
+    assert reported in fault.tells, f"{fault.name}: told {reported}: {words}"
     assert re.search(fault.words, words), words
     b.port.stop_fault(fault)
-    if told.startswith("flag") or told in ("nothing", "log"):
-        if told == "flag SENSOR_FAULT":
+    if reported.startswith("flag") or reported in ("nothing", "log"):
+        if reported == "flag SENSOR_FAULT":
             b.driver.stop()
             b.driver.start()  # until then the flag stays
         _goes_on(b)

@@ -24,7 +24,7 @@ Drivers = Sequence[DriverInfo]
 def found(port: str, drivers: Drivers) -> Answer:
     """Return who answers on a port, asked again as a person would on a busy computer."""
     inquiries = (ask(port, drivers) for _ in range(10))
-    answer = next((one.answer for one in inquiries if one.answer is not None), None)
+    answer = next((inquiry.answer for inquiry in inquiries if inquiry.answer is not None), None)
     assert answer is not None
     return answer
 
@@ -42,9 +42,9 @@ def test_the_device_is_found_among_all_others(
 
 def test_what_answers_is_what_the_driver_identifies(source: Contract, bench: Make) -> None:
     b = bench(source)
-    told, known = found(b.port.url, (source.info,)).identity, b.driver.open()
-    assert (told.maker, told.model) == (known.maker, known.model)
-    assert (told.firmware, told.serial_number) == (known.firmware, known.serial_number)
+    asked, known = found(b.port.url, (source.info,)).identity, b.driver.open()
+    assert (asked.maker, asked.model) == (known.maker, known.model)
+    assert (asked.firmware, asked.serial_number) == (known.firmware, known.serial_number)
 
 
 def test_a_data_source_goes_on_as_it_was(

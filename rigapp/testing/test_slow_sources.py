@@ -59,11 +59,11 @@ def test_fault_is_told_in_time_and_no_wrong_value_is_told(
     b = bench(slow, **fault.settings)
     b.connect()
     b.port.start_fault(fault)
-    told, words = _read_until_told(b, fault)
-    assert told in fault.tells, f"{fault.name}: told {told}: {words}"
+    reported, words = _read_until_told(b, fault)
+    assert reported in fault.tells, f"{fault.name}: told {reported}: {words}"
     assert re.search(fault.words, words), words
     b.port.stop_fault(fault)
-    if told != "DeviceLost":
+    if reported != "DeviceLost":
         wait_until(lambda: _tells_again(b), "the values to come again")
     b.driver.close()
     wait_until(lambda: _reconnects(b), "the device to be found again")

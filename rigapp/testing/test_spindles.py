@@ -232,17 +232,17 @@ def test_fault_is_told_in_time_and_the_spindle_is_safe(
     b.connect()
     b.turn()
     b.port.start_fault(fault)
-    told, words = _poll_until_told(b, fault, caplog)
-    assert told in fault.tells, f"{fault.name}: told {told}: {words}"
+    reported, words = _poll_until_told(b, fault, caplog)
+    assert reported in fault.tells, f"{fault.name}: told {reported}: {words}"
     assert re.search(fault.words, words), words
-    if told not in BORNE:
+    if reported not in BORNE:
         with contextlib.suppress(DeviceError):
             b.driver.drive_off()
         b.stops_within(SAFE_S, b.port.time_s, "the spindle to be safe")
     b.port.stop_fault(fault)
-    if told in BORNE:
+    if reported in BORNE:
         b.turn(1.0)
-    elif told == "fault":
+    elif reported == "fault":
         _resets(b)
     else:
         b.driver.close()
@@ -255,7 +255,7 @@ def _poll_until_told(
     """Poll as the engine does; return what was told and in which words. Values must be true."""
     patience = 1.0 if "nothing" in fault.tells else PATIENCE
     deadline = b.port.time_s + patience * fault.within_s
-    told = "nothing", ""
+    reported = "nothing", ""
     while b.port.time_s < deadline:
         try:
             status = b.driver.status()
@@ -263,9 +263,9 @@ def _poll_until_told(
             return _named(error, b)
         if status.faults:
             assert not status.enabled
-            told = "fault", "; ".join(status.faults)
-            if re.search(fault.words, told[1]):
-                return told
+            reported = "fault", "; ".join(status.faults)
+            if re.search(fault.words, reported[1]):
+                return reported
             continue
         _is_true(b, status)
         if "log" in fault.tells and log.text and re.search(fault.words, log.text):
@@ -273,7 +273,7 @@ def _poll_until_told(
         if status.warnings and "warning" in fault.tells:
             return "warning", "; ".join(status.warnings)
         time.sleep(0.01)
-    return told
+    return reported
 
 
 def _named(error: DeviceError, b: SpindleBench) -> tuple[str, str]:

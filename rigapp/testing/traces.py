@@ -63,11 +63,11 @@ class _Unknown(logging.Handler):
 
 def _notes(trace: WireTrace) -> dict[str, Any]:
     """Return the first note of each name."""
-    found: dict[str, Any] = {}
+    note: dict[str, Any] = {}
     for record in trace.records:
         if record.kind is RecordKind.NOTE:
-            found = {**record.note, **found}
-    return found
+            note = {**record.note, **note}
+    return note
 
 
 def _replay(
@@ -126,7 +126,7 @@ def _streamed(source: GuardedSource, replayed: Replayed) -> Replayed:
 def _plain(value: Any) -> Any:
     """Return a value as JSON gives it back."""
     if isinstance(value, Mapping):
-        return {str(key): _plain(one) for key, one in value.items()}
+        return {str(key): _plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
-        return [_plain(one) for one in value]
+        return [_plain(item) for item in value]
     return value if isinstance(value, bool | int | float) else str(value)

@@ -130,8 +130,8 @@ def _tolerances(
 ) -> Iterator[Array]:
     """Yield what one standard tolerance of each parameter changes in |F|, (GRID,), N."""
     force = np.asarray(motion.force_magnitude)
-    for one in TOLERANCES:
-        change = one.off_by(parameters, joint, motion, depth)
+    for tolerance in TOLERANCES:
+        change = tolerance.off_by(parameters, joint, motion, depth)
         if change is not None:
             yield np.hypot(*(motion.force_crank + change)) - force
     steep = slope(force)

@@ -28,9 +28,9 @@ class Approach:
 
     def at(self, depth: float, force: Array) -> Array:
         """Return the approach at a depth (m) and some forces (n,), N: (n,), m."""
-        place = float(np.interp(depth, self.depths, np.arange(self.depths.size)))
-        low, up = self.table[int(place)], self.table[min(int(place) + 1, self.depths.size - 1)]
-        return np.asarray(self._shares(force) @ (low + place % 1.0 * (up - low)))
+        row = float(np.interp(depth, self.depths, np.arange(self.depths.size)))
+        low, up = self.table[int(row)], self.table[min(int(row) + 1, self.depths.size - 1)]
+        return np.asarray(self._shares(force) @ (low + row % 1.0 * (up - low)))
 
     def mean(self, force: Array) -> MeanApproach:
         """Return the mean of ``at`` over forces (n,), N, each weighted by itself."""

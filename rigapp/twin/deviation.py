@@ -91,7 +91,7 @@ class Deviation:
     @property
     def columns(self) -> dict[str, float]:
         """Return the columns of a revolution."""
-        places = {str(name): float(place) for place, name in enumerate(DEVIATIONS)}
+        places = {str(name): float(index) for index, name in enumerate(DEVIATIONS)}
         return {
             "deviation_cause": places[self.name],
             "deviation": self.value,
@@ -128,9 +128,9 @@ class DeviationWatch:
 
     def packed(self) -> DeviationRecord:
         """Return what it remembers."""
-        told = self.told
+        last = self.told
         mean = self._mean.astype("<f8").tobytes()
-        words = told.name, told.value, told.uncertainty, told.score, told.alternative
+        words = last.name, last.value, last.uncertainty, last.score, last.alternative
         return DeviationRecord(self._speed, self._seen, mean, self._noise, words)
 
     def restore(self, record: DeviationRecord) -> None:
@@ -162,10 +162,10 @@ class DeviationWatch:
             self._noise += share * (float(np.mean(step**2)) * (1.0 - share) - self._noise)
             self._mean = self._mean + share * step
         if self._seen % EACH == 0:
-            found = [of_clearance(reference)]
+            candidates = [of_clearance(reference)]
             if float(np.sqrt(np.mean(left_open**2))) < HIDDEN_N:
-                found.append(self._by_force(motion, left_open, depth))
-            before, self.told = self.told, max(found, key=lambda one: abs(one.score))
+                candidates.append(self._by_force(motion, left_open, depth))
+            before, self.told = self.told, max(candidates, key=lambda cause: abs(cause.score))
             if self.told.name not in (before.name, NO_CAUSE):
                 sentence = deviation_sentence(*self.told.columns.values())
                 log.warning(say("Measurement and model differ {}.", sentence))
@@ -190,19 +190,19 @@ class DeviationWatch:
         precision = np.sum(columns.T * solved, axis=0)
         amplitude = (wanted @ solved) / precision
         score = amplitude * np.sqrt(precision)
-        place = int(np.argmax(np.abs(score)))
-        if abs(score[place]) < LIMIT:
+        strongest = int(np.argmax(np.abs(score)))
+        if abs(score[strongest]) < LIMIT:
             return Deviation()
         second = int(np.argsort(np.abs(score))[-2])
-        near_by = score[place] ** 2 - score[second] ** 2 < NEARLY
+        near_by = score[strongest] ** 2 - score[second] ** 2 < NEARLY
         # Its own tolerance is part of the covariance, and no doubt of what it is in truth.
-        doubt = math.sqrt(max(1.0 / precision[place] - 1.0, 0.0))
-        unit = standards[place]
+        doubt = math.sqrt(max(1.0 / precision[strongest] - 1.0, 0.0))
+        unit = standards[strongest]
         return Deviation(
-            names[place],
-            float(unit * amplitude[place]),
+            names[strongest],
+            float(unit * amplitude[strongest]),
             COVERAGE_FACTOR * unit * doubt,
-            float(score[place]),
+            float(score[strongest]),
             names[second] if near_by else NO_CAUSE,
         )
 
@@ -226,26 +226,26 @@ def _causes(
     parameters: Parameters, joint: str, motion: MechanismMotion, depth: float, gain: float
 ) -> tuple[list[str], list[float], Array]:
     """Return names, standard tolerances and what these change, (causes, 2 POINTS), N."""
-    found: list[tuple[str, float, Array]] = []
-    for one in TOLERANCES:
-        change = one.off_by(parameters, joint, motion, depth)
-        if change is not None and one.name != CLEARANCE_CAUSE:
-            found.append((one.name, one.standard, change))
+    causes: list[tuple[str, float, Array]] = []
+    for tolerance in TOLERANCES:
+        change = tolerance.off_by(parameters, joint, motion, depth)
+        if change is not None and tolerance.name != CLEARANCE_CAUSE:
+            causes.append((tolerance.name, tolerance.standard, change))
     force = np.asarray(motion.force_crank)
     along = np.sign(motion.slider_velocity) * GUIDE_N
     across = along * np.tan(motion.follower_angle)
     c, s = np.cos(GRID), np.sin(GRID)
     guide = np.stack([c * along + s * across, c * across - s * along])
-    found.append(("friction of the slider's guide", GUIDE_N, guide))
+    causes.append(("friction of the slider's guide", GUIDE_N, guide))
     turn = math.hypot(INDEX, LATENCY_S * float(np.mean(motion.speed)))
-    found.append(("crank angle at the index", math.degrees(turn), turn * slope(force)))
-    found.append(("gain of the load cell", 100.0 * gain, gain * force))
+    causes.append(("crank angle at the index", math.degrees(turn), turn * slope(force)))
+    causes.append(("gain of the load cell", 100.0 * gain, gain * force))
     down = np.array(parameters.mechanism.gravity)
     x, y = -down / np.hypot(*down) if down.any() else UPWARD
     weight = HANGING_N * np.stack([x * c + y * s, y * c - x * s])
-    found.append(("weight of the pin at the load cell", HANGING_N, weight))
-    names, standards, changes = zip(*found, strict=True)
-    return list(names), list(standards), np.stack([_means(one).ravel() for one in changes])
+    causes.append(("weight of the pin at the load cell", HANGING_N, weight))
+    names, standards, changes = zip(*causes, strict=True)
+    return list(names), list(standards), np.stack([_means(change).ravel() for change in changes])
 
 
 def _cell_columns(force: Array, cell: CellDoubt) -> Array:
@@ -254,16 +254,16 @@ def _cell_columns(force: Array, cell: CellDoubt) -> Array:
     Its zero, unlike gains, cross-talk, and a turn on the crank.
     """
     first, second = force
-    one, none = np.ones(GRID.size), np.zeros(GRID.size)
+    ones, zeros = np.ones(GRID.size), np.zeros(GRID.size)
     share, zero = cell.relative, cell.constant
     changes = (
-        (zero * one, none),
-        (none, zero * one),
+        (zero * ones, zeros),
+        (zeros, zero * ones),
         (share * first, -share * second),
         (share * second, share * first),
         (CELL_TURN * second, -CELL_TURN * first),
     )
-    return np.stack([_means(np.stack(one)).ravel() for one in changes])
+    return np.stack([_means(np.stack(change)).ravel() for change in changes])
 
 
 def _means(curves: Array) -> Array:
@@ -273,6 +273,6 @@ def _means(curves: Array) -> Array:
 
 def _alike(spread: Array) -> Array:
     """Return the covariance of what is alike near by, (POINTS, POINTS), of standard sizes."""
-    place = np.arange(POINTS) * (2.0 * math.pi / POINTS)
-    chord = 2.0 * np.sin(0.5 * (place[:, None] - place[None, :]))
+    angle = np.arange(POINTS) * (2.0 * math.pi / POINTS)
+    chord = 2.0 * np.sin(0.5 * (angle[:, None] - angle[None, :]))
     return np.asarray(np.outer(spread, spread) * np.exp(-0.5 * (chord / ALIKE_RAD) ** 2))

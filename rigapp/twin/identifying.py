@@ -256,30 +256,30 @@ class Identifier:
         if life is None:
             return
         try:
-            found = identify(self.bins, life, self.errors(), self.prior())
+            identified = identify(self.bins, life, self.errors(), self.prior())
         except (NotIdentifiable, ModelError) as refused:
             self.refused = sentence_of_error(refused)
             return
         self.refused = ""
-        self.ratio = found.coefficient.median / self.parameters.bushing.wear_coefficient
-        self.consistency.renew(found)
-        self.known |= self._columns(found, life)
+        self.ratio = identified.coefficient.median / self.parameters.bushing.wear_coefficient
+        self.consistency.renew(identified)
+        self.known |= self._columns(identified, life)
 
-    def _columns(self, found: Identification, life: DepthLife) -> dict[str, float]:
-        best = found.best
-        place = best.place.median if best.place is not None else math.nan
+    def _columns(self, identified: Identification, life: DepthLife) -> dict[str, float]:
+        best = identified.best
+        change = best.place.median if best.place is not None else math.nan
         changed = best.name == WEAR_MODELS[2]
         columns = {
-            **_limited("wear_coefficient", found.coefficient, MM3_PER_NM),
+            **_limited("wear_coefficient", identified.coefficient, MM3_PER_NM),
             "wear_model": float(WEAR_MODELS.index(best.name)),
             "wear_model_weight": best.weight,
-            "wear_change_revolution": revolution_of(found, place) if changed else math.nan,
+            "wear_change_revolution": revolution_of(identified, change) if changed else math.nan,
         }
         self.ends = NEVER
         if self.sought.depth is not None:
-            left = remaining(found, life, self.sought.depth).revolutions
+            left = remaining(identified, life, self.sought.depth).revolutions
             if left is not None:
-                now = found.revolution
+                now = identified.revolution
                 self.ends = (now + left.median, now + left.low, now + left.high)
         return columns
 
@@ -304,10 +304,10 @@ class Identifier:
             raise NotIdentifiable(
                 say("model.bushing.wear_coefficient_mm3_per_Nm is 0: give its order of magnitude")
             )
-        told = self.sought.prior
-        if told is None:
+        prior = self.sought.prior
+        if prior is None:
             return Prior(coefficient)
-        return Prior(told.wear_coefficient_mm3_per_Nm / MM3_PER_NM, told.spread_ln, told.source)
+        return Prior(prior.wear_coefficient_mm3_per_Nm / MM3_PER_NM, prior.spread_ln, prior.source)
 
     def possible(self) -> bool:
         """Tell whether anything can ever be stated; say in words why not."""
@@ -351,10 +351,10 @@ class Identifier:
                 self.ahead.step()
 
 
-def _limited(name: str, found: Credible, factor: float) -> dict[str, float]:
+def _limited(name: str, quantity: Credible, factor: float) -> dict[str, float]:
     """Return the columns of a quantity with its limits."""
     return {
-        name: factor * found.median,
-        f"{name}_low": factor * found.low,
-        f"{name}_high": factor * found.high,
+        name: factor * quantity.median,
+        f"{name}_low": factor * quantity.low,
+        f"{name}_high": factor * quantity.high,
     }

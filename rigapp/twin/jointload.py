@@ -32,7 +32,7 @@ class JointLoad:
         } | {f"{name}_max": float(curve.max()) for name, curve in self.curves.items()}
 
 
-UNKNOWN = JointLoad({one.name: np.full(1, np.nan) for one in JOINT_CURVES}, Friction())
+UNKNOWN = JointLoad({curve.name: np.full(1, np.nan) for curve in JOINT_CURVES}, Friction())
 
 
 def joint_load(
@@ -46,7 +46,7 @@ def joint_load(
     joint, mechanism = parameters.joint, parameters.mechanism
     pressure = 1e-6 * np.hypot(*force) / joint.projected_area
     speed = np.abs(motion.slip_rate(joint.pin_radius))
-    names = (one.name for one in JOINT_CURVES)
+    names = (curve.name for curve in JOINT_CURVES)
     curves = dict(zip(names, (pressure, speed, pressure * speed), strict=True))
     if cell is None:
         return JointLoad(curves, Friction())

@@ -38,18 +38,18 @@ def kept_of(reader: TestReader) -> tuple[Identifier, int]:
     try:
         text = str(reader.configuration()["test"])
         test = parse_test(text, say("its test"), recorded=True)
-        found = msgspec.msgpack.decode(state, type=Checkpoint)
+        left = msgspec.msgpack.decode(state, type=Checkpoint)
     except (UnusableInput, msgspec.DecodeError) as error:
         raise NotIdentifiable(
             say("the twin has left nothing readable in the file ‹{}›", error)
         ) from error
     parameters = to_parameters(test.model)
-    if found.identified is None:
+    if left.identified is None:
         nobody = Identifier(parameters, IdentificationTarget())
         nobody.prior()
         nobody.errors()
         raise NotIdentifiable(say("the twin did not ask for it"))
-    identifier = Identifier(parameters, found.identified.sought)
+    identifier = Identifier(parameters, left.identified.sought)
     twin = Twin(parameters, test.prediction.joint, identifier=identifier)
     restore(twin, state)
     return identifier, twin.before

@@ -85,13 +85,13 @@ DOUBTED = 2e-6
 """A surface further away than this, m, is not reached even if the uncertainty is larger."""
 
 
-def swept(positions: Array, pin_radius: float, angles: Array = ANGLES) -> Array:
+def swept(positions: Array, pin_radius: float) -> Array:
     """Return how far from the bushing's centre the pin's circle reaches at each angle, m.
 
     positions (2, n): of the pin's centre from the bushing's, m. The largest over all positions;
     -inf where no pin's circle is met.
     """
-    ray = np.stack([np.cos(angles), np.sin(angles)])
+    ray = np.stack([np.cos(ANGLES), np.sin(ANGLES)])
     along = ray.T @ positions
     across = ray[0][:, None] * positions[1] - ray[1][:, None] * positions[0]
     square = pin_radius**2 - across**2
@@ -104,14 +104,13 @@ def worn_depth(
     pin_radius: float,
     bushing_radius: float,
     uncertainty: Array | float = 0.0,
-    angles: Array = ANGLES,
 ) -> Array:
     """Return the depth of wear at each angle, m, NaN where the pin never came to the surface.
 
     uncertainty: expanded, of the depth at each angle, m. A pin that misses the first circle by
     less than it has reached the surface, and the depth there is 0.
     """
-    beyond = swept(positions, pin_radius, angles) - bushing_radius
+    beyond = swept(positions, pin_radius) - bushing_radius
     margin = np.clip(uncertainty, REACHED, DOUBTED)
     return np.where(beyond >= -margin, np.maximum(beyond, 0.0), np.nan)
 

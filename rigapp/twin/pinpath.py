@@ -130,14 +130,14 @@ def path_of(angle: Array, position: Array, force: Array, turn: Array) -> PathSum
 
     count = total(np.ones(part.size))
     middle = np.arange(BINS) * (2.0 * np.pi / BINS) + np.pi / BINS
-    whole = np.interp(middle, angle, np.unwrap(turn), period=None) if angle.size else middle
+    turned_by = np.interp(middle, angle, np.unwrap(turn), period=None) if angle.size else middle
     p, f = position[:, good], force[:, good]
     return PathSum(
         count=count,
         position=np.stack([total(p[0]), total(p[1])]),
         squares=np.stack([total(p[0] ** 2), total(p[1] ** 2)]),
         force=np.stack([total(f[0]), total(f[1])]),
-        turn=np.asarray(whole, dtype=np.float64),
+        turn=np.asarray(turned_by, dtype=np.float64),
         revolutions=1,
     )
 
@@ -205,9 +205,9 @@ def early_wear(
     number = np.asarray(revolutions, dtype=np.float64)
     if number.size < 2 or number.max() <= number.min():
         return 0.0
-    place = np.array([direction @ path.mean_position.mean(axis=1) for path in paths])
+    position = np.array([direction @ path.mean_position.mean(axis=1) for path in paths])
     away = number - number.mean()
-    moved = float(away @ place / (away @ away)) * float(number.mean())
+    moved = float(away @ position / (away @ away)) * float(number.mean())
     usual = np.concatenate([np.hypot(*path.mean_force) for path in paths])
     mean = approach.mean(usual)
     return max(mean.depth_of(moved + mean.at(0.0)), 0.0)
@@ -222,12 +222,12 @@ def reference_from_mean(position: Array, clearance: float, path: PathSum) -> Ref
     centred = clearance > 0.0 and abs(length / clearance - 1.0) < CENTRED
     away = position / length if centred else np.array([1.0, 0.0])
     run_out, across = np.zeros(2), 0.0 if centred else FRICTION_DOUBT * clearance
-    force, place = path.mean_force, path.mean_position
+    force, at = path.mean_force, path.mean_position
     size = np.hypot(*force)
     loaded = size > LOADED * size.max(initial=0.0)
     if np.count_nonzero(loaded) >= LEAST_PARTS:
         normal = force[:, loaded] / size[loaded]
-        offset = place[:, loaded] - clearance * normal
+        offset = at[:, loaded] - clearance * normal
         weight = np.sqrt(size[loaded] / size.max())
         _, run_out = _fitted(offset, normal, path.turn[path.filled][loaded], weight)
     return Reference(position - clearance * away, run_out, centred, 0.0, across, 0.0)
@@ -262,8 +262,8 @@ def turned(vector: Array, angle: Array) -> Array:
     return np.stack([c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]])
 
 
-def _cross(one: Array, other: Array) -> Array:
-    return np.asarray(one[0] * other[1] - one[1] * other[0])
+def _cross(first: Array, second: Array) -> Array:
+    return np.asarray(first[0] * second[1] - first[1] * second[0])
 
 
 def _fitted(offset: Array, normal: Array, turn: Array, weight: Array) -> tuple[Array, Array]:
@@ -278,5 +278,5 @@ def _fitted(offset: Array, normal: Array, turn: Array, weight: Array) -> tuple[A
         row = np.stack([x, y, x * c + y * s, y * c - x * s], axis=1)
         rows.append(row * (share * weight)[:, None])
         wanted.append((x * offset[0] + y * offset[1]) * share * weight)
-    found, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(wanted), rcond=None)
-    return found[:2], found[2:]
+    solution, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(wanted), rcond=None)
+    return solution[:2], solution[2:]

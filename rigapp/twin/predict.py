@@ -91,7 +91,7 @@ GRID: Array = np.arange(PREDICTION_POINTS, dtype=np.float64) * (2.0 * np.pi / PR
 
 
 NOTHING: Mapping[str, float] = dict.fromkeys(
-    (one.name for one in (*deviation_columns(), *identified_columns())), math.nan
+    (column.name for column in (*deviation_columns(), *identified_columns())), math.nan
 )
 """The columns of what is told from many revolutions while nothing is known."""
 
@@ -251,11 +251,11 @@ def compare(
     values |= {**load.values, **NOTHING, **told}
     for name, curve in curves.items():
         statistics = {"max": np.max(curve), "min": np.min(curve), "rms": _rms(curve)}
-        values |= {f"{name}_{statistic}": one for statistic, one in statistics.items()}
+        values |= {f"{name}_{statistic}": value for statistic, value in statistics.items()}
     return Prediction(
         revolution=measured.revolution,
         values=in_order(prediction_columns(), values).tobytes(),
-        **{name: one.astype("<f4").tobytes() for name, one in (curves | others).items()},
+        **{name: samples.astype("<f4").tobytes() for name, samples in (curves | others).items()},
     )
 
 

@@ -100,27 +100,27 @@ TOLERANCES = (
     Tolerance(
         "slider mass",
         100.0 * MASS,
-        _mechanism(lambda one: replace(one, slider_mass=(1.0 + MASS) * one.slider_mass)),
+        _mechanism(lambda m: replace(m, slider_mass=(1.0 + MASS) * m.slider_mass)),
     ),
     Tolerance(
         "follower mass",
         100.0 * MASS,
-        _mechanism(lambda one: replace(one, follower_mass=(1.0 + MASS) * one.follower_mass)),
+        _mechanism(lambda m: replace(m, follower_mass=(1.0 + MASS) * m.follower_mass)),
     ),
     Tolerance(
         "spring stiffness",
         100.0 * STIFFNESS,
-        _spring(lambda one: replace(one, stiffness=(1.0 + STIFFNESS) * one.stiffness)),
+        _spring(lambda spring: replace(spring, stiffness=(1.0 + STIFFNESS) * spring.stiffness)),
     ),
     Tolerance(
         "free position of the spring",
         1e3 * SPRING_PLACE,
-        _spring(lambda one: replace(one, free_position=one.free_position + SPRING_PLACE)),
+        _spring(lambda spring: replace(spring, free_position=spring.free_position + SPRING_PLACE)),
     ),
     Tolerance(
         "friction coefficient",
         FRICTION,
-        _joint(lambda one: replace(one, friction_coefficient=one.friction_coefficient + FRICTION)),
+        _joint(lambda j: replace(j, friction_coefficient=j.friction_coefficient + FRICTION)),
     ),
     Tolerance("clearance", 1e6 * CLEARANCE, _joint(_clearance)),
 )

@@ -86,7 +86,7 @@ def _cell(stated: tuple[float, float] | None) -> CellDoubt | None:
             )
         )
         return None
-    constant, relative = (one / COVERAGE_FACTOR for one in stated)
+    constant, relative = (part / COVERAGE_FACTOR for part in stated)
     return CellDoubt(constant, relative)
 
 

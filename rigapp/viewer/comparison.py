@@ -78,11 +78,11 @@ def binned(angle_deg: Floats, curves: Floats, width_deg: float) -> tuple[Floats,
     Empty bins are left out.
     """
     count = round(360.0 / width_deg)
-    place = np.maximum(np.minimum((angle_deg / width_deg).astype(np.intp), count - 1), 0)
-    number = np.bincount(place, minlength=count)
+    part = np.maximum(np.minimum((angle_deg / width_deg).astype(np.intp), count - 1), 0)
+    number = np.bincount(part, minlength=count)
     filled = number > 0
     middles = width_deg * (np.arange(count, dtype=np.float64) + 0.5)
-    totals = [np.bincount(place, weights=values, minlength=count) for values in curves]
+    totals = [np.bincount(part, weights=values, minlength=count) for values in curves]
     return middles[filled], np.stack(totals)[:, filled] / number[filled]
 
 

@@ -58,19 +58,19 @@ class NewestWear:
     @property
     def statement(self) -> str:
         """Return the most probable statement, in a word, with its probability."""
-        place, share = self["wear_model"], self["wear_model_weight"]
-        if not math.isfinite(place):
+        model, share = self["wear_model"], self["wear_model_weight"]
+        if not math.isfinite(model):
             return ""
-        if place not in range(len(WEAR_MODELS)):  # of a newer version, or of a stranger
-            return tr("the file's wear model {:g} is unknown here", place)
-        word = tr(WEAR_MODELS[int(place)])
+        if model not in range(len(WEAR_MODELS)):  # of a newer version, or of a stranger
+            return tr("the file's wear model {:g} is unknown here", model)
+        word = tr(WEAR_MODELS[int(model)])
         if share >= TOLD * (1.0 - share):
             return word
         return tr("not told, most likely {} ({:.0f} %)", word, 100.0 * share)
 
 
 _NAMES = (
-    *(f"{one}{suffix}" for one in (COEFFICIENT, REMAINING) for suffix in ("", "_low", "_high")),
+    *(f"{name}{end}" for name in (COEFFICIENT, REMAINING) for end in ("", "_low", "_high")),
     "wear_model",
     "wear_model_weight",
 )
@@ -93,9 +93,9 @@ def newest_wear(predictions: SeriesTable) -> NewestWear:
     known = np.flatnonzero(series.rows(start, len(series) if stop is None else stop) > 0.0)
     if not known.size:  # long ago, and held in buckets alone
         return NewestWear()
-    place = start + int(known[-1])
-    values = {name: predictions.at(name, place) for name in _NAMES}
-    return NewestWear(float(predictions.revolutions[place]), values)
+    row = start + int(known[-1])
+    values = {name: predictions.at(name, row) for name in _NAMES}
+    return NewestWear(float(predictions.revolutions[row]), values)
 
 
 def wear_of(news: News, now: float) -> list[FreeValue]:
@@ -113,7 +113,7 @@ def _rpm(rows: SeriesTable, live: bool) -> float:
     """Return the present speed; of a test that does not go on the last one outside of ramps."""
     if live or QUALITY not in rows.names:
         return abs(rows.last("speed"))
-    speed, quality = (rows.newest(one, RECENT) for one in ("speed", QUALITY))
+    speed, quality = (rows.newest(name, RECENT) for name in ("speed", QUALITY))
     return last_set_speed(speed, quality)
 
 
@@ -125,17 +125,17 @@ def wear_values(
     rpm: the present speed, by the clock on the wall; now: the host's time, None where the test does
     not go on; revolution: the present one, from which the remaining ones count down.
     """
-    found = newest_wear(predictions)
-    if not found.known:
+    newest = newest_wear(predictions)
+    if not newest.known:
         return []
     value, limits = coefficient_text(
-        *(found[f"{COEFFICIENT}{suffix}"] for suffix in ("", "_low", "_high"))
+        *(newest[f"{COEFFICIENT}{suffix}"] for suffix in ("", "_low", "_high"))
     )
-    limits = f"{limits}; {found.statement}"
+    limits = f"{limits}; {newest.statement}"
     tiles = [FreeValue(COEFFICIENT, tr("Wear coefficient"), value, limits)]
-    since = max(revolution - found.revolution, 0.0) if math.isfinite(revolution) else 0.0
+    since = max(revolution - newest.revolution, 0.0) if math.isfinite(revolution) else 0.0
     left, soon, late = (
-        max(found[f"{REMAINING}{suffix}"] - since, 0.0) for suffix in ("", "_low", "_high")
+        max(newest[f"{REMAINING}{suffix}"] - since, 0.0) for suffix in ("", "_low", "_high")
     )
     if math.isfinite(left):
         tiles.append(_remaining(left, soon, late, rpm, now))
@@ -220,10 +220,10 @@ def of_tree(tree: Mapping[str, Any]) -> KnownWear:
         tree["planned_revolutions"],
         tuple(
             WearBand(
-                one["after_revolution"],
-                *(_floats(one[key]) for key in ("revolution", "low_um", "median_um", "high_um")),
+                band["after_revolution"],
+                *(_floats(band[key]) for key in ("revolution", "low_um", "median_um", "high_um")),
             )
-            for one in tree["bands"]
+            for band in tree["bands"]
         ),
         (_floats(tree["readings"]["revolution"]), _floats(tree["readings"]["depth_um"])),
         {name: _floats(values) for name, values in tree["course"].items()},

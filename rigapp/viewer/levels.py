@@ -88,7 +88,7 @@ class LimitLevel:
 
     def condition(self, table: ChannelTable) -> str:
         """Return what happens when, without the value: Warn when maximum |F| is above."""
-        action = tr(action_text(self.severity, self.action))
+        action = tr({**ACTIONS, **OTHER_ACTIONS}[self.severity, self.action])
         quantity = quantity_text(self.quantity, table)
         if self.side == "below":
             return tr("{} when {} is below", action, quantity)
@@ -111,11 +111,6 @@ def listed(steps: Sequence[int]) -> str:
 
 def _shown(value: Any) -> str:
     return f"{value:.10g}" if isinstance(value, int | float) else str(value)
-
-
-def action_text(severity: str, action: str) -> Text:
-    """Return an action in words."""
-    return ACTIONS.get((severity, action)) or OTHER_ACTIONS[severity, action]
 
 
 def quantity_text(column: str, table: ChannelTable = BASE) -> str:
@@ -143,9 +138,9 @@ def margin_words(name: str) -> str:
 def quantity_choices(table: ChannelTable) -> list[tuple[str, str]]:
     """Return words and column of what a limit can be about, the force first."""
     known = [*dict.fromkeys((*table.units, *quantities(table)))]
-    offered = [one for one in known if one in quantities(table)]
-    offered.sort(key=lambda one: not one.startswith(f"{SIZE}_m") and one != f"{SIZE}_rms")
-    return [(quantity_text(one, table), one) for one in offered]
+    offered = [name for name in known if name in quantities(table)]
+    offered.sort(key=lambda name: not name.startswith(f"{SIZE}_m") and name != f"{SIZE}_rms")
+    return [(quantity_text(name, table), name) for name in offered]
 
 
 def unit_of_quantity(column: str, table: ChannelTable) -> str:
@@ -159,7 +154,7 @@ def levels_of(rules: Sequence[Mapping[str, Any]]) -> list[LimitLevel]:
 
 
 def _of_rule(origin: int, rule: Mapping[str, Any]) -> Iterator[LimitLevel]:
-    bounds = [one for one in reversed(BOUNDS) if one in rule] or ["warning_above"]
+    bounds = [bound for bound in reversed(BOUNDS) if bound in rule] or ["warning_above"]
     for bound in bounds:
         severity, _, side = bound.partition("_")
         action = rule.get(f"action_{severity}", DEFAULT_ACTIONS[severity])
@@ -186,49 +181,50 @@ def rules_of(
     """
     rules: list[dict[str, Any]] = []
     places: list[list[int]] = []
-    firsts = {one.origin: at for at, one in reversed(list(enumerate(levels)))}
+    firsts = {level.origin: at for at, level in reversed(list(enumerate(levels)))}
     order = sorted(
         range(len(levels)), key=lambda at: (at not in firsts.values(), levels[at].origin)
     )
     for at in order:
-        one = levels[at]
-        fitting = (number for number, mine in enumerate(places) if _fits(levels, mine, one))
+        level = levels[at]
+        fitting = (number for number, mine in enumerate(places) if _fits(levels, mine, level))
         number = next(fitting, None)
         if number is None:
             number = len(rules)
-            own = at == firsts[one.origin] and 0 <= one.origin < len(given)
-            rules.append(_begun(one, given[one.origin] if own else {}))
+            own = at == firsts[level.origin] and 0 <= level.origin < len(given)
+            rules.append(_begun(level, given[level.origin] if own else {}))
             places.append([])
         places[number].append(at)
-        _write(rules[number], one)
+        _write(rules[number], level)
     return rules, places
 
 
-def _fits(levels: Sequence[LimitLevel], mine: Sequence[int], one: LimitLevel) -> bool:
+def _fits(levels: Sequence[LimitLevel], mine: Sequence[int], level: LimitLevel) -> bool:
     """Tell whether a level can be one of a rule that has some already."""
     others = [levels[at] for at in mine]
     first = others[0]
     same = (first.origin, first.quantity, first.revolutions, first.hysteresis, first.steps)
-    mine_too = (one.origin, one.quantity, one.revolutions, one.hysteresis, one.steps)
+    mine_too = (level.origin, level.quantity, level.revolutions, level.hysteresis, level.steps)
     return same == mine_too and not any(
-        other.bound == one.bound or (other.severity == one.severity and other.action != one.action)
+        other.bound == level.bound
+        or (other.severity == level.severity and other.action != level.action)
         for other in others
     )
 
 
-def _begun(one: LimitLevel, given: Mapping[str, Any]) -> dict[str, Any]:
+def _begun(level: LimitLevel, given: Mapping[str, Any]) -> dict[str, Any]:
     """Return a rule without levels, the rest of it as the file has it."""
     gone = {*BOUNDS} | {
         f"action_{name}" for name in DEFAULT_ACTIONS if any(b.startswith(name) for b in given)
     }
-    rule = {"quantity": one.quantity, **{k: v for k, v in given.items() if k not in gone}}
-    rule["quantity"] = one.quantity
-    if one.hysteresis != given.get("hysteresis", 0.0):
-        rule["hysteresis"] = one.hysteresis
-    if one.revolutions != given.get("delay_revolutions", 1):
-        rule["delay_revolutions"] = one.revolutions
-    if one.steps != tuple(given.get("steps", ())):
-        rule["steps"] = list(one.steps)
+    rule = {"quantity": level.quantity, **{k: v for k, v in given.items() if k not in gone}}
+    rule["quantity"] = level.quantity
+    if level.hysteresis != given.get("hysteresis", 0.0):
+        rule["hysteresis"] = level.hysteresis
+    if level.revolutions != given.get("delay_revolutions", 1):
+        rule["delay_revolutions"] = level.revolutions
+    if level.steps != tuple(given.get("steps", ())):
+        rule["steps"] = list(level.steps)
     for severity, default in DEFAULT_ACTIONS.items():
         key = f"action_{severity}"
         if key in gone and given.get(key) == default:
@@ -236,12 +232,12 @@ def _begun(one: LimitLevel, given: Mapping[str, Any]) -> dict[str, Any]:
     return rule
 
 
-def _write(rule: dict[str, Any], one: LimitLevel) -> None:
-    if one.value is not None:
-        rule[one.bound] = one.value
-    key = f"action_{one.severity}"
-    if one.action != rule.get(key, DEFAULT_ACTIONS[one.severity]):
-        rule[key] = one.action
+def _write(rule: dict[str, Any], level: LimitLevel) -> None:
+    if level.value is not None:
+        rule[level.bound] = level.value
+    key = f"action_{level.severity}"
+    if level.action != rule.get(key, DEFAULT_ACTIONS[level.severity]):
+        rule[key] = level.action
 
 
 def faults_of(rule: Mapping[str, Any], table: ChannelTable | None) -> list[str]:
@@ -266,12 +262,12 @@ def never_comes(level: LimitLevel, limits: LimitsSection | None) -> str:
     """Return why a level cannot be reached, as the drive goes off before; empty where it can."""
     if limits is None or level.side == "below" or not isinstance(level.value, int | float):
         return ""
-    for name, one in ALWAYS.items():
+    for name, limit in ALWAYS.items():
         most = getattr(limits, name)
-        if level.quantity in one.columns and level.value >= most:
+        if level.quantity in limit.columns and level.value >= most:
             return tr(
                 "{value} can never come: the drive goes off at {most}. Type a value below that.",
-                value=f"{level.value:g} {one.unit}",
-                most=f"{most:g} {one.unit}",
+                value=f"{level.value:g} {limit.unit}",
+                most=f"{most:g} {limit.unit}",
             )
     return ""

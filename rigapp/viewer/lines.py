@@ -51,8 +51,8 @@ class Flagged:
             return np.zeros(len(revolutions), dtype=bool)
         if np.array_equal(revolutions, self._starts):
             return self._flagged
-        place = np.searchsorted(self._starts, revolutions, side="right") - 1
-        return self._flagged[np.maximum(place, 0)]
+        bucket = np.searchsorted(self._starts, revolutions, side="right") - 1
+        return self._flagged[np.maximum(bucket, 0)]
 
 
 def drawn(
@@ -94,7 +94,7 @@ def banded(
     )
     if len(middle.first) != len(half.first):  # one of them is still being read
         return np.empty(0), np.empty(0), np.empty(0)
-    low, high = (scale * one.astype(np.float64) for one in (middle.low, middle.high))
+    low, high = (scale * bound.astype(np.float64) for bound in (middle.low, middle.high))
     doubt_high = scale * half.high.astype(np.float64)
     return table.revolutions[middle.first], low - doubt_high, high + doubt_high
 

@@ -123,20 +123,20 @@ def margins(news: News) -> list[Margin]:
     """
     result: dict[tuple[str, bool], Margin] = {}
     alarms = news.status.alarms if news.status is not None else ()
-    for one in watched(news):
-        largest = one.column == LARGEST
-        value, sign = newest_force(news) if largest else (newest(news, one.column), "")
-        value *= one.scale
-        key = (one.title, one.below)
+    for limit in watched(news):
+        largest = limit.column == LARGEST
+        value, sign = newest_force(news) if largest else (newest(news, limit.column), "")
+        value *= limit.scale
+        key = (limit.title, limit.below)
         if math.isfinite(value) and (key not in result or result[key].passed):
-            result[key] = Margin(one, value, level_of(alarms, one.column), sign)
+            result[key] = Margin(limit, value, level_of(alarms, limit.column), sign)
     return list(result.values())
 
 
 def nearest_margin(news: News, column: str) -> Margin | None:
     """Return the limit of a column that is nearest to its newest value, None without one."""
     own = (margin for margin in margins(news) if margin.limit.column == column)
-    return max(own, key=lambda one: one.used, default=None)
+    return max(own, key=lambda margin: margin.used, default=None)
 
 
 def watched(news: News) -> list[WatchedLimit]:
@@ -148,15 +148,15 @@ def watched(news: News) -> list[WatchedLimit]:
     limits = test.limits
     result = [
         WatchedLimit(
-            one.title,
-            one.columns[0],
+            limit.title,
+            limit.columns[0],
             changed.get(name, getattr(limits, name)),
-            one.unit,
+            limit.unit,
             DRIVE_OFF,
-            key=one.alarm,
+            key=limit.alarm,
         )
-        for name, one in ALWAYS.items()
-        if one.columns
+        for name, limit in ALWAYS.items()
+        if limit.columns
     ]
     if test.stop.wear_depth_um is not None:
         depth = test.stop.wear_depth_um
@@ -180,7 +180,7 @@ def newest_force(news: News) -> tuple[float, str]:
     ]
     if news.trip is not None and news.trip.peak is not None:
         result.append((news.trip.peak.value_N, news.trip.peak.sign))
-    return max((one for one in result if math.isfinite(one[0])), default=(math.nan, ""))
+    return max((force for force in result if math.isfinite(force[0])), default=(math.nan, ""))
 
 
 def overload_limit(news: News) -> float:

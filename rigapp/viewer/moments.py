@@ -27,12 +27,12 @@ def moments(events: Iterable[Event]) -> tuple[MarkedMoment, ...]:
     for event in events:
         change = alarm_change(event)
         if change is not None and change.what == "raised":
-            one = MarkedMoment(event.revolution, change.title, severity_of(event))
+            moment = MarkedMoment(event.revolution, change.title, severity_of(event))
         elif event.kind == "note":
-            one = MarkedMoment(event.revolution, event.text)
+            moment = MarkedMoment(event.revolution, event.text)
         elif event.kind == "step" and event.after:
-            one = MarkedMoment(event.revolution, event.after)
+            moment = MarkedMoment(event.revolution, event.after)
         else:
             continue
-        result.setdefault((one.revolution, one.words), one)
+        result.setdefault((moment.revolution, moment.words), moment)
     return tuple(result.values())[-MOST:]

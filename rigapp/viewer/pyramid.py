@@ -127,7 +127,7 @@ class Pyramid:
         """Write values from row ``start`` (held, or the present length) on."""
         if len(values):
             self._base.write(start, values)
-            self._settled = [min(one, start) for one in self._settled]
+            self._settled = [min(row, start) for row in self._settled]
 
     def _forget(self) -> None:
         """Let go of old rows and fine buckets; a coarse one is made of them before."""
@@ -202,20 +202,20 @@ class Pyramid:
 
     @staticmethod
     def _from_rows(rows: Singles, begin: int, size: int) -> Envelope:
-        low, high = (_reduce(one, rows, size) for one in (np.fmin, np.fmax))
+        low, high = (_reduce(operation, rows, size) for operation in (np.fmin, np.fmax))
         return Envelope(begin + size * np.arange(len(low), dtype=np.int64), low, high)
 
-    def _cut(self, found: Envelope, size: int) -> Envelope:
+    def _cut(self, envelope: Envelope, size: int) -> Envelope:
         """Return an envelope whose last bucket ends with the limit."""
-        end, first = len(self), found.first
+        end, first = len(self), envelope.first
         if self.limit is None or not len(first) or int(first[-1]) + size <= end:
-            return found
+            return envelope
         if int(first[-1]) + size > len(self._base) == end:
-            return found
+            return envelope
         last = self._from_rows(self.rows(int(first[-1]), end), int(first[-1]), size)
         low, high = (
-            np.append(one[:-1], other[:1])
-            for one, other in ((found.low, last.low), (found.high, last.high))
+            np.append(bounds[:-1], end_bounds[:1])
+            for bounds, end_bounds in ((envelope.low, last.low), (envelope.high, last.high))
         )
         return Envelope(first, low, high)
 
@@ -234,15 +234,15 @@ def _level_of(size: int) -> int:
 def _reduce(operation: np.ufunc, values: NDArray[np.floating], ratio: int) -> NDArray[np.floating]:
     if ratio == 1 or len(values) == 0:
         return values
-    whole = len(values) // ratio * ratio
-    if whole == 0:
+    full = len(values) // ratio * ratio
+    if full == 0:
         return operation.reduce(values, keepdims=True)  # type: ignore[no-any-return]
     # Rank in the bucket first: numpy reduces long rows four times faster than short ones.
-    ranked = np.ascontiguousarray(values[:whole].reshape(-1, ratio).T)
+    ranked = np.ascontiguousarray(values[:full].reshape(-1, ratio).T)
     head = operation.reduce(ranked, axis=0)
-    if whole == len(values):
+    if full == len(values):
         return head  # type: ignore[no-any-return]
-    return np.append(head, operation.reduce(values[whole:]))
+    return np.append(head, operation.reduce(values[full:]))
 
 
 def polyline(x: Floats | RowNumbers, envelope: Envelope) -> tuple[Floats, Floats]:
@@ -279,14 +279,14 @@ def thinned(
         return x, y
     points = np.repeat(x[::ratio], 2)
     values = np.empty((*y.shape[:-1], len(points)), dtype=y.dtype)
-    whole = len(x) // ratio
+    full = len(x) // ratio
     # Rank in the bucket first: numpy reduces long rows many times faster than short ones.
     ranked = np.ascontiguousarray(
-        np.moveaxis(y[..., : whole * ratio].reshape(*y.shape[:-1], whole, ratio), -1, 0)
+        np.moveaxis(y[..., : full * ratio].reshape(*y.shape[:-1], full, ratio), -1, 0)
     )
-    values[..., 0 : 2 * whole : 2] = np.fmin.reduce(ranked, axis=0)
-    values[..., 1 : 2 * whole : 2] = np.fmax.reduce(ranked, axis=0)
-    rest = y[..., whole * ratio :]
+    values[..., 0 : 2 * full : 2] = np.fmin.reduce(ranked, axis=0)
+    values[..., 1 : 2 * full : 2] = np.fmax.reduce(ranked, axis=0)
+    rest = y[..., full * ratio :]
     if rest.shape[-1]:
         values[..., -2] = np.fmin.reduce(rest, axis=-1)
         values[..., -1] = np.fmax.reduce(rest, axis=-1)

@@ -127,21 +127,21 @@ def trend_quantities(table: ChannelTable) -> dict[str, TrendQuantity]:
 
     It is in the language of the window, so that nothing is translated when it is drawn.
     """
-    whole = _of_channel(BASE[SIZE])
+    force = _of_channel(BASE[SIZE])
     # The largest force alone: on an axis with the smallest its changes are not seen.
     largest = replace(
-        whole,
-        title=tr("{} maximum", whole.title),
-        measured=whole.measured[:1],
-        predicted=whole.predicted[:1],
+        force,
+        title=tr("{} maximum", force.title),
+        measured=force.measured[:1],
+        predicted=force.predicted[:1],
     )
-    result = {one.name: _of_channel(one) for one in _ordered(table)}
-    return {name: one.said() for name, one in {**result, LARGEST: largest, **_OTHERS}.items()}
+    result = {channel.name: _of_channel(channel) for channel in _ordered(table)}
+    return {name: q.said() for name, q in {**result, LARGEST: largest, **_OTHERS}.items()}
 
 
 def _ordered(table: ChannelTable) -> list[Channel]:
     """Return the channels, the derived size of the force first: it is looked at most."""
-    return sorted(table.channels, key=lambda one: (not one.instrument, one.kind is not _DERIVED))
+    return sorted(table.channels, key=lambda c: (not c.instrument, c.kind is not _DERIVED))
 
 
 def _of_channel(channel: Channel) -> TrendQuantity:
@@ -176,7 +176,7 @@ def compared_columns(table: ChannelTable) -> dict[str, str]:
         for name, word in names.items():
             column = f"{channel.name}_{name}".rstrip("_")
             result[column] = f"{title}, {tr(word)} ({unit})" if word else f"{title} ({unit})"
-    for quantity in (one.said() for one in _OTHERS.values()):
+    for quantity in (item.said() for item in _OTHERS.values()):
         for line in (*quantity.measured, *quantity.predicted):
             result[line.column] = f"{quantity.title}, {line.text} ({quantity.unit})"
     return result
@@ -196,7 +196,7 @@ def grouped_quantities(names: Iterable[str], table: ChannelTable) -> list[tuple[
                 for channel in table.channels
                 if name == channel.name or name.startswith(f"{channel.name}_")
             ),
-            key=lambda one: len(one.name),
+            key=lambda channel: len(channel.name),
             default=None,
         )
         return kinds.index(owner.instrument) if owner is not None else len(kinds)

@@ -181,7 +181,7 @@ class RecordedData(LiveData):
 
     def wanted(self) -> Wanted | None:
         """Return the columns of rows and predictions that have still to be read; None: none."""
-        rows, predictions = (tuple(one.wanted) for one in (self.rows, self.predictions))
+        rows, predictions = (tuple(table.wanted) for table in (self.rows, self.predictions))
         return (rows, predictions) if rows or predictions else None
 
     def read(self, names: Wanted) -> Loaded:
@@ -275,8 +275,8 @@ def load_trip(path: Path) -> TripCycles | None:
         if result is None:
             return None
         cycle, before = (
-            measured_cycle(cycle_message(one)) if one is not None else None
-            for one in (result.cycle, result.before)
+            measured_cycle(cycle_message(part)) if part is not None else None
+            for part in (result.cycle, result.before)
         )
         return TripCycles(result.revolution, cycle, before, result.peak)
 

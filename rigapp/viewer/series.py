@@ -302,16 +302,16 @@ class LiveData:
 
     def doubt(self, revolution: int) -> Doubt:
         """Return how sure the predicted force of a revolution is."""
-        place = self.predictions.revolutions.searchsorted(revolution)
-        if place == len(self.predictions) or self.predictions.revolutions[place] != revolution:
+        row = self.predictions.revolutions.searchsorted(revolution)
+        if row == len(self.predictions) or self.predictions.revolutions[row] != revolution:
             return Doubt()
         sure, unfollowed, most, *differs = (
-            self.predictions.at(name, place)
+            self.predictions.at(name, row)
             for name in (
                 "force_uncertainty",
                 "unfollowed_acceleration",
                 f"{SIZE}_max",
-                *(one.name for one in deviation_columns()),
+                *(column.name for column in deviation_columns()),
             )
         )
         sentence = deviation_sentence(*differs)

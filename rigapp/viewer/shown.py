@@ -141,7 +141,7 @@ def level_of(alarms: Iterable[Alarm], *quantities: str) -> Level:
 
     quantities: columns or channels. An alarm about a channel is about all of its statistics.
     """
-    about = ((one, quantity_of(one.key)) for one in standing(alarms))
+    about = ((alarm, quantity_of(alarm.key)) for alarm in standing(alarms))
     return max(
         (
             _LEVELS[alarm.severity]
@@ -188,6 +188,6 @@ def quantity_level(alarms: Iterable[Alarm], channel: str) -> Level:
 def level_of_limit(alarms: Iterable[Alarm], key: str) -> Level:
     """Return the level of the alarm of one limit, by its key; more may be said behind a colon."""
     return max(
-        (_LEVELS[one.severity] for one in standing(alarms) if f"{one.key}:".startswith(f"{key}:")),
+        (_LEVELS[a.severity] for a in standing(alarms) if f"{a.key}:".startswith(f"{key}:")),
         default=Level.NORMAL,
     )

@@ -151,7 +151,7 @@ class ShownTest:
         log.error("Columns of %s cannot be read: %s", self._file, error)
         if data is self.data:
             self.problem = tr("Earlier cycles cannot be shown: {}", error)
-        rows, predictions = ({name: Pyramid(0) for name in one} for one in names)
+        rows, predictions = ({name: Pyramid(0) for name in columns} for columns in names)
         data.put((rows, predictions))
 
     def ask_revolution(

@@ -6,6 +6,7 @@ import logging
 import queue
 import threading
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 log = logging.getLogger(__name__)
@@ -69,10 +70,6 @@ class TaskWorker:
             try:
                 result = call()
             except Exception as error:
-                self._results.put(_bound(failed, error))
+                self._results.put(partial(failed, error))
             else:
-                self._results.put(_bound(done, result))
-
-
-def _bound(function: Callable[[Any], None], argument: Any) -> Callable[[], None]:
-    return lambda: function(argument)
+                self._results.put(partial(done, result))
