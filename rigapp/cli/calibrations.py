@@ -14,6 +14,7 @@ calibrate_verbs = group("Fit dead-weight and micrometer readings; certificates."
 TableOption = Annotated[Path | None, option("--readings", "CSV of readings as taken; or --rig.")]
 LiveOption = Annotated[Path | None, option("--rig", "Rig file: take the readings live.")]
 SettingsOption = Annotated[Path, option("--settings", "Settings file (TOML).")]
+WeightsOption = Annotated[str, option("--weights", "Pieces in kg; 5x8: eight pieces of 5 kg.")]
 RecordOption = Annotated[Path, file_option("--to", "Record to make; never overwritten.")]
 RecordArgument = Annotated[Path, typer.Argument(help="Calibration record.")]
 JournalOption = Annotated[
@@ -35,9 +36,7 @@ def calibrate_load_cell(
     json: JsonOption = False,
     rig: LiveOption = None,
     plan: Annotated[str, option("--plan", "daily, routine or full.")] = "routine",
-    weights: Annotated[
-        str, option("--weights", "Pieces in kg; 5x8: eight pieces of 5 kg.")
-    ] = "5x8,2,2,1,0.5",
+    weights: WeightsOption = "5x8,2,2,1,0.5",
     journal: JournalOption = None,
     practise: PractiseOption = False,
     former: FormerOption = None,
@@ -57,9 +56,7 @@ def calibrate_worksheet(
     settings: SettingsOption,
     to: Annotated[Path, file_option("--to", "FILE.pdf, .html, or .csv to be typed in.")],
     plan: Annotated[str, option("--plan", "routine or full.")] = "routine",
-    weights: Annotated[
-        str, option("--weights", "Pieces in kg; 5x8: eight pieces of 5 kg.")
-    ] = "5x8,2,2,1,0.5",
+    weights: WeightsOption = "5x8,2,2,1,0.5",
 ) -> int:
     """Write the plan of a load-cell calibration for paper, or as a table of readings to fill in."""
     from rigapp.commands.calibrate import make_worksheet
@@ -134,16 +131,9 @@ def calibrate_run_out(
     from rigapp.commands.live.spindle_runs import calibrate_run_out as make
 
     return make(
-        rig,
-        recorded or [],
-        to,
-        settings=settings,
-        test=test,
-        rpm=rpm,
-        revolutions=revolutions,
-        orders=orders,
-        as_json=json,
-    )
+        rig, recorded or [], to, settings=settings, test=test,
+        rpm=rpm, revolutions=revolutions, orders=orders, as_json=json,
+    )  # fmt: skip
 
 
 @calibrate_verbs.command("running-check")
@@ -173,16 +163,9 @@ def calibrate_running_check(
     from rigapp.commands.live.spindle_runs import check_running
 
     return check_running(
-        rig,
-        to,
-        speeds=speeds,
-        revolutions=revolutions,
-        mass_kg=mass_kg,
-        radius_mm=radius_mm,
-        follower_off=follower_off,
-        settings=settings,
-        as_json=json,
-    )
+        rig, to, speeds=speeds, revolutions=revolutions, mass_kg=mass_kg, radius_mm=radius_mm,
+        follower_off=follower_off, settings=settings, as_json=json,
+    )  # fmt: skip
 
 
 @calibrate_verbs.command("release")

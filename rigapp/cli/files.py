@@ -155,9 +155,6 @@ def picture(
     return draw_figure(file, to, figure, width_mm)
 
 
-model_verbs = group("Compute forces, wear, pressure and the paper's figures.")
-study_verbs = group()
-
 ParametersArgument = Annotated[Path, typer.Argument(metavar="PARAMS.toml", help="Parameters.")]
 RpmOption = Annotated[float, option("--rpm", "Crank speed, rpm.")]
 JointOption = Annotated[str, option("--joint", f"{listed()} (paper: 3.1, 3.2).")]

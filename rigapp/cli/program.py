@@ -130,7 +130,7 @@ def _sections(error: Exception) -> list[str]:
     module = sys.modules.get("rigapp_drivers.api")
     if module is None or not isinstance(error, module.DeviceError):
         return []
-    return [one for one in dict.fromkeys(map(module.help_of, error.each)) if one]
+    return [section for section in dict.fromkeys(map(module.help_of, error.each)) if section]
 
 
 def _status_of(error: Exception) -> int:

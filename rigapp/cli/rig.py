@@ -343,7 +343,7 @@ def service_install(
             raise UnusableInput("--rules is for root, the other options are for a user; part them.")
         return unattended.install_rules()
 
-    units = [unattended.engine_unit(one) for one in rig or []]
+    units = [unattended.engine_unit(path) for path in rig or []]
     if page:
         units.append(unattended.page_unit(page_bind, token, certificate, key))
     if not units:

@@ -64,8 +64,8 @@ def calibrate_table(
     if former is not None:
         outcome = outcome.against(read_record(former))
     if outcome.accepted:
-        found = outcome.as_found[0]
-        keep_record(to, outcome.kind, text, given, outcome.result, as_found=found)
+        as_found = outcome.as_found[0]
+        keep_record(to, outcome.kind, text, given, outcome.result, as_found=as_found)
     return say_outcome(outcome, to, as_json=as_json)
 
 
@@ -75,8 +75,8 @@ def say_outcome(outcome: Outcome, to: Path, *, as_json: bool) -> int:
     The numbers of a calibration that is refused are kept back; what a check showed is told.
     """
     if as_json:
-        found = outcome.as_found[0]
-        print(json.dumps({**outcome.result, **({"as_found": found} if found else {})}))
+        as_found = outcome.as_found[0]
+        print(json.dumps({**outcome.result, **({"as_found": as_found} if as_found else {})}))
     elif outcome.accepted or outcome.told_always:
         print("".join(f"{line}\n" for line in (*outcome.lines, *outcome.as_found[1])), end="")
     for problem in () if as_json else outcome.result["problems"]:
@@ -122,15 +122,15 @@ def show_trend(folder: Path, to: Path | None, *, as_json: bool) -> int:
         except (OSError, *MALFORMED):
             continue  # journals, results, records that were changed: verify names these
     try:
-        found = [(kind, item, trend(records)) for (kind, item), records in series.items()]
+        trends = [(kind, item, trend(records)) for (kind, item), records in series.items()]
     except RecordError as error:
         raise UnusableInput(f"{folder}: {error}.") from error
-    if not found:
+    if not trends:
         raise UnusableInput(f"{folder}: no calibration record lies in it.")
     if to is not None:
         from rigapp.calibrating.daily_history import write_trend
 
-        write_trend(found, to)
+        write_trend(trends, to)
     if as_json:
         tree = [
             {
@@ -138,24 +138,24 @@ def show_trend(folder: Path, to: Path | None, *, as_json: bool) -> int:
                 "item": item,
                 "records": [
                     {
-                        "number": one.number,
-                        "calibrated_at": one.content["calibrated_at"],
+                        "number": record.number,
+                        "calibrated_at": record.content["calibrated_at"],
                         "changes": [change.tree for change in changes],
                     }
-                    for one, changes in records
+                    for record, changes in records
                 ],
             }
-            for kind, item, records in found
+            for kind, item, records in trends
         ]
         print(json.dumps(tree))
     else:
-        for kind, item, records in found:
+        for kind, item, records in trends:
             print(f"{kind} {item}".rstrip())
-            for one, changes in records:
+            for sealed, changes in records:
                 words = "; ".join(change.words for change in changes)
                 shown = f"the one before told too much: {words}" if words else "nothing to compare"
-                print(f"  {str(one.content['calibrated_at'])[:10]}  {one.number}  {shown}")
-    beyond = any(c.beyond for _, _, records in found for c in records[-1][1])
+                print(f"  {str(sealed.content['calibrated_at'])[:10]}  {sealed.number}  {shown}")
+    beyond = any(c.beyond for _, _, records in trends for c in records[-1][1])
     return 1 if beyond else 0
 
 
@@ -215,8 +215,8 @@ def verify_record(path: Path, public_key: Path | None = None, *, as_json: bool) 
     except RecordChanged as error:
         print(f"rigapp: {path}: {error}.", file=sys.stderr)
         return 1
-    found = verified(data)
-    against = [*found.differences]
+    verification = verified(data)
+    against = [*verification.differences]
     if ahead := in_future(record, time.time()):
         against.append(f"It {ahead}.")
     signer = "" if record.signature is None else fingerprint(record.signature.public_key)
@@ -227,26 +227,27 @@ def verify_record(path: Path, public_key: Path | None = None, *, as_json: bool) 
             "number": record.number,
             "kind": record.kind,
             "verified": not against,
-            "compared": found.compared,
+            "compared": verification.compared,
             "differences": against,
-            "unverified": found.unverified,
+            "unverified": verification.unverified,
             "signed_by": signer or None,
         }
         print(json.dumps(tree))
         return 1 if against else 0
     print(f"Record {record.number} of a {record.kind}: its digest holds.")
-    if found.compared:
-        agree = "differ" if found.differences else "agree"
+    if verification.compared:
+        agree = "differ" if verification.differences else "agree"
         print(
-            f"Its readings were fitted again; {found.compared} results were compared and {agree}."
+            f"Its readings were fitted again; {verification.compared} results were compared"
+            f" and {agree}."
         )
     if signer:
         whose = "" if public_key else "; give --public-key to see whether it is the laboratory's"
         print(f"It is signed by the key {signer}{whose}.")
-    for one in (*found.unverified, *(() if signer else (UNSIGNED,))):
-        print(f"note: {one}")
-    for one in against:
-        print(f"rigapp: {path}: {one}", file=sys.stderr)
+    for note in (*verification.unverified, *(() if signer else (UNSIGNED,))):
+        print(f"note: {note}")
+    for difference in against:
+        print(f"rigapp: {path}: {difference}", file=sys.stderr)
     return 1 if against else 0
 
 

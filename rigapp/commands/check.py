@@ -43,8 +43,8 @@ def check_rig(rig_path: Path, test_path: Path, *, as_json: bool = False) -> int:
     """Print the pre-flight table; status 1 when anything blocks a start."""
     checks = _all_checks(rig_path, test_path)
     if as_json:
-        found = [check.tree() for check in checks]
-        print(json.dumps({"blocked": blocked(checks), "checks": found}, indent=2))
+        trees = [check.tree() for check in checks]
+        print(json.dumps({"blocked": blocked(checks), "checks": trees}, indent=2))
     else:
         _print_table(checks)
     return 1 if blocked(checks) else 0
@@ -147,12 +147,12 @@ def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check
     except DeviceError as error:
         return None, [
             Check(
-                f"Device {one.device}",
-                CheckVerdict.BLOCKS if one.device in needed else CheckVerdict.ATTENTION,
-                f"{one.port}: {one.sentence.rstrip('.')}",
-                say("See troubleshooting.md#{}", help_of(one)),
+                f"Device {fault.device}",
+                CheckVerdict.BLOCKS if fault.device in needed else CheckVerdict.ATTENTION,
+                f"{fault.port}: {fault.sentence.rstrip('.')}",
+                say("See troubleshooting.md#{}", help_of(fault)),
             )
-            for one in error.each
+            for fault in error.each
         ]
     except (UnusableInput, SimulationFailed, EngineUnreachable) as error:
         return None, [Check("Devices", CheckVerdict.BLOCKS, str(error))]
@@ -218,12 +218,12 @@ def self_check(
             return
         wrong = [result for result in results if not result.right]
         if wrong:
-            found = ", ".join(
-                f"{one.name} {one.measured:.4g} {one.unit} in place of {one.expected:.4g}"
-                for one in wrong
+            differences = ", ".join(
+                f"{bad.name} {bad.measured:.4g} {bad.unit} in place of {bad.expected:.4g}"
+                for bad in wrong
             )
             action = "Compare scales and order of the device's channels with the rig file"
-            yield Check(what, CheckVerdict.BLOCKS, found, action)
+            yield Check(what, CheckVerdict.BLOCKS, differences, action)
         else:
             names = ", ".join(result.name for result in results)
             yield Check(what, CheckVerdict.GOOD, f"half of the range arrives on {names}")

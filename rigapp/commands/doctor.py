@@ -191,12 +191,12 @@ def ports() -> Iterator[Observation]:
     yield from broken
     from rigapp_drivers.wire.ports import stable_name
 
-    found = sorted(list_ports.comports())
-    if found:
+    serial_ports = sorted(list_ports.comports())
+    if serial_ports:
         yield from rules_advice()
     else:
         yield Observation("Serial ports", "none found; simulated rigs need none")
-    for port in found:
+    for port in serial_ports:
         stable = stable_name(port.device)
         if stable:
             number = f', or port = "serial:{port.serial_number}"' if port.serial_number else ""

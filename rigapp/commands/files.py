@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 import socket
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rigapp.commands.progress import bar
 from rigapp.config.errors import UnusableInput
@@ -35,23 +35,26 @@ from rigapp.storage import (
 from rigapp.texts import say, sentence_of_error
 from rigapp_calibration.load_cell.force_uncertainty import force_uncertainty
 
+if TYPE_CHECKING:
+    from rigapp.report.testreport.identified import IdentifiedTests
+
 
 def print_info(path: Path, *, as_json: bool) -> int:
     """Print the summary of a test file; return the exit status."""
     with open_test(path) as test:
         summary = test.summary()
-        found = force_uncertainty(test.calibration(), test.configuration())
+        uncertainty = force_uncertainty(test.calibration(), test.configuration())
         file = path.stat()
         result = result_of_open(test, file.st_mtime, file.st_size, closely=not as_json)
     if as_json:
-        summary["force_uncertainty"] = None if found is None else asdict(found)
-    elif found is not None:
-        summary["force_uncertainty"] = found.words
+        summary["force_uncertainty"] = None if uncertainty is None else asdict(uncertainty)
+    elif uncertainty is not None:
+        summary["force_uncertainty"] = uncertainty.words
     if as_json:
         print(json.dumps(summary))
     else:
         summary["outcome"] = outcome_text(result)
-        summary |= {one.caption: f"{one.value}, {one.line}" for one in key_numbers(result)}
+        summary |= {key.caption: f"{key.value}, {key.line}" for key in key_numbers(result)}
         summary |= {line.text: line.line for line in trust_lines(result) if not line.good}
         summary["size"] = bytes_text(result.size_bytes)
         width = max(len(key) for key in summary)
@@ -125,7 +128,7 @@ def write_report(
     with spoken(language or report_settings(path, settings)[0].report.language):
         document = report_of(path, settings)
         if to is not None:
-            _write(document, to, ending)
+            _write(to, _laid_out(document, ending))
     if as_json:
         print(json.dumps(plain(document), indent=2, ensure_ascii=False))
     else:
@@ -145,8 +148,7 @@ def draw_figure(path: Path, to: Path, figure: str, width_mm: float) -> int:
     if figure and figure not in FIGURES:
         raise UnusableInput("--figure {}: is none of {}.", figure, ", ".join(FIGURES))
     drawn = figure_of(path, figure)
-    with whole_file(to) as part:
-        part.write_bytes(drawn.draw(ending[1:], width_mm))
+    _write(to, drawn.draw(ending[1:], width_mm))
     print(f"{to}: {drawn.title}. {drawn.caption}".rstrip())
     return 0
 
@@ -163,15 +165,17 @@ def _checked_ending(to: Path, what: str = "a report", endings: Sequence[str] = E
     return ending
 
 
-def _write(document: Manuscript, to: Path, ending: str) -> None:
+def _laid_out(document: Manuscript, ending: str) -> bytes:
     if ending == ".html":
         from rigapp.report.page.document import as_html
 
-        data = as_html(document)
-    else:
-        from rigapp.report.page.pdf import as_pdf
+        return as_html(document)
+    from rigapp.report.page.pdf import as_pdf
 
-        data = as_pdf(document)
+    return as_pdf(document)
+
+
+def _write(to: Path, data: bytes) -> None:
     with whole_file(to) as part:
         part.write_bytes(data)
 
@@ -240,14 +244,14 @@ def close_file(path: Path) -> int:
 
 def salvage_file(path: Path, to: Path) -> int:
     """Write what checksums confirm into a new file and say what is lost; return the status."""
-    found = salvage_test(path, to)
+    salvaged = salvage_test(path, to)
     print(say("{}: salvaged from {}.", to, path))
-    for name, rows in found.kept.items():
-        if rows or found.lost[name]:
-            print(say("{}: {} kept, {} lost", NAMES[name], rows, found.lost[name]))
-    for one in found.missing:
-        print(say("Lost: {}", one))
-    for sentence in found.damage:
+    for name, rows in salvaged.kept.items():
+        if rows or salvaged.lost[name]:
+            print(say("{}: {} kept, {} lost", NAMES[name], rows, salvaged.lost[name]))
+    for part in salvaged.missing:
+        print(say("Lost: {}", part))
+    for sentence in salvaged.damage:
         print(sentence)
     return 0
 
@@ -267,10 +271,10 @@ def package_tests(
 
     refuse_target(to)
     given = published(paths, authors, licence)
-    found = private_in(given, _this_computer())
-    for one in found:
-        print(f"{'note' if allow_private else 'rigapp'}: {one.sentence}", file=sys.stderr)
-    if found and not allow_private:
+    findings = private_in(given, _this_computer())
+    for finding in findings:
+        print(f"{'note' if allow_private else 'rigapp'}: {finding.sentence}", file=sys.stderr)
+    if findings and not allow_private:
         print(
             "rigapp: nothing is written. Name people as authors (--author 'Family, Given'), or"
             " publish it all the same (--allow-private); the test files stay as they are.",
@@ -299,17 +303,17 @@ def identify_tests(
     after: as it was known after a revolution. Status 1 when nothing can be told of one of them.
     Raises UnusableInput for a file that is no test, or a target that cannot be written.
     """
-    make = _maker(to) if to is not None else None
+    ending = _checked_form(to) if to is not None else ""
     from rigapp.report.testreport.identified import identified_tests
 
     with bar("Identify") as progress:
         result = identified_tests(paths, after, progress)
-    if to is not None and make is not None:
-        data = make(result)
-        with whole_file(to) as part:
-            part.write_bytes(data)
+    if to is not None:
+        _write(to, _identified_as(result, ending))
     if as_json:
-        print(json.dumps(_tree(result)))
+        from rigapp.report.testreport.identifiedtree import as_tree
+
+        print(json.dumps(as_tree(result)))
     else:
         _say(result)
         if to is not None:
@@ -317,75 +321,50 @@ def identify_tests(
     return 1 if any(test.refused for test in result.tests) else 0
 
 
-def _tree(found: Any) -> dict[str, Any]:
-    from rigapp.report.testreport.identifiedtree import as_tree
-
-    return as_tree(found)
+FORMS = (*ENDINGS, ".csv", ".json")
 
 
-def _json(found: Any) -> bytes:
-    return json.dumps(_tree(found), indent=1).encode() + b"\n"
-
-
-def _csv(found: Any) -> bytes:
-    from rigapp.report.testreport.identifiedtree import as_csv
-
-    return as_csv(found)
-
-
-def _html(found: Any) -> bytes:
-    from rigapp.report.page.document import as_html
-    from rigapp.report.testreport.identifiedsections import identified_document
-
-    return as_html(identified_document(found))
-
-
-def _pdf(found: Any) -> bytes:
-    from rigapp.report.page.pdf import as_pdf
-    from rigapp.report.testreport.identifiedsections import identified_document
-
-    return as_pdf(identified_document(found))
-
-
-FORMS: dict[str, Callable[[Any], bytes]] = {
-    ".html": _html,
-    ".pdf": _pdf,
-    ".csv": _csv,
-    ".json": _json,
-}
-"""What is written, by the ending of the name."""
-
-
-def _maker(to: Path) -> Callable[[Any], bytes]:
-    """Return what makes the target, before anything is computed; raise UnusableInput."""
-    form = FORMS.get(to.suffix.lower())
-    if form is None:
+def _checked_form(to: Path) -> str:
+    """Return the ending of the target, before anything is computed; raise UnusableInput."""
+    ending = to.suffix.lower()
+    if ending not in FORMS:
         raise UnusableInput(f"--to {to}: the name must end with one of {', '.join(FORMS)}.")
     if to.is_dir() or not to.absolute().parent.is_dir():
         raise UnusableInput(f"--to {to}: there is no such folder, or it is one itself.")
-    return form
+    return ending
 
 
-def _say(found: Any) -> None:
+def _identified_as(identified: IdentifiedTests, ending: str) -> bytes:
+    from rigapp.report.testreport.identifiedsections import identified_document
+    from rigapp.report.testreport.identifiedtree import as_csv, as_tree
+
+    if ending == ".csv":
+        return as_csv(identified)
+    if ending == ".json":
+        return json.dumps(as_tree(identified), indent=1).encode() + b"\n"
+    return _laid_out(identified_document(identified), ending)
+
+
+def _say(identified: IdentifiedTests) -> None:
     from rigapp.report.testreport.identifiedsections import (
         credible_text,
         pairing_rows,
         remaining_text,
     )
 
-    for test in found.tests:
+    for test in identified.tests:
         print(f"{test.path}: {test.said}")
         if test.known is not None:
             print(f"  wear coefficient  {credible_text(test.known.coefficient)}")
             print(f"  remaining         {remaining_text(test)}")
-    if len(found.tests) > 1:
-        for name, text in pairing_rows(found):
+    if len(identified.tests) > 1:
+        for name, text in pairing_rows(identified):
             print(f"{name}: {text}")
-        if found.why_not:
-            print(f"Not counted: {found.why_not}")
-    if found.pairing is not None:
+        if identified.why_not:
+            print(f"Not counted: {identified.why_not}")
+    if identified.pairing is not None:
         print("What the test file of the next test may begin with:")
-        print(_prior_lines(found.pairing.prior))
+        print(_prior_lines(identified.pairing.prior))
 
 
 def _prior_lines(prior: Any) -> str:

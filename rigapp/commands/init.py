@@ -64,12 +64,12 @@ def prepare_real_folder(folder: Path, named: Mapping[str, tuple[str, str]]) -> i
     missing is asked for on a terminal. Raises UnusableInput for an unknown driver, for a missing
     one where nobody can be asked, and when a file is there already.
     """
-    found = search_ports() if not all(port for _, port in named.values()) else []
-    if found and sys.stdin.isatty():
+    ports = search_ports() if not all(port for _, port in named.values()) else []
+    if ports and sys.stdin.isatty():
         print("Ports of this computer:")
-        for one in found:
-            print(f"  {one.name}  {one.words}")
-    boxes = [_box(name, *named[name], found) for name in ROLES]
+        for port in ports:
+            print(f"  {port.name}  {port.words}")
+    boxes = [_box(name, *named[name], ports) for name in ROLES]
     _fill(folder, real_files(boxes), ABOUT_REAL)
     for box in boxes:
         if not box.port:
@@ -106,10 +106,10 @@ def _print_next(folder: Path, commands: Sequence[str]) -> None:
     )
 
 
-def _box(name: str, driver: str, port: str, found: Sequence[FoundPort]) -> Box:
+def _box(name: str, driver: str, port: str, ports: Sequence[FoundPort]) -> Box:
     """Return a device as told, as found, or as somebody at the terminal answers."""
     words, fitting = ROLES[name].words, drivers_of(name)
-    answering = {one.driver: one for one in reversed(found) if one.driver in fitting}
+    answering = {found.driver: found for found in reversed(ports) if found.driver in fitting}
     if not driver:
         driver = _choose(
             f"Which {words}", list(fitting), next(iter(answering), ""), option=f"--{name}"
@@ -119,12 +119,12 @@ def _box(name: str, driver: str, port: str, found: Sequence[FoundPort]) -> Box:
         raise UnusableInput(
             f"--{name} {driver}: is no driver of a {words}; say {' or '.join(fitting)}."
         )
-    return Box(name, info, port or _port_of(info, found))
+    return Box(name, info, port or _port_of(info, ports))
 
 
-def _port_of(info: DriverInfo, found: Sequence[FoundPort]) -> str:
+def _port_of(info: DriverInfo, ports: Sequence[FoundPort]) -> str:
     """Return the port of a device: the one that answers, or what somebody types; may be empty."""
-    answering = [one.name for one in found if one.driver == info.name]
+    answering = [port.name for port in ports if port.driver == info.name]
     if len(answering) == 1:
         print(f"{info.title}: found on {answering[0]}.")
         return answering[0]

@@ -175,18 +175,18 @@ def _conduct(
                 settle(host.engine.outcome)
 
 
-def show_resumption(found: Resumption) -> None:
+def show_resumption(past: Resumption) -> None:
     """Print what is there and what differs to standard error, one line each."""
     last = ""
-    if found.last_at:
-        at = datetime.fromtimestamp(found.last_at, UTC).isoformat(" ", "seconds")
-        last = f", the last one at {at}, {interval(found.gap_s)} ago"
+    if past.last_at:
+        at = datetime.fromtimestamp(past.last_at, UTC).isoformat(" ", "seconds")
+        last = f", the last one at {at}, {interval(past.gap_s)} ago"
     lines = [
-        f"{found.file}: {found.title or 'test'}, {found.status}. {found.reason}".rstrip(),
-        f"{found.revolutions} revolutions are in it, up to number {found.last_revolution} of"
-        f" {found.planned}{last}.",
+        f"{past.file}: {past.title or 'test'}, {past.status}. {past.reason}".rstrip(),
+        f"{past.revolutions} revolutions are in it, up to number {past.last_revolution} of"
+        f" {past.planned}{last}.",
     ]
-    for finding in found.findings:
+    for finding in past.findings:
         same = finding.before == finding.now or not finding.before
         values = finding.now if same else f"{finding.before} -> {finding.now}"
         text = ": ".join(part for part in (finding.what, values) if part)

@@ -35,7 +35,7 @@ def show_engines(rig: Path | None, *, as_json: bool) -> int:
     elif not result:
         print(f"No engine runs{f' for {rig}' if rig is not None else ''}.")
     else:
-        print("\n".join(line for one in result for line in _lines(one)))
+        print("\n".join(line for engine in result for line in _lines(engine)))
     return 0 if result else 1
 
 
@@ -105,21 +105,21 @@ def _finite(value: Any) -> Any:
     return None if isinstance(value, float) and value in (float("inf"), float("-inf")) else value
 
 
-def _lines(one: dict[str, Any]) -> list[str]:
-    head = f"engine {one['pid']}: {one['rig_file']}"
-    if "problem" in one:
-        return [head, *_indented(one["problem"])]
-    word, line = one["state_word"], one["state_line"]
+def _lines(engine: dict[str, Any]) -> list[str]:
+    head = f"engine {engine['pid']}: {engine['rig_file']}"
+    if "problem" in engine:
+        return [head, *_indented(engine["problem"])]
+    word, line = engine["state_word"], engine["state_line"]
     lines = [head, f"  {line}" if line.startswith(word) else f"  {word}. {line}"]
-    lines += [f"      {line}" for line in one["state_details"].splitlines()]
-    if one["file"]:
+    lines += [f"      {line}" for line in engine["state_details"].splitlines()]
+    if engine["file"]:
         lines.append(
-            f"  {one['test']}: revolution {one['revolution']} of {one['planned']},"
-            f" {one['committed']} safe in {one['file']}"
+            f"  {engine['test']}: revolution {engine['revolution']} of {engine['planned']},"
+            f" {engine['committed']} safe in {engine['file']}"
         )
-    if one["in_command"]:
-        lines.append(f"  in command: {one['in_command']}")
-    for alarm in one["alarms"]:
+    if engine["in_command"]:
+        lines.append(f"  in command: {engine['in_command']}")
+    for alarm in engine["alarms"]:
         lines += _indented(f"{alarm['severity']}, {alarm['state']}: {alarm['cause']}")
     return lines
 

@@ -137,11 +137,11 @@ def show_ways(rig: Path | None) -> int:
         known = dict(read_state(state_file(folder, str(rig.resolve()))).ways)
     for way in ways.ways:
         line = f"{_named(way)}: {', '.join(way.when)}"
-        found = known.get(identity(way))
-        if found is not None and found.outbox.waiting:
-            line += f"; {len(found.outbox.waiting)} wait to be sent"
-        if found is not None and found.outbox.failing_since:
-            line += f", it fails since {clock(found.outbox.failing_since)}"
+        state = known.get(identity(way))
+        if state is not None and state.outbox.waiting:
+            line += f"; {len(state.outbox.waiting)} wait to be sent"
+        if state is not None and state.outbox.failing_since:
+            line += f", it fails since {clock(state.outbox.failing_since)}"
         print(f"{line}.")
     if ways.ping is not None:
         print(

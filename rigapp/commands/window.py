@@ -61,15 +61,15 @@ def _tests(rig: Path, test: Path | None) -> list[Path]:
     if test is not None:
         read_test(test)
         result.append(test.resolve())
-    beside: list[tuple[int, Path]] = []
+    neighbours: list[tuple[int, Path]] = []
     for path in rig.parent.glob("*.toml"):
         try:
             revolutions = read_test(path).record.run.revolutions
         except UnusableInput:
             continue
         if path.resolve() not in result:
-            beside.append((revolutions, path.resolve()))
-    result += [path for _, path in sorted(beside)]
+            neighbours.append((revolutions, path.resolve()))
+    result += [path for _, path in sorted(neighbours)]
     return result
 
 

@@ -24,12 +24,7 @@ WITH_THE_READINGS = within(-math.inf, math.inf)
 
 
 class CellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[cell]: the load cell.
-
-    rated_output_mV_per_V: at full scale, by its data sheet, with its tolerance; a result that
-    differs by more is refused. decision_rule: of a daily check (JCGM 106), whether U is taken off
-    what is allowed ("guard band") or not ("simple acceptance").
-    """
+    """[cell]: the load cell."""
 
     name: str
     full_scale_N: Annotated[float, within(1.0, 1e6)] = 400.0
@@ -52,11 +47,7 @@ class WeightPiece(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class WeightsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[weights]: how their mass is stated, density, uncertainty, hanger, and every piece.
-
-    relative_standard_uncertainty: of all; without it the largest of the pieces. hanger_at_zero_kg:
-    what stays on the pin at the zeros as well; it is in no load.
-    """
+    """[weights]: how their mass is stated, density, uncertainty, hanger, and every piece."""
 
     mass_kind: Literal["conventional", "true"] = "conventional"
     density_kg_per_m3: Annotated[float, WITH_THE_READINGS] = 8000.0
@@ -75,7 +66,7 @@ class WeightsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         """
         if self.relative_standard_uncertainty is not None:
             return self.relative_standard_uncertainty
-        of_pieces = (one.expanded_uncertainty_g / 2000.0 / one.mass_kg for one in self.piece)
+        of_pieces = (piece.expanded_uncertainty_g / 2000.0 / piece.mass_kg for piece in self.piece)
         return max(of_pieces, default=WEIGHTS_UNCERTAINTY)
 
 
@@ -102,12 +93,7 @@ class PlaceSection(SurroundingsSection, frozen=True, forbid_unknown_fields=True,
 
 
 class AngleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[angle]: the result of the angle reference step.
-
-    offset_deg: None where no reference was taken: no reading tells it, it counts as 0.
-    setting_standard_uncertainty_deg: of bringing the bubble to the middle once, for a level that is
-    turned end for end. level_readings_deg: what the encoder showed, both ways, from a live step.
-    """
+    """[angle]: the result of the angle reference step."""
 
     offset_deg: Annotated[float | None, TURN_DEG] = None
     standard_uncertainty_deg: Annotated[float, within(0.0, 10.0)] = 0.05
@@ -119,16 +105,7 @@ class UseSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[use]: what changes from the calibration to a test, each at most so much; part of U.
 
     The defaults are those of a good strain-gauge cell in a room that is not air-conditioned; 0
-    leaves a part out. temperature_difference_K: to the calibration's, for the zero to when it was
-    taken last. creep_percent: of the load, between seconds and minutes under it.
-    load_introduction_percent: of the load, between one adapter and another. angle_deg: of the pin
-    in use, as of an eccentric encoder. largest_force_N: in use, full scale without it.
-    dead_zone_percent: of full scale, held back of every load by friction.
-    zero_before_test: the zero is taken before each test, that of the record is not used. What a
-    calibration does not show, per cent of full scale at full scale: cross_terms_percent of each
-    bridge, where the pin angles do not determine f1 f2;
-    bend_percent, beyond the largest load; loop_percent, where no falling loads were read, or none
-    of cycles as long as those in use.
+    leaves a part out. cross_terms, bend, loop: what a calibration does not show.
     """
 
     temperature_difference_K: Annotated[float, within(0.0, 100.0)] = 5.0
@@ -149,9 +126,7 @@ class UseSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[paperwork]: what the certificate names beside the numbers.
 
-    All optional; without laboratory and serial number the certificate is a draft. calibrated_on: of
-    readings that come as a table; those taken live have their own date. condition_as_received: of
-    the item, in words (ISO/IEC 17025, 7.8.2.1 g).
+    All optional. condition_as_received: ISO/IEC 17025, 7.8.2.1 g.
     """
 
     laboratory: str = ""
@@ -199,11 +174,7 @@ class LoadCellFile(CalibrationFile, frozen=True, forbid_unknown_fields=True, kw_
 
 
 class ProbeSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[probe]: the probe, its micrometer and, for a cylindrical target, the geometry.
-
-    off_axis_um: how far the pin moves across the probe's axis in use. alignment: of the direction
-    in which the micrometer moves, against the follower's axis.
-    """
+    """[probe]: the probe, its micrometer and, for a cylindrical target, the geometry."""
 
     name: str
     range_V: Annotated[float, within(0.001, 1000.0)] = 10.0
@@ -225,10 +196,7 @@ class ProbeFile(CalibrationFile, frozen=True, forbid_unknown_fields=True, kw_onl
 
 
 class ScalarSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[channel]: a free channel, compared with a reference in the channel's unit.
-
-    method: a straight line, or a table of means where the characteristic is bent.
-    """
+    """[channel]: a free channel, compared with a reference in the channel's unit."""
 
     name: str
     unit: str

@@ -57,7 +57,7 @@ def channel_table(rig: RigFile) -> ChannelTable:
         )
     base = tuple(wired[channel.name] for channel in BASE.channels)
     free = [_channel(name, section) for name, section in rig.channels.items()]
-    return ChannelTable((*base, *sorted(free, key=lambda one: one.kind is Kind.SLOW)))
+    return ChannelTable((*base, *sorted(free, key=lambda channel: channel.kind is Kind.SLOW)))
 
 
 def _channel(name: str, section: ChannelSection) -> Channel:
@@ -127,7 +127,7 @@ def _of_name(name: str, key: str, section: ChannelSection, taken: Mapping[str, s
             LONGEST_NAME,
         )
     own = {column.name for column in _channel(name, section).columns} | {name, f"raw_{name}"}
-    clash = sorted(own & taken.keys(), key=lambda one: (one != name, one))
+    clash = sorted(own & taken.keys(), key=lambda column: (column != name, column))
     if not clash:
         return ""
     return say(
@@ -137,16 +137,14 @@ def _of_name(name: str, key: str, section: ChannelSection, taken: Mapping[str, s
 
 def _of_section(rig: RigFile, key: str, section: ChannelSection) -> Iterator[str]:
     if section.source:
-        given = [one for one in _OF_INPUT if getattr(section, one) != getattr(_PLAIN, one)]
+        given = [field for field in _OF_INPUT if getattr(section, field) != getattr(_PLAIN, field)]
         if given:
-            yield (
-                say(
-                    "{}.{} means nothing beside {}.source; take one of them out, a channel"
-                    " is either an input or a source",
-                    key,
-                    given[0],
-                    key,
-                )
+            yield say(
+                "{}.{} means nothing beside {}.source; take one of them out, a channel"
+                " is either an input or a source",
+                key,
+                given[0],
+                key,
             )
         yield from _of_source(rig, key, section)
         return
@@ -155,16 +153,14 @@ def _of_section(rig: RigFile, key: str, section: ChannelSection) -> Iterator[str
         if not getattr(section, name).strip():
             yield say('{}.{} is missing; write {} = "{}" or the like', key, name, name, example)
     if section.device != source:
-        yield (
-            say(
-                "{}.device = {} must be {}, the device of the encoder: inputs are sampled"
-                " together with the crank angle; what another device tells comes with"
-                ' {}.source = "DEVICE.QUANTITY"',
-                key,
-                repr(section.device),
-                repr(source),
-                key,
-            )
+        yield say(
+            "{}.device = {} must be {}, the device of the encoder: inputs are sampled"
+            " together with the crank angle; what another device tells comes with"
+            ' {}.source = "DEVICE.QUANTITY"',
+            key,
+            repr(section.device),
+            repr(source),
+            key,
         )
     if section.table and (section.scale, section.offset_V) != (_PLAIN.scale, _PLAIN.offset_V):
         yield say("{}.table stands beside scale or offset_V; keep either the table or these", key)
@@ -172,20 +168,20 @@ def _of_section(rig: RigFile, key: str, section: ChannelSection) -> Iterator[str
         yield say("{}.scale = 0 makes the same value of every voltage; write the unit per V", key)
     if len(section.table) == 1:
         yield say("{}.table has one point; give two or more as [[voltage in V, value], ...]", key)
-    for place, ((low, one), (high, other)) in enumerate(pairwise(section.table), 2):
+    for row, ((low, first), (high, second)) in enumerate(pairwise(section.table), 2):
         if high <= low:
             yield say(
                 "{}.table {}: voltage {:g} V is not above {:g} V before; sort it",
                 key,
-                place,
+                row,
                 high,
                 low,
             )
-        elif one == other:
+        elif first == second:
             yield say(
-                "{}.table {}: value {:g} is that of the row before; take one out", key, place, other
+                "{}.table {}: value {:g} is that of the row before; take one out", key, row, second
             )
-    rising = [two[1] > one[1] for one, two in pairwise(section.table)]
+    rising = [after[1] > before[1] for before, after in pairwise(section.table)]
     if any(rising) and not all(rising):
         yield say(
             "{}.table rises and falls; a voltage must mean one value and a value one voltage", key
@@ -208,16 +204,14 @@ def _of_source(rig: RigFile, key: str, section: ChannelSection) -> Iterator[str]
             known,
         )
     elif device == rig.encoder.device:
-        yield (
-            say(
-                "{}.source = {}: {} is the data source; give {}.device and {}.input for one"
-                " of its inputs",
-                key,
-                repr(section.source),
-                device,
-                key,
-                key,
-            )
+        yield say(
+            "{}.source = {}: {} is the data source; give {}.device and {}.input for one"
+            " of its inputs",
+            key,
+            repr(section.source),
+            device,
+            key,
+            key,
         )
 
 

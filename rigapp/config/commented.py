@@ -74,8 +74,8 @@ class _Writer:
         (kind,) = tables_in(field.type)
         origin = typing.get_origin(field.type)
         if origin is dict:
-            for one, value in (stated or {"NAME": None}).items():
-                yield from self._table(kind, f"[{name}.{one}]", f"{path}.*", f"{name}.{one}", value)
+            for key, value in (stated or {"NAME": None}).items():
+                yield from self._table(kind, f"[{name}.{key}]", f"{path}.*", f"{name}.{key}", value)
         elif origin is tuple:
             for value in stated or [None]:
                 yield from self._table(kind, f"[[{name}]]", path, name, value)
@@ -134,5 +134,5 @@ def toml_value(value: Any) -> str:
     if isinstance(value, list | tuple):
         return f"[{', '.join(map(toml_value, value))}]"
     if isinstance(value, dict):
-        return "{" + ", ".join(f" {key} = {toml_value(one)}" for key, one in value.items()) + " }"
+        return "{" + ", ".join(f" {key} = {toml_value(item)}" for key, item in value.items()) + " }"
     return tomlkit.item(str(value) if isinstance(value, str) else value).as_string()

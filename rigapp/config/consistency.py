@@ -48,10 +48,10 @@ def _of_texts(value: object, key: str) -> Iterator[str]:
         for name in value.__struct_fields__:
             yield from _of_texts(getattr(value, name), f"{key}.{name}".lstrip("."))
     elif isinstance(value, tuple):
-        for place, one in enumerate(value, 1):
-            yield from _of_texts(one, say("{} {}", key, place))
+        for number, item in enumerate(value, 1):
+            yield from _of_texts(item, say("{} {}", key, number))
     elif isinstance(value, str):
-        control = next((one for one in value if one < " " and one not in "\n\t"), "")
+        control = next((char for char in value if char < " " and char not in "\n\t"), "")
         if control:
             yield say(
                 "{} holds the control character \\u{}; take it out", key, f"{ord(control):04x}"
@@ -66,31 +66,25 @@ def _of_rig(rig: RigFile) -> Iterator[str]:
             yield say("{}.device = {} is not among the devices ({})", section, repr(device), known)
     sources = {rig.encoder.device, rig.load_cell.device, rig.probes.device}
     if len(sources) > 1:
-        yield (
-            say(
-                "encoder, load_cell and probes must come from one device, so that their"
-                " samples are taken together; they name {}",
-                joined(", ", sorted(sources)),
-            )
+        yield say(
+            "encoder, load_cell and probes must come from one device, so that their"
+            " samples are taken together; they name {}",
+            joined(", ", sorted(sources)),
         )
     for name, device in rig.devices.items():
         if not device.port.strip():
             yield say("devices.{}.port is empty; name the port", name)
     if rig.simulation is None:
         for name in rig.simulated_devices:
-            yield (
-                say(
-                    "devices.{}.port is 'simulated' but there is no [simulation]; name the"
-                    " port or add the section",
-                    name,
-                )
+            yield say(
+                "devices.{}.port is 'simulated' but there is no [simulation]; name the"
+                " port or add the section",
+                name,
             )
     elif not rig.simulated_devices:
-        yield (
-            say(
-                "[simulation] stands in the file of a real rig, where no device has port ="
-                " 'simulated'; remove the line [simulation] and the keys below it"
-            )
+        yield say(
+            "[simulation] stands in the file of a real rig, where no device has port ="
+            " 'simulated'; remove the line [simulation] and the keys below it"
         )
     yield from channel_faults(rig)
     yield from _of_inputs(rig)
@@ -99,10 +93,10 @@ def _of_rig(rig: RigFile) -> Iterator[str]:
 
 def _of_inputs(rig: RigFile) -> Iterator[str]:
     named = input_keys(rig)
-    for one, count in Counter(named.values()).items():
+    for name, count in Counter(named.values()).items():
         if count > 1:
-            keys = joined(say(" and "), (key for key, value in named.items() if value == one))
-            yield say("{} both name {}; each needs an input of its own", keys, repr(one))
+            keys = joined(say(" and "), (key for key, value in named.items() if value == name))
+            yield say("{} both name {}; each needs an input of its own", keys, repr(name))
 
 
 def number_faults(rig: RigFile) -> Iterator[str]:
@@ -123,38 +117,31 @@ def _of_numbers(rig: RigFile) -> Iterator[str]:
                 key,
                 [list(row) for row in matrix],
             )
-    for place, zero in enumerate(cell.zero_mV_per_V, 1):
+    for number, zero in enumerate(cell.zero_mV_per_V, 1):
         if abs(zero) >= cell.range_mV_per_V:
-            yield (
-                say(
-                    "load_cell.zero_mV_per_V {} = {:g} is not within"
-                    " load_cell.range_mV_per_V = {:g}",
-                    place,
-                    zero,
-                    cell.range_mV_per_V,
-                )
+            yield say(
+                "load_cell.zero_mV_per_V {} = {:g} is not within load_cell.range_mV_per_V = {:g}",
+                number,
+                zero,
+                cell.range_mV_per_V,
             )
     if cell.resolution_N >= cell.full_scale_N:
-        yield (
-            say(
-                "load_cell.resolution_N = {:g} is not below load_cell.full_scale_N = {:g}",
-                cell.resolution_N,
-                cell.full_scale_N,
-            )
+        yield say(
+            "load_cell.resolution_N = {:g} is not below load_cell.full_scale_N = {:g}",
+            cell.resolution_N,
+            cell.full_scale_N,
         )
-    for place, (cosines, sines) in enumerate(
+    for number, (cosines, sines) in enumerate(
         zip(probes.run_out_cos_um, probes.run_out_sin_um, strict=True), 1
     ):
         if len(cosines) != len(sines):
-            yield (
-                say(
-                    "probes.run_out_cos_um {} has {} orders and probes.run_out_sin_um {}"
-                    " has {}; give as many",
-                    place,
-                    len(cosines),
-                    place,
-                    len(sines),
-                )
+            yield say(
+                "probes.run_out_cos_um {} has {} orders and probes.run_out_sin_um {}"
+                " has {}; give as many",
+                number,
+                len(cosines),
+                number,
+                len(sines),
             )
     if len({len(orders) for orders in probes.run_out_cos_um}) > 1:
         yield say(
@@ -180,24 +167,20 @@ def _of_test(test: TestFile) -> Iterator[str]:
     yield from overspeed_faults(test.limits, Sequence(run))
     stop, limits = test.stop, test.limits
     if stop.force_N is not None and stop.force_N >= limits.overload_N:
-        yield (
-            say(
-                "stop.force_N = {:g} can never be met, because limits.overload_N = {:g}"
-                " switches the drive off before; lower stop.force_N",
-                stop.force_N,
-                limits.overload_N,
-            )
+        yield say(
+            "stop.force_N = {:g} can never be met, because limits.overload_N = {:g}"
+            " switches the drive off before; lower stop.force_N",
+            stop.force_N,
+            limits.overload_N,
         )
     for name, criterion in CRITERIA.items():
         blind = criterion.model and not test.prediction.enabled
         if blind and getattr(stop, name) is not None:
-            yield (
-                say(
-                    "stop.{} {}, but prediction.enabled is false; enable the prediction or"
-                    " leave the criterion out",
-                    name,
-                    criterion.model,
-                )
+            yield say(
+                "stop.{} {}, but prediction.enabled is false; enable the prediction or"
+                " leave the criterion out",
+                name,
+                criterion.model,
             )
     if stop.remaining_revolutions is not None and stop.wear_depth_um is None:
         yield say(
@@ -237,13 +220,11 @@ def _of_sequence(test: TestFile) -> Iterator[str]:
     for rule in test.limits.rule:
         for number in rule.steps:
             if not 1 <= number <= count:
-                yield (
-                    say(
-                        "limits.rule ({}): steps names step {}, but run.step stands {} times",
-                        rule.quantity,
-                        number,
-                        count,
-                    )
+                yield say(
+                    "limits.rule ({}): steps names step {}, but run.step stands {} times",
+                    rule.quantity,
+                    number,
+                    count,
                 )
 
 

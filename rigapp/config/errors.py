@@ -37,7 +37,7 @@ def in_words(error: Exception) -> tuple[str, str]:
         return f"{where}.{missing[1]}" if where else missing[1], say("is missing")
 
     message = message[:1].lower() + message[1:]
-    values = [_kind(found[1]) if found[1] else found[0] for found in _VALUES.finditer(message)]
+    values = [_kind(match[1]) if match[1] else match[0] for match in _VALUES.finditer(message)]
     return where, Sentence(_VALUES.sub("{}", message), *values)
 
 

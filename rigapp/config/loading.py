@@ -19,8 +19,7 @@ from rigapp.config.parameters import ParameterFile, to_parameters
 from rigapp.config.ranges import keys_of, refusals
 from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
-from rigapp.config.report import ReportFile
-from rigapp.config.rig import OperatorsFile, RigFile
+from rigapp.config.rig import RigFile
 from rigapp.config.toml import toml_tree
 from rigapp.texts import joined, say, sentence_of_error
 
@@ -76,24 +75,9 @@ def read_test(path: Path) -> Document[TestFile]:
     return read_document(path, TestFile)
 
 
-def read_notify(path: Path) -> Document[NotifyFile]:
-    """Read a user's file of ways to be told; raise UnusableInput."""
-    return read_document(path, NotifyFile)
-
-
-def read_operators(path: Path) -> Document[OperatorsFile]:
-    """Read the file of a rig's operators; raise UnusableInput."""
-    return read_document(path, OperatorsFile)
-
-
 def parse_notify(text: str, name: str) -> NotifyFile:
     """Read a user's file of ways from text; raise UnusableInput."""
     return _record(Path(name), toml_tree(text, name), NotifyFile)
-
-
-def read_report_settings(path: Path) -> Document[ReportFile]:
-    """Read the settings of reports; raise UnusableInput."""
-    return read_document(path, ReportFile)
 
 
 def read_parameter_file(path: Path) -> Document[ParameterFile]:
@@ -214,8 +198,8 @@ def _unknown_keys(
 ) -> Iterator[tuple[str, str, list[str]]]:
     """Yield (where, key, allowed keys) of every key that a kind of file does not have."""
     if isinstance(tree, list):
-        for index, one in enumerate(tree):
-            yield from _unknown_keys(one, known, path, f"{where}{index}.")
+        for index, item in enumerate(tree):
+            yield from _unknown_keys(item, known, path, f"{where}{index}.")
     elif isinstance(tree, Mapping) and path in known:
         allowed = known[path]
         for key, value in tree.items():

@@ -20,7 +20,7 @@ def name_refusal(path: Path) -> str:
     """Return why a file of that name cannot be made, without a full stop; empty when it can."""
     if path.name in ("", ".."):
         return say("{} names no file; give the name of a file", repr(str(path)))
-    control = next((one for one in path.name if not one.isprintable()), "")
+    control = next((character for character in path.name if not character.isprintable()), "")
     if control:
         return say(
             "the file name {} holds the character {}; take it out", repr(path.name), repr(control)

@@ -28,10 +28,7 @@ WAY_NAME: Final = re.compile(r"[A-Za-z0-9][A-Za-z0-9 _.-]{0,39}")
 class NotifySection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[[notify]]: one way to reach somebody: by a URL of apprise, or by a command of one's own.
 
-    when: severities of alarms, and what else is told. daily_at: local time of the daily summary.
-    near_percent: a planned end or stop criterion counts as near so far before it. silent_after_s:
-    so long without a sign of life of the engine. recovered_after_s: so long must be over what was
-    raised before that is told; what comes again within it is told no second time.
+    What comes again within recovered_after_s is told no second time.
     """
 
     url: str = ""

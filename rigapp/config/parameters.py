@@ -197,7 +197,7 @@ def _law(wear: WearSection | None, coefficient: float, where: str) -> WearLaw:
             first,
             coefficient,
         )
-    found = {
+    scaled = {
         "excess": (first, 1.0 / (coefficient or 1.0), -1.0),
         "running_in": (wear.running_in_revolutions, 1.0, 0.0),
         "exponent": (wear.pressure_exponent, 1.0, 0.0),
@@ -205,7 +205,7 @@ def _law(wear: WearSection | None, coefficient: float, where: str) -> WearLaw:
         "beyond": (wear.severe_wear_coefficient_mm3_per_Nm, 1.0 / (coefficient or 1.0), 0.0),
         "transition": (wear.transition_MPa_m_per_s, MPA, 0.0),
     }
-    numbers = {name: one * by + plus for name, (one, by, plus) in found.items() if one is not None}
+    numbers = {key: x * by + plus for key, (x, by, plus) in scaled.items() if x is not None}
     try:
         return WearLaw(wear.law, **numbers)
     except ValueError as error:

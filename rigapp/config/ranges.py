@@ -170,17 +170,17 @@ def _of_value(key: str, shown: str, value: Any, ranges: Mapping[str, Range]) -> 
         for name in value.__struct_fields__:
             yield from _of_value(f"{key}.{name}", f"{shown}.{name}", getattr(value, name), ranges)
     elif isinstance(value, dict):
-        for name, one in value.items():
-            if isinstance(one, msgspec.Struct):
-                yield from _of_value(f"{key}.*", f"{shown}.{name}", one, ranges)
+        for name, item in value.items():
+            if isinstance(item, msgspec.Struct):
+                yield from _of_value(f"{key}.*", f"{shown}.{name}", item, ranges)
     elif isinstance(value, tuple):
-        for place, one in enumerate(value, 1):
-            yield from _of_value(key, say("{} {}", shown, place), one, ranges)
+        for number, item in enumerate(value, 1):
+            yield from _of_value(key, say("{} {}", shown, number), item, ranges)
     elif isinstance(value, int | float) and not isinstance(value, bool):
         allowed = ranges.get(key, ANY)
-        found = refusal(shown, value, allowed, unit_of(key, allowed))
-        if found:
-            yield found
+        fault = refusal(shown, value, allowed, unit_of(key, allowed))
+        if fault:
+            yield fault
 
 
 LONGEST_SHOWN: Final = 1e15

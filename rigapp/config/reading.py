@@ -29,27 +29,7 @@ def read_bytes(path: Path, largest: int = LARGEST_BYTES) -> bytes:
     Raises UnusableInput for what is neither, is larger than ``largest`` or does not come within
     PATIENCE_S; OSError as ``open`` does.
     """
-    return _in_time(path, largest)
-
-
-def read_text(path: Path, largest: int = LARGEST_BYTES) -> str:
-    """Return the text of a file, its lines ended by a newline alone; raise UnusableInput.
-
-    A byte order mark before the text is left out. A name that no file can have raises OSError.
-    """
-    try:
-        text = read_bytes(path, largest).decode("utf-8-sig")
-    except FileNotFoundError as error:
-        raise UnusableInput("{}: there is no such file; check the name.", path) from error
-    except (OSError, ValueError) as error:
-        if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
-            raise
-        raise UnusableInput("{}: cannot be read as text ‹{}›.", path, error) from error
-    return text.replace("\r\n", "\n").replace("\r", "\n")
-
-
-def _in_time(path: Path, largest: int) -> bytes:
-    """Read in a thread of its own: a folder that is not reachable hangs whoever looks at it."""
+    # In a thread of its own: a folder that is not reachable hangs whoever looks at it.
     result: list[bytes | BaseException] = []
 
     def run() -> None:
@@ -72,6 +52,22 @@ def _in_time(path: Path, largest: int) -> bytes:
     if isinstance(result[0], BaseException):
         raise result[0]
     return result[0]
+
+
+def read_text(path: Path, largest: int = LARGEST_BYTES) -> str:
+    """Return the text of a file, its lines ended by a newline alone; raise UnusableInput.
+
+    A byte order mark before the text is left out. A name that no file can have raises OSError.
+    """
+    try:
+        text = read_bytes(path, largest).decode("utf-8-sig")
+    except FileNotFoundError as error:
+        raise UnusableInput("{}: there is no such file; check the name.", path) from error
+    except (OSError, ValueError) as error:
+        if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
+            raise
+        raise UnusableInput("{}: cannot be read as text ‹{}›.", path, error) from error
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _read(path: Path, largest: int) -> bytes:

@@ -30,8 +30,7 @@ MOST_STEPS = 1000
 class RunStep(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[[run.step]]: so many revolutions, or so long, at a speed of their own, then a rest.
 
-    Speed and ramp are those of [run] where they are not given. rest_s: the crank then stands so
-    long at the safe angle; after the last revolution of the test there is none.
+    rest_s: not after the last revolution of the test.
     """
 
     name: str = ""
@@ -43,10 +42,7 @@ class RunStep(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class RunSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[run]: revolutions, speed and ramp; pause_angle_deg is the safe angle.
-
-    step: what the test is made of; after the last step it goes on with repeat_from_step.
-    """
+    """[run]: revolutions, speed and ramp; pause_angle_deg is the safe angle."""
 
     revolutions: Annotated[int, within(1, MOST, unit="revolutions")]
     speed_rpm: Annotated[float, within(0.1, 3000.0)]
@@ -68,8 +64,7 @@ class MetadataSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class CyclesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[cycles]: which whole cycles are kept.
 
-    before_alarm, after_alarm: revolutions before and after one in which an alarm rises, a limit is
-    passed or a note is made, whatever the schedule; 0 and 0 keep none of these.
+    before_alarm, after_alarm: whatever the schedule.
     """
 
     schedule: Literal["every", "logarithmic", "none"] = "every"
@@ -80,10 +75,7 @@ class CyclesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class LimitRule(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[[limits.rule]]: two levels on one quantity of the revolution, e.g. ``force_max``.
-
-    steps: judged in these steps of the test only, by their numbers; in all of them without any.
-    """
+    """[[limits.rule]]: two levels on one quantity of the revolution, e.g. ``force_max``."""
 
     quantity: str
     warning_above: Annotated[float | None, LEVEL] = None
@@ -109,9 +101,6 @@ class LimitsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class StopSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[stop]: what ends the test before its last revolution; the first that is met, any of them.
 
-    Planned ends (the test is complete): elapsed_time_h, running_time_h, wear_depth_um,
-    remaining_revolutions. Limits (the test is stopped): force_N, wear_rate_um_per_1000_revolutions,
-    deviation_N, deviation_percent, wear_coefficient_mm3_per_Nm, wear_consistency.
     A level must be passed in so many judged revolutions in a row as the key beside it says.
     """
 
@@ -138,8 +127,7 @@ class StopSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class PriorSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[prediction.prior]: the wear coefficient as tests of the same pairing tell it beforehand.
 
-    ln K is normal about that of the key, with the standard deviation spread_ln; source: where from,
-    in words. ``rigapp identify`` prints all three.
+    ln K is normal about that of the key. ``rigapp identify`` prints all three.
     """
 
     wear_coefficient_mm3_per_Nm: Annotated[float, within(1e-12, 1.0)]
@@ -165,8 +153,7 @@ MOST_TILES, MOST_PLOTS = 12, 6
 class ViewSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[view]: the operator's own page of the window.
 
-    tiles: columns of revolutions or predictions whose newest values are shown. plots: "cycle", the
-    newest revolution, or quantities over the test. The page itself writes both.
+    The page itself writes both.
     """
 
     tiles: Annotated[tuple[str, ...], msgspec.Meta(max_length=MOST_TILES)] = ()

@@ -22,11 +22,7 @@ class LaboratorySection(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
 
 
 class ReportSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[report]: number, customer, the statement at the foot and who signs.
-
-    number: a pattern with {file}, {title}, {specimen} and {date} of the test's begin. language: by
-    ISO 639.
-    """
+    """[report]: number, customer, the statement at the foot and who signs."""
 
     number: str = ""
     customer: str = ""

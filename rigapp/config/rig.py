@@ -21,19 +21,9 @@ SIMULATED = "simulated"
 class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[simulation.plant]: how the simulated rig differs from the model, each by how much.
 
-    running_in_factor: what the wear coefficient of a new bushing is multiplied by; that falls to 1
-    with the depth, by the factor e in each running_in_depth_um. wear_change_factor: what it is
-    multiplied by beyond wear_change_depth_um. By depth, so that a resumed test goes on the same.
-    bushing_heating_K_per_W: what the friction's power warms the bushing by in the end, with
-    bushing_time_constant_s. The room's temperature and humidity swing about their means, once in
-    room_swing_hours. What follows wear_change_depth_um is off by default: examples/harsh.toml has
-    all of it. probe_wander_um: standard deviation of what both probes wander by, each for itself,
-    and within how many revolutions they forget it. touched_probe_um: a step of the first probe at
-    touched_at_revolution. cell_creep_percent: what the cell adds to a lasting load, in
-    cell_creep_time_s but for 1/e. bushing_creep_um_per_decade: what the bushing yields without
-    wear, in each decade of time after the first minute. pin_mass_kg: of the pin outboard of the
-    gauges, whose weight turns about the cell once a revolution. restitution: what part of its
-    normal speed an impact of the pin returns; without it the pin always touches the bushing.
+    keys.toml explains each. Running-in and change go by depth, so that a resumed test goes on the
+    same. What follows wear_change_depth_um is off by default: examples/harsh.toml has all of it.
+    bushing_creep_um_per_decade: after the first minute.
     """
 
     slider_mass_factor: Annotated[float, FACTOR] = 1.01
@@ -89,10 +79,7 @@ class SimulationSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
 class DeviceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[devices.NAME]: driver, port and its settings.
 
-    port: "simulated", a path, a pyserial URL, "serial:NUMBER" (the port of the USB device with that
-    serial number) or "wire:FILE" (a recorded line). record: keep all bytes of the line in a file in
-    the folder ``wire`` beside the rig file. serial_number: what the device itself must say that it
-    has, empty for any.
+    record: into a file in the folder ``wire`` beside the rig file.
     """
 
     driver: str
@@ -110,8 +97,7 @@ class DeviceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class SpindleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[spindle]: the drive that turns the crank.
 
-    encoder_counts_per_revolution: of the motor. gear_ratio: turns of the motor for one of the
-    crank; every speed in the program is the crank's.
+    Every speed in the program is the crank's.
     """
 
     device: str
@@ -137,14 +123,8 @@ class EncoderSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[load_cell]: two bridges in the pin; force on the pin = matrix (signal - zero).
 
-    quadratic_mV_per_V_per_N2: only from a record whose readings justify it; then signal - zero =
-    inverse(matrix) f + quadratic (f1^2, f1 f2, f2^2), f the force on the pin.
-    uncertainty_N: expanded uncertainty U(F) = first + second F. calibration: a record that takes
-    the place of matrix, zero, quadratic and uncertainty; calibration_override: why it is used
-    though it forbids a start. serial_number: of the cell; a record must be of the same one.
-    outboard_mass_kg, outboard_radius_mm: the pin outboard of the gauges and the distance of its
-    centre of mass from the crank's axis; force_1 holds - mass radius speed^2 of it. pin_weight_N:
-    what turns with the pin weighs, as a record states it; it is taken off by the angle.
+    quadratic_mV_per_V_per_N2: then signal - zero = inverse(matrix) f + quadratic (f1^2, f1 f2,
+    f2^2), f the force on the pin. outboard_mass_kg: force_1 holds - mass radius speed^2 of it.
     """
 
     device: str
@@ -167,13 +147,7 @@ class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class ProbesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[probes]: two capacitance probes; position = sensitivity (voltage - offset).
-
-    calibration: a record for both probes, or one for each, in the place of these numbers. run_out:
-    the record of the pin's run-out map, in the place of the map's numbers (Fourier orders 1 ... of
-    the crank angle, for each probe). alignment: position along and across the follower = matrix
-    (probe 1, probe 2). uncertainty_um: expanded uncertainty of a position, each probe.
-    """
+    """[probes]: two capacitance probes; position = sensitivity (voltage - offset)."""
 
     device: str
     input_1: str
@@ -201,11 +175,8 @@ class ProbesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class ChannelSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[channels.NAME]: a free scalar channel, from an input (V) or a source, not both.
 
-    An input is sampled with the encoder: value = scale (voltage - offset_V), scale in unit per V,
-    or by ``table`` of (voltage in V, value), linear between its points and beyond its ends.
-    source: "DEVICE.QUANTITY" of a device that tells it now and then, one value a revolution.
-    uncertainty: expanded, of a value, in the unit. calibration: a record that takes the place of
-    scale, offset or table and uncertainty; calibration_override: why it is used though expired.
+    table: (voltage in V, value), linear between its points and beyond its ends. source: one value a
+    revolution.
     """
 
     device: str = ""
@@ -231,8 +202,7 @@ class ChannelSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class RecordsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[records]: whose calibration records are used.
 
-    trusted_keys: files of public keys (PEM), relative to the rig file; a record that none of them
-    signed then blocks a start. Empty: records need no signature.
+    Files relative to the rig file. Empty: records need no signature.
     """
 
     trusted_keys: tuple[str, ...] = ()
@@ -241,7 +211,7 @@ class RecordsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class OperatorsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[operators]: who may change limits.
 
-    file: of their names and hashed PINs, relative to the rig file; empty: whoever may operate.
+    file: relative to the rig file.
     """
 
     file: str = ""

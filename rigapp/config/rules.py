@@ -129,13 +129,11 @@ def rule_faults(rule: LimitRule, table: ChannelTable | None) -> Iterator[str]:
         yield say("no value lies above {:g} and below {:g}", max(lows), min(highs))
     critical = [name for name in bounds if name.startswith("critical")]
     if critical and rule.action_critical == "none":
-        yield (
-            say(
-                "action_critical = 'none' would do nothing at {} = {:g}; choose warn,"
-                " pause, stop or drive_off, or give a warning level in its place",
-                critical[0],
-                bounds[critical[0]],
-            )
+        yield say(
+            "action_critical = 'none' would do nothing at {} = {:g}; choose warn,"
+            " pause, stop or drive_off, or give a warning level in its place",
+            critical[0],
+            bounds[critical[0]],
         )
 
 

@@ -100,13 +100,13 @@ class Sequence:
         """Return the step of a revolution, which is counted from 1."""
         rounds = max(0, -(-(revolution - self.ends[-1]) // self.loop))
         shift = rounds * self.loop
-        place = bisect_left(self.ends, revolution - shift)
-        step = self._steps[place]
+        index = bisect_left(self.ends, revolution - shift)
+        step = self._steps[index]
         return StepPlace(
-            step=place + 1 if self._numbered else 0,
+            step=index + 1 if self._numbered else 0,
             name=step.name,
-            first=(self.ends[place - 1] if place else 0) + 1 + shift,
-            last=self.ends[place] + shift,
+            first=(self.ends[index - 1] if index else 0) + 1 + shift,
+            last=self.ends[index] + shift,
             speed_rpm=self._speed(step),
             acceleration_rpm_per_s=self._ramp(step),
             rest_s=step.rest_s,
@@ -124,11 +124,11 @@ class Sequence:
         if first > last:
             return 0.0
         start = min(last, max(first, self.loop_from + 1))
-        whole = (last - start) // self.loop
+        loops = (last - start) // self.loop
         return (
             self._seconds(first, start - 1, last)
-            + whole * self._loop_s
-            + self._seconds(start + whole * self.loop, last, last)
+            + loops * self._loop_s
+            + self._seconds(start + loops * self.loop, last, last)
         )
 
     def _seconds(self, first: int, to: int, last: int) -> float:

@@ -38,20 +38,20 @@ def whole_file(
     that is there is not replaced. mode: permissions, by default those of a file that is replaced.
     Raises UnusableInput naming the target, which is then as it was.
     """
-    place = place_of(target)
-    part = place.with_name(part_name(place.name))
+    path = place_of(target)
+    part = path.with_name(part_name(path.name))
     try:
         yield part
         with part.open("r+b") as stream:
             os.fsync(stream.fileno())
-        if mode is None and place.exists() and not place.is_symlink():
-            mode = place.stat().st_mode & 0o777
+        if mode is None and path.exists() and not path.is_symlink():
+            mode = path.stat().st_mode & 0o777
         if mode is not None:
             part.chmod(mode)
         if new:
-            os.link(part, place)
+            os.link(part, path)
         else:
-            part.replace(place)
+            part.replace(path)
     except OSError as error:
         raise UnusableInput(
             "{}: cannot be written ({}) ‹{}›.", name or target, error.strerror, error

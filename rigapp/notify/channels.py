@@ -20,8 +20,8 @@ import msgspec
 import platformdirs
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import Document, parse_notify, read_notify
-from rigapp.config.notify import REFERENCE, NotifySection, PingSection
+from rigapp.config.loading import Document, parse_notify, read_document
+from rigapp.config.notify import REFERENCE, NotifyFile, NotifySection, PingSection
 from rigapp.config.reading import read_text
 from rigapp.config.rig import RigFile
 from rigapp.config.writing import whole_file
@@ -59,11 +59,11 @@ def user_folder() -> Path:
 def ways_of(rig: Document[RigFile] | None) -> DeliveryChannels:
     """Return the ways of a rig, of the user alone without one; raise UnusableInput."""
     own = user_folder() / "notify.toml"
-    user = read_notify(own).record if own.exists() else None
-    found = [*(rig.record.notify if rig is not None else ()), *(user.notify if user else ())]
+    user = read_document(own, NotifyFile).record if own.exists() else None
+    sections = [*(rig.record.notify if rig is not None else ()), *(user.notify if user else ())]
     named = tuple(
         msgspec.structs.replace(way, name=way.name or f"way {number}")
-        for number, way in enumerate(found, 1)
+        for number, way in enumerate(sections, 1)
     )
     names = [way.name for way in named]
     for name in names:
@@ -155,17 +155,17 @@ def address(url: str) -> str:
 def inspected(ways: DeliveryChannels) -> list[str]:
     """Return why ways cannot be used as they stand, one sentence each; nothing is sent."""
     requested: list[tuple[str, NotifySection | PingSection]] = [
-        (one.name, one) for one in ways.ways
+        (way.name, way) for way in ways.ways
     ]
     requested += [("ping", ways.ping)] if ways.ping is not None and "{" in ways.ping.url else []
     if not requested:
         return []
     with ThreadPoolExecutor(len(requested)) as pool:
-        results = list(pool.map(lambda one: _inspect(one[1], ways.secrets), requested))
+        results = list(pool.map(lambda request: _inspect(request[1], ways.secrets), requested))
     return [
-        f"notify, {name}: {one.reason}"
-        for (name, _), one in zip(requested, results, strict=True)
-        if not one.ok
+        f"notify, {name}: {result.reason}"
+        for (name, _), result in zip(requested, results, strict=True)
+        if not result.ok
     ]
 
 
@@ -184,7 +184,7 @@ def tell(way: NotifySection, secrets: Path, rig: str, batch: Sequence[Message]) 
     level = worst_level(batch)
     if way.url:
         return attempt(AttemptRequest("send", way.url, str(secrets), title, text, level))
-    told = {
+    settings = {
         "rig": rig,
         "title": title,
         "text": text,
@@ -192,7 +192,7 @@ def tell(way: NotifySection, secrets: Path, rig: str, batch: Sequence[Message]) 
         "messages": tree_of(batch),
     }
     try:
-        status, _ = _bounded(way.command, json.dumps(told).encode(), keep=False)
+        status, _ = _bounded(way.command, json.dumps(settings).encode(), keep=False)
     except OSError as error:
         return DeliveryResult(False, f"{way.command[0]} cannot be started ({error.strerror})")
     if status is None:

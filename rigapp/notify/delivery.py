@@ -44,12 +44,12 @@ def names_in(url: str) -> tuple[str, ...]:
 def looked_up(names: Iterable[str], file: Path) -> dict[str, str]:
     """Return secrets by name, of the file first, then of the keyring; raise UnusableInput."""
     in_file: Mapping[str, str] | None = None
-    found = {}
+    secrets = {}
     for name in names:
         if in_file is None:
             in_file = read_secrets(file)
-        found[name] = in_file[name] if name in in_file else _of_keyring(name, file)
-    return found
+        secrets[name] = in_file[name] if name in in_file else _of_keyring(name, file)
+    return secrets
 
 
 def read_secrets(file: Path) -> dict[str, str]:
@@ -76,17 +76,17 @@ def read_secrets(file: Path) -> dict[str, str]:
     return tree
 
 
-def _require_private(file: Path, found: os.stat_result) -> None:
-    if not stat.S_ISREG(found.st_mode) or found.st_size > SMALL_BYTES:
+def _require_private(file: Path, status: os.stat_result) -> None:
+    if not stat.S_ISREG(status.st_mode) or status.st_size > SMALL_BYTES:
         raise UnusableInput("{}: is no small file; write the secrets into one.", file)
-    if not owned_by_user(found):
+    if not owned_by_user(status):
         raise UnusableInput("{}: belongs to somebody else; make it yours.", file)
-    if open_to_others(found):
+    if open_to_others(status):
         raise UnusableInput(
             "{}: others can read it (mode {}); chmod 600 it, and change the secrets"
             " where others are on this computer.",
             file,
-            f"{stat.S_IMODE(found.st_mode):04o}",
+            f"{stat.S_IMODE(status.st_mode):04o}",
         )
 
 
@@ -115,15 +115,15 @@ def _of_keyring(name: str, file: Path) -> str:
 
 def filled(url: str, secrets: Mapping[str, str]) -> str:
     """Return a URL with its secrets; quoted, but for one that is the whole URL."""
-    whole = REFERENCE.fullmatch(url)
-    if whole is not None:
-        return secrets[whole[1]]
+    reference = REFERENCE.fullmatch(url)
+    if reference is not None:
+        return secrets[reference[1]]
     return REFERENCE.sub(lambda name: quote(secrets[name[1]], safe=""), url)
 
 
 def redacted(text: str, secrets: Iterable[str]) -> str:
     """Return a text without the secrets, however they are quoted."""
-    forms = {form for one in secrets for form in (one, quote(one, safe=""), quote(one))}
+    forms = {form for secret in secrets for form in (secret, quote(secret, safe=""), quote(secret))}
     for form in sorted(forms, key=len, reverse=True):
         text = text.replace(form, HIDDEN)
     return text
@@ -220,13 +220,15 @@ def _by_apprise(request: AttemptRequest, url: str, secrets: list[str]) -> Delive
     if request.what == "inspect":
         return _inspected(request, service, secrets)
     types = {"critical": apprise.NotifyType.FAILURE, "warning": apprise.NotifyType.WARNING}
-    told = service.notify(
+    delivered = service.notify(
         title=request.title,
         body=request.text,
         notify_type=types.get(request.level, apprise.NotifyType.INFO),
         body_format=apprise.NotifyFormat.TEXT,
     )
-    return DeliveryResult(bool(told), "" if told else "; ".join(remarks.texts) or "not delivered")
+    return DeliveryResult(
+        bool(delivered), "" if delivered else "; ".join(remarks.texts) or "not delivered"
+    )
 
 
 def _inspected(request: AttemptRequest, service: Any, secrets: list[str]) -> DeliveryResult:
@@ -235,7 +237,7 @@ def _inspected(request: AttemptRequest, service: Any, secrets: list[str]) -> Del
         return DeliveryResult(True)
     shown = set(_parts(service.url(privacy=True)))
     for part in _parts(service.url(privacy=False)):
-        if part not in shown and not any(part in one or one in part for one in secrets):
+        if part not in shown and not any(part in secret or secret in part for secret in secrets):
             return DeliveryResult(
                 False,
                 "url holds a secret; write {NAME} in its place, and the secret under that name into"

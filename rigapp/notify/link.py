@@ -158,7 +158,7 @@ class NotifierLink:
         self._introduced = self._introduced or notifier.send(self._setup)
         if not self._introduced:
             return
-        for fact in [one for one in self._facts if one.number > self._handed]:
+        for fact in [fact for fact in self._facts if fact.number > self._handed]:
             if not notifier.send(fact):
                 break
             self._handed = fact.number

@@ -32,8 +32,8 @@ class Message(msgspec.Struct, frozen=True):
 
 def alarm_message(alarm: Alarm) -> tuple[str, str]:
     """Return title and text of an alarm that rises."""
-    place = f" At revolution {alarm.revolution:,}." if alarm.revolution else ""
-    text = f"{alarm.cause}{place}\n{alarm.consequence}\nWhat to do: {alarm.action}"
+    where = f" At revolution {alarm.revolution:,}." if alarm.revolution else ""
+    text = f"{alarm.cause}{where}\n{alarm.consequence}\nWhat to do: {alarm.action}"
     return alarm.title, text
 
 
@@ -76,17 +76,19 @@ def worded(rig: str, batch: Sequence[Message]) -> tuple[str, str]:
     """Return title and text of what is sent: one message, or several in one."""
     if len(batch) == 1:
         message = batch[0]
-        return headline(rig, message), f"{sentence_of(message.text)}\n{clock(message.at)}"[
-            :MOST_CHARACTERS
-        ]
-    parts = [f"{clock(one.at)}  {headline(rig, one)}\n{sentence_of(one.text)}" for one in batch]
+        text = f"{sentence_of(message.text)}\n{clock(message.at)}"
+        return headline(rig, message), text[:MOST_CHARACTERS]
+    parts = [
+        f"{clock(message.at)}  {headline(rig, message)}\n{sentence_of(message.text)}"
+        for message in batch
+    ]
     share = MOST_CHARACTERS // len(parts)
     return f"{rig}: {len(batch)} messages", "\n\n".join(part[:share] for part in parts)
 
 
 def worst_level(batch: Sequence[Message]) -> Level:
     """Return how bad the worst of some messages is; what is over is no longer bad."""
-    levels = {one.level for one in batch if one.turn != "recovered"}
+    levels = {message.level for message in batch if message.turn != "recovered"}
     if "critical" in levels:
         return "critical"
     return "warning" if "warning" in levels else "information"

@@ -97,19 +97,19 @@ class Notifier:
 
     def take_up(self) -> None:
         """Read the state anew: another notifier may have sent of it meanwhile."""
-        found = read_state(self._file)
-        same = found.run == self._setup.run
-        ways = {name: found.ways.get(name, WayState()) for name in self._ways}
-        self.state = NotifierState(ways, self._setup.run, found.heard if same else 0)
-        self._kept = settled(found)
-        left = sum(len(one.outbox.waiting) for name, one in found.ways.items() if name not in ways)
+        state = read_state(self._file)
+        same = state.run == self._setup.run
+        ways = {name: state.ways.get(name, WayState()) for name in self._ways}
+        self.state = NotifierState(ways, self._setup.run, state.heard if same else 0)
+        self._kept = settled(state)
+        left = sum(len(way.outbox.waiting) for name, way in state.ways.items() if name not in ways)
         if left:
             self._say(f"{left} messages waited for a way that is set up no more; they are dropped")
 
     @property
     def idle(self) -> bool:
         """Tell whether nothing waits and nothing is on its way."""
-        return not self._going and not any(one.outbox.waiting for one in self.state.ways.values())
+        return not self._going and not any(way.outbox.waiting for way in self.state.ways.values())
 
     @property
     def busy(self) -> bool:
@@ -131,9 +131,9 @@ class Notifier:
         for fact in self._own_facts(now, gone):
             self._hear(fact)
         for name, way in self._ways.items():
-            one = self.state.ways[name]
-            book, messages = pass_time(way, one.book, now, datetime.datetime.now())
-            self._note(name, msgspec.structs.replace(one, book=book), messages)
+            way_state = self.state.ways[name]
+            book, messages = pass_time(way, way_state.book, now, datetime.datetime.now())
+            self._note(name, msgspec.structs.replace(way_state, book=book), messages)
             self._deliver(name, way, now)
         if not gone and not self.farewell:
             self._look_after_ping()
@@ -147,18 +147,18 @@ class Notifier:
             self._status, self._heartbeat_at = fact.seen.status, time.monotonic()
         self.farewell |= isinstance(fact.seen, Farewell)
         for name, way in self._ways.items():
-            one = self.state.ways[name]
-            book, messages = update(way, one.book, fact)
-            self._note(name, msgspec.structs.replace(one, book=book), messages)
+            way_state = self.state.ways[name]
+            book, messages = update(way, way_state.book, fact)
+            self._note(name, msgspec.structs.replace(way_state, book=book), messages)
 
-    def _note(self, name: str, one: WayState, messages: Sequence[Message]) -> None:
-        outbox = one.outbox
+    def _note(self, name: str, way: WayState, messages: Sequence[Message]) -> None:
+        outbox = way.outbox
         for message in messages:
             outbox = put(outbox, message)
-        self._set(name, msgspec.structs.replace(one, outbox=outbox))
+        self._set(name, msgspec.structs.replace(way, outbox=outbox))
 
-    def _set(self, name: str, one: WayState) -> None:
-        ways = {**self.state.ways, name: one}
+    def _set(self, name: str, way: WayState) -> None:
+        ways = {**self.state.ways, name: way}
         self.state = msgspec.structs.replace(self.state, ways=ways)
 
     def _own_facts(self, now: float, gone: bool) -> list[Fact]:
@@ -203,14 +203,14 @@ class Notifier:
         if batch:
             self._keep()  # before it goes: what was told must not be told again by the next one
             lost = self.state.ways[name].outbox.lost
-            whole = (*batch, _lost(lost, now)) if lost else batch
+            messages = (*batch, _lost(lost, now)) if lost else batch
             secrets, rig = Path(self._setup.secrets), self._setup.name
-            work = Background(lambda: tell(way, secrets, rig, whole), f"tell by {way.name}")
+            work = Background(lambda: tell(way, secrets, rig, messages), f"tell by {way.name}")
             self._going[name] = _OnItsWay(batch, work)
 
     def _took(self, name: str, way: NotifySection, going: _OnItsWay, now: float) -> None:
         """Take note of what has become of an attempt."""
-        one = self.state.ways[name]
+        way_state = self.state.ways[name]
         error = going.work.error
         result = (
             going.work.result() if error is None else DeliveryResult(False, type(error).__name__)
@@ -218,17 +218,19 @@ class Notifier:
         titles = ", ".join(f"{it.title} ({it.turn})" for it in going.batch)
         where = way.command[0] if way.command else address(way.url)
         if result.ok:
-            outbox = sent(one.outbox, going.batch, now)
-            tries = f", at attempt {one.outbox.failures + 1}" if one.outbox.failures else ""
+            outbox = sent(way_state.outbox, going.batch, now)
+            tries = (
+                f", at attempt {way_state.outbox.failures + 1}" if way_state.outbox.failures else ""
+            )
             self._say(f"told by {way.name}, {where}{tries}: {titles}")
         else:
-            outbox = failed(one.outbox, now)
-            if not one.outbox.failures:
+            outbox = failed(way_state.outbox, now)
+            if not way_state.outbox.failures:
                 self._say(
                     f"{way.name}, {where}, could not be told: {titles}."
                     f" {result.reason.rstrip('.')}; it is tried again and again"
                 )
-        self._set(name, msgspec.structs.replace(one, outbox=outbox))
+        self._set(name, msgspec.structs.replace(way_state, outbox=outbox))
 
     def _look_after_ping(self) -> None:
         """Ping while all is well, no more often than wanted."""

@@ -41,7 +41,7 @@ def put(outbox: Outbox, message: Message) -> Outbox:
     """Add a message; of too many the oldest goes that tells of nothing critical."""
     waiting, lost = [*outbox.waiting, message], outbox.lost
     while len(waiting) > MOST_WAITING:
-        minor = (place for place, one in enumerate(waiting) if one.level != "critical")
+        minor = (index for index, message in enumerate(waiting) if message.level != "critical")
         del waiting[next(minor, 0)]
         lost += 1
     return msgspec.structs.replace(outbox, waiting=tuple(waiting), lost=lost)
@@ -67,7 +67,7 @@ def sent(outbox: Outbox, batch: tuple[Message, ...], now: float) -> Outbox:
     """Return the outbox after a batch has arrived."""
     gone = set(batch)
     return Outbox(
-        waiting=tuple(one for one in outbox.waiting if one not in gone),
+        waiting=tuple(message for message in outbox.waiting if message not in gone),
         sent_at=(*_of_last_hour(outbox, now), now),
     )
 

@@ -65,40 +65,40 @@ Step = tuple[NotificationState, tuple[Message, ...]]
 
 def update(way: NotifySection, book: NotificationState, fact: Fact) -> Step:
     """Return the book after a fact, and what is to be told because of it."""
-    told: list[Message] = []
+    due: list[Message] = []
     for change in _changes(way, book, fact):
         if isinstance(change, Message):
-            told.append(change)
+            due.append(change)
         elif isinstance(change, _Came):
             book, messages = _came(book, change, fact.at)
-            told += messages
+            due += messages
         else:
             book = _went(book, change, fact.at)
     if isinstance(fact.seen, Heartbeat):
         book = msgspec.structs.replace(book, status=fact.seen.status)
-    return book, tuple(told)
+    return book, tuple(due)
 
 
 def pass_time(
     way: NotifySection, book: NotificationState, now: float, local: datetime.datetime
 ) -> Step:
     """Return the book and what is to be told because time has passed; local: now, on the wall."""
-    told = []
-    for key, one in list(book.open.items()):
-        if one.over_at is not None and not 0.0 <= now - one.over_at < way.recovered_after_s:
-            text = f"{one.how} ({clock(one.over_at)})."
-            told.append(Message(key, "recovered", one.level, one.title, text, now))
+    due = []
+    for key, alarm in list(book.open.items()):
+        if alarm.over_at is not None and not 0.0 <= now - alarm.over_at < way.recovered_after_s:
+            text = f"{alarm.how} ({clock(alarm.over_at)})."
+            due.append(Message(key, "recovered", alarm.level, alarm.title, text, now))
             book = _without(book, key)
     if "daily" in way.when and _summary_due(way, book, local):
         status = book.status
         if status is not None:
             revolution = (status.test or NO_TEST).revolution
             title, text = summary_message(status, revolution - book.summary_revolution)
-            told.append(Message("daily", "told", "information", title, text, now))
+            due.append(Message("daily", "told", "information", title, text, now))
             book = msgspec.structs.replace(
                 book, summary_on=local.date().isoformat(), summary_revolution=revolution
             )
-    return book, tuple(told)
+    return book, tuple(due)
 
 
 class _Came(msgspec.Struct, frozen=True):
@@ -256,7 +256,7 @@ def _with(book: NotificationState, key: str, condition: Raised) -> NotificationS
 
 
 def _without(book: NotificationState, key: str) -> NotificationState:
-    left = {name: one for name, one in book.open.items() if name != key}
+    left = {name: alarm for name, alarm in book.open.items() if name != key}
     return msgspec.structs.replace(book, open=left)
 
 

@@ -67,8 +67,8 @@ def write_state(file: Path, state: NotifierState) -> None:
 def settled(state: NotifierState) -> NotifierState:
     """Return what of a state is worth keeping: the last status of a rig is not."""
     ways = {
-        name: msgspec.structs.replace(one, book=msgspec.structs.replace(one.book, status=None))
-        for name, one in state.ways.items()
+        name: msgspec.structs.replace(way, book=msgspec.structs.replace(way.book, status=None))
+        for name, way in state.ways.items()
     }
     return msgspec.structs.replace(state, ways=ways)
 

@@ -54,7 +54,8 @@ def passages(test: PackagedTest) -> Iterator[Passage]:
     for path, text in test.texts:
         yield from _pieces(path, text)
     for number, event in enumerate(test.events, 1):
-        for text in (event.source, event.text, event.before, event.after, *_leaves(event.data)):
+        data = (text for _, text in _branches(event.data))
+        for text in (event.source, event.text, event.before, event.after, *data):
             if text:
                 yield Passage(f"event {number}", "/entry/events", event.kind, text)
 
@@ -77,8 +78,8 @@ def _lines(path: str, text: str) -> Iterator[Passage]:
     for number, line in enumerate(text.splitlines(), 1):
         if head := _TABLE.fullmatch(line):
             table, key = f"{head[1]}.", ""
-        elif found := _KEY.match(line):
-            key = found[1].strip('"')
+        elif match := _KEY.match(line):
+            key = match[1].strip('"')
         where = f" ({table}{key})" if key else ""
         yield Passage(f"{SETTINGS[path]} line {number}{where}", path, f"{table}{key}", line)
 
@@ -103,10 +104,6 @@ def _branches(tree: Any, key: str = "") -> Iterator[tuple[str, str]]:
             yield from _branches(value, f"{key}.{name}" if key else str(name))
 
 
-def _leaves(tree: Any) -> list[str]:
-    return [text for _, text in _branches(tree)]
-
-
 _WRITER = re.compile(r"process \d+ on (\S+)")
 _VERSION = re.compile(r"version|firmware|platform")
 _TOLD = re.compile(r"(?:notify|ping)\.(?:url|command)")
@@ -115,15 +112,15 @@ PUBLIC = frozenset({"http", "https", "doi", "urn"})
 """Schemes by which documents are cited: a whole domain name there is no secret."""
 
 
-def found_in(one: Passage, computers: frozenset[str], people: frozenset[str]) -> Iterator[str]:
+def found_in(passage: Passage, computers: frozenset[str], people: frozenset[str]) -> Iterator[str]:
     """Yield what is private in a passage, each as the object of a sentence.
 
     computers: names of the computers that are known. people: names of those who are no authors.
     """
-    text = one.text
+    text = passage.text
     for kind in (_addresses, _folders, _networks, _messages):
-        yield from kind(one)
-    if host := _WRITER.fullmatch(text) if one.path.endswith("/state/writer") else None:
+        yield from kind(passage)
+    if host := _WRITER.fullmatch(text) if passage.path.endswith("/state/writer") else None:
         yield f"the host name {host[1]}"
     for name in sorted(computers):
         if _word(name, text, re.IGNORECASE):
@@ -133,33 +130,33 @@ def found_in(one: Passage, computers: frozenset[str], people: frozenset[str]) ->
             yield f"the name of {name}, who is not among the authors"
 
 
-def _addresses(one: Passage) -> Iterator[str]:
-    for found in MAIL.findall(one.text):
-        yield f"the e-mail address {found}"
+def _addresses(passage: Passage) -> Iterator[str]:
+    for address in MAIL.findall(passage.text):
+        yield f"the e-mail address {address}"
 
 
-def _folders(one: Passage) -> Iterator[str]:
-    for found in HOME.finditer(one.text):
-        yield f"the home folder of {found[1]} ({found[0]})"
-    if ROOT.search(one.text):
+def _folders(passage: Passage) -> Iterator[str]:
+    for home in HOME.finditer(passage.text):
+        yield f"the home folder of {home[1]} ({home[0]})"
+    if ROOT.search(passage.text):
         yield "a path in the home folder of root (/root)"
 
 
-def _networks(one: Passage) -> Iterator[str]:
-    for url in URL.findall(one.text):
+def _networks(passage: Passage) -> Iterator[str]:
+    for url in URL.findall(passage.text):
         if host := _private_host(url):
             yield f"the host name {host}"
-    for name in LOCAL_NAME.findall(one.text):
+    for name in LOCAL_NAME.findall(passage.text):
         yield f"the host name {name}"
-    if not _VERSION.search(one.key):  # four numbers with dots
-        for found in (*IPV4.findall(one.text), *IPV6.findall(one.text)):
-            if is_elsewhere(found):
-                yield f"the IP address {found}"
+    if not _VERSION.search(passage.key):  # four numbers with dots
+        for address in (*IPV4.findall(passage.text), *IPV6.findall(passage.text)):
+            if is_elsewhere(address):
+                yield f"the IP address {address}"
 
 
-def _messages(one: Passage) -> Iterator[str]:
-    if one.path == RIG and _TOLD.fullmatch(one.key):
-        secrets = ", ".join(REFERENCE.findall(one.text))
+def _messages(passage: Passage) -> Iterator[str]:
+    if passage.path == RIG and _TOLD.fullmatch(passage.key):
+        secrets = ", ".join(REFERENCE.findall(passage.text))
         yield "whom messages are sent to" + (f", with the secret named {secrets}" * bool(secrets))
 
 
@@ -172,8 +169,8 @@ def _private_host(url: str) -> str:
         return ""
     if parts.scheme in NO_HOST or not host or host == "localhost" or address_of(host) is not None:
         return ""
-    whole = "." in host and not LOCAL_NAME.fullmatch(host)
-    return "" if parts.scheme in PUBLIC and whole else host
+    is_domain = "." in host and not LOCAL_NAME.fullmatch(host)
+    return "" if parts.scheme in PUBLIC and is_domain else host
 
 
 def _word(name: str, text: str, flags: int = 0) -> bool:
@@ -264,5 +261,5 @@ def _named(tree: Any) -> Iterator[str]:
             else:
                 yield from _named(value)
     elif isinstance(tree, list):
-        for one in tree:
-            yield from _named(one)
+        for branch in tree:
+            yield from _named(branch)

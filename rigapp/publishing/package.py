@@ -75,26 +75,26 @@ def crate(given: Publication, files: Sequence[PackedFile]) -> str:
     return json.dumps(result.metadata.generate(), indent=1, ensure_ascii=False) + "\n"
 
 
-def _author(library: Any, found: Any, one: Author) -> Any:
-    about = {"name": one.name, "familyName": one.family, "givenName": one.given}
-    if not one.given:
-        about = {"@type": "Organization", "name": one.name}
-    where = "#" + quote("-".join(one.name.split()))
-    return library.ContextEntity(found, where, properties={"@type": "Person", **about})
+def _author(library: Any, container: Any, author: Author) -> Any:
+    about = {"name": author.name, "familyName": author.family, "givenName": author.given}
+    if not author.given:
+        about = {"@type": "Organization", "name": author.name}
+    where = "#" + quote("-".join(author.name.split()))
+    return library.ContextEntity(container, where, properties={"@type": "Person", **about})
 
 
-def _file(found: Any, one: PackedFile) -> Any:
-    about = {"name": one.place.rpartition("/")[2], "description": one.about}
-    size = {"contentSize": str(one.size), "encodingFormat": one.media}
-    return found.add_file(dest_path=one.place, properties={**about, **size})
+def _file(container: Any, file: PackedFile) -> Any:
+    about = {"name": file.place.rpartition("/")[2], "description": file.about}
+    size = {"contentSize": str(file.size), "encodingFormat": file.media}
+    return container.add_file(dest_path=file.place, properties={**about, **size})
 
 
-def _made_by(library: Any, found: Any, test: PackagedTest, described: dict[str, Any]) -> None:
+def _made_by(library: Any, container: Any, test: PackagedTest, described: dict[str, Any]) -> None:
     """Say by which version of the program a test was recorded, and when."""
     version = str(test.configuration.get("versions", {}).get("rigapp", "unknown"))
-    program = found.get(f"{PROGRAM}-{version}") or found.add(
+    program = container.get(f"{PROGRAM}-{version}") or container.add(
         library.ContextEntity(
-            found,
+            container,
             f"{PROGRAM}-{version}",
             properties={"@type": "SoftwareApplication", "name": "rigapp", "version": version},
         )
@@ -104,18 +104,14 @@ def _made_by(library: Any, found: Any, test: PackagedTest, described: dict[str, 
         times["endTime"] = str(test.about["ended"])
     name = f"#run-{test.about['identifier']}"
     about = {"@type": "CreateAction", "name": f"The test {test.title}", **times}
-    action = found.add(library.ContextEntity(found, name, properties=about))
+    action = container.add(library.ContextEntity(container, name, properties=about))
     action["instrument"] = program
     action["result"] = described[f"{test.folder}/{test.path.name}"]
-    found.root_dataset.append_to("mentions", action)
+    container.root_dataset.append_to("mentions", action)
 
 
-def citation(given: Publication) -> str:
-    """Return the file; every text in it is quoted as JSON quotes it, which YAML reads alike."""
-    return "\n".join(_lines(given)) + "\n"
-
-
-def _lines(given: Publication) -> Iterator[str]:
+def citation(given: Publication) -> Iterator[str]:
+    """Yield the lines; every text in them is quoted as JSON quotes it, which YAML reads alike."""
     yield "cff-version: 1.2.0"
     yield 'message: "If you use these data, please cite them as below."'
     yield "type: dataset"
@@ -136,12 +132,12 @@ def _lines(given: Publication) -> Iterator[str]:
         yield f"    description: {_quoted(f'the test {test.title}, {test.path.name}')}"
 
 
-def _cited_author(one: Author) -> Iterator[str]:
-    if not one.given:
-        yield f"  - name: {_quoted(one.family)}"
+def _cited_author(author: Author) -> Iterator[str]:
+    if not author.given:
+        yield f"  - name: {_quoted(author.family)}"
         return
-    yield f"  - family-names: {_quoted(one.family)}"
-    yield f"    given-names: {_quoted(one.given)}"
+    yield f"  - family-names: {_quoted(author.family)}"
+    yield f"    given-names: {_quoted(author.given)}"
 
 
 def _quoted(text: str) -> str:
@@ -162,20 +158,20 @@ def write_archive(
     digests: SHA-256 by place, as it was before. Raises UnusableInput for a file that has changed.
     """
     with zipfile.ZipFile(target, "x") as archive:
-        for file in sorted(files, key=lambda one: one.place):
+        for file in sorted(files, key=lambda packed: packed.place):
             about = zipfile.ZipInfo(file.place, EPOCH)
             about.create_system, about.external_attr = UNIX, READABLE
             about.compress_type = zipfile.ZIP_STORED if file.packed else zipfile.ZIP_DEFLATED
             about.file_size = file.size  # tells whether the entry needs 64 bits
-            found = hashlib.sha256()
+            digest = hashlib.sha256()
             with _Deflate() as deflate, archive.open(about, "w") as entry:
                 if not file.packed and hasattr(entry, "_compressor"):
                     entry._compressor = deflate  # zipfile itself has one core only
                 for part in file.parts():
                     entry.write(part)
-                    found.update(part)
+                    digest.update(part)
                     progress(len(part))
-            if found.hexdigest() != digests[file.place]:
+            if digest.hexdigest() != digests[file.place]:
                 raise UnusableInput(f"{file.source}: was changed while it was packed.")
 
 
@@ -345,7 +341,7 @@ def write_package(given: Publication, to: Path, progress: Shown | None = None) -
         lines = (f"{digest}  {place}\n" for place, digest in sorted(digests.items()))
         sums = text_file(work, *ABOUT_SUMS, "".join(lines))
         digests[SUMS] = sums.digest(lambda _: None)
-        files = sorted([*files, sums], key=lambda one: one.place)
+        files = sorted([*files, sums], key=lambda file: file.place)
         write_archive(hidden, files, digests, tell)
         refuse_changed(given.tests)  # report, table and sums are of the same file
         _sync(hidden)
@@ -357,12 +353,13 @@ def _all_files(given: Publication, work: Path) -> list[PackedFile]:
     """Return every file but the sums, those that describe the others last."""
     files = [file for test in given.tests for file in files_of(test, work)]
     about = "the licence of these data"
+    cited = "\n".join((*citation(given), ""))
     files += [
-        text_file(work, CITATION, "how to cite these data, for programs", YAML, citation(given)),
+        text_file(work, CITATION, "how to cite these data, for programs", YAML, cited),
         text_file(work, LICENCE, about, TEXT, given.licence.text),
     ]
-    named = [PackedFile(one, work / one, about, media) for one, about, media in DESCRIBING]
-    text = readme(given, sorted([*files, *named], key=lambda one: one.place))
+    named = [PackedFile(name, work / name, about, media) for name, about, media in DESCRIBING]
+    text = readme(given, sorted([*files, *named], key=lambda file: file.place))
     files.append(text_file(work, *ABOUT_ITSELF, text))
     return [*files, text_file(work, *ABOUT_CRATE, crate(given, files))]
 

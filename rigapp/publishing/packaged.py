@@ -62,9 +62,9 @@ def packaged_tests(paths: Sequence[Path]) -> tuple[PackagedTest, ...]:
     """Read what is said of tests; raise UnusableInput for one that runs, and for two of a name."""
     result: dict[str, PackagedTest] = {}
     for path in paths:
-        one = _read(path)
-        other = result.setdefault(one.folder.casefold(), one)
-        if other is not one:
+        test = _read(path)
+        other = result.setdefault(test.folder.casefold(), test)
+        if other is not test:
             raise UnusableInput(
                 f"{path}: {other.path} has the same name; rename one of them, or name it once."
             )

@@ -39,7 +39,7 @@ def without_private(text: str, names: Iterable[str]) -> str:
     text = ROOT.sub("[home]", HOME.sub("[home]", MAIL.sub("[e-mail]", text)))
     text = LOCAL_NAME.sub("[host]", text)
     for pattern in (IPV4, IPV6):
-        text = pattern.sub(lambda one: "[address]" if is_elsewhere(one[0]) else one[0], text)
+        text = pattern.sub(lambda match: "[address]" if is_elsewhere(match[0]) else match[0], text)
     for name in sorted(names, key=len, reverse=True):
         text = re.sub(rf"(?<!\w){re.escape(name)}(?!\w)", "[name]", text, flags=re.IGNORECASE)
     return text
@@ -51,7 +51,8 @@ def _without_host(url: re.Match[str]) -> str:
         host = urlsplit(url[0]).hostname or ""
     except ValueError:
         host = rest
-    here = host == "localhost" or ((found := address_of(host)) is not None and found.is_loopback)
+    address = address_of(host)
+    here = host == "localhost" or (address is not None and address.is_loopback)
     return url[0] if scheme in NO_HOST or scheme == "wire" or here else f"{scheme}://[address]"
 
 

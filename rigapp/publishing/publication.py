@@ -25,7 +25,7 @@ class Author:
     def spellings(self) -> frozenset[str]:
         """Return how the author may stand in a file, in small letters."""
         both = (self.name, f"{self.family}, {self.given}")
-        return frozenset(one.casefold() for one in both)
+        return frozenset(spelling.casefold() for spelling in both)
 
 
 def authors_of(given: Sequence[str], operators: Iterable[str]) -> tuple[Author, ...]:
@@ -107,9 +107,9 @@ LICENCES = {
 
 def licence_of(identifier: str) -> Licence:
     """Return the licence that somebody named, in whatever case; raise UnusableInput."""
-    for one in LICENCES.values():
-        if one.identifier.casefold() == identifier.strip().casefold():
-            return one
+    for licence in LICENCES.values():
+        if licence.identifier.casefold() == identifier.strip().casefold():
+            return licence
     raise UnusableInput(
         f"--licence {identifier}: is none of the licences for data that are known here; give one"
         f" of {', '.join(LICENCES)}."

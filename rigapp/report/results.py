@@ -104,16 +104,16 @@ def _recorded_reason(reason: str, planned: int, operator: str) -> str:
     return reason
 
 
-def _measured(found: TestResult, test: TestReader) -> TestResult:
+def _measured(result: TestResult, test: TestReader) -> TestResult:
     flagged = sum(
         int(np.count_nonzero(block["quality"].astype(np.int64) & ~NOT_STEADY))
         for _, block in blocks(test, ["quality"])
     )
     largest = largest_force(test)
     if largest is None:
-        return msgspec.structs.replace(found, flagged=flagged)
+        return msgspec.structs.replace(result, flagged=flagged)
     return msgspec.structs.replace(
-        found,
+        result,
         flagged=flagged,
         force_max_N=largest.value_N,
         force_max_revolution=largest.revolution,
@@ -122,7 +122,7 @@ def _measured(found: TestResult, test: TestReader) -> TestResult:
     )
 
 
-def _compared(found: TestResult, test: TestReader) -> TestResult:
+def _compared(result: TestResult, test: TestReader) -> TestResult:
     until = believed_until(test)
     believed = None if until is None else rows_up_to(test, until, "prediction")
     middle, low, high = (
@@ -131,7 +131,7 @@ def _compared(found: TestResult, test: TestReader) -> TestResult:
     depth, both = "measured_wear_depth", ("measured_wear_depth", "wear_depth")
     residual_rms, worst = _residual(test)
     return msgspec.structs.replace(
-        found,
+        result,
         depth_um=1e3 * _newest(test, depth),
         model_depth_um=1e3 * _newest(test, *both),
         depth_uncertainty_um=1e3 * _newest(test, f"{depth}_uncertainty"),
@@ -149,7 +149,7 @@ def _residual(test: TestReader) -> tuple[float, float]:
     count, total, worst = 0, 0.0, -np.inf
     for _, block in blocks(test, ("revolution", "residual_rms"), "prediction"):
         number, residual = block["revolution"], block["residual_rms"]
-        first, stop = (rows_up_to(test, one) for one in (number[0] - 1, number[-1]))
+        first, stop = (rows_up_to(test, revolution) for revolution in (number[0] - 1, number[-1]))
         same, quality = (test.column(name, first, stop) for name in ("revolution", "quality"))
         known = residual[np.isfinite(residual) & np.isin(number, same[quality == 0])]
         count += known.size
@@ -179,17 +179,17 @@ def _line(test: TestReader, name: str) -> tuple[float, ...]:
     return tuple(means)
 
 
-def _looked_at_closely(found: TestResult, test: TestReader) -> TestResult:
+def _looked_at_closely(result: TestResult, test: TestReader) -> TestResult:
     from rigapp_calibration.load_cell.force_uncertainty import force_uncertainty
 
     stated = force_uncertainty(test.calibration(), test.configuration())
     doubt = float("nan")
-    if stated is not None and np.isfinite(found.force_max_N):
-        doubt = float(stated.at(found.force_max_N, of_magnitude=True))
-    reason, events = "" if found.coefficient > 0.0 else _why_no_coefficient(test), test.events()
+    if stated is not None and np.isfinite(result.force_max_N):
+        doubt = float(stated.at(result.force_max_N, of_magnitude=True))
+    reason, events = "" if result.coefficient > 0.0 else _why_no_coefficient(test), test.events()
     return msgspec.structs.replace(
-        found,
-        reason=as_said(found.reason, events),
+        result,
+        reason=as_said(result.reason, events),
         force_uncertainty_N=doubt,
         alarms=_alarms(events),
         coefficient_reason=reason,
@@ -199,8 +199,8 @@ def _looked_at_closely(found: TestResult, test: TestReader) -> TestResult:
 def _alarms(events: list[Event]) -> tuple[str, ...]:
     """Return the titles of all alarms that were raised, critical ones first."""
     changes = [(event, alarm_change(event)) for event in events]
-    raised = [(one, it.title) for one, it in changes if it is not None and it.what == "raised"]
-    raised.sort(key=lambda one: severity_of(one[0]) is not Severity.CRITICAL)
+    raised = [(event, c.title) for event, c in changes if c is not None and c.what == "raised"]
+    raised.sort(key=lambda alarm: severity_of(alarm[0]) is not Severity.CRITICAL)
     return tuple(title for _, title in raised)
 
 
@@ -219,6 +219,23 @@ def _why_no_coefficient(test: TestReader) -> str:
     return "" if kept.bins.closed else NO_BIN
 
 
+def sequence_of(reader: TestReader) -> Sequence | None:
+    """Return the steps of a file's test; None for a test without, or an unreadable one."""
+    try:
+        test = parse_test(str(reader.configuration()["test"]), "test", recorded=True)
+        return Sequence(test.run) if test.run.step else None
+    except (UnusableInput, KeyError, ZeroDivisionError):
+        return None
+
+
+def step_numbers(sequence: Sequence, revolutions: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return the number of the step of each revolution, both of shape (n,)."""
+    ends, loop = np.array(sequence.ends), sequence.loop
+    rounds = np.maximum(0, -(-(revolutions - ends[-1]) // loop))
+    places = np.searchsorted(ends, revolutions - rounds * loop)
+    return np.asarray(places + 1, np.int64)
+
+
 def main(arguments: list[str]) -> int:
     """Answer the paths of standard input; return the exit status."""
     lower_priority(NICENESS)
@@ -235,20 +252,3 @@ def main(arguments: list[str]) -> int:
 
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1:]))
-
-
-def sequence_of(reader: TestReader) -> Sequence | None:
-    """Return the steps of a file's test; None for a test without, or an unreadable one."""
-    try:
-        test = parse_test(str(reader.configuration()["test"]), "test", recorded=True)
-        return Sequence(test.run) if test.run.step else None
-    except (UnusableInput, KeyError, ZeroDivisionError):
-        return None
-
-
-def step_numbers(sequence: Sequence, revolutions: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return the number of the step of each revolution, both of shape (n,)."""
-    ends, loop = np.array(sequence.ends), sequence.loop
-    rounds = np.maximum(0, -(-(revolutions - ends[-1]) // loop))
-    places = np.searchsorted(ends, revolutions - rounds * loop)
-    return np.asarray(places + 1, np.int64)

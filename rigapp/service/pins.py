@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Final
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import Document, read_operators
+from rigapp.config.loading import Document, read_document
 from rigapp.config.rig import OperatorsFile, RigFile
 from rigapp.config.toml import toml_text
 from rigapp.config.writing import whole_file
@@ -61,7 +61,7 @@ def operators_file(rig: Document[RigFile]) -> Path | None:
 
 def pins_in(file: Path) -> Mapping[str, str]:
     """Return the hashes by the operators' names, none without a file; raise UnusableInput."""
-    return read_operators(file).record.pins if file.exists() else {}
+    return read_document(file, OperatorsFile).record.pins if file.exists() else {}
 
 
 def set_pin(file: Path, name: str, pin: str, by_pin: str) -> None:

@@ -12,8 +12,8 @@ from patience import PATIENCE_MS
 from PySide6.QtCore import QSettings, Qt
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import read_notify
-from rigapp.config.notify import NotifySection
+from rigapp.config.loading import read_document
+from rigapp.config.notify import NotifyFile, NotifySection
 from rigapp.gui.look.preferences import Preference, Preferences
 from rigapp.gui.panels.limits import LimitPanel
 from rigapp.gui.settings.page import PinPart, SettingsPage
@@ -114,7 +114,7 @@ def test_a_way_is_added_and_removed_in_the_users_file(
     card.url.setText("json://lab.example/hook")
     card.when["warning"].setChecked(True)
     card.add.click()
-    (way,) = read_notify(own).record.notify
+    (way,) = read_document(own, NotifyFile).record.notify
     assert (way.name, way.url) == ("lab", "json://lab.example/hook")
     assert way.when == ("critical", "warning", "end", "pause", "silence", "disk")
     assert own.read_text("utf-8").startswith("# mine\n")
@@ -123,7 +123,7 @@ def test_a_way_is_added_and_removed_in_the_users_file(
     assert card.table.texts()[0][:2] == ["lab", "json://lab.example"]
     card.table.selectRow(0)
     card.remove.click()
-    assert read_notify(own).record.notify == ()
+    assert read_document(own, NotifyFile).record.notify == ()
 
 
 def test_a_way_that_cannot_be_used_is_refused_and_nothing_is_written(

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import read_notify, read_rig
+from rigapp.config.loading import read_document, read_rig
+from rigapp.config.notify import NotifyFile
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 DOCS = Path(__file__).parents[2] / "docs"
@@ -36,7 +37,7 @@ def test_what_is_wrong_is_said_with_its_key(tmp_path: Path, lines: str, words: s
     path = tmp_path / "notify.toml"
     path.write_text(f"schema = 1\n[[notify]]\n{lines}\n", "utf-8")
     with pytest.raises(UnusableInput) as caught:
-        read_notify(path)
+        read_document(path, NotifyFile)
     assert words in str(caught.value)
     assert "hidden" not in str(caught.value)
 
@@ -52,7 +53,7 @@ def test_a_rig_file_takes_ways_and_judges_them(tmp_path: Path) -> None:
 
 
 def test_the_example_can_be_read() -> None:
-    found = read_notify(EXAMPLES / "notify.toml").record
+    found = read_document(EXAMPLES / "notify.toml", NotifyFile).record
     assert len(found.notify) >= 2
     assert found.ping is not None
 

@@ -103,10 +103,10 @@ def release_calibration(
     client = Client(entry, login_name(), look=False)
     try:
         tree = result_of(client.request("status")).get("calibration")
-        found = msgspec.convert(tree, OpenCalibration) if tree is not None else None
-        if _may_end(rig, found, sure, read):
-            assert found is not None
-            requested = {"since": found.since, "reason": reason}
+        calibration = msgspec.convert(tree, OpenCalibration) if tree is not None else None
+        if _may_end(rig, calibration, sure, read):
+            assert calibration is not None
+            requested = {"since": calibration.since, "reason": reason}
             result_of(client.request("calibration_release", requested))
             print(ENDED)
     finally:
@@ -115,13 +115,13 @@ def release_calibration(
 
 
 def _may_end(
-    rig: Path, found: OpenCalibration | None, sure: bool, read: Callable[[str], str]
+    rig: Path, calibration: OpenCalibration | None, sure: bool, read: Callable[[str], str]
 ) -> bool:
     """Tell whether the calibration that was found shall end; raise UnusableInput where not."""
-    if found is None:
+    if calibration is None:
         print(f"{rig}: no calibration is open.")
         return False
-    words = calibration_words(found)
+    words = calibration_words(calibration)
     if not sure and read is input and not sys.stdin.isatty():
         raise UnusableInput(f"{words}: look whether weights hang on the pin, then add --yes.")
     print(f"Open: {words}.")

@@ -116,10 +116,10 @@ class Terminal:
         if isinstance(session, LoadCellSession) and session.reference_is_due:
             self._reference(session, window.angle)
             return True
-        found, before = session.look(window), len(session.procedure.taken)
+        seen, before = session.look(window), len(session.procedure.taken)
         session.take(window, at)
         if len(session.procedure.taken) > before:
-            self._say(f"  recorded: {session.recorded(found)}")
+            self._say(f"  recorded: {session.recorded(seen)}")
         return True
 
     def _interrupted(self) -> bool:
@@ -132,9 +132,9 @@ class Terminal:
     def _reject(self) -> None:
         """List the readings that stand, ask which does not count and why, reject it."""
         session = self._session
-        for number, one in enumerate(session.procedure.taken, 1):
-            if not one.rejected:
-                self._say(f"  {number}: {session.describe(one)}")
+        for number, reading in enumerate(session.procedure.taken, 1):
+            if not reading.rejected:
+                self._say(f"  {number}: {session.describe(reading)}")
         word = self._read("  number of the reading: ").strip()
         if not word.isdigit():
             raise ProcedureError("That is not a number; nothing was rejected.")
@@ -155,20 +155,20 @@ class Terminal:
         said = ""
         while True:
             window = self.listen()
-            found = self._session.look(window)
-            if found.ready:
+            seen = self._session.look(window)
+            if seen.ready:
                 return window
-            text, words = found.words, found.words.partition(";")[0]
-            if found.left > 0.0:
+            text, words = seen.words, seen.words.partition(";")[0]
+            if seen.left > 0.0:
                 deadline = time.monotonic() + PATIENCE_S
                 if self._session.takes_itself:
-                    left = COUNTED_S * math.ceil(found.left / COUNTED_S)
+                    left = COUNTED_S * math.ceil(seen.left / COUNTED_S)
                     text = words = f"{words}; {left:g} s are left at most, Ctrl-C leaves it out"
             if words != said and self._hands is None:
                 self._say(f"  {text} …")
             said = words
             if time.monotonic() > deadline:
-                raise ProcedureError(f"it did not become steady in {PATIENCE_S:g} s: {found.words}")
+                raise ProcedureError(f"it did not become steady in {PATIENCE_S:g} s: {seen.words}")
             time.sleep(LOOK_EVERY_S)
 
     def _reference(self, session: LoadCellSession, shown: float) -> None:
@@ -186,9 +186,11 @@ class Terminal:
             session.reference(first, uncertainty)
             return
         second = self._angle("  angle with the level turned", self._wait_ready().angle)
-        found = session.reference_reversed(first, second)
-        assert found.level_error is not None
-        self._say(f"  The level itself is off by {math.degrees(found.level_error):+.2f} degrees.")
+        reference = session.reference_reversed(first, second)
+        assert reference.level_error is not None
+        self._say(
+            f"  The level itself is off by {math.degrees(reference.level_error):+.2f} degrees."
+        )
 
     def _angle(self, question: str, shown: float) -> float:
         word = self._read(f"{question} [{math.degrees(shown):.1f} degrees]: ").strip()

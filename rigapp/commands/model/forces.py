@@ -198,8 +198,8 @@ def _remark(system: ClearanceSystem, cycle: ContactCycle, many: Ensemble | None)
         )
     else:
         fraction, impacts, mean, most = (
-            (float(found.value), float(found.standard_error))
-            for found in (
+            (float(mean_of.value), float(mean_of.standard_error))
+            for mean_of in (
                 many.contact_fraction,
                 many.impacts,
                 many.mean_force,

@@ -128,16 +128,16 @@ def write_pressure(params_path: Path, force_N: float, target: Path) -> int:
     joint = parameters.joint
     with _plain(params_path, force_N):
         ring = ring_of(joint, parameters.bushing.material)
-        found = pressure_distribution(ring, (force_N / joint.bushing_width, 0.0))
-    angle = np.append(found.angle, np.pi)
-    pressure = np.append(found.pressure, found.pressure[0])
+        contact = pressure_distribution(ring, (force_N / joint.bushing_width, 0.0))
+    angle = np.append(contact.angle, np.pi)
+    pressure = np.append(contact.pressure, contact.pressure[0])
     columns = {"angle_deg": np.degrees(angle), "pressure_MPa": pressure / MPA}
     write_table("--to", target, columns)
     print(
-        f"{target}: pin displacement {found.pin[0] / MM:.6f} mm, of which"
-        f" {(found.pin[0] - ring.clearance) / MM:.6f} mm is indentation; peak pressure"
+        f"{target}: pin displacement {contact.pin[0] / MM:.6f} mm, of which"
+        f" {(contact.pin[0] - ring.clearance) / MM:.6f} mm is indentation; peak pressure"
         f" {pressure.max() / MPA:.4f} MPa; contact half-angle"
-        f" {np.degrees(found.half_angle):.2f} deg."
+        f" {np.degrees(contact.half_angle):.2f} deg."
     )
     return 0
 

@@ -112,10 +112,10 @@ class Manuscript:
 
     def labels(self) -> dict[int, str]:
         """Return "Figure 1", "Table 1" and so on, by the identity of each; tables with a title."""
-        result = {id(one): tr("Figure {}", n) for n, one in enumerate(self.figures(), 1)}
+        result = {id(figure): tr("Figure {}", n) for n, figure in enumerate(self.figures(), 1)}
         blocks = [block for section in self.sections for block in section.blocks]
         tables = [block for block in blocks if isinstance(block, Table) and block.title]
-        return result | {id(one): tr("Table {}", n) for n, one in enumerate(tables, 1)}
+        return result | {id(table): tr("Table {}", n) for n, table in enumerate(tables, 1)}
 
 
 def is_number(text: str) -> bool:
@@ -135,10 +135,10 @@ def numeric_columns(table: Table) -> frozenset[int]:
     if not table.header or not table.rows:
         return frozenset()
     return frozenset(
-        place
-        for place in range(len(table.header))
-        if all(is_number(row[place]) for row in table.rows)
-        and any(row[place] not in ("", "–") for row in table.rows)
+        index
+        for index in range(len(table.header))
+        if all(is_number(row[index]) for row in table.rows)
+        and any(row[index] not in ("", "–") for row in table.rows)
     )
 
 
@@ -189,11 +189,12 @@ def plain(document: Manuscript) -> dict[str, Any]:
         for section in document.sections
     ]
     cover = document.cover
-    results = () if cover is None else cover.results
     return {
         "title": document.title,
-        "facts": dict(() if cover is None else ((name, value) for name, value in cover.facts)),
-        "results": [dict(zip(_RESULT, row, strict=True)) for row in results],
+        "facts": {row[0]: row[1] for row in cover.facts} if cover is not None else {},
+        "results": [
+            dict(zip(_RESULT, row, strict=True)) for row in (cover.results if cover else ())
+        ],
         "mark": document.mark,
         "sections": sections,
         "closing": document.closing,
@@ -201,25 +202,13 @@ def plain(document: Manuscript) -> dict[str, Any]:
 
 
 _RESULT = ("name", "value", "remark")
+_FIELDS = {
+    Text: ("text", "strong"),
+    Table: ("title", "header", "rows"),
+    Figure: ("title", "words", "caption"),
+    Listing: ("title", "text"),
+}
 
 
 def _plain_block(block: Block) -> dict[str, Any]:
-    match block:
-        case Text():
-            return {"kind": "text", "text": block.text, "strong": block.strong}
-        case Table():
-            return {
-                "kind": "table",
-                "title": block.title,
-                "header": block.header,
-                "rows": block.rows,
-            }
-        case Figure():
-            return {
-                "kind": "figure",
-                "title": block.title,
-                "words": block.words,
-                "caption": block.caption,
-            }
-        case Listing():
-            return {"kind": "listing", "title": block.title, "text": block.text}
+    return {"kind": _kind(block), **{name: getattr(block, name) for name in _FIELDS[type(block)]}}

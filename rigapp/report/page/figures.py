@@ -141,7 +141,7 @@ def name_curves(axes: Any) -> None:
 def _share(value: float, low: float, high: float, log: bool) -> float:
     """Return the height of a value between the limits of its axis, 0 to 1."""
     if log:
-        value, low, high = (math.log10(max(one, 1e-300)) for one in (value, low, high))
+        value, low, high = (math.log10(max(number, 1e-300)) for number in (value, low, high))
     share = (value - low) / (high - low) if high != low else 0.5
     return min(1.0, max(0.0, share)) if math.isfinite(share) else 0.0
 
@@ -179,7 +179,7 @@ def _apart(wanted: Sequence[float], heights: Sequence[float]) -> list[float]:
 
     First each is pushed up by the one below it; then what has left the axes pushes the others down.
     """
-    places = [0.0 if math.isnan(one) else one for one in wanted]
+    places = [0.0 if math.isnan(height) else height for height in wanted]
     order = sorted(range(len(places)), key=lambda index: places[index])
     floor = -math.inf
     for index in order:

@@ -72,16 +72,13 @@ LINE = [
 ]
 
 
-def set_pages(document: Manuscript) -> bytes:
+def as_pdf(document: Manuscript) -> bytes:
     """Return the PDF; two passes, since every page names the number of pages."""
     _prepare()
     drawings = {id(figure): _Drawing(figure.draw("pdf")) for figure in document.figures()}
     pages = _build(document, 0, drawings)[1]
     data = _build(document, pages, drawings)[0]
     return _finished(data, list(drawings.values()), document.made_at)
-
-
-as_pdf = set_pages
 
 
 @cache
@@ -131,8 +128,8 @@ def _finished(data: bytes, drawings: Sequence[_Drawing], made_at: float) -> byte
 
     writer = PdfWriter(clone_from=PdfReader(io.BytesIO(data)))
     for number, drawing in enumerate(drawings, 1):
-        place, left, bottom = drawing.at
-        page, name = writer.pages[place], NameObject(f"/Figure{number}")
+        page_index, left, bottom = drawing.at
+        page, name = writer.pages[page_index], NameObject(f"/Figure{number}")
         form = StreamObject()
         contents = drawing.page.get_contents()
         form.set_data(contents.get_data() if contents is not None else b"")
@@ -285,8 +282,8 @@ def _story(document: Manuscript, drawings: Mapping[int, _Drawing]) -> list[Flowa
         story.append(Paragraph(escape(document.title), TITLE))
     for section in document.sections:
         heading = [_Heading(escape(section.title), HEADING)] if section.title else []
-        for place, block in enumerate(section.blocks):
-            story += _flowables(block, heading if place == 0 else [], drawings, labels)
+        for index, block in enumerate(section.blocks):
+            story += _flowables(block, heading if index == 0 else [], drawings, labels)
     if document.statement:
         story += [Spacer(0, 4 * mm), Paragraph(escape(document.statement), BODY)]
     if document.signatures:
@@ -311,23 +308,23 @@ def _cover(
     story += [Paragraph(escape(warning), STRONG) for warning in cover.warnings]
     story += [Spacer(0, 3 * mm), _facts(cover.facts), _Heading(tr("Result"), HEADING)]
     rows = [
-        [Paragraph(_cell(one), style) for one, style in zip(row, RESULT_STYLES, strict=True)]
+        [Paragraph(_cell(text), style) for text, style in zip(row, RESULT_STYLES, strict=True)]
         for row in cover.results
     ]
     widths = [42 * mm, 62 * mm, WIDTH - 104 * mm]
     story += [Grid(rows, colWidths=widths, style=RESULT_LINE), Spacer(0, 1 * mm)]
     story += [Paragraph(escape(cover.note), SMALL), Spacer(0, 3 * mm)]
-    beside = [
+    paragraphs = [
         Paragraph(f"<b>{escape(lead)}</b> {escape(text)}", BODY) for lead, text in cover.texts
     ]
-    for place, figure in enumerate(cover.figures):
+    for index, figure in enumerate(cover.figures):
         parts = _figure(figure, drawings[id(figure)], labels[id(figure)])
-        if place == 0 and len(cover.figures) > 1:
+        if index == 0 and len(cover.figures) > 1:
             story.append(KeepTogether(parts))
         else:
-            story.append(Grid([[parts, beside]], colWidths=[WIDTH / 2, WIDTH / 2], style=BARE))
-            beside = []
-    return [*story, *beside, PageBreak()]
+            story.append(Grid([[parts, paragraphs]], colWidths=[WIDTH / 2, WIDTH / 2], style=BARE))
+            paragraphs = []
+    return [*story, *paragraphs, PageBreak()]
 
 
 def _letterhead(cover: Cover) -> Grid:
@@ -402,8 +399,8 @@ def _grid(table: Table) -> Grid:
 
     def cells(values: Sequence[str], text: ParagraphStyle, number: ParagraphStyle) -> list[Any]:
         return [
-            Paragraph(_cell(value), number if place in numbers else text)
-            for place, value in enumerate(values)
+            Paragraph(_cell(value), number if index in numbers else text)
+            for index, value in enumerate(values)
         ]
 
     rows = [cells(table.header, HEAD, HEAD_NUMBER)]
@@ -418,34 +415,20 @@ def _cell(text: str) -> str:
 
 def _widths(table: Table) -> list[float]:
     """Share the page's width: narrow columns get what they need, wide ones share the rest."""
-    wanted = [
-        min(WIDTH, max(_needed(name, BOLD), *(_needed(row[i], PLAIN) for row in table.rows)))
-        if table.rows
-        else _needed(name, BOLD)
+    columns = [
+        [(name, BOLD), *((row[i], PLAIN) for row in table.rows)]
         for i, name in enumerate(table.header)
     ]
-    least = [
-        max(_longest_word(name, BOLD), *(_longest_word(row[i], PLAIN) for row in table.rows))
-        if table.rows
-        else 0.0
-        for i, name in enumerate(table.header)
-    ]
+    wanted = [min(WIDTH, max(_needed(*cell) for cell in column)) for column in columns]
     if sum(wanted) <= WIDTH:
         return wanted
-    least = [min(one, WIDTH / len(wanted)) for one in least]
-    open_places, rest = set(range(len(wanted))), WIDTH
-    widths = [0.0] * len(wanted)
-    while open_places:
-        share = rest / len(open_places)
-        fitting = {i for i in open_places if max(wanted[i], 0.0) <= share}
-        if not fitting:
-            for i in open_places:
-                widths[i] = share
-            break
-        for i in fitting:
-            widths[i] = wanted[i]
-            rest -= wanted[i]
-        open_places -= fitting
+    # The narrowest first: each takes at most an equal share of what those before it have left.
+    widths, rest = [0.0] * len(wanted), WIDTH
+    for done, i in enumerate(sorted(range(len(wanted)), key=wanted.__getitem__)):
+        widths[i] = min(wanted[i], rest / (len(wanted) - done))
+        rest -= widths[i]
+    even = WIDTH / len(wanted)
+    least = [min(even, max(_longest_word(*cell) for cell in column)) for column in columns]
     return _with_words_whole(widths, least)
 
 

@@ -41,19 +41,21 @@ def same_without_clearance(parameters: Parameters, speed: float) -> list[Chapter
         ("8", "acceleration", "m_per_s2", perfect.acceleration, other.acceleration),
     )
     chapters = []
-    for number, quantity, unit, one, two in parts:
+    for number, quantity, unit, of_perfect, of_imperfect in parts:
         columns = {"crank_angle_deg": degrees}
-        worst = largest_difference(one[:, PHI2], two[:, PHI2])
-        for _, key, place in curves:
-            columns[f"{key}_{quantity}_perfect_{unit}"] = one[:, place]
-            columns[f"{key}_{quantity}_imperfect_{unit}"] = two[:, place]
-            worst = max(worst, largest_difference(one[:, place], two[:, place]))
+        worst = largest_difference(of_perfect[:, PHI2], of_imperfect[:, PHI2])
+        for _, key, column in curves:
+            columns[f"{key}_{quantity}_perfect_{unit}"] = of_perfect[:, column]
+            columns[f"{key}_{quantity}_imperfect_{unit}"] = of_imperfect[:, column]
+            worst = max(worst, largest_difference(of_perfect[:, column], of_imperfect[:, column]))
 
-        def draw(axes: Sequence[Any], one: Any = one, two: Any = two, label: str = unit) -> None:
-            for panel, (name, _, place) in zip(axes, curves, strict=True):
-                _both(panel, degrees, one[:, place], two[:, place])
+        def draw(
+            axes: Sequence[Any], first: Any = of_perfect, second: Any = of_imperfect, of: str = unit
+        ) -> None:
+            for panel, (name, _, column) in zip(axes, curves, strict=True):
+                _both(panel, degrees, first[:, column], second[:, column])
                 panel.set_title(name, loc="left")
-                panel.set_ylabel(label.replace("_per_", "/").replace("s2", "s²"))
+                panel.set_ylabel(of.replace("_per_", "/").replace("s2", "s²"))
             axes[-1].set_xlabel(DEGREES)
             axes[0].legend(loc="upper center")
 
@@ -85,13 +87,13 @@ def _both(panel: Any, degrees: np.ndarray, perfect: np.ndarray, other: np.ndarra
     panel.plot(degrees[::12], other[::12], "o", **points)
 
 
-def _reaction(degrees: np.ndarray, one: np.ndarray, two: np.ndarray) -> Chapter:
+def _reaction(degrees: np.ndarray, perfect: np.ndarray, imperfect: np.ndarray) -> Chapter:
     """Return Fig. 9: the joint force by both models."""
-    worst = largest_difference(one, two)
-    size = np.hypot(*one)
+    worst = largest_difference(perfect, imperfect)
+    size = np.hypot(*perfect)
 
     def draw(axes: Sequence[Any]) -> None:
-        _both(axes[0], degrees, size, np.hypot(*two))
+        _both(axes[0], degrees, size, np.hypot(*imperfect))
         axes[0].set_ylabel("|F|, N")
         axes[0].set_xlabel(DEGREES)
         axes[0].legend(loc="upper right")
@@ -101,10 +103,10 @@ def _reaction(degrees: np.ndarray, one: np.ndarray, two: np.ndarray) -> Chapter:
         title="Fig. 9: force in the joint of links 1 and 2 with R1 = R2",
         columns={
             "crank_angle_deg": degrees,
-            "fx_perfect_N": one[0],
-            "fy_perfect_N": one[1],
-            "fx_imperfect_N": two[0],
-            "fy_imperfect_N": two[1],
+            "fx_perfect_N": perfect[0],
+            "fy_perfect_N": perfect[1],
+            "fx_imperfect_N": imperfect[0],
+            "fy_imperfect_N": imperfect[1],
         },
         sentences=(
             f"With R1 = R2 both models give the same joint force; the largest difference is"

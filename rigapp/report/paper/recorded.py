@@ -25,8 +25,8 @@ MOST_ROWS = 2000
 def recorded_chapters(path: Path) -> Iterator[Chapter]:
     """Yield what of Figs 20 and 21 a test file holds; raise UnusableInput when that is nothing."""
     with open_test(path) as reader:
-        found = [draw(reader) for draw in (force_of_a_cycle, extrema, profile)]
-    chapters = [one for one in found if one is not None]
+        drawn = [draw(reader) for draw in (force_of_a_cycle, extrema, profile)]
+    chapters = [chapter for chapter in drawn if chapter is not None]
     if not chapters:
         raise UnusableInput("{}: it holds no whole revolution; give a test with data.", path)
     yield from chapters
@@ -84,7 +84,7 @@ def _agreement(picture: CyclePicture) -> str:
         model = _on(degrees, picture.model["angle"], picture.model[name])
         share = np.sqrt(np.mean(np.square(measured - model)) / np.mean(np.square(measured)))
         parts.append(f"{100.0 * share:.1f} % for {words}")
-        swing = [one - one.mean() for one in (measured, model)]
+        swing = [curve - curve.mean() for curve in (measured, model)]
         match = np.fft.irfft(np.fft.rfft(swing[0]) * np.conj(np.fft.rfft(swing[1])))
         shift = 0.1 * float(np.argmax(match))
         shifts.append(f"{(shift + 180.0) % 360.0 - 180.0:+.1f}°")
@@ -99,7 +99,7 @@ def extrema(reader: TestReader) -> Chapter | None:
     """Return Fig. 20 as its caption says, extrema of the force over the cycles; None without."""
     known = reader.column_units()
     count = reader.committed()
-    names = [f"force_{one}" for one in EXTREMA if f"force_{one}" in known]
+    names = [f"force_{statistic}" for statistic in EXTREMA if f"force_{statistic}" in known]
     if not names or not count:
         return None
     starts = np.unique(np.linspace(0, count, min(count, MOST_ROWS), endpoint=False).astype(int))

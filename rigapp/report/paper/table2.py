@@ -92,12 +92,12 @@ def fitting_map(parameters: Parameters, area_mm2: float, measured_mm2: float) ->
 def crossing(columns: dict[str, Any], name: str) -> tuple[float, float]:
     """Return clearance (mm) and K F (mm^3/m) at which depth and area both fit."""
     area = columns[f"kf_for_area_{name}_mm3_per_m"]
-    place = columns["clearance_mm"]
+    clearance = columns["clearance_mm"]
     above = columns[f"kf_for_depth_{name}_mm3_per_m"] - area
     at = int(np.flatnonzero(np.diff(np.sign(above)))[0])
     part = above[at] / (above[at] - above[at + 1])
     return (
-        float(place[at] + part * (place[at + 1] - place[at])),
+        float(clearance[at] + part * (clearance[at + 1] - clearance[at])),
         float(area[at] + part * (area[at + 1] - area[at])),
     )
 
@@ -124,7 +124,7 @@ def _rows(
 ) -> list[tuple[str, ...]]:
     """Return the small table: the paper's numbers and those of the two lives."""
     whose = ("simulation", "experiment")
-    head = (part for one in whose for part in (f"paper, {one}", f"this program, set for the {one}"))
+    head = (part for who in whose for part in (f"paper, {who}", f"this program, set for the {who}"))
     rows = [("", *head)]
 
     paper = (
@@ -136,9 +136,9 @@ def _rows(
         ("error bound of the depth, mm", "not given", "not given"),
         ("error bound of the mass, g", "not given", "not given"),
     )
-    own = (_found(life, one) for life, one in zip(lives, sets, strict=True))
-    for (what, printed, measured), one, two in zip(paper, *own, strict=True):
-        rows.append((what, printed, one, measured, two))
+    own = (_found(life, parameters) for life, parameters in zip(lives, sets, strict=True))
+    for (what, printed, measured), of_simulation, of_experiment in zip(paper, *own, strict=True):
+        rows.append((what, printed, of_simulation, measured, of_experiment))
     return rows
 
 
@@ -177,10 +177,10 @@ def worn_profiles(
     extents, turned = [], []
     for name, parameters in (("simulation", simulation), ("experiment", experiment)):
         for plane, set_of in (("", parameters), ("_vertical", in_vertical_plane(parameters))):
-            found = whole_life(
+            life = whole_life(
                 set_of, speed, CYCLES, "continuous", tolerance=TOLERANCE, progress=tell
             )
-            depth = np.interp(degrees, np.degrees(found.angle), found.depth) / MM
+            depth = np.interp(degrees, np.degrees(life.angle), life.depth) / MM
             columns[f"depth_{name}{plane}_mm"] = depth
             worn = degrees[depth > 0.01 * depth.max()]
             extent = f"{depth.max():.4f} mm deep, from {worn[0]:.0f} to {worn[-1]:.0f}°"

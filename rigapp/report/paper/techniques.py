@@ -87,8 +87,8 @@ def _system(parameters: Parameters, speed: float) -> ClearanceSystem:
 
 def _unsprung_sentence(many: Ensemble) -> str:
     fraction, mean, most = (
-        (float(found.value), float(found.standard_error))
-        for found in (many.contact_fraction, many.mean_force, many.greatest_force)
+        (float(mean_of.value), float(mean_of.standard_error))
+        for mean_of in (many.contact_fraction, many.mean_force, many.greatest_force)
     )
     return (
         f"Without the spring pin and bushing touch {100.0 * fraction[0]:.1f} ±"
@@ -155,12 +155,12 @@ def wear(parameters: Parameters, speed: float, tell: Tell) -> Chapter:
     rows += [
         (
             NAMES[kind],
-            f"{found.mean_force[0]:.3f}",
-            f"{found.mean_force[-1]:.3f}",
-            f"{found.max_depth[-1] / MM:.5f}",
-            f"{found.estimated_error[-1] / MM:.5f}",
+            f"{life.mean_force[0]:.3f}",
+            f"{life.mean_force[-1]:.3f}",
+            f"{life.max_depth[-1] / MM:.5f}",
+            f"{life.estimated_error[-1] / MM:.5f}",
         )
-        for kind, found in lives.items()
+        for kind, life in lives.items()
     ]
     return Chapter(
         name="techniques_wear",

@@ -53,8 +53,8 @@ def constant_and_evolving(
         "both": depth["evolving"] - depth["perfect"],
     }
     doubt = {
-        one: abs(_end(fine, *pair) - _end(coarse, *pair))
-        for one, pair in {
+        effect: abs(_end(fine, *pair) - _end(coarse, *pair))
+        for effect, pair in {
             "wear": ("evolving", "constant"),
             "clearance": ("constant", "perfect"),
             "both": ("evolving", "perfect"),
@@ -115,16 +115,16 @@ def _lives(parameters: Parameters, speed: float, tolerance: float, tell: Tell) -
 
 def shared(lives: dict[str, Life]) -> tuple[np.ndarray, dict[str, Any], dict[str, Any]]:
     """Return the cycles that all lives have, and by life their depths and errors there, mm."""
-    cycles = functools.reduce(np.intersect1d, (found.cycles for found in lives.values()))
-    at = {kind: np.searchsorted(found.cycles, cycles) for kind, found in lives.items()}
-    depths = {kind: found.max_depth[at[kind]] / MM for kind, found in lives.items()}
-    errors = {kind: found.estimated_error[at[kind]] / MM for kind, found in lives.items()}
+    cycles = functools.reduce(np.intersect1d, (life.cycles for life in lives.values()))
+    at = {kind: np.searchsorted(life.cycles, cycles) for kind, life in lives.items()}
+    depths = {kind: life.max_depth[at[kind]] / MM for kind, life in lives.items()}
+    errors = {kind: life.estimated_error[at[kind]] / MM for kind, life in lives.items()}
     return cycles, depths, errors
 
 
-def _end(lives: dict[str, Life], one: str, other: str) -> float:
+def _end(lives: dict[str, Life], kind: str, other: str) -> float:
     """Return the difference of two depths at the end, mm."""
-    return float(lives[one].max_depth[-1] - lives[other].max_depth[-1]) / MM
+    return float(lives[kind].max_depth[-1] - lives[other].max_depth[-1]) / MM
 
 
 def _sentences(
@@ -135,7 +135,7 @@ def _sentences(
 ) -> tuple[str, ...]:
     end = {kind: float(values[-1]) for kind, values in depth.items()}
     last = {kind: float(values[-1]) for kind, values in effects.items()}
-    error = max(float(found.estimated_error[-1]) for found in lives.values()) / MM
+    error = max(float(life.estimated_error[-1]) for life in lives.values()) / MM
     force = lives["evolving"].mean_force
     before = lives["perfect"].mean_force[0]
 

@@ -35,7 +35,6 @@ from rigapp.report.testreport.cover import (
     step_section,
 )
 from rigapp.report.testreport.facts import (
-    ChannelFacts,
     Rows,
     gaps_of,
     rows_of,
@@ -112,17 +111,10 @@ def _document(reader: TestReader, path: Path, settings: tuple[ReportFile, bytes]
     uncertainty = force_uncertainty(reader.calibration(), reader.configuration())
     file = path.stat()
     result = result_of_open(reader, file.st_mtime, file.st_size, closely=True)
-    events = reader.events()
+    events, simulated = reader.events(), _simulated(reader, about)
     sections = [
         _summary(
-            summary,
-            about,
-            _simulated(reader, about),
-            rows,
-            identity,
-            largest_force(reader),
-            uncertainty,
-            result,
+            summary, about, simulated, rows, identity, largest_force(reader), uncertainty, result
         ),
         *datasections.trip(trip_capture(reader), translate(summary["reason"])),
         *logsections.sections(reader, events, rows, summary["reason"]),
@@ -145,7 +137,7 @@ def _document(reader: TestReader, path: Path, settings: tuple[ReportFile, bytes]
         _file_section(identity, summary, reader),
     ]
     title = about["title"] or path.stem
-    warnings = _warnings(summary, _simulated(reader, about))
+    warnings = _warnings(summary, simulated)
     own = settings[0].report
     lines = (tr("Test report: {} ({})", title, identity.name), numbered(own.number, reader, about))
     return Manuscript(
@@ -277,7 +269,8 @@ def _data_lines(
     ]
     depth, coefficient, _, residual = key_numbers(result)
     lines += [
-        (tr(one.caption), f"{one.value}, {one.line}") for one in (depth, coefficient, residual)
+        (tr(figure.caption), f"{figure.value}, {figure.line}")
+        for figure in (depth, coefficient, residual)
     ]
     good = tr("{} of {}", grouped(rows.good), grouped(rows.revolutions))
     stated = tr("not stated: no calibration record of the load cell in the file")
@@ -300,10 +293,10 @@ def _force_line(
     if uncertainty is not None and not largest.lower_bound:
         uncertainty_N = uncertainty.at(np.array(largest.value_N), of_magnitude=True)
         doubt = f" ± {quantity(float(uncertainty_N), 'N', 2)}"
-    place = tr(" in revolution {}", grouped(largest.revolution))
-    place += "" if largest.whole else tr(", which the end of the test cut off")
+    where = tr(" in revolution {}", grouped(largest.revolution))
+    where += "" if largest.whole else tr(", which the end of the test cut off")
     return [
-        (tr("Largest joint force"), largest.sign + quantity(largest.value_N, "N") + doubt + place)
+        (tr("Largest joint force"), largest.sign + quantity(largest.value_N, "N") + doubt + where)
     ]
 
 
@@ -317,9 +310,9 @@ def _ended(status: str, about: dict[str, Any]) -> str:
 
 def _reason(summary: dict[str, Any], about: dict[str, Any]) -> str:
     words = tr(REASONS.get(about["reason_code"], ""))
-    return ". ".join(_capital(one) for one in (words, translate(summary["reason"])) if one) or tr(
-        "none given"
-    )
+    return ". ".join(
+        _capital(text) for text in (words, translate(summary["reason"])) if text
+    ) or tr("none given")
 
 
 def _capital(text: str) -> str:
@@ -360,8 +353,8 @@ def _file_section(identity: FileIdentity, summary: dict[str, Any], reader: TestR
         (tr("Chain of the log"), log),
         (tr("Checksums"), _checksums(reader)),
     )
-    found = tuple((str(name), str(value)) for name, value in versions.items())
-    tables = (Table("", rows), Table(tr("Versions that wrote the file"), found))
+    version_rows = tuple((str(name), str(value)) for name, value in versions.items())
+    tables = (Table("", rows), Table(tr("Versions that wrote the file"), version_rows))
     return Section(tr("File and versions"), tuple(table for table in tables if table.rows))
 
 
@@ -371,8 +364,8 @@ def figure_of(path: Path, name: str = "") -> Figure:
     Raises UnusableInput for a file that is no test and for what the test has no data of.
     """
     with open_test(path) as reader:
-        for one in (name,) if name else FIGURES:
-            figure = FIGURES[one](reader)
+        for candidate in (name,) if name else FIGURES:
+            figure = FIGURES[candidate](reader)
             if figure is not None:
                 return figure
     raise UnusableInput("{}: holds no data for the figure {}.", path, name or next(iter(FIGURES)))
@@ -397,16 +390,12 @@ def _forces(reader: TestReader) -> Figure | None:
 
 def _displacement(reader: TestReader) -> Figure | None:
     rows = rows_of(reader)
-    channels = _of_probes(rows) if rows else []
+    channels = [c for c in rows.channels if c.name.startswith("probe_")] if rows else []
     if rows is None or not channels:
         return None
     stated = stated_uncertainties(reader.calibration())
     title = "Displacement against revolution"
     return plots.trends(channels, None, rows.gaps, title, stated=stated)
-
-
-def _of_probes(rows: Rows) -> list[ChannelFacts]:
-    return [channel for channel in rows.channels if channel.name.startswith("probe_")]
 
 
 def _agreement(reader: TestReader) -> Figure | None:

@@ -12,7 +12,7 @@ import platformdirs
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import parse_parameters, read_report_settings
+from rigapp.config.loading import parse_parameters, read_document
 from rigapp.config.reading import read_bytes
 from rigapp.config.report import ReportFile, report_number
 from rigapp.presentation.numbers import UNKNOWN as NOTHING
@@ -64,10 +64,10 @@ def report_settings(test: Path, given: Path | None = None) -> tuple[ReportFile, 
     settings or a logo that cannot be read.
     """
     own = platformdirs.user_config_path("rigapp") / SETTINGS
-    path = given or next((one for one in (test.parent / SETTINGS, own) if one.is_file()), None)
+    path = given or next((p for p in (test.parent / SETTINGS, own) if p.is_file()), None)
     if path is None:
         return ReportFile(schema=1), b""
-    settings = read_report_settings(path).record
+    settings = read_document(path, ReportFile).record
     report_number(settings.report.number, dict.fromkeys(("file", "title", "specimen", "date"), ""))
     return settings, _logo(path, settings.laboratory.logo)
 
@@ -103,7 +103,7 @@ def cover_of(
     file, logo = settings
     parameters = parameters_of(reader)
     wear = wear_trend(agreement.wear, rows.gaps if rows is not None else ()) if agreement else None
-    figures = [one for one in (wear or _forces(rows, agreement), scheme(parameters)) if one]
+    figures = [f for f in (wear or _forces(rows, agreement), scheme(parameters)) if f]
     letterhead = (file.laboratory.name, *file.laboratory.address.splitlines())
     return Cover(
         subtitle=_subtitle(about, rows),
@@ -143,7 +143,7 @@ def numbered(pattern: str, reader: TestReader, about: Mapping[str, Any]) -> str:
 
 def _subtitle(about: Mapping[str, Any], rows: Rows | None) -> str:
     speed = tr("{} rpm", number(rows.mean_speed, "rpm", 0)) if rows is not None else ""
-    return ", ".join(one for one in (about["specimen"], about["bushing"], speed) if one)
+    return ", ".join(part for part in (about["specimen"], about["bushing"], speed) if part)
 
 
 def _facts(
@@ -180,15 +180,15 @@ def _valid_until(calibration: Mapping[str, Any]) -> str:
 
 def _results(result: TestResult) -> list[Row]:
     rows = [
-        (tr(one.caption), tr(UNKNOWN) if one.value == NOTHING else one.value, one.line)
-        for one in key_numbers(result)
+        (tr(figure.caption), tr(UNKNOWN) if figure.value == NOTHING else figure.value, figure.line)
+        for figure in key_numbers(result)
     ]
     ended = f"{outcome_text(result)}, {counted(result.revolutions, 'revolution')}"
     return [*rows, (tr("End of the test"), ended, _end(result))]
 
 
 def _end(result: TestResult) -> str:
-    names = [capitalised(translate(one)) for one in dict.fromkeys(result.alarms)]
+    names = [capitalised(translate(title)) for title in dict.fromkeys(result.alarms)]
     alarms = counted(len(result.alarms), "alarm") if names else tr("no alarm")
     if names:
         more = ", …" if len(names) > ALARMS_NAMED else ""
@@ -372,7 +372,7 @@ def _record_rows(record: Record) -> list[tuple[str, str]]:
     for key, unit in (("residual_std_N", "N"), ("residual_std_um", "µm")):
         if isinstance(result.get(key), float):
             rows.append((tr("residual standard deviation"), f"{result[key]:.3f} {unit}"))
-    return [(one, words or tr(UNKNOWN)) for one, words in rows if words or one != "classification"]
+    return [(row, words or tr(UNKNOWN)) for row, words in rows if words or row != "classification"]
 
 
 def _mapping(value: Any) -> dict[str, Any]:
@@ -435,8 +435,8 @@ def step_section(reader: TestReader) -> list[Section]:
                 number(mean(columns["speed"][good])),
                 number(peak),
                 *(
-                    number(mean(columns[one][good]))
-                    for one in ("force_max", "force_rms", "residual")
+                    number(mean(columns[column][good]))
+                    for column in ("force_max", "force_rms", "residual")
                 ),
             )
         )

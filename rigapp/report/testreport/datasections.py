@@ -71,10 +71,10 @@ def extremes(
     if slow:
         title = tr("Slow channels, one value a revolution")
         blocks.append(_extremes_table(title, slow, noted, of="mean"))
-        ages = ", ".join(f"{one.name} {duration(one.age_s, exact=True)}" for one in slow)
+        ages = ", ".join(f"{c.name} {duration(c.age_s, exact=True)}" for c in slow)
         blocks.append(Text(tr("Oldest value at the end of a revolution: {}.", ages)))
     if noted:
-        notes = "; ".join(tr("revolution {}: {}", one, words) for one, words in noted.items())
+        notes = "; ".join(tr("revolution {}: {}", *item) for item in noted.items())
         blocks.append(Text(tr("* The revolution carries a quality flag. {}.", notes)))
     blocks.append(
         Text(
@@ -103,7 +103,7 @@ def extremes(
         name = tr("Displacement and speed against revolution")
         blocks.append(plots.trends(others, None, rows.gaps, name, stated=stated))
     for some in batched(free):
-        name = tr("{} against revolution", ", ".join(one.name for one in some))
+        name = tr("{} against revolution", ", ".join(channel.name for channel in some))
         blocks.append(plots.trends(some, None, rows.gaps, name, stated=stated))
     return [Section(tr("Extremes and RMS of every channel"), tuple(blocks))]
 
@@ -156,11 +156,11 @@ def _extremes_row(channel: ChannelFacts, noted: dict[str, str]) -> tuple[str, ..
 
 
 def agreement(
-    found: Agreement | None, rows: Rows | None, events: Sequence[Event] = ()
+    agreed: Agreement | None, rows: Rows | None, events: Sequence[Event] = ()
 ) -> list[Section]:
     """Return how well the model agrees with the measurement."""
     title = tr("Agreement with the model")
-    if found is None or rows is None:
+    if agreed is None or rows is None:
         return [Section(title, (Text(tr("No prediction is recorded in the file.")),))]
     residuals = Table(
         tr("Measured minus model"),
@@ -171,7 +171,7 @@ def agreement(
              grouped(residual.worst.revolution)
              if math.isfinite(residual.worst.value) else tr(UNKNOWN),
              number(residual.last, residual.unit, 2))
-            for residual in found.residuals
+            for residual in agreed.residuals
         ),
         (tr("quantity"), tr("unit"), tr("mean"), tr("largest"), tr("in revolution"), tr("last")),
     )  # fmt: skip
@@ -180,25 +180,26 @@ def agreement(
         tuple(
             (_statistic(pair.name), number(pair.measured, "N"), number(pair.predicted, "N"),
              number(pair.measured - pair.predicted, "N"))
-            for pair in found.pairs
+            for pair in agreed.pairs
         ),
         (tr("statistic"), tr("measured"), tr("model"), tr("difference")),
     )  # fmt: skip
     lead = Text(
-        tr("{} of {} compared.", counted(found.compared, "revolution"), grouped(rows.revolutions))
-        + _relative(found, rows)
-        + (tr(" The model: {}.", found.joint) if found.joint else "")
+        tr("{} of {} compared.", counted(agreed.compared, "revolution"), grouped(rows.revolutions))
+        + _relative(agreed, rows)
+        + (tr(" The model: {}.", agreed.joint) if agreed.joint else "")
     )
     blocks: list[Block] = [lead, residuals]
-    if found.deviation:
-        blocks.insert(1, Text(tr("{} (the last revolution).", found.deviation), strong=True))
-    if found.pairs:
+    if agreed.deviation:
+        blocks.insert(1, Text(tr("{} (the last revolution).", agreed.deviation), strong=True))
+    if agreed.pairs:
         blocks.append(pairs)
-    blocks.append(plots.residual_trend(found, rows.gaps))
+    blocks.append(plots.residual_trend(agreed, rows.gaps))
     lines = [event for event in events if event.kind == "twin"]
     if lines:
         table = tuple(
-            (utc(one.time), grouped(one.revolution), translate(one.text)) for one in lines[:TOLD]
+            (utc(event.time), grouped(event.revolution), translate(event.text))
+            for event in lines[:TOLD]
         )
         header = (tr("time, UTC"), tr("revolution"), tr("what became of the prediction"))
         left = tr("First {} of {} lines", TOLD, grouped(len(lines))) if len(lines) > TOLD else ""
@@ -206,9 +207,10 @@ def agreement(
     return [Section(title, tuple(blocks))]
 
 
-def _relative(found: Agreement, rows: Rows) -> str:
+def _relative(agreed: Agreement, rows: Rows) -> str:
     residual = next(
-        (residual.mean for residual in found.residuals if residual.name == "residual_rms"), math.nan
+        (residual.mean for residual in agreed.residuals if residual.name == "residual_rms"),
+        math.nan,
     )
     force = next(
         (channel.overall for channel in rows.channels if channel.name == "force"), math.nan
@@ -223,16 +225,16 @@ def _statistic(name: str) -> str:
     return tr("{} of {}", tr(STATISTICS[statistic]), tr(plots.SHORT[channel]))
 
 
-def trip(found: TripCapture | None, reason: str) -> list[Section]:
+def trip(capture: TripCapture | None, reason: str) -> list[Section]:
     """Return what tripped, and the time around it; nothing of a test that did not trip."""
-    if found is None:
+    if capture is None:
         return []
     text = capitalised(reason)
-    if found.turned_s > 0.0:
-        text += tr(" The crank turned for {:.2f} s more, by the device's clock.", found.turned_s)
-    if math.isfinite(found.stood_s):
-        text += tr(" It was seen at rest {:.2f} s after the alarm.", found.stood_s)
-    return [Section(tr("Trip"), (Text(text, strong=True), plots.trip(found)))]
+    if capture.turned_s > 0.0:
+        text += tr(" The crank turned for {:.2f} s more, by the device's clock.", capture.turned_s)
+    if math.isfinite(capture.stood_s):
+        text += tr(" It was seen at rest {:.2f} s after the alarm.", capture.stood_s)
+    return [Section(tr("Trip"), (Text(text, strong=True), plots.trip(capture)))]
 
 
 def cycles(
@@ -285,9 +287,9 @@ def _bursts(bursts: Sequence[Burst]) -> list[Block]:
     return blocks
 
 
-def wear(found: Agreement | None, worn: Worn | None = None) -> Section:
+def wear(agreed: Agreement | None, worn: Worn | None = None) -> Section:
     """Return the wear depth, measured and predicted, and its rate; what is not known says so."""
-    known = found.wear if found is not None else {}
+    known = agreed.wear if agreed is not None else {}
     table = Table(
         "",
         tuple((tr(words), *_wear_cells(known.get(name))) for name, words in WEAR.items()),
@@ -314,14 +316,14 @@ def wear(found: Agreement | None, worn: Worn | None = None) -> Section:
     return Section(tr("Wear"), tuple(blocks))
 
 
-def _wear_cells(found: LastDepth | None) -> tuple[str, str, str]:
-    if found is None:
+def _wear_cells(last: LastDepth | None) -> tuple[str, str, str]:
+    if last is None:
         return tr(UNKNOWN), tr(UNKNOWN), tr(UNKNOWN)
-    rate = tr(UNKNOWN) if math.isnan(found.rate) else f"{1e6 * found.rate:.3g}"
-    depth = number(1e3 * found.depth, "um", 2)
-    if math.isfinite(found.uncertainty):
-        depth += f" ± {number(1e3 * found.uncertainty, 'um', 2)}"
-    return depth, grouped(found.revolution), rate
+    rate = tr(UNKNOWN) if math.isnan(last.rate) else f"{1e6 * last.rate:.3g}"
+    depth = number(1e3 * last.depth, "um", 2)
+    if math.isfinite(last.uncertainty):
+        depth += f" ± {number(1e3 * last.uncertainty, 'um', 2)}"
+    return depth, grouped(last.revolution), rate
 
 
 def quality(rows: Rows | None) -> Section:

@@ -107,7 +107,6 @@ class Rows:
     samples_each: float
     mean_speed: float
     test_s: float
-    host_span: tuple[float, float]
     channels: tuple[ChannelFacts, ...]
     speed: ChannelFacts | None
     gaps: tuple[Gap, ...]
@@ -135,11 +134,6 @@ class _Table:
         """Return the safe rows of a column."""
         return self._reader.column(name, 0, self.rows)
 
-    def ends(self, name: str) -> tuple[float, float]:
-        """Return the first and the last value of a column."""
-        first, last = (self._reader.column(name, at, at + 1)[0] for at in (0, self.rows - 1))
-        return float(first), float(last)
-
     def __contains__(self, name: str) -> bool:
         return name in self.units
 
@@ -155,7 +149,6 @@ def rows_of(reader: TestReader) -> Rows | None:
     ends = good[:ENDS].copy(), good[-ENDS:].copy()
     rated, all_good = _RowQuality(number, quality, *ends), int(good.size)
     del good
-    host_span, test_s = table.ends("host_time"), table.ends("time")[1]
     known = int(sum(Flag))
     channels = tuple(
         _channel(table, channel, rated)
@@ -175,8 +168,7 @@ def rows_of(reader: TestReader) -> Rows | None:
         lost_samples=int(table.column("lost_samples").sum()),
         samples_each=float(np.median(table.column("samples"))),
         mean_speed=mean(table.column("speed")),
-        test_s=test_s,
-        host_span=host_span,
+        test_s=float(reader.column("time", table.rows - 1, table.rows)[0]),
         channels=channels,
         speed=_channel(table, SPEED, rated) if "speed_max" in table else None,
         gaps=_gaps(table, number, quality),
@@ -185,12 +177,12 @@ def rows_of(reader: TestReader) -> Rows | None:
 
 def _with_trip(force: ChannelFacts, reader: TestReader) -> ChannelFacts:
     """Return |F| with the largest one of the test, which may be of a revolution without a row."""
-    found = largest_force(reader)
-    if found is None:
+    largest = largest_force(reader)
+    if largest is None:
         return force
-    whole = found.revolution == force.largest.revolution
-    quality = force.largest.quality if whole else 0 if found.whole else int(Flag.PARTIAL)
-    peak = Peak(found.value_N, found.revolution, quality, found.lower_bound)
+    in_a_row = largest.revolution == force.largest.revolution
+    quality = force.largest.quality if in_a_row else 0 if largest.whole else int(Flag.PARTIAL)
+    peak = Peak(largest.value_N, largest.revolution, quality, largest.lower_bound)
     return replace(force, largest=peak)
 
 
@@ -220,9 +212,9 @@ def furthest(values: NDArray[Any], of: Callable[[NDArray[Any]], NDArray[Any]]) -
         finite = np.isfinite(part)
         if finite.any():
             sizes = np.where(finite, of(part), -np.inf)
-            place = int(np.argmax(sizes))
-            if result is None or sizes[place] > most:
-                result, most = first + place, float(sizes[place])
+            index = int(np.argmax(sizes))
+            if result is None or sizes[index] > most:
+                result, most = first + index, float(sizes[index])
     return result
 
 
@@ -255,20 +247,18 @@ def _columns(channel: Channel) -> tuple[str, ...]:
 
 
 def _channel(table: _Table, channel: Channel, rows: _RowQuality) -> ChannelFacts:
-    slow, oldest = channel.kind is Kind.SLOW, np.nan
+    slow, oldest, names = channel.kind is Kind.SLOW, np.nan, _columns(channel)
+    typical = table.column(names[0] if slow else names[2])
+    start, end = (mean(typical[ends]) for ends in (rows.first, rows.last))
+    line = envelope(rows.number, typical)
     if slow:
-        value, age = _columns(channel)
-        ages = table.column(age)
+        ages = table.column(names[1])
         oldest = float(ages[np.isfinite(ages)].max(initial=0.0))
-        largest = smallest = typical = table.column(value)
-        overall, lines = mean(typical), {"value": envelope(rows.number, typical)}
-        start, end = (mean(typical[one]) for one in (rows.first, rows.last))
+        largest = smallest = typical
+        overall, lines = mean(typical), {"value": line}
     else:
-        names = _columns(channel)
-        typical = table.column(names[2])
-        overall, line = math.sqrt(mean(typical, 2)), envelope(rows.number, typical)
-        start, end = (mean(typical[one]) for one in (rows.first, rows.last))
-        del typical
+        overall = math.sqrt(mean(typical, 2))
+        del typical  # two columns in memory at most
         largest, smallest = (table.column(name) for name in names[:2])
         lines = {
             "max": envelope(rows.number, largest),
@@ -293,7 +283,7 @@ def _steady_range(
 ) -> tuple[float, float] | None:
     low, high = np.inf, -np.inf
     for first, part in parts_of(quality):
-        most, least = (one[first : first + len(part)] for one in (largest, smallest))
+        most, least = (column[first : first + len(part)] for column in (largest, smallest))
         steady = (part & int(NOT_STEADY) == 0) & np.isfinite(most) & np.isfinite(least)
         low = float(np.min(least, where=steady, initial=low))
         high = float(np.max(most, where=steady, initial=high))
@@ -301,10 +291,10 @@ def _steady_range(
 
 
 def _peak(values: NDArray[Any], rows: _RowQuality, sign: float) -> Peak:
-    place = furthest(values, lambda part: sign * part)
-    if place is None:
+    row = furthest(values, lambda part: sign * part)
+    if row is None:
         return Peak(float("nan"), 0, 0)
-    return Peak(float(values[place]), int(rows.number[place]), int(rows.quality[place]))
+    return Peak(float(values[row]), int(rows.number[row]), int(rows.quality[row]))
 
 
 def gaps_of(reader: TestReader) -> tuple[Gap, ...]:
@@ -326,13 +316,13 @@ def _gaps(table: _Table, number: RowNumbers, quality: NDArray[np.int32]) -> tupl
     host = table.column("host_time")
     waited = host[places] - host[before]
     result = []
-    for at, place in enumerate(places.tolist()):
+    for at, row in enumerate(places.tolist()):
         turn = 60.0 / abs(speed[at]) if speed[at] else 0.0
-        seconds = float(waited[at] - turn) if place else float("nan")
-        step = int(number[place] - number[place - 1]) if place else 1
+        seconds = float(waited[at] - turn) if row else float("nan")
+        step = int(number[row] - number[row - 1]) if row else 1
         result.append(
             Gap(
-                int(number[place]),
+                int(number[row]),
                 max(0, step - 1),
                 int(lost[at]),
                 max(0.0, seconds) if np.isfinite(seconds) else float("nan"),
@@ -349,11 +339,12 @@ def stated_uncertainties(calibration: Mapping[str, Any]) -> Stated:
     """Return what a file states of the channels beside the forces."""
     probes = calibration.get("probes")
     both = probes.get("uncertainty_um") if isinstance(probes, Mapping) else None
-    found: dict[str, Any] = dict(
-        zip(BASE.names_of(PROBES), () if both is None else both, strict=False)
-    )
+    stated: dict[str, Any] = dict(zip(BASE.names_of(PROBES), both or (), strict=False))
     for name, section in calibration.items():
         if name.startswith("channel_") and isinstance(section, Mapping):
-            found[name.removeprefix("channel_")] = section.get("uncertainty")
-    known = {name: one for name, one in found.items() if isinstance(one, int | float)}
-    return {name: float(one) for name, one in known.items() if math.isfinite(one)}
+            stated[name.removeprefix("channel_")] = section.get("uncertainty")
+    return {
+        name: float(value)
+        for name, value in stated.items()
+        if isinstance(value, int | float) and math.isfinite(value)
+    }

@@ -77,7 +77,7 @@ def title_of(channel: Channel) -> str:
 def symbol(unit: str) -> str:
     """Return a unit as it is printed."""
     named = {"um": "µm", "1": "", "deg": "°", "degC": "°C"}.get(unit, unit.replace("um/", "µm/"))
-    return POWER.sub(lambda found: {"2": "²", "3": "³"}[found[1]], named)
+    return POWER.sub(lambda power: {"2": "²", "3": "³"}[power[1]], named)
 
 
 def number(value: float, unit: str = "1", digits: int | None = None) -> str:
@@ -95,9 +95,9 @@ def quantity(value: float, unit: str, digits: int | None = None) -> str:
     return text if text == tr(UNKNOWN) else f"{text} {symbol(unit)}".rstrip()
 
 
-def counted(value: int, one: str, many: str = "") -> str:
+def counted(value: int, noun: str, many: str = "") -> str:
     """Return a number with its noun."""
-    return f"{grouped(value)} {tr(one if value == 1 else many or one + 's')}"
+    return f"{grouped(value)} {tr(noun if value == 1 else many or noun + 's')}"
 
 
 def utc(seconds: float) -> str:
@@ -161,9 +161,9 @@ def _setting(value: Any) -> str:
     if isinstance(value, float) and math.isnan(value):
         return tr(UNKNOWN)
     if isinstance(value, list):
-        if value and all(isinstance(one, float) and math.isnan(one) for one in value):
+        if value and all(isinstance(number, float) and math.isnan(number) for number in value):
             return tr(UNKNOWN)
-        if any(isinstance(one, list) for one in value):
+        if any(isinstance(row, list) for row in value):
             return "; ".join(", ".join(map(_setting, row)) for row in value)
         return ", ".join(map(_setting, value))
     if isinstance(value, float) and value.is_integer() and abs(value) < MANY:

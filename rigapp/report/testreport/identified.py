@@ -115,7 +115,7 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
     about = reader.metadata()
     end = reader.committed() if after is None else rows_up_to(reader, after)
     recent = max(0, end - RECENT)
-    speed, quality = (reader.column(one, recent, end) for one in ("speed", "quality"))
+    speed, quality = (reader.column(name, recent, end) for name in ("speed", "quality"))
     plain: dict[str, Any] = {
         "path": path,
         "title": str(about["title"]),
@@ -138,12 +138,12 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
         moments = _moments(reader, kept.bins.closed, after, before)
         life = life_of(kept)
 
-        def known_at(place: int) -> Identification:
-            moment = moments[place]
+        def known_at(index: int) -> Identification:
+            moment = moments[index]
             errors = kept.errors()
             if not before:  # else the zero was known best in an earlier test, and stays so
                 errors = replace(errors, reference=max(moment.reference, LEAST_REFERENCE))
-            return identify(kept.bins.closed[: place + 1], life, errors, kept.prior())
+            return identify(kept.bins.closed[: index + 1], life, errors, kept.prior())
 
         known = known_at(len(moments) - 1)
     except NotIdentifiable as error:
@@ -154,7 +154,7 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
     if departure is not None and after is not None and departure.revolution > after + before:
         departure = None
     planned = plain["planned"] + before
-    early = [place for place, one in enumerate(moments) if one.closed <= EARLY * planned]
+    early = [index for index, moment in enumerate(moments) if moment.closed <= EARLY * planned]
     bands = [_band(known, life, planned)]
     if early and early[-1] < len(moments) - 1:
         bands = [*_early(known_at, early[-1], life, planned), *bands]
@@ -198,10 +198,10 @@ def _moments(
     revolutions = table["revolution"][read].astype(np.float64) + before
     doubt = np.minimum.accumulate(0.5e-3 * table["measured_wear_depth_uncertainty"][read])
     result = []
-    for one in bins:
-        place = int(np.searchsorted(revolutions, one.revolution, side="right"))
-        if place < revolutions.size and (after is None or revolutions[place] <= after + before):
-            result.append(_Moment(float(revolutions[place]), float(doubt[place])))
+    for closed_bin in bins:
+        index = int(np.searchsorted(revolutions, closed_bin.revolution, side="right"))
+        if index < revolutions.size and (after is None or revolutions[index] <= after + before):
+            result.append(_Moment(float(revolutions[index]), float(doubt[index])))
     if not result:
         raise NotIdentifiable(NO_BIN)
     return result
@@ -221,7 +221,7 @@ def _left(known: Identification, life: DepthLife, depth: float, last: float) -> 
         return result
     since = last - known.revolution
     left = result.revolutions
-    counted = (max(one - since, 0.0) for one in (left.median, left.low, left.high))
+    counted = (max(count - since, 0.0) for count in (left.median, left.low, left.high))
     return replace(result, revolutions=Credible(*counted))
 
 
@@ -232,18 +232,18 @@ def _course(reader: TestReader, after: int | None) -> dict[str, Array]:
     if after is not None:
         stated &= table["revolution"] <= after
     columns = {name: np.asarray(table[name][stated], float) for name in ("revolution", *STATED)}
-    rows = np.column_stack([columns[f"wear_coefficient{one}"] for one in ("", "_low", "_high")])
+    rows = np.column_stack([columns[f"wear_coefficient{limit}"] for limit in ("", "_low", "_high")])
     new = np.ones(len(rows), dtype=bool)
     new[1:] = (np.diff(rows, axis=0) != 0.0).any(axis=1)
     return {name: values[new] for name, values in columns.items()}
 
 
 def _early(
-    known_at: Callable[[int], Identification], place: int, life: DepthLife, planned: int
+    known_at: Callable[[int], Identification], index: int, life: DepthLife, planned: int
 ) -> list[ForecastBand]:
     """Return the early band; none where nothing could be told so early."""
     try:
-        return [_band(known_at(place), life, planned)]
+        return [_band(known_at(index), life, planned)]
     except NotIdentifiable:
         return []
 
@@ -266,8 +266,8 @@ def beyond_band(early: ForecastBand, bins: Sequence[Bin], before: int = 0) -> st
     middle = start + part * (last.revolution - start)
     band = early.band
     low, median, high = (
-        1e6 * float(np.interp(middle, band.revolution, one))
-        for one in (band.low, band.median, band.high)
+        1e6 * float(np.interp(middle, band.revolution, curve))
+        for curve in (band.low, band.median, band.high)
     )
     depth = 1e6 * last.depth
     if not (depth < low or depth > high):
@@ -332,7 +332,7 @@ def identified_tests(
         counted.append(test)
     if not estimates:
         return IdentifiedTests(tuple(tests), why_not=why_not)
-    names = ", ".join(one.path.name for one in counted)
+    names = ", ".join(test.path.name for test in counted)
     specimens = say("one specimen") if len(counted) == 1 else say("{} specimens", len(counted))
     pairing = pairing_of(estimates, f"{specimens}: {names}")
     return IdentifiedTests(tuple(tests), pairing, tuple(counted), why_not)

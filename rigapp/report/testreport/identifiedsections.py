@@ -30,8 +30,8 @@ def draw_depth(axes: Any, test: IdentifiedTest, known: Identification) -> None:
     """Draw depth in bins and its predicted bands on matplotlib axes, in um."""
     readings = known.readings
     shades = (COLOURS["probe_2"], MODEL) if len(test.bands) > 1 else (MODEL,)
-    for one, colour in zip(test.bands, shades, strict=True):
-        band, label = one.band, tr("95 % band\nfrom {} on", grouped(one.after))
+    for forecast, colour in zip(test.bands, shades, strict=True):
+        band, label = forecast.band, tr("95 % band\nfrom {} on", grouped(forecast.after))
         axes.fill_between(
             band.revolution, 1e6 * band.low, 1e6 * band.high, color=colour, alpha=0.25, lw=0
         )
@@ -69,7 +69,8 @@ def narrowing_figure(test: IdentifiedTest) -> Figure:
     """Draw the wear coefficient with its limits against the revolution at which it was known."""
     at = test.course["revolution"]
     median, low, high = (
-        COEFFICIENT_SCALE * test.course[f"wear_coefficient{one}"] for one in ("", "_low", "_high")
+        COEFFICIENT_SCALE * test.course[f"wear_coefficient{limit}"]
+        for limit in ("", "_low", "_high")
     )
     with canvas_of(2.4) as canvas:
         axes = canvas.subplots()
@@ -92,28 +93,29 @@ def narrowing_figure(test: IdentifiedTest) -> Figure:
         return saved(canvas, tr("Wear coefficient against revolution"), words, caption)
 
 
-def specimen_figure(found: IdentifiedTests) -> Figure | None:
+def specimen_figure(identified: IdentifiedTests) -> Figure | None:
     """Draw the coefficient of each specimen, of their median and of the next; None without any."""
-    if found.pairing is None:
+    if identified.pairing is None:
         return None
     lines: list[tuple[str, Credible]] = [
-        (one.specimen or one.path.stem, one.known.coefficient)
-        for one in found.counted
-        if one.known is not None
+        (test.specimen or test.path.stem, test.known.coefficient)
+        for test in identified.counted
+        if test.known is not None
     ]
     lines += [
-        (tr("median specimen"), found.pairing.coefficient),
-        (tr("next specimen"), found.pairing.next),
+        (tr("median specimen"), identified.pairing.coefficient),
+        (tr("next specimen"), identified.pairing.next),
     ]
     with canvas_of(0.8 + 0.22 * len(lines)) as canvas:
         axes = canvas.subplots()
-        for place, (_, one) in enumerate(lines):
-            colour = COLOURS["value"] if place < len(found.counted) else MODEL
+        for row, (_, credible) in enumerate(lines):
+            colour = COLOURS["value"] if row < len(identified.counted) else MODEL
             median, low, high = (
-                COEFFICIENT_SCALE * PER_UNIT * x for x in (one.median, one.low, one.high)
+                COEFFICIENT_SCALE * PER_UNIT * x
+                for x in (credible.median, credible.low, credible.high)
             )
-            axes.plot([low, high], [place, place], color=colour)
-            axes.plot([median], [place], "o", ms=3.5, color=colour)
+            axes.plot([low, high], [row, row], color=colour)
+            axes.plot([median], [row], "o", ms=3.5, color=colour)
         axes.set_yticks(range(len(lines)), [name for name, _ in lines])
         axes.invert_yaxis()
         axes.set_xlabel(COEFFICIENT)
@@ -127,9 +129,9 @@ def specimen_figure(found: IdentifiedTests) -> Figure | None:
 SECTION = "What is known of the wear"
 
 
-def credible_text(one: Credible, unit: bool = True) -> str:
+def credible_text(coefficient: Credible, unit: bool = True) -> str:
     """Return a wear coefficient with its 95 % limits in words."""
-    median, low, high = (PER_UNIT * x for x in (one.median, one.low, one.high))
+    median, low, high = (PER_UNIT * getattr(coefficient, end) for end in ("median", "low", "high"))
     value, limits = coefficient_text(median, low, high)
     return f"{value}, {limits}" if unit else f"{coefficient_number(median)}, {limits}"
 
@@ -157,10 +159,13 @@ def remaining_text(test: IdentifiedTest) -> str:
         return tr("not asked for: the test has no stop.wear_depth_um")
     if left.revolutions is None:
         return left.reason or UNKNOWN
-    one = left.revolutions
-    high = grouped(round(one.high)) if math.isfinite(one.high) else tr("what the model computes")
+    ends = left.revolutions
+    high = grouped(round(ends.high)) if math.isfinite(ends.high) else tr("what the model computes")
     text = tr(
-        "{} (95 %: {} to {}) revolutions", grouped(round(one.median)), grouped(round(one.low)), high
+        "{} (95 %: {} to {}) revolutions",
+        grouped(round(ends.median)),
+        grouped(round(ends.low)),
+        high,
     )
     left_s = test.remaining_s
     after = tr(", {} at the last set speed", duration(left_s)) if left_s > 0.0 else ""
@@ -217,21 +222,21 @@ def known_section(test: IdentifiedTest) -> Section:
     return Section(SECTION, known_blocks(test))
 
 
-def identified_document(found: IdentifiedTests) -> Manuscript:
+def identified_document(identified: IdentifiedTests) -> Manuscript:
     """Return the report of one or several tests."""
-    sections = [_together(found)] if len(found.tests) > 1 else []
+    sections = [_together(identified)] if len(identified.tests) > 1 else []
     sections += [
         Section(f"{test.path.name}: {test.specimen or test.title}", known_blocks(test))
-        for test in found.tests
+        for test in identified.tests
     ]
     title = tr("What is known of the wear")
-    names = ", ".join(test.path.name for test in found.tests)
+    names = ", ".join(test.path.name for test in identified.tests)
     return Manuscript(title, f"{title}: {names}", tuple(sections), tr("Made from {}.", names), ())
 
 
-def pairing_rows(found: IdentifiedTests) -> tuple[tuple[str, str], ...]:
+def pairing_rows(identified: IdentifiedTests) -> tuple[tuple[str, str], ...]:
     """Return what several specimens tell together; empty when they tell nothing."""
-    pairing = found.pairing
+    pairing = identified.pairing
     if pairing is None:
         return ()
     factor = pairing.scatter
@@ -254,7 +259,7 @@ def pairing_rows(found: IdentifiedTests) -> tuple[tuple[str, str], ...]:
     )
 
 
-def _together(found: IdentifiedTests) -> Section:
+def _together(identified: IdentifiedTests) -> Section:
     lines = tuple(
         (
             test.path.name,
@@ -262,14 +267,14 @@ def _together(found: IdentifiedTests) -> Section:
             credible_text(test.known.coefficient, unit=False) if test.known is not None else "–",
             test.said,
         )
-        for test in found.tests
+        for test in identified.tests
     )
     header = (tr("file"), tr("specimen"), tr("coefficient, {}", COEFFICIENT_UNIT), tr("statement"))
     blocks: list[Block] = [Table("", lines, header)]
-    rows = pairing_rows(found)
+    rows = pairing_rows(identified)
     if rows:
         blocks.append(Table(tr("Specimens of one pairing"), rows))
-    if found.why_not:
-        blocks.append(Text(tr("Not counted: {}", found.why_not)))
-    figure = specimen_figure(found)
+    if identified.why_not:
+        blocks.append(Text(tr("Not counted: {}", identified.why_not)))
+    figure = specimen_figure(identified)
     return Section(tr("Specimens together"), (*blocks, *([figure] if figure is not None else [])))

@@ -36,32 +36,30 @@ COLUMNS = {
 """Column of the file -> of the CSV: a row for each revolution at which something new was stated."""
 
 
-def as_csv(found: IdentifiedTests) -> bytes:
+def as_csv(identified: IdentifiedTests) -> bytes:
     """Return the course of all tests as CSV."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(("file", "specimen", *COLUMNS.values()))
-    for test in found.tests:
+    for test in identified.tests:
         columns = [test.course[name] for name in COLUMNS] if test.course else []
         for row in zip(*columns, strict=True):
-            cells = [f"{one:.9g}" if math.isfinite(one) else "" for one in row]
+            cells = [f"{number:.9g}" if math.isfinite(number) else "" for number in row]
             writer.writerow((harmless(test.path.name), harmless(test.specimen), *cells))
     return text.getvalue().encode()
 
 
-def _three(one: Credible) -> tuple[float, float, float]:
-    return one.median, one.low, one.high
-
-
-def as_tree(found: IdentifiedTests) -> dict[str, Any]:
+def as_tree(identified: IdentifiedTests) -> dict[str, Any]:
     """Return all that is known as plain values: what is not known is None."""
-    tests = [tree_of_test(test) for test in found.tests]
+    tests = [tree_of_test(test) for test in identified.tests]
     return {
         "schema": 1,
-        **promised_of_all(found, tests),
+        **promised_of_all(identified, tests),
         "tests": tests,
-        "pairing": None if found.pairing is None else _tree_of_pairing(found.pairing, found),
-        "pairing_refused": found.why_not,
+        "pairing": None
+        if identified.pairing is None
+        else _tree_of_pairing(identified.pairing, identified),
+        "pairing_refused": identified.why_not,
     }
 
 
@@ -104,24 +102,24 @@ def tree_of_test(test: IdentifiedTest) -> dict[str, Any]:
     }
 
 
-def _statement(known: Identification, one: Verdict) -> dict[str, Any]:
+def _statement(known: Identification, verdict: Verdict) -> dict[str, Any]:
     return {
-        "name": one.name,
-        "weight": one.weight,
-        "wear_coefficient": _credible(one.coefficient, PER_UNIT, UNIT),
-        "before": None if one.before is None else _credible(one.before, PER_UNIT, UNIT),
-        "after": None if one.after is None else _credible(one.after, PER_UNIT, UNIT),
-        "revolution": None if one.place is None else revolution_of(known, one.place.median),
+        "name": verdict.name,
+        "weight": verdict.weight,
+        "wear_coefficient": _credible(verdict.coefficient, PER_UNIT, UNIT),
+        "before": None if verdict.before is None else _credible(verdict.before, PER_UNIT, UNIT),
+        "after": None if verdict.after is None else _credible(verdict.after, PER_UNIT, UNIT),
+        "revolution": None if verdict.place is None else revolution_of(known, verdict.place.median),
     }
 
 
-def _disturbance(one: Disturbance) -> dict[str, Any]:
+def _disturbance(disturbance: Disturbance) -> dict[str, Any]:
     return {
-        "name": one.name,
-        "size_um": UM * one.size,
-        "standard_uncertainty_um": UM * one.doubt,
-        "revolutions": _finite(one.place),
-        "probability": one.probability,
+        "name": disturbance.name,
+        "size_um": UM * disturbance.size,
+        "standard_uncertainty_um": UM * disturbance.doubt,
+        "revolutions": _finite(disturbance.place),
+        "probability": disturbance.probability,
     }
 
 
@@ -154,15 +152,17 @@ def promised(test: IdentifiedTest) -> dict[str, Any]:
     return _promised(coefficient, rest, "", why, known.best.name, odds)
 
 
-def promised_of_all(found: IdentifiedTests, tests: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+def promised_of_all(
+    identified: IdentifiedTests, tests: Sequence[Mapping[str, Any]]
+) -> dict[str, Any]:
     """Return the same keys of a single test, or of the median specimen of several."""
     if len(tests) == 1:
         return {key: tests[0][key] for key in PROMISED}
     each = say("It belongs to one test: see the list of tests.")
-    if found.pairing is None:
-        why = found.why_not or say("Nothing is known of any of the tests.")
+    if identified.pairing is None:
+        why = identified.why_not or say("Nothing is known of any of the tests.")
         return _promised(None, None, why, each)
-    return _promised(_estimate(found.pairing.coefficient, PER_UNIT), None, "", each)
+    return _promised(_estimate(identified.pairing.coefficient, PER_UNIT), None, "", each)
 
 
 def _promised(
@@ -187,16 +187,16 @@ def _promised(
 PROMISED = tuple(_promised(None, None, "", ""))
 
 
-def _estimate(one: Credible, factor: float) -> dict[str, Any]:
+def _estimate(quantity: Credible, factor: float) -> dict[str, Any]:
     """Return a quantity as estimate, limits and their level; a limit that is unknown is None."""
-    estimate, low, high = (_finite(factor * value) for value in _three(one))
+    estimate, low, high = _list((quantity.median, quantity.low, quantity.high), factor)
     return {"estimate": estimate, "low": low, "high": high, "level": LEVEL}
 
 
-def _band(one: ForecastBand) -> dict[str, Any]:
-    band = one.band
+def _band(forecast: ForecastBand) -> dict[str, Any]:
+    band = forecast.band
     return {
-        "after_revolution": one.after,
+        "after_revolution": forecast.after,
         "revolution": _list(band.revolution, 1.0),
         "median_um": _list(band.median, UM),
         "low_um": _list(band.low, UM),
@@ -204,9 +204,9 @@ def _band(one: ForecastBand) -> dict[str, Any]:
     }
 
 
-def _tree_of_pairing(pairing: Pairing, found: IdentifiedTests) -> dict[str, Any]:
+def _tree_of_pairing(pairing: Pairing, identified: IdentifiedTests) -> dict[str, Any]:
     return {
-        "files": [str(one.path) for one in found.counted],
+        "files": [str(test.path) for test in identified.counted],
         "wear_coefficient": _credible(pairing.coefficient, PER_UNIT, UNIT),
         "next_specimen": _credible(pairing.next, PER_UNIT, UNIT),
         "scatter_factor": _credible(pairing.scatter, 1.0, "1"),
@@ -224,8 +224,8 @@ def _prior(prior: Any) -> Mapping[str, Any]:
     }
 
 
-def _credible(one: Credible, factor: float, unit: str) -> dict[str, Any]:
-    median, low, high = (_finite(factor * value) for value in _three(one))
+def _credible(quantity: Credible, factor: float, unit: str) -> dict[str, Any]:
+    median, low, high = _list((quantity.median, quantity.low, quantity.high), factor)
     return {"median": median, "low": low, "high": high, "unit": unit}
 
 

@@ -64,23 +64,23 @@ def alarms_of(events: Sequence[Event], reason: str) -> list[AlarmRecord]:
     reason with which the test ended.
     """
     result: list[AlarmRecord] = []
-    place: dict[str, int] = {}
+    index: dict[str, int] = {}
     for event in events:
         change = alarm_change(event)
         if change is None:
             continue
         if change.what == "raised":
-            place[event.key] = len(result)
+            index[event.key] = len(result)
             result.append(
                 AlarmRecord(
                     change.title, change.cause, event.time, event.revolution,
                     first_out=change.first_out,
                 )
             )  # fmt: skip
-        elif event.key in place:
-            result[place[event.key]] = _continued(result[place[event.key]], event, change)
-    first = next((i for i, one in enumerate(result) if one.cause and one.cause in reason), None)
-    if first is not None and not any(one.first_out for one in result):
+        elif event.key in index:
+            result[index[event.key]] = _continued(result[index[event.key]], event, change)
+    first = next((i for i, a in enumerate(result) if a.cause and a.cause in reason), None)
+    if first is not None and not any(alarm.first_out for alarm in result):
         result[first] = replace(result[first], first_out=True)
     return result
 
@@ -94,16 +94,6 @@ def _continued(record: AlarmRecord, event: Event, change: AlarmChange) -> AlarmR
         words = f"{change.words}, by {event.source}"
         return replace(record, acknowledged=f"{record.acknowledged}; {words}".lstrip("; "))
     return record
-
-
-def changes_of(events: Iterable[Event]) -> list[Event]:
-    """Return the operator's notes and everything that was changed, with before and after."""
-    return [event for event in events if event.kind in CHANGES]
-
-
-def course_of(events: Iterable[Event]) -> list[Event]:
-    """Return what else happened: states, commands, gaps, stops."""
-    return [event for event in events if event.kind not in LEFT_OUT]
 
 
 def limits_of(test_text: str, events: Iterable[Event]) -> list[Limit]:
@@ -120,14 +110,14 @@ def limits_of(test_text: str, events: Iterable[Event]) -> list[Limit]:
     result = [
         Limit(
             name,
-            next(iter(one.columns), ""),
+            next(iter(limit.columns), ""),
             True,
-            one.unit,
+            limit.unit,
             value,
             changed.get(name, value),
             "drive off",
         )
-        for name, one in ALWAYS.items()
+        for name, limit in ALWAYS.items()
         for value in _number(section.get(name, getattr(defaults, name)))
     ]
     rules = section.get("rule", ())
@@ -197,21 +187,23 @@ def sections(
 
 def _gaps(events: Sequence[Event], rows: Rows | None) -> tuple[Block, ...]:
     gaps = [event for event in events if event.kind == "gap"]
-    found = rows.gaps if rows is not None else ()
-    if not gaps and not found:
+    recorded = rows.gaps if rows is not None else ()
+    if not gaps and not recorded:
         return (Text(tr("None: every revolution follows the one before.")),)
     blocks: list[Block] = []
-    if found:
-        known = [gap.seconds for gap in found if math.isfinite(gap.seconds)]
-        missing = sum(gap.missing for gap in found)
-        text = tr("{}, {} not recorded", counted(len(found), "gap"), counted(missing, "revolution"))
+    if recorded:
+        known = [gap.seconds for gap in recorded if math.isfinite(gap.seconds)]
+        missing = sum(gap.missing for gap in recorded)
+        text = tr(
+            "{}, {} not recorded", counted(len(recorded), "gap"), counted(missing, "revolution")
+        )
         blocks.append(
             Text(tr("{}, {} without data in all.", text, duration(sum(known), exact=True)))
         )
         table = tuple(
             (grouped(gap.revolution), grouped(gap.missing), grouped(gap.lost_samples),
              duration(gap.seconds, exact=True))
-            for gap in found
+            for gap in recorded
         )  # fmt: skip
         header = (
             tr("before revolution"),
@@ -222,7 +214,7 @@ def _gaps(events: Sequence[Event], rows: Rows | None) -> tuple[Block, ...]:
         blocks += _cut(tr("Where data are missing"), table, header)
     if gaps:
         rows_told = tuple(
-            (utc(one.time), grouped(one.revolution), translate(one.text)) for one in gaps
+            (utc(event.time), grouped(event.revolution), translate(event.text)) for event in gaps
         )
         blocks += _cut(
             tr("What the log says"), rows_told, (tr("time, UTC"), tr("after revolution"), tr("gap"))
@@ -267,7 +259,7 @@ def _alarms(events: Sequence[Event], reason: str) -> list[Block]:
         )
     if not result:
         return [*blocks, Text(tr("No alarm was raised."))]
-    first = next((one for one in result if one.first_out), None)
+    first = next((alarm for alarm in result if alarm.first_out), None)
     if first is not None:
         text = tr(
             "First out, the alarm that ended the test: {}. {}",
@@ -283,7 +275,7 @@ def _alarms(events: Sequence[Event], reason: str) -> list[Block]:
         tr("cleared, UTC"),
         tr("acknowledged"),
     )
-    table = tuple(_alarm_row(one) for one in result)
+    table = tuple(_alarm_row(alarm) for alarm in result)
     return [*blocks, *_cut(tr("Alarms: {} raised", grouped(len(result))), table, header)]
 
 
@@ -303,8 +295,8 @@ def _alarm_row(alarm: AlarmRecord) -> tuple[str, ...]:
 
 
 def _changes(events: Sequence[Event]) -> tuple[Block, ...]:
-    found = changes_of(events)
-    if not found:
+    changes = [event for event in events if event.kind in CHANGES]
+    if not changes:
         return (Text(tr("No notes were written and nothing was changed during the test.")),)
     header = (
         tr("time, UTC"),
@@ -316,22 +308,22 @@ def _changes(events: Sequence[Event]) -> tuple[Block, ...]:
         tr("after"),
     )
     table = tuple(
-        (utc(one.time), grouped(one.revolution), tr(KINDS[one.kind]), one.source,
-         translate(one.text),
-         one.before or "–", one.after or "–")
-        for one in found
+        (utc(event.time), grouped(event.revolution), tr(KINDS[event.kind]), event.source,
+         translate(event.text),
+         event.before or "–", event.after or "–")
+        for event in changes
     )  # fmt: skip
     return tuple(_cut("", table, header, shown=5 * SHOWN))
 
 
 def _course(events: Sequence[Event]) -> Block:
-    found = course_of(events)
-    if not found:
+    course = [event for event in events if event.kind not in LEFT_OUT]
+    if not course:
         return Text(tr("The log has no entries."))
     table = tuple(
-        (utc(one.time), grouped(one.revolution), tr(one.kind.replace("_", " ")), tr(one.source),
-         translate(one.text) or tr(UNKNOWN))
-        for one in found
+        (utc(event.time), grouped(event.revolution), tr(event.kind.replace("_", " ")),
+         tr(event.source), translate(event.text) or tr(UNKNOWN))
+        for event in course
     )  # fmt: skip
     kept = table if len(table) <= SHOWN else table[: SHOWN // 2] + table[-SHOWN // 2 :]
     title = (

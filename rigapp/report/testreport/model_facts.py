@@ -25,8 +25,8 @@ TRIGGERED = ("before", "trigger", "after")
 RESIDUALS = ("residual_rms", "residual_1_rms", "residual_2_rms", "phase_shift")
 WEAR = ("wear_depth", "measured_wear_depth", "driven_wear_depth")
 COMPARED = tuple(
-    f"{channel}_{one}" for channel in ("force", "force_1", "force_2")
-    for one in ("max", "min", "rms")
+    f"{channel}_{statistic}" for channel in ("force", "force_1", "force_2")
+    for statistic in ("max", "min", "rms")
 )  # fmt: skip
 
 
@@ -124,9 +124,9 @@ def bursts_of(reader: TestReader) -> tuple[Burst, ...]:
     numbers = reader.cycle_revolutions()
     qualities = reader.cycle_qualities()
     result: list[Burst] = []
-    for place in places:
-        number, quality = int(numbers[place]), int(qualities[place])
-        trigger = number if reasons[place] == "trigger" else 0
+    for index in places:
+        number, quality = int(numbers[index]), int(qualities[index])
+        trigger = number if reasons[index] == "trigger" else 0
         newest = result[-1] if result else None
         following = newest is not None and number - newest.last <= 1
         if newest is None or not following or (trigger and newest.trigger):
@@ -189,9 +189,9 @@ def _assumption(reader: TestReader) -> str:
 
 def _residual(name: str, unit: str, number: RowNumbers, values: NDArray[Any]) -> Residual:
     worst, last = Peak(float("nan"), 0, 0), float("nan")
-    place = furthest(values, np.abs)
-    if place is not None:
-        worst = Peak(float(values[place]), int(number[place]), 0)
+    row = furthest(values, np.abs)
+    if row is not None:
+        worst = Peak(float(values[row]), int(number[row]), 0)
         last = float(values[np.flatnonzero(np.isfinite(values))[-1]])
     return Residual(name, unit, mean(values), worst, last, envelope(number, values))
 
@@ -227,16 +227,16 @@ def _wear(number: RowNumbers, depth: NDArray[Any], doubt: NDArray[Any] | None) -
     count = int(np.count_nonzero(known))
     if not count:
         return None
-    whole = count == len(depth)
+    all_known = count == len(depth)
     # Indices of all of a long test would take as much as its depths.
-    finite = np.arange(0) if whole else np.flatnonzero(known)
-    late = np.arange(count // 2, count) if whole else finite[count // 2 :]
+    finite = np.arange(0) if all_known else np.flatnonzero(known)
+    late = np.arange(count // 2, count) if all_known else finite[count // 2 :]
     last = int(late[-1])
     uncertainty = float("nan") if doubt is None else float(doubt[last])
-    line = envelope(number, depth) if whole else envelope(number[finite], depth[finite])
+    line = envelope(number, depth) if all_known else envelope(number[finite], depth[finite])
     band = None
     if doubt is not None:
-        band = envelope(number, doubt) if whole else envelope(number[finite], doubt[finite])
+        band = envelope(number, doubt) if all_known else envelope(number[finite], doubt[finite])
     del finite, known
     value = float(depth[last])
     return LastDepth(value, int(number[last]), _rate(number, depth, late), line, uncertainty, band)
@@ -266,16 +266,16 @@ def cycles_at(reader: TestReader, places: Sequence[int]) -> tuple[CyclePicture, 
     """Return the saved cycles at some places, each with the model's curves that belong to it."""
     curves, saved = reader.curve_revolutions(), reader.cycle_revolutions()
     result = []
-    for place in places:
-        following = int(saved[place + 1]) if place + 1 < len(saved) else None
-        result.append(_picture(reader, place, following, curves))
+    for index in places:
+        following = int(saved[index + 1]) if index + 1 < len(saved) else None
+        result.append(_picture(reader, index, following, curves))
     return tuple(result)
 
 
 def _picture(
-    reader: TestReader, place: int, following: int | None, curves: NDArray[np.int64]
+    reader: TestReader, index: int, following: int | None, curves: NDArray[np.int64]
 ) -> CyclePicture:
-    stored = reader.cycle(place)
+    stored = reader.cycle(index)
     order = np.argsort(stored.columns["angle"], kind="stable")
     columns = {name: values[order] for name, values in stored.columns.items()}
     later = curves[curves >= stored.revolution]
@@ -289,5 +289,5 @@ def _picture(
         for name in model
         if name != "angle" and name in columns
     }
-    free = tuple(one for one in reader.plan.table.free if one.name in columns)
+    free = tuple(channel for channel in reader.plan.table.free if channel.name in columns)
     return CyclePicture(stored.revolution, columns, model_revolution, model, residual, free)

@@ -100,11 +100,11 @@ def _draw(axes: Any, line: tuple[Any, Any], **style: Any) -> None:
 
 
 def _mark_gaps(axes: Any, gaps: Sequence[Gap]) -> None:
-    for place, gap in enumerate(gaps[:GAPS_SHOWN]):
+    for index, gap in enumerate(gaps[:GAPS_SHOWN]):
         begin, end = gap.revolution - gap.missing - 0.5, gap.revolution - 0.5
         axes.axvspan(begin, end, color=GAP, alpha=0.3, lw=0)
         axes.axvline(
-            end, color=GAP, lw=1.2, ls=":", label=tr("data missing") if not place else None
+            end, color=GAP, lw=1.2, ls=":", label=tr("data missing") if not index else None
         )
 
 
@@ -125,18 +125,16 @@ def trends(
     with canvas_of(_height(len(channels))) as canvas:
         panels = _panels(canvas, len(channels))
         zoomed = False
-        whole = next(
-            (channel.lines["max"] for channel in channels if channel.name == "force"), None
-        )
+        of_force = next((c.lines["max"] for c in channels if c.name == "force"), None)
         for axes, channel in zip(panels, channels, strict=True):
             _mark_gaps(axes, gaps)
             if uncertainty is not None and channel.unit == "N":
-                for one in ("max", "min"):
-                    x, values = channel.lines[one]
+                for statistic in ("max", "min"):
+                    x, values = channel.lines[statistic]
                     # An error of the angle turns the whole force into a component.
-                    force = values if whole is None else np.interp(x, whole[0], whole[1])
+                    force = values if of_force is None else np.interp(x, *of_force)
                     doubt = uncertainty.at(force, of_magnitude=channel.name == "force")
-                    _band(axes, x, values, doubt, COLOURS[one])
+                    _band(axes, x, values, doubt, COLOURS[statistic])
             of_channel = stated.get(channel.name)
             if of_channel is not None:
                 for one in ("max", "min"):
@@ -199,28 +197,28 @@ def _leave_out_unsteady(axes: Any, channel: ChannelFacts) -> bool:
 
 def residual_trend(agreement: Agreement, gaps: Sequence[Gap]) -> Figure:
     """Draw the agreement with the model against revolution."""
-    found = {residual.name: residual for residual in agreement.residuals}
+    residuals = {residual.name: residual for residual in agreement.residuals}
     with canvas_of(_height(2)) as canvas:
         upper, lower = _panels(canvas, 2)
         for axes in (upper, lower):
             _mark_gaps(axes, gaps)
         for channel, name in RESIDUAL_OF.items():
-            if name in found:
-                _draw(upper, found[name].line, color=COLOURS[channel], label=tr(SHORT[channel]))
+            if name in residuals:
+                _draw(upper, residuals[name].line, color=COLOURS[channel], label=tr(SHORT[channel]))
         upper.set_ylim(bottom=0.0)
         upper.set_ylabel(tr("residual RMS (N)"))
         upper.set_title(tr("measured minus model, RMS over a revolution"), loc="left")
         name_curves(upper)
-        if "phase_shift" in found:
-            _draw(lower, found["phase_shift"].line, color=COLOURS["force"])
+        if "phase_shift" in residuals:
+            _draw(lower, residuals["phase_shift"].line, color=COLOURS["force"])
         lower.axhline(0.0, color="#777777", lw=0.6)
         lower.set_ylabel(tr("phase shift (°)"))
         lower.set_title(tr("shift of the measured |F| against the model"), loc="left")
         revolution_axis(lower)
         words = tr("Agreement with the model: ") + " ".join(
-            f"{name.replace('_', ' ')}: mean {quantity(one.mean, one.unit, 2)}, last "
-            f"{quantity(one.last, one.unit, 2)}."
-            for name, one in found.items()
+            f"{name.replace('_', ' ')}: mean {quantity(residual.mean, residual.unit, 2)}, last "
+            f"{quantity(residual.last, residual.unit, 2)}."
+            for name, residual in residuals.items()
         )
         return saved(canvas, tr("Agreement with the model"), words, "")
 
@@ -228,17 +226,17 @@ def residual_trend(agreement: Agreement, gaps: Sequence[Gap]) -> Figure:
 def wear_trend(wear: Mapping[str, LastDepth | None], gaps: Sequence[Gap]) -> Figure | None:
     """Draw wear depth against revolution; None when none is known."""
     known = [(wear[name], *how) for name, how in DEPTHS.items()]
-    if all(found is None for found, *_ in known):
+    if all(last is None for last, *_ in known):
         return None
     with canvas_of(2.1) as canvas:
         axes = canvas.subplots()
         _mark_gaps(axes, gaps)
         words = []
-        for found, style, label, said in known:
-            if found is not None:
-                x, y = found.line
-                if found.doubt is not None:
-                    half = np.interp(x, *found.doubt)
+        for last, style, label, said in known:
+            if last is not None:
+                x, y = last.line
+                if last.doubt is not None:
+                    half = np.interp(x, *last.doubt)
                     axes.fill_between(
                         x,
                         1e3 * (y - half),
@@ -248,7 +246,7 @@ def wear_trend(wear: Mapping[str, LastDepth | None], gaps: Sequence[Gap]) -> Fig
                         lw=0,
                     )
                 _draw(axes, (x, 1e3 * y), **style, label=label)
-                words.append(tr("{} {} at the end", said, quantity(1000.0 * found.depth, "um")))
+                words.append(tr("{} {} at the end", said, quantity(1000.0 * last.depth, "um")))
         axes.set_ylabel(tr("wear depth (µm)"))
         name_curves(axes)
         revolution_axis(axes)
@@ -258,8 +256,8 @@ def wear_trend(wear: Mapping[str, LastDepth | None], gaps: Sequence[Gap]) -> Fig
         caption += tr(
             " forces (dash-dotted); shaded: the expanded uncertainty of the measured depth."
         )
-        told = tr("Wear depth against revolution: {}.", "; ".join(words))
-        return saved(canvas, tr("Wear depth"), told, caption)
+        description = tr("Wear depth against revolution: {}.", "; ".join(words))
+        return saved(canvas, tr("Wear depth"), description, caption)
 
 
 def trip(capture: TripCapture) -> Figure:
@@ -267,13 +265,13 @@ def trip(capture: TripCapture) -> Figure:
 
     Time 0 is where the force was read that tripped, or the end of the revolution's record.
     """
-    found = capture.trip
-    words = tr("revolution {}", grouped(found.revolution))
-    if found.peak is not None:
-        words += f", up to {found.peak.sign}{quantity(found.peak.value_N, 'N')}"
-        words += f" at {found.peak.angle_deg:.0f}°"
-    if found.before is not None:
-        words += tr("; grey: revolution {}, before it", grouped(found.before.revolution))
+    tripped = capture.trip
+    words = tr("revolution {}", grouped(tripped.revolution))
+    if tripped.peak is not None:
+        words += f", up to {tripped.peak.sign}{quantity(tripped.peak.value_N, 'N')}"
+        words += f" at {tripped.peak.angle_deg:.0f}°"
+    if tripped.before is not None:
+        words += tr("; grey: revolution {}, before it", grouped(tripped.before.revolution))
     rows: dict[str, tuple[str, ...]] = {"|F| (N)": ("force",), tr("speed (rpm)"): ("speed",)}
     if probes := capture.series(("probe_1", "probe_2")):
         rows["pin (µm)"] = probes
@@ -299,8 +297,8 @@ def trip(capture: TripCapture) -> Figure:
             panels[-1].plot(time_s, values, ".-", color=INK, label=name.replace("_", " "))
         for axes in panels:
             name_curves(axes)
-        if math.isfinite(found.trigger_N):
-            panels[0].plot(0.0, found.trigger_N, "o", color=MODEL, ms=4.0)
+        if math.isfinite(tripped.trigger_N):
+            panels[0].plot(0.0, tripped.trigger_N, "o", color=MODEL, ms=4.0)
         panels[-1].set_xlabel(tr("time from the trip (s)"))
         title = tr("The revolution in which the test tripped")
         return saved(canvas, title, tr("Joint force of {}.", words), f"{capitalised(words)}.")

@@ -101,7 +101,7 @@ def extent_of(angle: Floats, depth: Floats, parameters: Mapping[str, Any]) -> Ex
         return Extent(unknown, unknown, unknown, unknown, unknown, unknown)
     deep = np.where(known, depth, 0.0)
     worn = np.flatnonzero(deep > max(1e-4, 0.01 * float(deep.max())))
-    place = int(np.argmax(deep))
+    deepest = int(np.argmax(deep))
     low, high = (float(angle[worn[0]]), float(angle[worn[-1]])) if worn.size else (unknown, unknown)
     area = mass = unknown
     try:
@@ -112,7 +112,7 @@ def extent_of(angle: Floats, depth: Floats, parameters: Mapping[str, Any]) -> Ex
         mass = area * width * density
     except (KeyError, TypeError, ValueError):
         pass
-    return Extent(float(deep[place]), float(angle[place]), low, high, area, mass)
+    return Extent(float(deep[deepest]), float(angle[deepest]), low, high, area, mass)
 
 
 def _stages(revolutions: NDArray[Any], measured: NDArray[Any]) -> tuple[tuple[int, Floats], ...]:
@@ -121,13 +121,13 @@ def _stages(revolutions: NDArray[Any], measured: NDArray[Any]) -> tuple[tuple[in
         return ()
     numbers = revolutions[seen].astype(np.float64)
     wanted = np.geomspace(max(numbers[-1] / 100.0, numbers[0]), revolutions[-1], STAGES + 1)[:-1]
-    places = sorted({seen[int(np.argmin(np.abs(np.log(numbers / one))))] for one in wanted})
+    places = sorted({seen[int(np.argmin(np.abs(np.log(numbers / number))))] for number in wanted})
     return tuple((int(revolutions[i]), np.asarray(measured[i], dtype=np.float64)) for i in places)
 
 
-def profile_blocks(found: Worn | None) -> list[Block]:
+def profile_blocks(worn: Worn | None) -> list[Block]:
     """Return the table, the words and the picture of the worn profile."""
-    if found is None:
+    if worn is None:
         return [Text(tr("No worn profile is recorded in the file."))]
     header = (
         tr("worn profile"),
@@ -138,22 +138,22 @@ def profile_blocks(found: Worn | None) -> list[Block]:
         tr("area, mm²"),
         tr("mass, mg"),
     )
-    rows = tuple((tr(words), *_cells(found, name)) for name, words in CURVES.items())
-    title = tr("Worn profile after revolution {}", grouped(found.revolution))
-    return [Table(title, rows, header), Text(_sentence(found)), picture(found)]
+    rows = tuple((tr(words), *_cells(worn, name)) for name, words in CURVES.items())
+    title = tr("Worn profile after revolution {}", grouped(worn.revolution))
+    return [Table(title, rows, header), Text(_sentence(worn)), picture(worn)]
 
 
-def _cells(found: Worn, name: str) -> tuple[str, ...]:
-    extent = found.extents[name]
+def _cells(worn: Worn, name: str) -> tuple[str, ...]:
+    extent = worn.extents[name]
     depth = number(1e3 * extent.depth, "um", 2)
     if name == "measured" and np.isfinite(extent.depth):
-        place = int(np.argmin(np.abs(found.angle - extent.angle)))
-        depth += f" ± {number(1e3 * float(found.uncertainty[place]), 'um', 2)}"
-    degrees = (number(one, "deg", 0) for one in (extent.angle, extent.low, extent.high))
+        index = int(np.argmin(np.abs(worn.angle - extent.angle)))
+        depth += f" ± {number(1e3 * float(worn.uncertainty[index]), 'um', 2)}"
+    degrees = (number(value, "deg", 0) for value in (extent.angle, extent.low, extent.high))
     return (depth, *degrees, number(extent.area, "mm", 4), number(extent.mass, "1", 3))
 
 
-def _sentence(found: Worn) -> str:
+def _sentence(worn: Worn) -> str:
     text = tr(
         "Measured from the pin's places over {} {}: the envelope of the pin's "
         "circle, against the same bushing when it was new. The uncertainty (k "
@@ -161,16 +161,16 @@ def _sentence(found: Worn) -> str:
         "not that of the probes' calibration. Angles that the pin never "
         "reached are unknown and not drawn. Depth, area and mass cover what "
         "was reached. 0° is the initial contact point, in the follower's frame.",
-        found.averaged,
-        tr("revolution" if found.averaged == 1 else "revolutions"),
+        worn.averaged,
+        tr("revolution" if worn.averaged == 1 else "revolutions"),
     )
-    if np.isfinite(found.run_out):
-        text += tr(" A run-out of {} µm was taken out.", number(found.run_out, "um", 1))
-    if np.isfinite(found.approach_change):
-        change = number(found.approach_change, "um", 1)
-        took = tr("this was taken out") if found.corrected else tr("this was left in")
+    if np.isfinite(worn.run_out):
+        text += tr(" A run-out of {} µm was taken out.", number(worn.run_out, "um", 1))
+    if np.isfinite(worn.approach_change):
+        change = number(worn.approach_change, "um", 1)
+        took = tr("this was taken out") if worn.corrected else tr("this was left in")
         text += tr(" By the model the elastic approach has changed by {} µm; {}.", change, took)
-    if not found.centred and np.isfinite(found.run_out):
+    if not worn.centred and np.isfinite(worn.run_out):
         text += tr(
             " The probes' zero is not at the bushing's centre, so that the "
             "direction comes from the forces: the flanks are less certain."
@@ -178,35 +178,35 @@ def _sentence(found: Worn) -> str:
     return text
 
 
-def picture(found: Worn) -> Figure:
+def picture(worn: Worn) -> Figure:
     """Draw the worn profile, measured with its uncertainty and by the model."""
     with canvas_of(3.0) as canvas:
         axes = canvas.subplots()
-        shades = np.linspace(0.78, 0.5, max(len(found.stages), 1))
-        for shade, (revolution, depth) in zip(shades, found.stages, strict=False):
-            axes.plot(found.angle, 1e3 * depth, color=str(shade), lw=0.8, label=grouped(revolution))
-        measured = 1e3 * found.curves["measured"]
-        doubt = 1e3 * found.uncertainty
+        shades = np.linspace(0.78, 0.5, max(len(worn.stages), 1))
+        for shade, (revolution, depth) in zip(shades, worn.stages, strict=False):
+            axes.plot(worn.angle, 1e3 * depth, color=str(shade), lw=0.8, label=grouped(revolution))
+        measured = 1e3 * worn.curves["measured"]
+        doubt = 1e3 * worn.uncertainty
         axes.fill_between(
-            found.angle, np.maximum(measured - doubt, 0.0), measured + doubt,
+            worn.angle, np.maximum(measured - doubt, 0.0), measured + doubt,
             color=plots.COLOURS["force"], alpha=0.15, lw=0,
         )  # fmt: skip
-        axes.plot(found.angle, measured, color=plots.COLOURS["force"], label="measured")
-        axes.plot(found.angle, 1e3 * found.curves["predicted"], **MODEL_LINE, label="model")
+        axes.plot(worn.angle, measured, color=plots.COLOURS["force"], label="measured")
+        axes.plot(worn.angle, 1e3 * worn.curves["predicted"], **MODEL_LINE, label="model")
         axes.plot(
-            found.angle, 1e3 * found.curves["driven"], color=plots.DRIVEN, ls="-.", lw=1.1,
+            worn.angle, 1e3 * worn.curves["driven"], color=plots.DRIVEN, ls="-.", lw=1.1,
             label=tr("model by\nmeasured\nforces"),
         )  # fmt: skip
-        reach = _extent(found)
+        reach = _extent(worn)
         axes.set_xlim(-reach, reach)
         axes.set_ylim(bottom=0.0)
         axes.set_xlabel(tr("angle from the initial contact point (°), follower frame"))
         axes.set_ylabel(tr("depth of wear (µm)"))
-        axes.set_title(tr("after revolution {}", grouped(found.revolution)), loc="left")
+        axes.set_title(tr("after revolution {}", grouped(worn.revolution)), loc="left")
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
         words = tr("Worn profile: ") + " ".join(
-            tr("{} at most {} at {}°.", tr(CURVES[name]), _depth(one), number(one.angle, "deg", 0))
-            for name, one in found.extents.items()
+            tr("{} at most {} at {}°.", tr(CURVES[name]), _depth(e), number(e.angle, "deg", 0))
+            for name, e in worn.extents.items()
         )
         caption = tr(
             "Measured (solid) with its uncertainty (shaded, k = 2), by the model "
