@@ -21,7 +21,7 @@ JournalOption = Annotated[
     Path | None, file_option("--journal", "Where events are kept; taken up if there.")
 ]
 PractiseOption = Annotated[
-    bool, option("--practise", "Simulated rig: simulated hands do the work.")
+    bool, option("--practise", "Simulated rig: a simulated operator does the work.")
 ]
 FormerOption = Annotated[
     Path | None, option("--former", "Record in use until now, compared; with --rig that it names.")

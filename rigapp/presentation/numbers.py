@@ -36,11 +36,16 @@ def grouped(number: int) -> str:
     return f"{number:,}".replace(",", THIN)
 
 
+def true_minus(text: str) -> str:
+    """Return a written number with a true minus, which is as wide as the plus."""
+    return text.replace("-", "\u2212")
+
+
 def axis_number(value: float, step: float) -> str:
     """Return a number at an axis whose numbers are ``step`` apart, with a true minus."""
     decimals = max(0, -math.floor(math.log10(step) + 1e-9))
     text = f"{value:,.{decimals}f}".replace(",", THIN)
-    return text.replace("-", "\u2212") if value <= -step / 2.0 else text.lstrip("-")
+    return true_minus(text) if value <= -step / 2.0 else text.lstrip("-")
 
 
 def with_uncertainty(value: float, uncertainty: float, unit: str) -> str:

@@ -80,7 +80,10 @@ def _described(known: TestResult, test: TestReader) -> TestResult:
     return msgspec.structs.replace(
         known,
         status=summary["status"],
-        reason=_recorded_reason(summary["reason"], about["planned_revolutions"], about["operator"]),
+        reason=as_said(
+            _recorded_reason(summary["reason"], about["planned_revolutions"], about["operator"]),
+            test.events(),
+        ),
         revolutions=summary["revolutions"],
         gaps=summary["gaps"],
         cycles_saved=summary["cycles_saved"],
@@ -130,11 +133,12 @@ def _compared(result: TestResult, test: TestReader) -> TestResult:
     )
     depth, both = "measured_wear_depth", ("measured_wear_depth", "wear_depth")
     residual_rms, worst = _residual(test)
+    good = _unflagged(test)
     return msgspec.structs.replace(
         result,
-        depth_um=1e3 * _newest(test, depth),
-        model_depth_um=1e3 * _newest(test, *both),
-        depth_uncertainty_um=1e3 * _newest(test, f"{depth}_uncertainty"),
+        depth_um=1e3 * _newest(test, depth, stop=good),
+        model_depth_um=1e3 * _newest(test, *both, stop=good),
+        depth_uncertainty_um=1e3 * _newest(test, f"{depth}_uncertainty", stop=good),
         coefficient=middle,
         coefficient_low=low,
         coefficient_high=high,
@@ -142,6 +146,18 @@ def _compared(result: TestResult, test: TestReader) -> TestResult:
         residual_worst_N=worst,
         depths_um=_line(test, depth),
     )
+
+
+def _unflagged(test: TestReader) -> int | None:
+    """Return how many predictions there are up to the last revolution that was measured well.
+
+    None: up to the end. A sensor that broke in the last revolution moved no pin.
+    """
+    for _, block in blocks(test, ("revolution", "quality"), backwards=True):
+        good = block["quality"].astype(np.int64) & ~NOT_STEADY == 0
+        if good.any():
+            return rows_up_to(test, int(block["revolution"][good][-1]), "prediction")
+    return None
 
 
 def _residual(test: TestReader) -> tuple[float, float]:
@@ -189,7 +205,6 @@ def _looked_at_closely(result: TestResult, test: TestReader) -> TestResult:
     reason, events = "" if result.coefficient > 0.0 else _why_no_coefficient(test), test.events()
     return msgspec.structs.replace(
         result,
-        reason=as_said(result.reason, events),
         force_uncertainty_N=doubt,
         alarms=_alarms(events),
         coefficient_reason=reason,

@@ -41,9 +41,9 @@ from rigapp.simulation.handle import SimulationFailed
 from rigapp.texts import joined, say, sentence_of_error
 from rigapp_drivers.api import DeviceError
 
-# Who is in command of an engine: several viewers may look, one of them operates.
+# Who has control of an engine: several viewers may look, one of them operates.
 #
-# Nobody has to take command: as long as nobody has, every viewer may do everything. Once a viewer
+# Nobody has to take control: as long as nobody has, every viewer may do everything. Once a viewer
 # has taken it, others are refused whatever changes something, except what makes the rig safe.
 
 GONE_AFTER_S = 10.0
@@ -78,7 +78,7 @@ class ControlLock:
 
     @property
     def holder(self) -> str:
-        """Return the name of who is in command, empty when nobody is."""
+        """Return the name of who has control, empty when nobody is."""
         holder = self._holder
         return holder.name if holder is not None else ""
 
@@ -109,7 +109,7 @@ class ControlLock:
         if verb_of(request.verb).who is Who.ANYONE:
             return
         raise Refused(
-            "{} is in command of this rig, so {} is refused; take command first. Stop,"
+            "{} has control of this rig, so {} is refused; take control first. Stop,"
             " drive off and acknowledge are possible for everybody",
             holder.name,
             repr(request.verb),
@@ -118,14 +118,14 @@ class ControlLock:
     def take(self, request: Request, force: bool = False) -> dict[str, str]:
         """Give command to the sender; raise Refused while another holds it, unless forced."""
         if not request.client:
-            raise Refused("a viewer without an identity cannot take command")
+            raise Refused("a viewer without an identity cannot take control")
         taker = Holder(request.client, request.operator.strip() or say("another viewer"))
         with self._lock:
             former = self._holder
             same = former is not None and former.client == taker.client
             if former is not None and not same and not force:
                 raise Refused(
-                    "{} is in command; ask for a release, or take over by force, which is recorded",
+                    "{} has control; ask for a release, or take over by force, which is recorded",
                     former.name,
                 )
             self._holder = taker
@@ -142,7 +142,7 @@ class ControlLock:
             holder = self._holder
             if holder is None or holder.client != request.client:
                 who = say("{} is", holder.name) if holder is not None else say("nobody is")
-                raise Refused("you are not in command of this rig, {}", who)
+                raise Refused("you do not control this rig, {}", who)
             self._holder = None
         self._log(say("released command"), holder.name, holder.name, "")
 

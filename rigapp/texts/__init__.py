@@ -101,9 +101,9 @@ def sentence_of_error(error: BaseException) -> str:
 
 
 def capitalised(text: str) -> str:
-    """Return a text with a capital first letter, its structure kept."""
+    """Return a text with a capital first letter, its structure kept; a channel's name stays."""
     if not isinstance(text, Sentence):
-        return text[:1].upper() + text[1:]
+        return text if "_" in text.partition(" ")[0] else text[:1].upper() + text[1:]
     literal, name, _ = next(braces(text.template), ("", "", ""))
     if literal or not name:
         return Sentence.of(text.template[:1].upper() + text.template[1:], {**text.values})

@@ -20,7 +20,7 @@ ASK_EVERY_S = 2.0  # a lost command is seen within two looks at the screen
 
 
 class CommandHolder(enum.Enum):
-    """Tell who is in command, as seen from this window."""
+    """Tell who has control, as seen from this window."""
 
     NOBODY = "nobody"
     THIS = "this window"
@@ -28,10 +28,10 @@ class CommandHolder(enum.Enum):
 
 
 class CommandWatch:
-    """Know who is in command. A name is not enough, for two viewers may bear the same one.
+    """Know who has control. A name is not enough, for two viewers may bear the same one.
 
     The engine is asked whether it is this viewer whenever the name changes, and every two seconds
-    while somebody is in command.
+    while somebody has control.
     """
 
     def __init__(self, clock: Callable[[], float]) -> None:
@@ -42,7 +42,7 @@ class CommandWatch:
 
     @property
     def holder(self) -> CommandHolder:
-        """Return who is in command."""
+        """Return who has control."""
         if not self.name:
             return CommandHolder.NOBODY
         return CommandHolder.THIS if self._mine else CommandHolder.OTHER
@@ -240,7 +240,7 @@ class EngineConnection:
         self._attaching.submit(
             lambda: client.request("present", {}, verb_of("present").timeout_s),
             self.command.answered,
-            lambda error: log.info("Who is in command is not known: %s", error),
+            lambda error: log.info("Who has control is not known: %s", error),
         )
 
     def _attach_when_due(self, now: float) -> None:

@@ -16,6 +16,8 @@ View = tuple[float, float]
 
 QUALITY = "quality"
 EVERYTHING: View = (-np.inf, np.inf)
+LOOKED_BACK = 5
+"""Revolutions in which a good one is looked for: an older value is none of now."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,13 +48,17 @@ class Flagged:
             self._flagged = flags.high > 0.0
 
     def at(self, revolutions: Floats) -> NDArray[np.bool_]:
-        """Tell of buckets that begin at revolutions, (n,) each."""
+        """Tell of buckets that begin at revolutions, (n,) each, and end before the next one."""
         if not len(self._starts) or not self._flagged.any():
             return np.zeros(len(revolutions), dtype=bool)
         if np.array_equal(revolutions, self._starts):
             return self._flagged
-        bucket = np.searchsorted(self._starts, revolutions, side="right") - 1
-        return self._flagged[np.maximum(bucket, 0)]
+        # A table with fewer rows has other buckets: one may reach into several of the flags.
+        before = np.concatenate(([0], np.cumsum(self._flagged)))
+        first = np.maximum(np.searchsorted(self._starts, revolutions, side="right") - 1, 0)
+        stop = np.append(np.searchsorted(self._starts, revolutions[1:]), len(self._starts))
+        flagged: NDArray[np.bool_] = before[np.maximum(stop, first + 1)] > before[first]
+        return flagged
 
 
 def drawn(
@@ -97,6 +103,17 @@ def banded(
     low, high = (scale * bound.astype(np.float64) for bound in (middle.low, middle.high))
     doubt_high = scale * half.high.astype(np.float64)
     return table.revolutions[middle.first], low - doubt_high, high + doubt_high
+
+
+def newest_good(table: SeriesTable, rows: SeriesTable) -> int:
+    """Return the newest row of a table whose revolution has no flag, else its newest row."""
+    last = len(table) - 1
+    for row in range(last, max(last - LOOKED_BACK, -1), -1):
+        at = rows.revolutions.searchsorted(table.revolutions[row])
+        # Not known (NaN) is not flagged.
+        if QUALITY not in rows.names or not rows.at(QUALITY, at) > 0.0:
+            return row
+    return last
 
 
 def rows_in_view(table: SeriesTable, view: View) -> tuple[int, int]:

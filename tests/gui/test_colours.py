@@ -7,6 +7,8 @@ in linear RGB. Difference: CIE 1976 L*a*b*, where 2.3 is just noticeable; thin l
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -138,29 +140,71 @@ def test_runs_that_are_compared_are_told_apart(theme: Theme, eyes: str) -> None:
         assert found > LEAST_DIFFERENCE, (one, other, round(found, 1))
 
 
-@THEMES
-def test_curves_and_words_stand_out_from_their_background(theme: Theme) -> None:
-    for role, colour in theme.curves.items():
-        assert contrast(colour, theme.base) >= LEAST_OF_TEXT, role
-    for text, back in (
-        (theme.text, theme.window),
-        (theme.text, theme.base),
-        (theme.muted, theme.window),
-        (theme.text, theme.base),
-        (theme.critical, theme.window),
-        (theme.on_signal, theme.warning),
-        (theme.highlighted_text, theme.highlight),
+GUIDE = Path(__file__).parents[2] / "docs" / "contrast.md"
+HEADING = "| what | on | least | light | dark |"
+
+
+def pairs(theme: Theme) -> Iterator[tuple[str, str, float, float]]:
+    """Yield what is seen, on what, the least contrast, and the contrast in a theme."""
+    cards = {"window": theme.window, "card": theme.base, "sunk": theme.alternate}
+    grounds = {
+        "accent": theme.highlight,
+        "accent tint": theme.tint,
+        "warning": theme.warning,
+        "warning tint": theme.warning_tint,
+        "critical": theme.critical,
+        "critical tint": theme.critical_tint,
+    }
+    for name, inks in (
+        ("window", ("text", "secondary", "muted", "critical", "highlight")),
+        ("card", ("text", "secondary", "muted", "critical", "warning_text", "highlight")),
+        ("sunk", ("text", "secondary", "muted", "critical")),
+        ("accent", ("highlighted_text",)),
+        ("accent tint", ("text", "highlight")),
+        ("warning", ("on_signal",)),
+        ("warning tint", ("text", "warning_text")),
+        ("critical", ("on_critical",)),
+        ("critical tint", ("text", "critical")),
     ):
-        assert contrast(text, back) >= 4.5, (text, back)
-    for colour in COLOURS[theme.name]:
-        assert contrast(colour, theme.base) >= LEAST_CONTRAST, colour
+        for ink in inks:
+            back = {**cards, **grounds}[name]
+            what = f"text, {ink.replace('_', ' ')}"
+            yield what, name, LEAST_OF_TEXT, contrast(getattr(theme, ink), back)
+    for role, colour in theme.curves.items():
+        yield f"curve and its name, {role}", "card", LEAST_OF_TEXT, contrast(colour, theme.base)
+    for number, colour in enumerate(COLOURS[theme.name], 1):
+        yield (
+            f"curve and its name, compared test {number}",
+            "card",
+            LEAST_OF_TEXT,
+            contrast(colour, theme.base),
+        )
+    for spec in BUTTONS:
+        back = "accent" if RANKS.get(spec.verb) == "primary" else "card"
+        found = contrast(icon_colour(spec.verb, theme), {**cards, **grounds}[back])
+        yield f"icon, {spec.verb}", back, LEAST_CONTRAST, found
+    for name in ("window", "card"):
+        yield "edge of a control", name, LEAST_CONTRAST, contrast(theme.border, cards[name])
+    yield "bar", "card", LEAST_CONTRAST, contrast(theme.bar, theme.base)
+
+
+def contrast_table() -> str:
+    """Return the table of the guide."""
+    lines = [HEADING, "| --- | --- | --- | --- | --- |"]
+    for (what, on, least, light), (*_, dark) in zip(pairs(LIGHT), pairs(DARK), strict=True):
+        lines.append(f"| {what} | {on} | {least:g} | {light:.1f} | {dark:.1f} |")
+    return "\n".join(lines) + "\n"
 
 
 @THEMES
-@pytest.mark.parametrize("verb", [spec.verb for spec in BUTTONS])
-def test_icons_stand_out_from_their_buttons(theme: Theme, verb: str) -> None:
-    back = theme.highlight if RANKS.get(verb) == "primary" else theme.base
-    assert contrast(icon_colour(verb, theme), back) >= LEAST_CONTRAST
+def test_text_curves_icons_and_edges_stand_out_from_their_background(theme: Theme) -> None:
+    for what, on, least, found in pairs(theme):
+        assert found >= least, (what, on)
+
+
+def test_the_guide_has_the_contrast_of_these_colours() -> None:
+    _, heading, table = GUIDE.read_text("utf-8").partition(HEADING)
+    assert heading + table == contrast_table(), "run: python tests/gui/test_colours.py"
 
 
 @THEMES
@@ -186,3 +230,8 @@ def test_states_and_alarms_have_words_and_shapes_beside_colour() -> None:
     assert tripped == {HowEnded.TRIPPED}
     marks = {MARKS[severity].split()[0] for severity in Severity}
     assert len(marks) == len(Severity)
+
+
+if __name__ == "__main__":
+    before = GUIDE.read_text("utf-8").partition(HEADING)[0]
+    GUIDE.write_text(before + contrast_table(), "utf-8")

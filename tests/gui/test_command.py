@@ -1,4 +1,4 @@
-"""Who is in command: two windows on one engine, judged by the engine's own rules."""
+"""Who has control: two windows on one engine, judged by the engine's own rules."""
 
 from __future__ import annotations
 
@@ -126,8 +126,8 @@ def test_command_is_taken_seen_by_the_other_and_given_back(
     with qtbot.waitActive(one, timeout=PATIENCE_MS):
         one.activateWindow()
     qtbot.keyClick(one, Qt.Key.Key_F2)
-    until(lambda: "You are in command" in one.controls.command_line.text.text())
-    until(lambda: "Ann is in command" in other.controls.command_line.text.text())
+    until(lambda: "You have control" in one.controls.command_line.text.text())
+    until(lambda: "Ann has control" in other.controls.command_line.text.text())
     assert not one.viewer_bar.isVisible()
     assert other.viewer_bar.isVisible()
     assert "VIEWING ONLY" in other.viewer_bar.text.text()
@@ -155,8 +155,8 @@ def test_a_viewer_can_only_stop_and_acknowledge_and_reads_why(
     assert {"result_resume", "end_on"} <= names
     for button in guarded:
         assert not button.isEnabled(), button.objectName()
-        assert "Ann is in command" in button.toolTip(), button.objectName()
-        assert "Ann is in command" in button.accessibleDescription(), button.objectName()
+        assert "Ann has control" in button.toolTip(), button.objectName()
+        assert "Ann has control" in button.accessibleDescription(), button.objectName()
     stop = other.controls.buttons["stop"]
     assert stop.isEnabled()
     stop.click()
@@ -184,7 +184,7 @@ def test_taking_over_names_who_loses_command_and_begins_with_the_harmless_answer
     bar.dress(DARK)
     qtbot.keyClick(other, Qt.Key.Key_F2)
     bar.confirm.click()
-    until(lambda: "You are in command" in other.controls.command_line.text.text())
+    until(lambda: "You have control" in other.controls.command_line.text.text())
     until(lambda: one.viewer_bar.isVisible())
     assert engine.log[-1] == "Ann: took command by force from Ann"
 
@@ -196,7 +196,7 @@ def test_a_window_that_closes_gives_command_back(
     until = ticked(qtbot, one)
     until(lambda: one.header.state.value.whole == "Running")
     one.controls.command_line.act()
-    until(lambda: "You are in command" in one.controls.command_line.text.text())
+    until(lambda: "You have control" in one.controls.command_line.text.text())
     one.close()
     assert engine.command.holder == ""
 

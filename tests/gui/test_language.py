@@ -121,7 +121,7 @@ def test_what_no_catalogue_knows_is_said_as_it_is_and_values_are_filled_in(qapp:
     speak_language(qapp, "de")
     assert tr("quick-20270101.h5 {") == "quick-20270101.h5 {"
     assert tr("{} of {}", 3, 5) == "3 von 5"
-    assert tr("{name} is in command", name="Ann {B}") == "Ann {B} hat das Kommando"
+    assert tr("{name} has control", name="Ann {B}") == "Ann {B} hat die Steuerung"
     speak_language(qapp, ENGLISH)
     assert tr("{} of {}", 3, 5) == "3 of 5"
 
@@ -224,6 +224,7 @@ def outside_brackets(text: str) -> str:
     """Return what is left of a text without brackets, one in another, and without names."""
     while text != (text := re.sub(r"⟦[^⟦⟧]*⟧", "", text)):
         pass
+    text = text.replace("\N{NON-BREAKING HYPHEN}", "-")  # of the rig's name on the narrow rail
     for name in sorted(NAMES, key=len, reverse=True):
         text = text.replace(name, "")
     text = re.sub(r"\b[a-z]+(?:[._][A-Za-z0-9_]+)+", "", text)  # keys of files, names of channels

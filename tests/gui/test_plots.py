@@ -274,7 +274,7 @@ def test_the_force_is_shown_with_its_limits_and_over_a_frozen_revolution(qtbot: 
     data.take(make_snapshot(10, 1))
     overlay.show_news(News(data=data, recipe=RECIPE))
     texts = [one.text for one in overlay.plot.marks.names]
-    assert texts == ["|F|", "along", "across", "model ± 0.94", "frozen 9"]
+    assert texts == ["|F|", "along", "across", "model ± 0.94 N", "frozen 9"]
     assert len(overlay._behind["frozen"]["force"].x) > 100
     overlay.show_news(News(data=LiveData()))
     assert not overlay.freeze.isChecked()

@@ -372,7 +372,7 @@ def test_the_list_follows_armed_test_and_engine(
     assert shown()["Form"] == "attention"  # what is typed is not part of the armed test
     assert shown()["Test"] == "good"
     panel.recipe.begin({"schema": 1})
-    assert shown()["Armed test"] == "blocks"
+    assert shown()["Selected test"] == "blocks"
     worker.close()
 
 

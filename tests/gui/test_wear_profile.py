@@ -50,7 +50,7 @@ def test_the_panel_draws_only_what_the_pin_reached(qtbot: Any) -> None:
     assert depth[np.abs(angle) <= 20.0] == pytest.approx(20.0)
     assert panel._band.high == pytest.approx(40.0)
     assert len(panel._band.high) == 41
-    assert "measured 20.0 ± 20.0" in panel.plot.accessibleDescription()
+    assert "measured 20 ± 20 µm" in panel.plot.accessibleDescription()
     words = panel.title.text()
     assert "cycle 20" in words
     assert "-20° to 20°" in words

@@ -64,9 +64,9 @@ def test_others_are_refused_by_name_but_may_make_the_rig_safe(desk: Desk) -> Non
     desk.ask("take_command", ADA)
     assert desk.ask("start", ADA) == "done"
     for verb in ("start", "pause", "resume", "set_limit", "zero", "reset", "shutdown", "note"):
-        with pytest.raises(Refused, match=r"Ada is in command .*" + verb):
+        with pytest.raises(Refused, match=r"Ada has control .*" + verb):
             desk.ask(verb, BOB)
-        with pytest.raises(Refused, match="Ada is in command"):
+        with pytest.raises(Refused, match="Ada has control"):
             desk.ask(verb, {"operator": "Ada", "client": ""})
     for verb in ("stop", "drive_off", "acknowledge", "status", "signals", "hello"):
         assert desk.ask(verb, BOB) == "done"
@@ -78,7 +78,7 @@ def test_command_is_given_back_and_taken_by_another(desk: Desk) -> None:
         desk.ask("release_command", BOB)
     desk.ask("release_command", ADA)
     assert desk.ask("take_command", BOB) == {"in_command": "Bob"}
-    with pytest.raises(Refused, match="Bob is in command"):
+    with pytest.raises(Refused, match="Bob has control"):
         desk.ask("start", ADA)
     assert [event[2:] for event in desk.log] == [("", "Ada"), ("Ada", ""), ("", "Bob")]
 
@@ -86,12 +86,12 @@ def test_command_is_given_back_and_taken_by_another(desk: Desk) -> None:
 def test_command_is_taken_over_only_by_force_and_that_is_recorded(desk: Desk) -> None:
     desk.ask("take_command", ADA)
     for harmless in ({}, {"force": False}):
-        with pytest.raises(Refused, match="Ada is in command"):
+        with pytest.raises(Refused, match="Ada has control"):
             desk.ask("take_command", BOB, **harmless)
     desk.ask("take_command", BOB, force=True)
     assert desk.log[-1] == ("took command by force from Ada", "Bob", "Ada", "Bob")
     assert desk.ask("present", ADA) == {"in_command": False}
-    with pytest.raises(Refused, match="Bob is in command"):
+    with pytest.raises(Refused, match="Bob has control"):
         desk.ask("start", ADA)
 
 
@@ -152,18 +152,18 @@ def test_two_viewers_of_one_engine(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     entry = running_engines()[-1]
     ada, bob = Client(entry, "Ada"), Client(entry, "Bob")
     try:
-        assert bob.request("note", {"text": "nobody is in command"}).ok
+        assert bob.request("note", {"text": "nobody has control"}).ok
         assert not ada.request("take_command", {"force": "yes"}).ok
         assert ada.request("take_command").ok
         assert ada.request("note", {"text": "mine"}).ok
         refused = bob.request("note", {"text": "mine too"})
         assert not refused.ok
-        assert refused.sentence.startswith("Ada is in command of this rig")
+        assert refused.sentence.startswith("Ada has control of this rig")
         assert bob.request("status").result["in_command"] == "Ada"
         stopped: Reply = bob.request("stop")
         assert "in command" not in stopped.sentence  # refused by the state alone: nothing runs
         assert bob.request("take_command", {"force": True}).ok
-        assert ada.request("note", {"text": "lost it"}).sentence.startswith("Bob is in command")
+        assert ada.request("note", {"text": "lost it"}).sentence.startswith("Bob has control")
         assert bob.request("release_command").ok
         assert ada.request("note", {"text": "again"}).ok
         kinds = [event.after for event in told if event.kind == "command"]

@@ -246,7 +246,9 @@ def calibrate(
     document = read_rig(rig)
     simulated = document.record.simulated
     if practise and not simulated:
-        raise UnusableInput(f"--practise: {rig} is not simulated; simulated hands move nothing.")
+        raise UnusableInput(
+            f"--practise: {rig} is not simulated; a simulated operator moves nothing."
+        )
     sensitivity = document.record.probes.sensitivity_um_per_V
     wanted = subject.plan({**requested, "sensitivity": sensitivity}, given)
     refuse_existing(to)

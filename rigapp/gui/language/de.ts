@@ -228,8 +228,8 @@
         <translation>Apr</translation>
     </message>
     <message>
-        <source>Armed test</source>
-        <translation>Scharfer Versuch</translation>
+        <source>Selected test</source>
+        <translation>Ausgewählter Versuch</translation>
     </message>
     <message>
         <source>At cycle {:.0f}</source>
@@ -832,8 +832,8 @@
         <translation>Jeder Messwert ist gekennzeichnet, bis die Geräte neu verbunden sind.</translation>
     </message>
     <message>
-        <source>Every window may operate the rig. In command, only this one does, apart from stopping and acknowledging</source>
-        <translation>Jedes Fenster darf den Prüfstand bedienen. Mit dem Kommando darf es nur dieses, außer stoppen und quittieren</translation>
+        <source>Every window may operate the rig. With control, only this one does, apart from stopping and acknowledging</source>
+        <translation>Jedes Fenster darf den Prüfstand bedienen. Wer die Steuerung hat, bedient ihn allein, außer stoppen und quittieren</translation>
     </message>
     <message>
         <source>F&amp;ind</source>
@@ -1256,12 +1256,16 @@
         <translation>Leistung</translation>
     </message>
     <message>
-        <source>Practice: no waiting times</source>
+        <source>Training mode: no waiting times</source>
         <translation>Übung: keine Wartezeiten</translation>
     </message>
     <message>
         <source>Pressure exponent</source>
         <translation>Exponent der Pressung</translation>
+    </message>
+    <message>
+        <source>A simulated operator does the steps of a calibration, without waiting times. Simulated rig only.</source>
+        <translation>Ein simulierter Bediener führt die Schritte einer Kalibrierung aus, ohne Wartezeiten. Nur am simulierten Prüfstand.</translation>
     </message>
     <message>
         <source>Pressure velocity high</source>
@@ -2437,7 +2441,7 @@
     </message>
     <message>
         <source>holder of command</source>
-        <translation>wer das Kommando hat</translation>
+        <translation>wer die Steuerung hat</translation>
     </message>
     <message>
         <source>holds no readings</source>
@@ -3205,7 +3209,7 @@
     </message>
     <message>
         <source>released command</source>
-        <translation>gab das Kommando frei</translation>
+        <translation>gab die Steuerung frei</translation>
     </message>
     <message>
         <source>remaining revolutions</source>
@@ -3430,6 +3434,10 @@
     <message>
         <source>switched on</source>
         <translation>eingeschaltet</translation>
+    </message>
+    <message>
+        <source>take command</source>
+        <translation>Steuerung übernehmen</translation>
     </message>
     <message>
         <source>take shorter explicit steps</source>
@@ -4001,7 +4009,7 @@
     </message>
     <message>
         <source>took command</source>
-        <translation>übernahm das Kommando</translation>
+        <translation>übernahm die Steuerung</translation>
     </message>
     <message>
         <source>torque</source>
@@ -4298,6 +4306,10 @@
     <message>
         <source>{} must be two numbers, not {}</source>
         <translation>{} müssen zwei Zahlen sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>{} new</source>
+        <translation>{} neu</translation>
     </message>
     <message>
         <source>{} of the limits cannot be used.</source>
@@ -6116,8 +6128,8 @@ ab {}</translation>
         <translation>Der Index des Drehgebers setzt den Zähler</translation>
     </message>
     <message>
-        <source>Let the simulated hands do this step</source>
-        <translation>Die simulierten Hände diesen Schritt tun lassen</translation>
+        <source>Let the simulated operator do this step</source>
+        <translation>Den simulierten Bediener diesen Schritt ausführen lassen</translation>
     </message>
     <message>
         <source>Light or dark</source>
@@ -6416,7 +6428,7 @@ ab {}</translation>
         <translation>Minuten des Zurückstellens</translation>
     </message>
     <message>
-        <source>Mistake to practise</source>
+        <source>Mistake to simulate</source>
         <translation>Fehler zum Üben</translation>
     </message>
     <message>
@@ -6688,8 +6700,8 @@ ab {}</translation>
         <translation>Keine Versuchsdatei ist offen. Zuerst unter Vorbereiten eine öffnen oder speichern</translation>
     </message>
     <message>
-        <source>No test is armed. Choose a test file, or save the new one in Prepare.</source>
-        <translation>Kein Versuch ist scharf. Eine Versuchsdatei wählen oder den neuen unter Vorbereiten speichern.</translation>
+        <source>No test is selected. Choose a test file, or save the new one in Prepare.</source>
+        <translation>Kein Versuch ist ausgewählt. Eine Versuchsdatei wählen oder den neuen unter Vorbereiten speichern.</translation>
     </message>
     <message>
         <source>No test is in the queue. Add test files: each is recorded into a file of its own, and the next one begins when one is complete.</source>
@@ -6716,8 +6728,8 @@ ab {}</translation>
         <translation>Noch hat niemand eine PIN: niemand kann Grenzwerte eines laufenden Versuchs ändern.</translation>
     </message>
     <message>
-        <source>Nobody is in command</source>
-        <translation>Niemand hat das Kommando</translation>
+        <source>Nobody has control</source>
+        <translation>Niemand hat die Steuerung</translation>
     </message>
     <message>
         <source>Nobody is told. Add a way: a URL as in mailtos:// or json://.</source>
@@ -7068,6 +7080,10 @@ ab {}</translation>
         <translation>Diagramme</translation>
     </message>
     <message>
+        <source>Po&amp;wer off</source>
+        <translation>&amp;Leistung aus</translation>
+    </message>
+    <message>
         <source>Point</source>
         <translation>Punkt</translation>
     </message>
@@ -7098,6 +7114,10 @@ ab {}</translation>
     <message>
         <source>Position that the micrometer shows</source>
         <translation>Position, die die Messschraube zeigt</translation>
+    </message>
+    <message>
+        <source>Power off the drive</source>
+        <translation>Leistung des Antriebs ausschalten</translation>
     </message>
     <message>
         <source>Prepare</source>
@@ -7416,8 +7436,8 @@ ab {}</translation>
         <translation>Die gewählte Messung verwerfen, ihre Reihe wiederholen</translation>
     </message>
     <message>
-        <source>Release command</source>
-        <translation>Kommando abgeben</translation>
+        <source>Release control</source>
+        <translation>Steuerung abgeben</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -7912,12 +7932,8 @@ ab {}</translation>
         <translation>Simulierte Fehler</translation>
     </message>
     <message>
-        <source>Simulated hands</source>
-        <translation>Simulierte Hände</translation>
-    </message>
-    <message>
-        <source>Simulated hands do the steps of a calibration, without waiting times. Simulated rig only.</source>
-        <translation>Simulierte Hände tun die Schritte einer Kalibrierung, ohne Wartezeiten. Nur am simulierten Prüfstand.</translation>
+        <source>Simulated operator</source>
+        <translation>Simulierter Bediener</translation>
     </message>
     <message>
         <source>Simulated or replayed</source>
@@ -8284,28 +8300,28 @@ ab {}</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Take command</source>
-        <translation>Kommando nehmen</translation>
+        <source>Take control</source>
+        <translation>Steuerung übernehmen</translation>
     </message>
     <message>
-        <source>Take command from {name}</source>
-        <translation>{name} das Kommando nehmen</translation>
+        <source>Take control from {name}</source>
+        <translation>Steuerung von {name} übernehmen</translation>
     </message>
     <message>
-        <source>Take command from {name}? {name} can then only look; the log records it.</source>
-        <translation>{name} das Kommando nehmen? {name} kann dann nur noch zusehen; das Protokoll hält es fest.</translation>
+        <source>Take control from {name}? {name} can then only look; the log records it.</source>
+        <translation>Steuerung von {name} übernehmen? {name} kann dann nur noch zusehen; das Protokoll hält es fest.</translation>
     </message>
     <message>
-        <source>Take command of the rig, or release it</source>
-        <translation>Das Kommando über den Prüfstand nehmen oder abgeben</translation>
+        <source>Take control of the rig, or release it</source>
+        <translation>Die Steuerung des Prüfstands übernehmen oder abgeben</translation>
     </message>
     <message>
         <source>Take off what hangs on the pin, then end the calibration</source>
         <translation>Abnehmen, was am Bolzen hängt, dann die Kalibrierung beenden</translation>
     </message>
     <message>
-        <source>Take over command</source>
-        <translation>Das Kommando übernehmen</translation>
+        <source>Take over control</source>
+        <translation>Die Steuerung übernehmen</translation>
     </message>
     <message>
         <source>Take over…</source>
@@ -8322,6 +8338,10 @@ ab {}</translation>
     <message>
         <source>Take the newest reading again; the others of its series stand</source>
         <translation>Den neuesten Messwert wiederholen; die anderen seiner Reihe bleiben gültig</translation>
+    </message>
+    <message>
+        <source>Take the power off the motor at once; a test under way ends. This is not the emergency stop.</source>
+        <translation>Die Leistung des Motors sofort ausschalten; ein laufender Versuch endet. Das ist nicht der Not-Halt.</translation>
     </message>
     <message>
         <source>Take the present signals as zero force: the crank stands, the pin carries nothing. Old and new zero are logged; the calibration is not touched.</source>
@@ -8510,6 +8530,10 @@ ab {}</translation>
     <message>
         <source>The engine was shut down during the test</source>
         <translation>Die Steuerung wurde während des Versuchs beendet</translation>
+    </message>
+    <message>
+        <source>The faults are being listed …</source>
+        <translation>Die Fehler werden aufgelistet …</translation>
     </message>
     <message>
         <source>The faults of the simulated rig are not known: {}</source>
@@ -8864,6 +8888,10 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Die Spannung folgt dem Referenzwert nicht; ist der Kanal angeschlossen?</translation>
     </message>
     <message>
+        <source>The wear coefficient is drawn here once it is known.</source>
+        <translation>Hier erscheint der Verschleißkoeffizient, sobald er bekannt ist.</translation>
+    </message>
+    <message>
         <source>The wear coefficient was known within {:.3g} and {:.3g} at revolution {}, within {:.3g} and {:.3g} at the end.</source>
         <translation>Der Verschleißkoeffizient lag bei Umdrehung {2} zwischen {0:.3g} und {1:.3g}, am Ende zwischen {3:.3g} und {4:.3g}.</translation>
     </message>
@@ -9092,8 +9120,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Die Pull-up-Widerstände (10 kohm) der Drehgebereingänge verwenden</translation>
     </message>
     <message>
-        <source>VIEWING ONLY: {name} is in command of this rig. Stopping a test and acknowledging alarms are possible all the same.</source>
-        <translation>NUR ZUSEHEN: {name} hat das Kommando über diesen Prüfstand. Stoppen und Alarme quittieren geht trotzdem.</translation>
+        <source>VIEWING ONLY: {name} has control of this rig. Stopping a test and acknowledging alarms are possible all the same.</source>
+        <translation>NUR ZUSEHEN: {name} hat die Steuerung dieses Prüfstands. Stoppen und Alarme quittieren geht trotzdem.</translation>
     </message>
     <message>
         <source>Value</source>
@@ -9512,8 +9540,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Wer eine PIN hat</translation>
     </message>
     <message>
-        <source>Who is in command</source>
-        <translation>Wer das Kommando hat</translation>
+        <source>Who has control</source>
+        <translation>Wer die Steuerung hat</translation>
     </message>
     <message>
         <source>Who is told</source>
@@ -9660,8 +9688,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Schreibt …</translation>
     </message>
     <message>
-        <source>You are in command</source>
-        <translation>Sie haben das Kommando</translation>
+        <source>You have control</source>
+        <translation>Sie haben die Steuerung</translation>
     </message>
     <message>
         <source>Zero of axis 1</source>
@@ -9824,8 +9852,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>ein Text in Anführungszeichen</translation>
     </message>
     <message>
-        <source>a viewer without an identity cannot take command</source>
-        <translation>ein Betrachter ohne Kennung kann das Kommando nicht übernehmen</translation>
+        <source>a viewer without an identity cannot take control</source>
+        <translation>ein Betrachter ohne Kennung kann die Steuerung nicht übernehmen</translation>
     </message>
     <message>
         <source>a warning whose condition is over before anybody has acknowledged it; acknowledging takes it off the list</source>
@@ -11446,6 +11474,10 @@ Mittel (µm)</translation>
         <translation>Betriebsart Profile Velocity</translation>
     </message>
     <message>
+        <source>program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
         <source>quantity</source>
         <translation>Größe</translation>
     </message>
@@ -11539,7 +11571,7 @@ Mittel (µm)</translation>
     </message>
     <message>
         <source>release command</source>
-        <translation>Kommando abgeben</translation>
+        <translation>Steuerung abgeben</translation>
     </message>
     <message>
         <source>report begin</source>
@@ -11924,10 +11956,6 @@ Mittel (µm)</translation>
     <message>
         <source>suspended</source>
         <translation>angehalten</translation>
-    </message>
-    <message>
-        <source>take command</source>
-        <translation>Kommando nehmen</translation>
     </message>
     <message>
         <source>technique</source>
@@ -12562,16 +12590,16 @@ Mittel (µm)</translation>
         <translation>{:g}-fach</translation>
     </message>
     <message>
-        <source>{name} is in command</source>
-        <translation>{name} hat das Kommando</translation>
+        <source>{name} has control</source>
+        <translation>{name} hat die Steuerung</translation>
     </message>
     <message>
-        <source>{name} is in command of this rig; take command over first</source>
-        <translation>{name} hat das Kommando über diesen Prüfstand; zuerst das Kommando übernehmen</translation>
+        <source>{name} has control of this rig; take over control first</source>
+        <translation>{name} hat die Steuerung dieses Prüfstands; zuerst die Steuerung übernehmen</translation>
     </message>
     <message>
-        <source>{name} loses command; it is recorded in the log</source>
-        <translation>{name} verliert das Kommando; das Protokoll hält es fest</translation>
+        <source>{name} loses control; it is recorded in the log</source>
+        <translation>{name} verliert die Steuerung; das Protokoll hält es fest</translation>
     </message>
     <message>
         <source>{name} {length} {kind} at {speed_rpm} rpm, then rest {rest_s} s</source>
@@ -12666,16 +12694,16 @@ Mittel (µm)</translation>
         <translation>{} ist auf der Platte jetzt eine andere: {}</translation>
     </message>
     <message>
-        <source>{} is armed as it is saved.</source>
-        <translation>{} ist scharf, wie gespeichert.</translation>
+        <source>{} starts as it is saved.</source>
+        <translation>{} startet wie gespeichert.</translation>
     </message>
     <message>
-        <source>{} is armed as it is saved. Not part of it: {}</source>
-        <translation>{} ist scharf, wie gespeichert. Nicht dabei: {}</translation>
+        <source>{} starts as it is saved. Not part of it: {}</source>
+        <translation>{} startet wie gespeichert. Nicht dabei: {}</translation>
     </message>
     <message>
-        <source>{} is armed as it is saved. One draft limit is not part of it.</source>
-        <translation>{} ist scharf, wie gespeichert. Eine Grenze im Entwurf gehört nicht dazu.</translation>
+        <source>{} starts as it is saved. One draft limit is not part of it.</source>
+        <translation>{} startet wie gespeichert. Eine Grenze im Entwurf gehört nicht dazu.</translation>
     </message>
     <message>
         <source>{} is in {}</source>
@@ -12806,8 +12834,8 @@ Mittel (µm)</translation>
         <translation>{} bis {}, {}</translation>
     </message>
     <message>
-        <source>{}, armed</source>
-        <translation>{}, scharf</translation>
+        <source>{}, selected</source>
+        <translation>{}, ausgewählt</translation>
     </message>
     <message>
         <source>{}, cycle {}</source>
@@ -14526,7 +14554,7 @@ Mittel (µm)</translation>
     </message>
     <message>
         <source>command released: nothing was heard of {} for {:.0f} s</source>
-        <translation>Kommando freigegeben: Von {} war seit {} s nichts zu hören</translation>
+        <translation>Steuerung freigegeben: Von {} war seit {} s nichts zu hören</translation>
     </message>
     <message>
         <source>command {} cannot carry {}: {}</source>
@@ -15873,8 +15901,8 @@ Mittel (µm)</translation>
         <translation>um {} +/- {} um verschlissen</translation>
     </message>
     <message>
-        <source>you are not in command of this rig, {}</source>
-        <translation>Sie haben nicht das Kommando über diesen Prüfstand, {}</translation>
+        <source>you do not control this rig, {}</source>
+        <translation>Sie haben die Steuerung dieses Prüfstands nicht, {}</translation>
     </message>
     <message>
         <source>zeroing {} is prohibited in the device; allow it with the maker&apos;s program</source>
@@ -16277,12 +16305,12 @@ Mittel (µm)</translation>
         <translation>{} ist fertig: eine Ruhe von {} s</translation>
     </message>
     <message>
-        <source>{} is in command of this rig, so {} is refused; take command first. Stop, drive off and acknowledge are possible for everybody</source>
-        <translation>{} hat das Kommando über diesen Prüfstand, daher wird {} abgelehnt; erst das Kommando übernehmen. Stoppen, Antrieb aus und Quittieren stehen jedem offen</translation>
+        <source>{} has control of this rig, so {} is refused; take control first. Stop, drive off and acknowledge are possible for everybody</source>
+        <translation>{} hat die Steuerung dieses Prüfstands, daher wird {} abgelehnt; erst die Steuerung übernehmen. Stoppen, Antrieb aus und Quittieren stehen jedem offen</translation>
     </message>
     <message>
-        <source>{} is in command; ask for a release, or take over by force, which is recorded</source>
-        <translation>{} hat das Kommando; um Freigabe bitten oder es mit Gewalt übernehmen, was aufgezeichnet wird</translation>
+        <source>{} has control; ask for a release, or take over by force, which is recorded</source>
+        <translation>{} hat die Steuerung; um Freigabe bitten oder sie erzwungen übernehmen, was aufgezeichnet wird</translation>
     </message>
     <message>
         <source>{} is in two places</source>

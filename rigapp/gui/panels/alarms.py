@@ -9,7 +9,15 @@ from typing import Final
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QFont, QKeyEvent, QMouseEvent
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QLayout, QWidget
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QLayout,
+    QSizePolicy,
+    QSplitter,
+    QWidget,
+)
 
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.panel import Host
@@ -53,8 +61,10 @@ RECORDED: Final[Text] = "This is a replay: what was recorded stays as it was"
 BESIDE_FROM, LIST = 100 * STEP, 32 * STEP
 """Width for limits and journal beside each other, height of each below the other."""
 TITLE_WIDTH = 16 * STEP
-CARDS_HEIGHT = 32 * STEP
-"""Of the alarms: one whole card, and the tools below it."""
+HEIGHTS = (360, 340)
+"""Of the alarms and of what stands below them."""
+CARDS_HEIGHTS = (0, 32 * STEP, 42 * STEP)
+"""Of the alarms at least, by how many there are: their whole cards, and the tools below them."""
 
 
 def order(alarms: tuple[Alarm, ...]) -> list[Alarm]:
@@ -322,8 +332,9 @@ class AlarmPanel(QWidget):
             self.all, self.acknowledge, self.reset, (self.reason, 1), self.minutes, self.shelve
         )
         fit_hint(self.reason)
-        self.setMinimumHeight(CARDS_HEIGHT)
+        self.setMinimumHeight(CARDS_HEIGHTS[1])
         column((self.area, 1), tools, on=self, spacing=STEP)
+        self.show_alarms(())
         self._enable()
 
     def show_news(self, news: News) -> None:
@@ -343,6 +354,20 @@ class AlarmPanel(QWidget):
     def show_alarms(self, alarms: tuple[Alarm, ...]) -> None:
         """Show the alarms."""
         self.cards.show_alarms(alarms)
+        self._take_height(min(len(self.cards.alarms), len(CARDS_HEIGHTS) - 1))
+
+    def _take_height(self, cards: int) -> None:
+        """Take the height of so many cards at least; without one the journal below has the rest."""
+        least, before = CARDS_HEIGHTS[cards], self.minimumHeight()
+        if least == before:
+            return
+        self.setMinimumHeight(least)
+        self.area.setMinimumHeight(0 if cards else self.cards.none.sizeHint().height())
+        policy = QSizePolicy.Policy
+        self.setSizePolicy(policy.Preferred, policy.Preferred if cards else policy.Maximum)
+        around = self.parentWidget()
+        if before == CARDS_HEIGHTS[0] and isinstance(around, QSplitter):
+            around.setSizes(list(HEIGHTS))
 
     def _enable(self) -> None:
         alarm = self.cards.chosen()
@@ -386,4 +411,4 @@ def alarm_page(host: Host) -> QWidget:
     below = FoldingSplitter("alarm_below", BESIDE_FROM).divide(
         (journal, 460, LIST), (limits, 460, LIST)
     )
-    return split("alarm_split", Qt.Orientation.Vertical, [360, 340], alarms, below)
+    return split("alarm_split", Qt.Orientation.Vertical, HEIGHTS, alarms, below)

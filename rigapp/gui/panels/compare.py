@@ -31,7 +31,7 @@ MESSAGE_WIDTH = 30 * STEP
 MOST = 6
 BUCKETS = 1500
 COLOURS = {
-    "light": ("#0072b2", "#d55e00", "#2ca25f", "#000000", "#a8497b", "#803000"),
+    "light": ("#0072b2", "#8d6a0b", "#852aed", "#000000", "#43522c", "#4d0f56"),
     "dark": ("#3f9be0", "#f0a050", "#7fe0b0", "#ffffff", "#f0e442", "#e15759"),
 }
 CYCLE = "cycle"

@@ -24,7 +24,7 @@ from rigapp.gui.plots.palette import MODEL, LinePen
 from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, detail, plot_heading
 from rigapp.gui.widgets.build import button, choice, column, named, page, split, whole_number
 from rigapp.gui.widgets.reflow import FoldingSplitter, flowing
-from rigapp.presentation.numbers import unit_text
+from rigapp.presentation.numbers import true_minus, unit_text
 from rigapp.presentation.tokens import STEP, Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import BASE, PROBES, Channel, ChannelTable, Kind
@@ -258,12 +258,15 @@ class ValueTable(QTableWidget):
                 if item.text() != text:
                     item.setText(text)
         height = self.horizontalHeader().sizeHint().height() + 4
-        self.setFixedHeight(height + sum(map(self.sizeHintForRow, range(self.rowCount()))) + 6)
+        rows = (
+            max(self.sizeHintForRow(one), self.rowHeight(one)) for one in range(self.rowCount())
+        )
+        self.setFixedHeight(height + sum(rows) + 6)
 
 
 def _signed(value: float, at: int) -> str:
     sign = "+" if at % len(KINDS) == 2 else ""
-    return "–" if value != value else f"{value:{sign}.2f}"
+    return "–" if value != value else true_minus(f"{value:{sign}.2f}")
 
 
 CIRCLE = np.linspace(0.0, 2.0 * np.pi, 91)

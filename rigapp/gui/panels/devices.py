@@ -242,6 +242,14 @@ class DevicePanel(QWidget):
             "Reconnect all devices",
             guarded=True,
         )
+        self.off = button(
+            "power_off",
+            "Po&wer off",
+            lambda: self.wanted.emit("drive_off", {}),
+            "Power off the drive",
+            tip="Take the power off the motor at once; a test under way ends. This is not the"
+            " emergency stop.",
+        )
         self.reason = edit(
             "zero_reason",
             "Reason for zeroing",
@@ -258,7 +266,9 @@ class DevicePanel(QWidget):
             " Old and new zero are logged; the calibration is not touched.",
         )
         fit_hint(self.reason)
-        tools = flowing(self.reconnect, "Zero, with its reason", (self.reason, 1), self.zero)
+        tools = flowing(
+            self.reconnect, self.off, "Zero, with its reason", (self.reason, 1), self.zero
+        )
         self._cards = WrappingGrid(CARD_WIDTH)
         inside = QWidget()
         lower = WrappingGrid(CARD_WIDTH)
@@ -377,6 +387,7 @@ class DevicePanel(QWidget):
     def _enable(self) -> None:
         standing = self._state in (RunState.READY, RunState.STOPPED)
         self.zero.setEnabled(standing and bool(self.reason.text().strip()))
+        self.off.setEnabled(self._state not in (None, RunState.IDLE, RunState.CONNECTING))
         known = self._state in (*AT_REST, RunState.FAULT, RunState.CALIBRATING)
         for one in (self.reconnect, *(card.reconnect for card in self.cards.values())):
             one.setEnabled(known)

@@ -126,6 +126,7 @@ class FaultPanel(QWidget):
         if devices == self._devices or not devices:
             return
         self._devices = devices
+        self.problem.setText(tr("The faults are being listed …"))
         self._worker.submit(lambda: fault_choices(devices), self._offer, self._cannot)
 
     def _cannot(self, error: Exception) -> None:
@@ -133,6 +134,7 @@ class FaultPanel(QWidget):
 
     def _offer(self, choices: list[FaultChoice]) -> None:
         self._choices = choices
+        self.problem.setText("")
         self._show()
 
     def _show(self) -> None:

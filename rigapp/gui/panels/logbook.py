@@ -61,7 +61,7 @@ class LogPanel(QWidget):
                 time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(event.time)),
                 str(event.revolution),
                 tr(event.kind.replace("_", " ")),
-                tr(event.source),
+                _who(event.source),
                 tr(event.before),
                 tr(event.after),
                 translate(event.text),
@@ -104,11 +104,16 @@ class AlarmJournal(QFrame):
                     dated("%d %b %H:%M:%S", time.localtime(one.time)),
                     str(one.revolution),
                     translate(one.text),
-                    tr(one.source),
+                    _who(one.source),
                 )
                 for one in lines
             ]
         )
+
+
+def _who(source: str) -> str:
+    """Return who did something; a part of the program tells of devices by their own names."""
+    return tr("program") if source.startswith("rigapp") else tr(source)
 
 
 def log_page(host: Host) -> QWidget:

@@ -10,8 +10,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QWidget
 
+from rigapp.gui.look.fonts import sized
 from rigapp.gui.panel import Act, Host
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.knownwear import DepthBandPanel, ForecastPanel, NarrowingPanel
@@ -23,8 +25,8 @@ from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.trendview import TrendView
 from rigapp.gui.widgets.build import column, named, prose, split
 from rigapp.gui.widgets.reflow import FoldingSplitter
-from rigapp.presentation.numbers import grouped
-from rigapp.presentation.tokens import STEP, Theme
+from rigapp.presentation.numbers import grouped, with_uncertainty
+from rigapp.presentation.tokens import BODY_PT, STEP, Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp.viewer.channels import SIZE
 from rigapp.viewer.knownwear import WearReader
@@ -41,6 +43,7 @@ from rigapp.viewer.series import ShownProfile
 
 Floats = NDArray[np.float64]
 
+COEFFICIENT_LATER: Final[Text] = "The wear coefficient is drawn here once it is known."
 NO_DEPTH: Final[Text] = "No depth of wear known yet: the worn profile of the bushing is drawn here."
 MEASURED = LinePen("first")
 ANGLES_DEG = np.linspace(-180.0, 180.0, 721)
@@ -147,7 +150,7 @@ class WearProfilePanel(PlotPanel):
         if seen.any():
             place = int(np.nanargmax(profile.measured))
             most = UM_PER_MM * profile.measured[place]
-            depth = f"{most:.1f} ± {UM_PER_MM * profile.uncertainty[place]:.1f}"
+            depth = with_uncertainty(most, UM_PER_MM * profile.uncertainty[place], "µm")
             extent = RECORDED_DEG[seen]
             words = tr(
                 "seen {:.0f}° to {:.0f}°, cycle {}", extent[0], extent[-1], profile.revolution
@@ -186,7 +189,7 @@ class WearProfilePanel(PlotPanel):
 
 def _depth(texts: tuple[Text, Text], depth: float) -> Entry:
     known = math.isfinite(depth)
-    return Entry(tr(texts[0], f"{UM_PER_MM * depth:.1f}") if known else tr(texts[1]), known)
+    return Entry(tr(texts[0], f"{UM_PER_MM * depth:.1f} µm") if known else tr(texts[1]), known)
 
 
 BESIDE_FROM, PLOTS_TALL = 90 * STEP, 35 * STEP
@@ -203,9 +206,7 @@ class WearPanel(QWidget):
         named(self, "wear_panel", "Wear")
         self._reader = reader
         self.sentence = prose("wear_sentence", "What is known of the wear")
-        font = self.sentence.font()
-        font.setBold(True)
-        self.sentence.setFont(font)
+        self.sentence.setFont(sized(self.sentence.font(), BODY_PT, QFont.Weight.DemiBold))
         self.bands, self.narrowing = DepthBandPanel(theme), NarrowingPanel(theme)
         plots = FoldingSplitter("wear_split", BESIDE_FROM).divide(
             (self.bands, 800, PLOTS_TALL), (self.narrowing, 600, TALL)
@@ -231,7 +232,7 @@ class WearPanel(QWidget):
             sentence += tr(" (By cycle {}.)", grouped(known.after))
         self.sentence.setText(sentence or waiting)
         self.bands.draw(known, news, waiting)
-        self.narrowing.draw(known, sentence or waiting)
+        self.narrowing.draw(known, COEFFICIENT_LATER if len(news.data.rows) else waiting)
 
 
 def wear_page(host: Host) -> QWidget:

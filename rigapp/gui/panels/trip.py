@@ -175,7 +175,7 @@ class TripPage(QWidget):
         self.plots = [TripPlot(one, theme, room) for one in ROWS]
         current = TripRow("current", "Drive current", "A", 0.5, ())
         self.current = TripPlot(current, theme, room)
-        facts = page(self.title, self.sentence, (self.table, 1), None)
+        facts = page(self.title, self.sentence, (self.table, 1))
         self._drawn = QWidget()
         column(*((one, 1) for one in (*self.plots, self.current)), on=self._drawn, spacing=GAP)
         both = FoldingSplitter("trip_split", BESIDE_FROM).divide(
@@ -213,6 +213,7 @@ class TripPage(QWidget):
     def _clear(self, why: Text) -> None:
         self.sentence.setText(tr(why))
         self._drawn.hide()
+        self.table.show_rows([])
         self.table.hide()
 
     def _take(self, path: Path, capture: TripCapture | None) -> None:
@@ -245,6 +246,10 @@ def _facts(path: Path, capture: TripCapture) -> list[tuple[str, str]]:
         at = time.localtime(capture.happened)
         moment = f"{dated(MOMENT, at)}:{capture.happened % 60.0:06.3f}"
     peak = UNKNOWN
+    if capture.series(("force",)):
+        force = _joined([one for one in capture.pieces if not one.before], "force")[1]
+        largest = float(np.nanmax(force, initial=-np.inf))
+        peak = f"{largest:.1f} N" if math.isfinite(largest) else UNKNOWN
     if trip.peak is not None:
         peak = f"{trip.peak.sign}{trip.peak.value_N:.1f} N"
         if math.isfinite(trip.peak.angle_deg):

@@ -443,6 +443,12 @@ def paint_moments(
         free = x - STEP
 
 
+def trip_lines(frame: PlotFrame, moments: Sequence[MarkedMoment]) -> list[QRectF]:
+    """Return the places of the lines of critical moments, over which no words are to stand."""
+    shown = [one.revolution for one in moments if one.severity is Severity.CRITICAL]
+    return [QRectF(frame.x(at) - 1.0, frame.rect.top(), 2.0, frame.rect.height()) for at in shown]
+
+
 def _shape(severity: Severity | None, x: float, y: float) -> QPolygonF:
     """Return a flag for a note, a triangle for a warning, a diamond for what is critical."""
     half = STEP / 2.0

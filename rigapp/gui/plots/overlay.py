@@ -349,7 +349,7 @@ class OverlayPanel(PlotPanel):
             text = tr("model (stale)") if self._stale else tr("model")
             text += "" if values is None else f" {values[SIZE][1]:.1f}"
             if math.isfinite(self._doubt.uncertainty_N):
-                text += f" ± {self._doubt.uncertainty_N:.2g}"
+                text += f" ± {self._doubt.uncertainty_N:.2g} N"
             found.append(CurveName(text, self._model_pen, float(shown.model[SIZE][-1])))
         for kind, other in self._others.items():
             text = f"{tr(kind)} {grouped(other.cycle.revolution)}"

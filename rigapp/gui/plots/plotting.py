@@ -39,6 +39,7 @@ from rigapp.gui.plots.marks import (
     paint_next_limits,
     paint_readout,
     paint_spots,
+    trip_lines,
 )
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.readings import (
@@ -424,6 +425,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         taken: list[QRectF] = []
         paint_spots(painter, frame, marks.spots, self.theme, taken)
+        taken += trip_lines(frame, marks.moments)
         if marks.limits:
             traces = [one for one in self._canvas.traces if len(one.x)]
             curves = [(frame.x(one.x), frame.y(one.y)) for one in traces]

@@ -12,7 +12,7 @@ import numpy as np
 from rigapp.gui.plots.curves import Floats
 from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.palette import LinePen
-from rigapp.presentation.numbers import UNKNOWN
+from rigapp.presentation.numbers import UNKNOWN, true_minus
 from rigapp.presentation.translation import tr
 
 MOST_CURVES = 4
@@ -130,4 +130,4 @@ def readout(pair: CursorPair, across: str, curves: Iterable[NamedCurve]) -> list
 
 
 def _number(value: float) -> str:
-    return f"{value:.5g}".replace("-", "\u2212") if math.isfinite(value) else UNKNOWN
+    return true_minus(f"{value:.5g}") if math.isfinite(value) else UNKNOWN

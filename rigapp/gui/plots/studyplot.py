@@ -16,7 +16,7 @@ from rigapp.gui.plots.plotting import PlotPanel, QuietPlot
 from rigapp.gui.widgets.build import choice, column
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.reflow import flowing
-from rigapp.presentation.numbers import unit_text
+from rigapp.presentation.numbers import true_minus, unit_text
 from rigapp.presentation.tokens import STEP, Theme
 from rigapp.presentation.translation import Text, tr, translate
 from rigapp.study.folder import StudyColumn, StudyResults
@@ -116,7 +116,6 @@ class StudyPlot(PlotPanel):
         )
         self.plot.name_places("bottom", _names(against.texts))
         self.plot.label("bottom", with_unit(against.name, against.unit))
-        self.plot.label("left", result_title(result))
         self._dots.setData(against.values, result.values)
         first, last = float(against.values.min()), float(against.values.max())
         room = ROOM * (last - first) or 0.5
@@ -138,7 +137,7 @@ def _names(texts: Sequence[str]) -> list[str]:
 
 
 def _short(number: float) -> str:
-    return f"{number:.4g}".replace("-", "\u2212")
+    return true_minus(f"{number:.4g}")
 
 
 def _middle(known: NDArray[np.float64]) -> float:

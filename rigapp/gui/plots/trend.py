@@ -23,7 +23,7 @@ from rigapp.gui.plots.plotting import (
 from rigapp.gui.plots.trendview import FOLLOWED, FREE, LAST, WHOLE, TrendView
 from rigapp.gui.widgets.build import add_group, button, choice, column, row
 from rigapp.gui.widgets.reflow import flowing
-from rigapp.presentation.numbers import grouped
+from rigapp.presentation.numbers import grouped, true_minus, with_uncertainty
 from rigapp.presentation.times import duration
 from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text, marked, tr
@@ -201,7 +201,7 @@ class TrendPanel(PlotPanel):
             line, pen = curve.line, self._pen(curve.line, predicted=curve.predicted)
             table = news.data.predictions if curve.predicted else news.data.rows
             value = self.quantity.scale * self._value(table, line.column)
-            text = f"{line.text} {value:.4g}{self._doubt(table, line)}"
+            text = f"{line.text} {self._written(value, table, line)}"
             if np.isfinite(value):
                 if not (curve.predicted and both):
                     names.append(CurveName(text, pen, value))
@@ -262,11 +262,14 @@ class TrendPanel(PlotPanel):
             return float("nan")
         return table.at(column, place)
 
-    def _doubt(self, table: SeriesTable, line: TrendLine) -> str:
+    def _written(self, value: float, table: SeriesTable, line: TrendLine) -> str:
+        """Return a value with its unit, and its uncertainty or its age where one is known."""
         doubt = self.quantity.scale * self._value(table, line.doubt) if line.doubt else np.nan
-        age_s = self._value(table, line.age) if line.age else float("nan")
+        if np.isfinite(doubt):
+            return true_minus(with_uncertainty(value, doubt, self.quantity.unit))
+        age_s = self._value(table, line.age) if line.age else np.nan
         old = tr(", {} old", duration(age_s)) if np.isfinite(age_s) else ""
-        return f" ± {doubt:.2g}" if np.isfinite(doubt) else old
+        return true_minus(f"{value:.4g} {self.quantity.unit}".rstrip()) + old
 
     def _place_view(self, rows: SeriesTable, predictions: SeriesTable) -> None:
         wanted = self.view.range_of(rows.revolutions if len(rows) else predictions.revolutions)

@@ -45,8 +45,8 @@ Row = tuple[str, TestResult | None]
 """A file, and what is known of it: None before it was read."""
 
 ROW_HEIGHT = 6 * STEP
-TEST_WIDTH = 20 * STEP
-"""Of the title of a test, at least."""
+TEST_WIDTH = 33 * STEP
+"""Of a test, at least: its specimen and the name of its file have room."""
 EXTRA = 4
 READING = "…"
 ASCENDING, DESCENDING = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
@@ -252,7 +252,7 @@ class ResultDelegate(QStyledItemDelegate):
             painter.setFont(font)
             painter.setPen(QColor(colour))
             shown = painter.fontMetrics().elidedText(
-                text, Qt.TextElideMode.ElideRight, int(room.width())
+                text, Qt.TextElideMode.ElideMiddle, int(room.width())
             )
             painter.drawText(QRectF(room.left(), top, room.width(), half), side, shown)
 

@@ -181,7 +181,8 @@ THEME_NAMES: Final[tuple[tuple[Text, str], ...]] = (
 NAME_CHARACTERS = 60
 LATER: Final[Text] = "Language and folder count when the window is opened again."
 TRAINING: Final[Text] = (
-    "Simulated hands do the steps of a calibration, without waiting times. Simulated rig only."
+    "A simulated operator does the steps of a calibration, without waiting times."
+    " Simulated rig only."
 )
 
 

@@ -218,7 +218,7 @@ class PreparePanel(QWidget):
         selected = self.recipe.selected
         if selected is None:
             yield Check(
-                say("Armed test"),
+                say("Selected test"),
                 CheckVerdict.BLOCKS,
                 say("none"),
                 say("Open a test, or save the new one"),

@@ -45,7 +45,7 @@ Called = Callable[..., Any]
 
 
 class GuardedButton(QPushButton):
-    """A button that changes something at the rig: closed while another viewer is in command.
+    """A button that changes something at the rig: closed while another viewer has control.
 
     What the panel wants (``setEnabled``, ``setToolTip``) is kept and comes back afterwards.
     """
@@ -147,7 +147,7 @@ def button(
     checkable: bool = False,
     rank: str = "",
 ) -> QPushButton:
-    """Return a button; guarded: closed while another viewer is in command.
+    """Return a button; guarded: closed while another viewer has control.
 
     rank: primary, dangerous or quiet (see ``look.sheet``), ordinary unless told.
 

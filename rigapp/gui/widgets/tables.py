@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import TypeVar
 
@@ -28,6 +29,8 @@ Mark = tuple[str, str] | None
 
 HEADING_FRAME, WORD_FRAME = 2 * STEP, STEP
 """Around a word of a heading and of a cell, in pixels."""
+LONG_WORD = 20
+"""Characters; shorter ones stay whole, as a date."""
 ROWS_LOOKED_AT = 50
 """First rows of a table whose words are given room."""
 ROW_LINES = 1.5
@@ -57,6 +60,14 @@ def shared(wanted: Mapping[int, int], least: Mapping[int, int], room: int) -> di
         low, cap = (low, middle) if taken > room else (middle, cap)
     cap = low if over else cap
     return {at: max(min(wide, cap), least[at]) for at, wide in wanted.items()}
+
+
+def _unbroken(word: str) -> list[str]:
+    """Return what of a word no line breaks: a long path breaks behind its strokes.
+
+    Behind a hyphen a line breaks before letters only (Unicode line breaking, rule LB25).
+    """
+    return re.split(r"(?<=/)|(?<=-)(?=[^\W\d])", word) if len(word) > LONG_WORD else [word]
 
 
 class PlainTable(QTableWidget):
@@ -174,7 +185,8 @@ class PlainTable(QTableWidget):
         return max(wide, WORD_FRAME + self._widest(cells))
 
     def _widest(self, items: Sequence[QTableWidgetItem | None]) -> int:
-        words = {word for one in items if one is not None for word in one.text().split()}
+        texts = [one.text() for one in items if one is not None]
+        words = {part for text in texts for word in text.split() for part in _unbroken(word)}
         return max(map(self.fontMetrics().horizontalAdvance, words), default=0)
 
     def _new_item(self, row: int, at: int) -> QTableWidgetItem:

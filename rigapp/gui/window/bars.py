@@ -167,8 +167,7 @@ class ReplayBar(QFrame):
         self.play.setIcon(icon(meaning, self._theme.highlighted_text))
 
     def _play(self) -> None:
-        reason = {"reason": "asked by the operator"} if self._playing else {}
-        self.wanted.emit("pause" if self._playing else "resume", reason)
+        self.wanted.emit("pause" if self._playing else "resume", {})
 
     def _play_when(self, playing: bool) -> None:
         if playing is self._playing:
@@ -212,7 +211,7 @@ class StartBar(QFrame):
         self._occupied = ""
         named(self, "start_bar", "Start a test")
         self.setProperty("role", "card")
-        self.test = choice("start_test", "Armed test", ())
+        self.test = choice("start_test", "Selected test", ())
         self.test.activated.connect(self._chosen)
         self.out = edit("start_file", "File that the test is written to")
         self.revolutions = whole_number(
@@ -316,17 +315,17 @@ class StartBar(QFrame):
         if self._occupied:
             return self._occupied
         if selected is None:
-            return tr("No test is armed. Choose a test file, or save the new one in Prepare.")
+            return tr("No test is selected. Choose a test file, or save the new one in Prepare.")
         name = selected.path.name
         if changed:
             return tr("{} is another one on the disk now: {}", name, listed(changed))
         if selected.problem:
             return tr("{} cannot be started: {}.", name, selected.problem)
         if lost:
-            return tr("{} is armed as it is saved. Not part of it: {}", name, listed(lost))
+            return tr("{} starts as it is saved. Not part of it: {}", name, listed(lost))
         if self._recipe.rules.draft is not None:
-            return tr("{} is armed as it is saved. One draft limit is not part of it.", name)
-        return tr("{} is armed as it is saved.", name)
+            return tr("{} starts as it is saved. One draft limit is not part of it.", name)
+        return tr("{} starts as it is saved.", name)
 
     def _chosen(self) -> None:
         if not self.choose(Path(self.test.currentData())):

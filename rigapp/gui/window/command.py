@@ -1,4 +1,4 @@
-"""Who is in command of the rig: seen at a glance, taken and given back with one key."""
+"""Who has control of the rig: seen at a glance, taken and given back with one key."""
 
 from __future__ import annotations
 
@@ -15,27 +15,27 @@ KEY = "F2"
 
 _COMMANDING: dict[CommandHolder, tuple[Text, Text, Text]] = {
     CommandHolder.NOBODY: (
-        "Nobody is in command",
-        "Take command",
-        "Every window may operate the rig. In command, only this one does, apart from stopping"
+        "Nobody has control",
+        "Take control",
+        "Every window may operate the rig. With control, only this one does, apart from stopping"
         " and acknowledging",
     ),
     CommandHolder.THIS: (
-        "You are in command",
-        "Release command",
+        "You have control",
+        "Release control",
         "Let every window operate the rig again",
     ),
     CommandHolder.OTHER: (
-        "{name} is in command",
+        "{name} has control",
         "Take over…",
-        "{name} loses command; it is recorded in the log",
+        "{name} loses control; it is recorded in the log",
     ),
 }
-"""What is told, what the button says and what it does, by who is in command."""
+"""What is told, what the button says and what it does, by who has control."""
 
 
 class CommandLine(QWidget):
-    """One line: who is in command, and a button to take command or give it back."""
+    """One line: who has control, and a button to take control or give it back."""
 
     wanted = Signal(str, dict)
     take_over_wanted = Signal()
@@ -44,8 +44,8 @@ class CommandLine(QWidget):
         super().__init__()
         self._holder: CommandHolder | None = None
         self._name = ""
-        named(self, "command_line", "Who is in command")
-        self.text = named(QLabel(), "command_text", "Who is in command")
+        named(self, "command_line", "Who has control")
+        self.text = named(QLabel(), "command_text", "Who has control")
         self.text.setTextFormat(Qt.TextFormat.PlainText)
         self.button = button("command_button", "", self.act, rank="quiet")
         self.text.setProperty("role", "caption")
@@ -53,7 +53,7 @@ class CommandLine(QWidget):
         self.show_holder(CommandHolder.NOBODY, "")
 
     def show_holder(self, holder: CommandHolder, name: str) -> None:
-        """Show who is in command."""
+        """Show who has control."""
         if (holder, name) == (self._holder, self._name):
             return
         self._holder, self._name = holder, name
@@ -64,7 +64,7 @@ class CommandLine(QWidget):
         self.button.setToolTip(f"{tr(tip, name=name)} ({KEY})")
 
     def act(self) -> None:
-        """Take command, release it, or ask whether it is to be taken over."""
+        """Take control, release it, or ask whether it is to be taken over."""
         if self._holder is CommandHolder.OTHER:
             self.take_over_wanted.emit()
         else:
@@ -73,7 +73,7 @@ class CommandLine(QWidget):
 
 
 class ViewerBar(Bar):
-    """Say in large letters that this window only looks; take command over after a question."""
+    """Say in large letters that this window only looks; take control over after a question."""
 
     wanted = Signal(str, dict)
 
@@ -81,7 +81,7 @@ class ViewerBar(Bar):
         super().__init__("viewer", "Viewing only", "Why this window only looks")
         self._name = ""
         self._asking = False
-        self.confirm = button("viewer_take_over", "", self._take_over, "Take over command")
+        self.confirm = button("viewer_take_over", "", self._take_over, "Take over control")
         self.cancel = button("viewer_cancel", "Go on viewing", self._cancel)
         self.lay_out((self.confirm, self.cancel))
         self.dress(theme)
@@ -91,7 +91,7 @@ class ViewerBar(Bar):
         self.paint(theme.tint, theme.text, "#viewer_text { font-weight: 600; }")
 
     def show_holder(self, holder: CommandHolder, name: str) -> None:
-        """Appear while another viewer is in command."""
+        """Appear while another viewer has control."""
         other = holder is CommandHolder.OTHER
         if not other or name != self._name:
             self._name, self._asking = name, False
@@ -107,18 +107,18 @@ class ViewerBar(Bar):
     def _show(self) -> None:
         name = self._name
         text = tr(
-            "VIEWING ONLY: {name} is in command of this rig. Stopping a test and acknowledging"
+            "VIEWING ONLY: {name} has control of this rig. Stopping a test and acknowledging"
             " alarms are possible all the same.",
             name=name,
         )
         if self._asking:
             text = tr(
-                "Take command from {name}? {name} can then only look; the log records it.",
+                "Take control from {name}? {name} can then only look; the log records it.",
                 name=name,
             )
         self.escape = self._cancel if self._asking else None
         self.say(text)
-        self.confirm.setText(tr("Take command from {name}", name=name))
+        self.confirm.setText(tr("Take control from {name}", name=name))
         self.confirm.setVisible(self._asking)
         self.cancel.setVisible(self._asking)
 
@@ -135,5 +135,5 @@ def why_forbidden(holder: CommandHolder, name: str) -> str:
     """Return why this window may not change anything, empty when it may."""
     if holder is not CommandHolder.OTHER:
         return ""
-    why = tr("{name} is in command of this rig; take command over first", name=name)
+    why = tr("{name} has control of this rig; take over control first", name=name)
     return f"{why} ({KEY})"

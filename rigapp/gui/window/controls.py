@@ -51,7 +51,6 @@ class ButtonSpec:
 STARTABLE = AT_REST
 NOTHING_TURNS = AT_REST | {RunState.CALIBRATING}
 """States in which there is nothing to stop."""
-ASKED = "asked by the operator"
 START_AFTER_CONNECT_S = 60.0  # the slowest device is identified and set within half of it
 IDLE_BEFORE_START_S = 2.0
 """An idle engine is about to connect by itself; when it does not, the start makes it."""
@@ -252,7 +251,9 @@ class ControlRow(QFrame):
     def _show_identity(self, status: Status | None) -> None:
         test, line = identity(status) if status is not None else ("", "")
         if status is not None and status.engine.state not in ACTIVE and self._armed:
-            test = tr("{}, armed", self._armed)  # what Start beside it begins, not what has ended
+            test = tr(
+                "{}, selected", self._armed
+            )  # what Start beside it begins, not what has ended
         self.test.show_text(test)
         self.line.show_text(line)
         # Pressing Start or Go on disables it: the other one may only come when it applies.
@@ -274,12 +275,12 @@ class ControlRow(QFrame):
         arguments: dict[str, Any] = {}
         if verb == "stop" and self._state in NOTHING_TURNS:
             # It is asked for all the same: a test may have begun since the engine spoke.
-            arguments["reason"] = self.text.text().strip() or ASKED
+            arguments["reason"] = self.text.text().strip()
             self._send(verb, arguments, self._stopped_at_rest)
             return
         if verb in ("pause", "stop"):
             reason = self.text.text().strip()
-            arguments["reason"] = reason or ASKED
+            arguments["reason"] = reason
             if reason:
                 self.text.clear()
             else:
@@ -392,7 +393,7 @@ class ControlRow(QFrame):
             partial(self.act, spec.verb),
             spec.spoken,
             tip=f"{tr(spec.tip)} ({spec.key})",
-            # Stopping is for everybody, whoever is in command.
+            # Stopping is for everybody, whoever has control.
             guarded=spec.verb != "stop",
             rank=RANKS.get(spec.verb, ""),
         )

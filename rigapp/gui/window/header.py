@@ -31,6 +31,8 @@ from rigapp.viewer.shown import MARKS, Level
 #
 # In a window too narrow for a sentence the line is as high as its words need.
 
+REFUSAL_S = 20.0
+"""For so long the reason of a refusal has half of the line; later its tool tip has it whole."""
 HEIGHT = 13 * STEP // 2
 """Of the line: ``MESSAGE_LINES`` of text, as many as a cause and its remedy have at 1366 pixels."""
 
@@ -53,6 +55,7 @@ class MessageLine(QFrame):
         self._shares = told = row((telling, 1), (answer, 1), on=self._told)
         told.setContentsMargins(0, 0, 0, 0)
         told.setSpacing(GAP)
+        self._refused_at: float | None = None
         self.give_room(refused=False)
         self._row = row(*((bar, 1) for bar in asking), (self._told, 1), self.clock, on=self)
         self._row.setSpacing(GAP)
@@ -87,11 +90,14 @@ class MessageLine(QFrame):
 
     def give_room(self, *, refused: bool) -> None:
         """Share the line between message and answer: the reason of a refusal has half of it."""
+        self._refused_at = time.monotonic() if refused else None
         for at, share in enumerate((1, 1) if refused else (5, 2)):
             self._shares.setStretch(at, share)
 
     def show_time(self) -> None:
-        """Show the time of day."""
+        """Show the time of day; the room of an old refusal is the message's again."""
+        if self._refused_at is not None and time.monotonic() - self._refused_at > REFUSAL_S:
+            self.give_room(refused=False)
         now = dated("%a %d %b  %H:%M:%S", time.localtime())
         if now != self.clock.text():
             self.clock.setText(now)

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import PurePath
 
-from rigapp.presentation.numbers import grouped
+from rigapp.presentation.numbers import grouped, true_minus
 from rigapp.presentation.states import (
     calibration_text,
     is_resting,
@@ -22,6 +22,7 @@ from rigapp.presentation.translation import Text, marked, tr, translate
 from rigapp.schema.messages import NO_TEST, HowEnded, RunState, Severity, Status
 from rigapp.schema.states import ACTIVE
 from rigapp.viewer.connection import ConnectionState
+from rigapp.viewer.lines import newest_good
 from rigapp.viewer.margins import DEPTH, Margin, nearest_margin, newest_force, overload_limit
 from rigapp.viewer.news import News
 from rigapp.viewer.quantities import LARGEST
@@ -225,7 +226,7 @@ def _wear(status: Status, measured: NewestMeasured) -> TileText:
         if status.engine.state in ACTIVE:
             return TileText("–", "not measured yet", level, "not yet")
         return TileText("–", "no test running", level, "no test")
-    value = f"{measured.wear_um:.1f}"
+    value = true_minus(f"{measured.wear_um:.1f}")
     if math.isfinite(measured.wear_uncertainty_um):
         value += f" ± {measured.wear_uncertainty_um:.1f}"
     return TileText(f"{value} µm", "measured by the probes, k = 2", level, "probes, k = 2")
@@ -250,13 +251,16 @@ def _alarms(status: Status) -> TileText:
     critical = any(alarm.severity is Severity.CRITICAL for alarm in shown)
     first = next((alarm for alarm in shown if alarm.first_out), shown[0])
     count = f"{len(shown)}" if not new else tr("{}, {} new", len(shown), new)
+    if new == len(shown):
+        count = tr("{} new", new)
     return TileText(count, translate(first.title), Level.CRITICAL if critical else Level.WARNING)
 
 
 def measured(news: News) -> NewestMeasured:
     """Return what the newest revolutions of a test say."""
     predictions = news.data.predictions
-    depth, doubt = (1e3 * predictions.last(name) for name in (DEPTH, f"{DEPTH}_uncertainty"))
+    good = newest_good(predictions, news.data.rows)
+    depth, doubt = (1e3 * predictions.at(name, good) for name in (DEPTH, f"{DEPTH}_uncertainty"))
     force, sign = newest_force(news)
     return NewestMeasured(
         force,

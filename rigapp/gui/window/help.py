@@ -38,7 +38,7 @@ KEYS: Final[tuple[tuple[Text, Text], ...]] = (
     (RECOVER_KEY, "Do the next step that the message line or the panel Recover names"),
     ("F11", "Try the simulated rig, from the page Start"),
     ("F1", "Help"),
-    ("F2", "Take command of the rig, or release it"),
+    ("F2", "Take control of the rig, or release it"),
     ("F3", "Calibrate the load cell or the probes, map the pin's run-out"),
     ("F9", "Light or dark"),
     ("Alt+1 … Alt+5", "Go to a place"),

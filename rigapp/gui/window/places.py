@@ -105,7 +105,8 @@ class Rail(QFrame):
             f" QToolButton:focus {{ border: 2px solid {theme.highlight}; }}"
             f" #rail_rig {{ font-size: {CAPTION_PT}pt; font-weight: 600; }}"
             f" #rail_kind {{ color: {theme.secondary}; font-size: {CAPTION_PT - 1.5}pt;"
-            f" font-weight: 600; border: 1px dashed {theme.border}; border-radius: 4px; }}"
+            f" font-weight: 600; border: 1px dashed {theme.border}; border-radius: 4px;"
+            " margin: 0 7px; }"
             f" #rail QPushButton {{ font-size: {CAPTION_PT}pt; color: {theme.secondary};"
             " padding: 0; }",
         )
@@ -121,10 +122,10 @@ class Rail(QFrame):
 
     def show_place(self, place: RailPlace) -> None:
         """Mark the place that is shown; the focus of another one goes along."""
+        if any(one.hasFocus() for one in self.buttons.values()):
+            self.buttons[place].setFocus()
         if not self.buttons[place].isChecked():
             self.buttons[place].setChecked(True)
-            if any(one.hasFocus() for one in self.buttons.values()):
-                self.buttons[place].setFocus()
             self._paint_places()
 
     def offer(self, places: Collection[RailPlace]) -> None:
@@ -135,8 +136,8 @@ class Rail(QFrame):
     def show_rig(self, rig: str, kind: str) -> None:
         """Show the rig's name, and what it is: SIMULATED, REPLAY, or nothing for a real one."""
         for label, text in ((self.rig, rig), (self.kind, kind)):
-            if label.text() != text:
-                label.setText(text)
+            if label.toolTip() != text:
+                label.setText(text.replace("-", "\N{NON-BREAKING HYPHEN}"))
                 label.setToolTip(text)
         if self.kind.isVisibleTo(self) != bool(kind):
             self.kind.setVisible(bool(kind))

@@ -11,7 +11,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Qt, Signal
-from PySide6.QtGui import QKeySequence, QShortcut, QShowEvent
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
 
 from rigapp.gui.look.dress import dress_part
@@ -157,8 +157,6 @@ class Tabs(QTabWidget):
         for place, tab in enumerate(TABS):
             self.addTab(_scrolling(tab), f"{tab.key[-1]} {tr(tab.title)}")
             self.setTabToolTip(place, f"{tr(tab.title)} ({key_text(tab.key)})")
-            shortcut = QShortcut(QKeySequence(tab.key), self)
-            shortcut.activated.connect(partial(self._go_to, place))
         self._offer_tabs()
         self.currentChanged.connect(self._changed)
 

@@ -45,7 +45,7 @@ from rigapp.gui.window.places import PageBar, Rail, RailPlace
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.gui.window.recover import RecoverPanel
 from rigapp.gui.window.side import SideColumn
-from rigapp.gui.window.tabs import Tabs
+from rigapp.gui.window.tabs import TABS, Tabs
 from rigapp.gui.window.watchdog import IDLE_PERIOD_S, PERIOD_S, Watchdog
 from rigapp.presentation.states import occupied_text
 from rigapp.presentation.tokens import GAP, MARGIN, STEP, TIGHT_HEIGHT, TIGHT_WIDTH, Theme
@@ -618,7 +618,8 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         self.rail.chosen.connect(self.tabs.show_place)
         self.page_bar.chosen.connect(self.tabs.setCurrentIndex)
-        for chosen in (self.rail.chosen, self.page_bar.chosen, self.tabs.currentChanged):
+        turned = (self.rail.chosen, self.page_bar.chosen, self.tabs.currentChanged)
+        for chosen in (*turned, self.start_bar.started):
             chosen.connect(self.guide.leave)
         for chosen in (self.rail.chosen, self.page_bar.chosen):
             chosen.connect(self._pass_by)
@@ -658,8 +659,15 @@ class MainWindow(QMainWindow):
             ("F3", self.guide.open),
         ):
             QShortcut(QKeySequence(key), self, call)
+        for number, tab in enumerate(TABS):
+            QShortcut(QKeySequence(tab.key), self, partial(self._choose_page, number))
         # On the bar of commands, which a replay has not: there F7 plays.
         QShortcut(QKeySequence(ACKNOWLEDGE_KEY), self.controls, self._acknowledge)
+
+    def _choose_page(self, number: int) -> None:
+        """Go to a page by its key, also from a guide or the way out of a fault in its place."""
+        if self.tabs.isTabVisible(number):
+            self.page_bar.chosen.emit(number)
 
     def _acknowledge(self) -> None:
         """Acknowledge the alarm that is told in full; go where it is told if it is not seen."""

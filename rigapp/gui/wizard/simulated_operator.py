@@ -1,4 +1,4 @@
-"""Simulated hands: on a simulated rig a calibration can be practised, mistakes included."""
+"""Simulated operator: on a simulated rig a calibration can be practised, mistakes included."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ class HandsPanel(QFrame):
         """Take the calibration; name: of the widgets; do: what the button says."""
         super().__init__()
         self._live = live
-        named(self, name, "Simulated hands").setProperty("role", "card")
-        title = QLabel(tr("Simulated hands"))
+        named(self, name, "Simulated operator").setProperty("role", "card")
+        title = QLabel(tr("Simulated operator"))
         title.setProperty("role", "title")
-        title.setToolTip(tr("Practice: no waiting times"))
-        spoken: Text = "Let the simulated hands do this step"
+        title.setToolTip(tr("Training mode: no waiting times"))
+        spoken: Text = "Let the simulated operator do this step"
         self.do = button(f"{name}_do", do, live.lend_a_hand, spoken)
         all_steps: Text = "Do and record all further steps"
         self.ahead = button(f"{name}_ahead", "Go a&head", self._ahead, all_steps, checkable=True)
         mistakes = live.practice.mistakes
         self.mistake = choice(
             f"{name}_mistake",
-            "Mistake to practise",
+            "Mistake to simulate",
             ((str(one), one) for one in mistakes),
             lambda _: live.plant(mistakes(self.mistake.currentData())),
         )
