@@ -33,11 +33,8 @@ KINDS: Mapping[type[msgspec.Struct], str] = {
     RigFile: say("rig file"),
     TestFile: say("test file"),
     ParameterFile: say("parameter file"),
-    NotifyFile: say("file of notifications"),
-    OperatorsFile: say("file of operators"),
-    ReportFile: say("file of report settings"),
 }
-"""What the files are called that are told from one another by their tables."""
+"""What the files are called that people give together, and that their tables tell apart."""
 
 Record = TypeVar("Record", bound=msgspec.Struct)
 

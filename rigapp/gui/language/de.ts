@@ -10490,18 +10490,6 @@ Versuchs</translation>
         <translation>Datei</translation>
     </message>
     <message>
-        <source>file of notifications</source>
-        <translation>Datei der Meldungen</translation>
-    </message>
-    <message>
-        <source>file of operators</source>
-        <translation>Datei der Bediener</translation>
-    </message>
-    <message>
-        <source>file of report settings</source>
-        <translation>Datei der Berichtseinstellungen</translation>
-    </message>
-    <message>
         <source>find, e.g. cable, spikes, daq</source>
         <translation>suchen, z. B. cable, spikes, daq</translation>
     </message>
