@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from patience import PATIENCE_MS
 
-from rigapp.gui.window.window import IDLE, IN_TEST
+from rigapp.gui.window.rhythm import IDLE, IN_TEST
 from rigapp.schema.messages import Reply, RunState
 from rigapp.viewer.connection import (
     FIRST_SNAPSHOT_S,
@@ -207,5 +207,5 @@ def test_the_window_looks_often_during_a_test_and_seldom_without_one(
     for state, rhythm in ((RunState.RUNNING, IN_TEST), (RunState.READY, IDLE)):
         engine.say(count=3, state=state)
         attach()
-        assert window.rhythm == rhythm
-        assert window._timer.interval() == rhythm.look_ms
+        assert window.pulse.rhythm == rhythm
+        assert window.pulse.look.interval() == rhythm.look_ms

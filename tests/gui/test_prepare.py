@@ -353,7 +353,7 @@ def test_too_little_room_and_a_missing_folder_block(tmp_path: Path) -> None:
     assert any(check.name == "Engine" and check.verdict is CheckVerdict.BLOCKS for check in full)
 
 
-def test_the_list_follows_armed_test_and_engine(
+def test_the_list_follows_selected_test_and_engine(
     qtbot: Any, qapp: Any, tmp_path: Path, make_status: Any
 ) -> None:
     worker = TaskWorker("test-files")
@@ -369,7 +369,7 @@ def test_the_list_follows_armed_test_and_engine(
     qtbot.waitUntil(lambda: "Disk" in shown(), timeout=PATIENCE_MS)
     assert "good" in shown()["Disk"]
     type_into(panel.recipe, "run.revolutions", "x")
-    assert shown()["Form"] == "attention"  # what is typed is not part of the armed test
+    assert shown()["Form"] == "attention"  # what is typed is not part of the selected test
     assert shown()["Test"] == "good"
     panel.recipe.begin({"schema": 1})
     assert shown()["Selected test"] == "blocks"

@@ -179,15 +179,15 @@ def test_a_start_means_the_file_and_shows_what_differs(
     recipe.open_file(path)
     engine.say(count=0, curves=False, state=RunState.READY, file="", test="")
     attach()
-    assert window.controls.test.whole == "mine.toml, armed"
+    assert window.controls.test.whole == "mine.toml, selected"
     engine.say(count=0, curves=False, state=RunState.STOPPED, file="", test="The one before")
     attach()
-    assert window.controls.test.whole == "mine.toml, armed"
+    assert window.controls.test.whole == "mine.toml, selected"
     engine.say(count=0, curves=False, state=RunState.READY, file="", test="")
     attach()
     type_into(recipe, "run.speed_rpm", "45")
     window.controls.buttons["start"].click()
-    assert "mine.toml is armed as it is saved" in card.told.text()
+    assert "mine.toml starts as it is saved" in card.told.text()
     assert "run.speed_rpm: 60 → 45" in card.told.text()
     path.write_text(path.read_text("utf-8").replace("= 500", "= 700", 1), "utf-8")
     card.go.click()

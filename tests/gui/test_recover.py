@@ -170,7 +170,7 @@ def test_a_pulled_cable_is_recovered_from_by_the_panel_and_the_test_completed(
 def pull_cable(hands: Any) -> None:
     """Choose the fault in its tab and cause it."""
     faults, tabs = hands.window.tabs.panels["faults"], hands.window.tabs
-    tabs.setCurrentIndex(tabs.count() - 1)
+    tabs.show_page("faults")
     faults.search.setText("daq cable pull")
     hands.see(lambda: faults.list.rowCount() == 1)
     faults.duration.clear()

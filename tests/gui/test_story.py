@@ -69,7 +69,7 @@ def display(tmp_path: Path) -> Iterator[dict[str, str]]:
         process.wait(timeout=PATIENCE_S)
 
 
-def test_start_note_pause_resume_acknowledge_stop_without_a_mouse(
+def test_start_note_pause_resume_acknowledge_stop_power_off_without_a_mouse(
     display: dict[str, str], tmp_path: Path
 ) -> None:
     heard = tmp_path / "requests"
@@ -118,11 +118,12 @@ def test_start_note_pause_resume_acknowledge_stop_without_a_mouse(
         tool("type", "--delay", "20", "oil added")
         assert hear("note", "Return")["text"] == "oil added"
         assert hear("acknowledge", "alt+k") == {"key": "force_max_high"}
-        assert hear("pause", "alt+p")["reason"]
+        assert hear("pause", "alt+p") == {"reason": ""}
         assert hear("resume", "alt+r") == {}
         tool("key", "F8")
         tool("type", "--delay", "20", "trial over")
         assert hear("stop", "alt+t") == {"reason": "trial over"}
+        assert hear("drive_off", "ctrl+6", "alt+e") == {}
         wait_for(lambda: tool("key", "alt+F4") or app.poll() is not None, "the end", 90.0)
         assert app.wait() == 0
     finally:

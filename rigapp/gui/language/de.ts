@@ -7080,7 +7080,7 @@ ab {}</translation>
         <translation>Diagramme</translation>
     </message>
     <message>
-        <source>Po&amp;wer off</source>
+        <source>Pow&amp;er off</source>
         <translation>&amp;Leistung aus</translation>
     </message>
     <message>

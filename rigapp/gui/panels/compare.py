@@ -12,7 +12,8 @@ import numpy as np
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName, Spot
 from rigapp.gui.plots.palette import LinePen
-from rigapp.gui.plots.plotting import PlotPanel, QuietPlot
+from rigapp.gui.plots.plotpanel import PlotPanel
+from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import add_group, choice, choose, column, searched
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.reflow import flowing

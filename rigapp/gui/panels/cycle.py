@@ -21,7 +21,8 @@ from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.palette import MODEL, LinePen
-from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, detail, plot_heading
+from rigapp.gui.plots.plotpanel import NO_REVOLUTION, PlotPanel, detail, plot_heading
+from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import button, choice, column, named, page, split, whole_number
 from rigapp.gui.widgets.reflow import FoldingSplitter, flowing
 from rigapp.presentation.numbers import true_minus, unit_text

@@ -244,7 +244,7 @@ class DevicePanel(QWidget):
         )
         self.off = button(
             "power_off",
-            "Po&wer off",
+            "Pow&er off",
             lambda: self.wanted.emit("drive_off", {}),
             "Power off the drive",
             tip="Take the power off the motor at once; a test under way ends. This is not the"

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QHideEvent, QKeySequence, QShortcut, QShowEvent
+from PySide6.QtGui import QHideEvent, QKeySequence, QResizeEvent, QShortcut, QShowEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 from rigapp.gui.panel import Act, Host
@@ -49,6 +49,8 @@ SETTLED_MS = 300
 CARD_WIDTH = 42 * STEP
 BESIDE_FROM, LIST_HEIGHT, CARD_HEIGHT = 112 * STEP, 44 * STEP, 60 * STEP
 """Width of list and card beside each other; height of each below the other."""
+BOTH_HEIGHT = 70 * STEP
+"""Of list and comparison below each other; in a lower page the list folds."""
 NO_CHOICE: Final[Text] = "Choose a test: what it came to stands here."
 
 
@@ -166,6 +168,7 @@ class ResultsPanel(QWidget):
         column(acts, more, self.card, card, None, on=inside, spacing=GAP)
         area = named(QScrollArea(), "result_side", "The chosen test")
         area.setWidgetResizable(True)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # it scrolls to what has the focus
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setWidget(inside)
@@ -281,10 +284,22 @@ class ResultsPanel(QWidget):
 
     def _draw(self, paths: list[str]) -> None:
         self._compared.show()
+        self._fold()
         self.compare.load([Path(path) for path in paths])
 
     def _close_comparison(self) -> None:
         self._compared.hide()
+        self._fold()
+
+    def _fold(self) -> None:
+        """Leave a low page to the comparison, whose curves have the names of their tests."""
+        low = self._parts.folded or self.height() < BOTH_HEIGHT
+        self.table.setHidden(low and not self._compared.isHidden())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show list and comparison where there is room for both."""
+        super().resizeEvent(event)
+        self._fold()
 
     def _trip(self) -> None:
         self.trip_wanted.emit(self.chosen()[0].path)

@@ -20,7 +20,8 @@ from rigapp.gui.plots.knownwear import DepthBandPanel, ForecastPanel, NarrowingP
 from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.palette import MODEL, LinePen
-from rigapp.gui.plots.plotting import PlotPanel, QuietPlot, plot_heading, remark
+from rigapp.gui.plots.plotpanel import PlotPanel, plot_heading, remark
+from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.trendview import TrendView
 from rigapp.gui.widgets.build import column, named, prose, split

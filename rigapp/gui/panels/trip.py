@@ -17,7 +17,8 @@ from rigapp.gui.panel import Host
 from rigapp.gui.plots.curves import Trace
 from rigapp.gui.plots.marks import CurveName, Spot
 from rigapp.gui.plots.palette import LinePen
-from rigapp.gui.plots.plotting import NameRoom, PlotPanel, QuietPlot, detail, plot_heading
+from rigapp.gui.plots.plotpanel import PlotPanel, detail, plot_heading
+from rigapp.gui.plots.plotting import NameRoom, QuietPlot
 from rigapp.gui.widgets.build import column, named, page, prose, row
 from rigapp.gui.widgets.labels import heading
 from rigapp.gui.widgets.reflow import FoldingSplitter

@@ -13,14 +13,8 @@ from rigapp.gui.look.fonts import sized
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName, limit_lines
 from rigapp.gui.plots.palette import LinePen
-from rigapp.gui.plots.plotting import (
-    NO_REVOLUTION,
-    PlotPanel,
-    QuietPlot,
-    detail,
-    plot_heading,
-    remark,
-)
+from rigapp.gui.plots.plotpanel import NO_REVOLUTION, PlotPanel, detail, plot_heading, remark
+from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import button, column, prose, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.presentation.numbers import COEFFICIENT_SCALE, COEFFICIENT_UNIT, grouped

@@ -12,13 +12,8 @@ from PySide6.QtGui import QKeyEvent
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName, Spot, alarm_token, limit_lines
 from rigapp.gui.plots.palette import MODEL, STALE_CURVE, LinePen
-from rigapp.gui.plots.plotting import (
-    CursorPlot,
-    NameRoom,
-    PlotPanel,
-    detail,
-    plot_heading,
-)
+from rigapp.gui.plots.plotpanel import PlotPanel, detail, plot_heading
+from rigapp.gui.plots.plotting import CursorPlot, NameRoom
 from rigapp.gui.widgets.build import button, choice, column
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.presentation.numbers import grouped

@@ -5,26 +5,22 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from typing import Any, Final
-from weakref import ref
+from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QPoint, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
-    QFont,
     QFontMetrics,
     QKeyEvent,
-    QMouseEvent,
     QPainter,
     QResizeEvent,
-    QShowEvent,
 )
-from PySide6.QtWidgets import QLabel, QRubberBand, QWidget
+from PySide6.QtWidgets import QLabel
 
-from rigapp.gui.look.fonts import sized
 from rigapp.gui.plots.axes import QuietAxis
 from rigapp.gui.plots.curves import Canvas, Dots, ShadedBand, Trace
+from rigapp.gui.plots.handled import HandledPlot
 from rigapp.gui.plots.marks import (
     Marks,
     PlotFrame,
@@ -43,22 +39,17 @@ from rigapp.gui.plots.marks import (
 )
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.readings import (
-    LARGE_STEP,
-    SMALL_STEP,
-    CursorPair,
     ItemPoints,
     NamedCurve,
     PlottedCurve,
     named_curves,
     readout,
 )
-from rigapp.gui.widgets.build import named, prose
-from rigapp.gui.widgets.labels import ShortLabel
+from rigapp.gui.widgets.build import named
 from rigapp.presentation.numbers import grouped
-from rigapp.presentation.tokens import BODY_PT, GAP, STEP, Theme
+from rigapp.presentation.tokens import GAP, STEP, Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp.viewer.ranges import SteadyRange
-from rigapp.viewer.series import LiveData
 
 LEAST_HEIGHT = 20 * STEP
 """Of what is shown as a plot, with its axis: a page too low for it scrolls."""
@@ -95,11 +86,7 @@ class NameRoom:
                 one.give_room()
 
 
-DRAG = 12
-"""Pixels that a rectangle has at least either way: less is a click with an unsteady hand."""
-
-
-class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
+class QuietPlot(HandledPlot):
     """A plot without buttons, automatic ranges or a legend; ``show_marks`` does the rest.
 
     A rectangle drawn with the mouse is shown larger, moved by the middle button, until Backspace or
@@ -147,50 +134,13 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         view = self.getViewBox()
         for moved in (view.sigRangeChanged, view.sigResized, view.geometryChanged):
             moved.connect(self._repaint)
-        self._home: dict[str, tuple[float, float]] = {}
-        self._movable = (False, False)
-        self._pressed: QPoint | None = None
-        self.cursors = CursorPair()
         self._across = ""
-        self._frame_drawn = QRubberBand(QRubberBand.Shape.Rectangle, self)
         self.give_room()
         self.dress(theme)
 
     def sizeHint(self) -> QSize:
         """Want no more than the least: a page then scrolls only where that has no room."""
         return QSize(self.minimumWidth(), self.minimumHeight())
-
-    @property
-    def zoomed(self) -> bool:
-        """Tell whether a part is shown larger."""
-        return bool(self._home)
-
-    def show_range(self, side: str, low: float, high: float, padding: float = 0.0) -> None:
-        """Show values from low to high on an axis, "x" or "y"; once nobody looks closer."""
-        if side in self._home:
-            self._home[side] = (low, high)
-        else:
-            (self.setXRange if side == "x" else self.setYRange)(low, high, padding=padding)
-
-    def zoom(self, x: tuple[float, float], y: tuple[float, float]) -> None:
-        """Show a part larger, until ``zoom_back``."""
-        if not self._home:
-            across, up = self.getViewBox().viewRange()
-            self._home = {"x": tuple(across), "y": tuple(up)}
-            self._movable = tuple(self.getViewBox().state["mouseEnabled"])
-            self.setMouseEnabled(x=True, y=True)
-        self.setXRange(*x, padding=0.0)
-        self.setYRange(*y, padding=0.0)
-        self._repaint()
-
-    def zoom_back(self) -> None:
-        """Show what is shown when nobody looks closer."""
-        home, self._home = self._home, {}
-        if home:
-            self.setMouseEnabled(*self._movable)
-        for side, (low, high) in home.items():
-            self.show_range(side, low, high)
-        self._repaint()
 
     def captions(self) -> tuple[str, str]:
         """Return what stands along the axes; for the vertical one what the plot is, without it."""
@@ -208,14 +158,6 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         """Yield the curves that are drawn, each with its name."""
         return named_curves(self.drawn(), self._marks.names)
 
-    def show_cursors(self, *, both: bool = True) -> None:
-        """Put both cursors down where they can be seen, or take them away."""
-        if both:
-            self.cursors.show(*self.viewRange()[0])
-        else:
-            self.cursors.clear()
-        self._read_cursors()
-
     def _read_cursors(self) -> None:
         """Say what is read at the cursors, to eyes and to a screen reader."""
         rows = self.cursor_readout() if self.cursors.places else []
@@ -226,72 +168,6 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
     def cursor_readout(self) -> list[list[str]]:
         """Return the table of what is read at the cursors."""
         return readout(self.cursors, self.captions()[0] or self._across, self.curves())
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Move the two cursors, show all again by Backspace; the rest is the plot's own."""
-        if self._cursor_key(event):
-            self._read_cursors()
-        elif event.key() == Qt.Key.Key_Backspace and self.zoomed:
-            self.zoom_back()
-        elif not self.own_key(event):
-            super().keyPressEvent(event)
-
-    def own_key(self, event: QKeyEvent) -> bool:
-        """Do what a key does on this plot alone; return whether it does something."""
-        return False
-
-    def _cursor_key(self, event: QKeyEvent) -> bool:
-        """Do what a key does with the two cursors, the same on every plot."""
-        key, held, pair = Qt.Key(event.key()), event.modifiers(), self.cursors
-        low, high = self.viewRange()[0]
-        sign = {Qt.Key.Key_Left: -1.0, Qt.Key.Key_Right: 1.0}.get(key)
-        if key in (Qt.Key.Key_1, Qt.Key.Key_2) and not held:
-            pair.choose(int(key == Qt.Key.Key_2), low, high)
-        elif sign and pair.places and held & Qt.KeyboardModifier.ControlModifier:
-            large = held & Qt.KeyboardModifier.ShiftModifier
-            pair.move(sign * (high - low) * (LARGE_STEP if large else SMALL_STEP))
-        elif key == Qt.Key.Key_Escape and pair.places:
-            pair.clear()
-        else:
-            return False
-        return True
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Begin a rectangle, or a click; with Shift put down a cursor."""
-        shift = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
-        if event.button() == Qt.MouseButton.LeftButton and shift and not self.instead:
-            at = self.getViewBox().mapSceneToView(self.mapToScene(event.position().toPoint()))
-            self.cursors.put(at.x())
-            self._read_cursors()
-            self.setFocus(Qt.FocusReason.MouseFocusReason)
-            event.accept()
-            return
-        if event.button() == Qt.MouseButton.LeftButton and not self.instead:
-            self._pressed = event.position().toPoint()
-        super().mousePressEvent(event)
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Draw the rectangle."""
-        if self._pressed is None:
-            super().mouseMoveEvent(event)
-            return
-        drawn = QRect(self._pressed, event.position().toPoint()).normalized()
-        self._frame_drawn.setGeometry(drawn)
-        self._frame_drawn.setVisible(min(drawn.width(), drawn.height()) >= DRAG)
-
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Show what is in the rectangle; one too small for that was a click."""
-        self._pressed = None
-        if self._frame_drawn.isVisible():
-            self._frame_drawn.hide()
-            self.scene().clickEvents.clear()  # else the next click were where this rectangle began
-            area = self._frame_drawn.geometry()
-            corners = [self.mapToScene(one) for one in (area.topLeft(), area.bottomRight())]
-            first, last = (self.getViewBox().mapSceneToView(one) for one in corners)
-            self.zoom((first.x(), last.x()), (last.y(), first.y()))
-            event.accept()
-            return
-        super().mouseReleaseEvent(event)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme: background, axes, every curve and line."""
@@ -438,8 +314,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
 
     def _repaint(self, *_: object) -> None:
         self._placed = None
-        self.resetCachedContent()
-        self.viewport().update()
+        super()._repaint()
 
     def _frame(self) -> PlotFrame:
         if self._placed is None:
@@ -532,73 +407,3 @@ class CursorPlot(QuietPlot):
         view = self.getViewBox()
         if view.sceneBoundingRect().contains(event.scenePos()):
             self._pointed(float(view.mapSceneToView(event.scenePos()).x()))
-
-
-NO_REVOLUTION: Final[Text] = "No revolution measured yet"
-"""The beginning of the sentence of a plot that waits for the first one."""
-
-
-class PlotPanel(QWidget):
-    """A panel of plots: in a new theme every plot on it is drawn anew.
-
-    The data that is drawn is held weakly: a panel that nobody looks at keeps no test that is over.
-    """
-
-    def __init__(self, name: str, spoken: Text) -> None:
-        super().__init__()
-        self._data: ref[LiveData] | None = None
-        named(self, name, spoken, role="card")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self.setContentsMargins(GAP, STEP, GAP, STEP)
-
-    def dress(self, theme: Theme) -> None:
-        """Take a theme."""
-        for plot in self.findChildren(QuietPlot):
-            plot.dress(theme)
-
-    def minimumSizeHint(self) -> QSize:
-        """Return what it needs at its width: a splitter does not ask how its texts wrap."""
-        least, layout = super().minimumSizeHint(), self.layout()
-        if layout is not None and layout.hasHeightForWidth():
-            least.setHeight(max(least.height(), layout.totalMinimumHeightForWidth(self.width())))
-        return least
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Take note that texts wrap otherwise now."""
-        super().resizeEvent(event)
-        if event.size().width() != event.oldSize().width():
-            self.updateGeometry()
-
-    def take_data(self, data: LiveData) -> bool:
-        """Take the data that is drawn from now on; return whether it is other than before."""
-        other = self._data is None or data is not self._data()
-        if other:
-            self._data = ref(data)
-        return other
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Show nothing of a test that is over: what is new is drawn in a turn of its own."""
-        if self._data is not None and self._data() is None:
-            for plot in self.findChildren(QuietPlot):
-                plot.empty(NO_REVOLUTION)
-        super().showEvent(event)
-
-
-def plot_heading(text: Text) -> QLabel:
-    """Return the title of a card, or of a part of it."""
-    made = QLabel(tr(text))
-    made.setFont(sized(made.font(), BODY_PT, QFont.Weight.DemiBold))
-    return made
-
-
-def remark(name: str, spoken: Text) -> QLabel:
-    """Return what is said in a few words below a title; it wraps."""
-    return prose(name, spoken, role="caption")
-
-
-def detail(name: str, spoken: Text) -> ShortLabel:
-    """Return what stands beside a title: unit, revolution; its short text has always room."""
-    made = ShortLabel(name, spoken)
-    made.setProperty("role", "secondary")
-    made.setContentsMargins(STEP // 2, 0, STEP // 2, 0)
-    return made

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from PySide6.QtWidgets import QComboBox
 
 from rigapp.gui.plots.palette import LinePen
-from rigapp.gui.plots.plotting import PlotPanel, QuietPlot
+from rigapp.gui.plots.plotpanel import PlotPanel
+from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import choice, column
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.reflow import flowing

@@ -12,14 +12,8 @@ from PySide6.QtWidgets import QPushButton
 from rigapp.gui.plots.curves import ShadedBand, Trace
 from rigapp.gui.plots.marks import CurveName, Spot, alarm_token, limit_lines
 from rigapp.gui.plots.palette import MODEL, LinePen
-from rigapp.gui.plots.plotting import (
-    NO_REVOLUTION,
-    CursorPlot,
-    NameRoom,
-    PlotPanel,
-    Pointed,
-    detail,
-)
+from rigapp.gui.plots.plotpanel import NO_REVOLUTION, PlotPanel, detail
+from rigapp.gui.plots.plotting import CursorPlot, NameRoom, Pointed
 from rigapp.gui.plots.trendview import FOLLOWED, FREE, LAST, WHOLE, TrendView
 from rigapp.gui.widgets.build import add_group, button, choice, column, row
 from rigapp.gui.widgets.reflow import flowing

@@ -28,6 +28,8 @@ class WrappingRow(QLayout):
         self._items: list[QLayoutItem] = []
         self._stretching: set[QWidget] = set()
         self._tall = 0
+        # Asked for hundreds of times while a page is laid out; as Qt's own layouts keep it.
+        self._heights: dict[int, int] = {}
         self.setContentsMargins(QMargins())
         self.setSpacing(GAP)
 
@@ -65,10 +67,18 @@ class WrappingRow(QLayout):
 
     def heightForWidth(self, width: int) -> int:
         """Return the height of all lines at a width, in pixels."""
-        around = self.contentsMargins()
-        lines = self._lines(width - around.left() - around.right())
-        gaps = self.spacing() * max(len(lines) - 1, 0)
-        return sum(map(_height, lines)) + gaps + around.top() + around.bottom()
+        if width not in self._heights:
+            around = self.contentsMargins()
+            lines = self._lines(width - around.left() - around.right())
+            gaps = self.spacing() * max(len(lines) - 1, 0)
+            high = sum(map(_height, lines)) + gaps + around.top() + around.bottom()
+            self._heights[width] = high
+        return self._heights[width]
+
+    def invalidate(self) -> None:
+        """Forget the heights: something in it has another size."""
+        self._heights.clear()
+        super().invalidate()
 
     def sizeHint(self) -> QSize:
         """Return the size of a single line."""

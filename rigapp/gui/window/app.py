@@ -78,11 +78,12 @@ def main(
         again=["gui", "--rig", str(rig)] if rig else ["replay", str(rig_path)],
     )
     window.setWindowTitle(f"{PROGRAM} – {rig_path.stem}")
+    if start_test is not None:
+        window.start_when_idle(start_test)
+    window.show_first_page()
     window.show()
     QTimer.singleShot(0, window.start)
     QTimer.singleShot(LOADED_MS, window, end_of_loading)
-    if start_test is not None:
-        window.start_when_idle(start_test)
     with termination_signals() as signals:
         look = QTimer(window)
         look.timeout.connect(lambda: _end_on_signal(signals, window, application))

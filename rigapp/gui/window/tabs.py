@@ -260,9 +260,9 @@ class Tabs(QTabWidget):
 
     def take_selected(self) -> None:
         """Show the own page of the test file that is open, while no test brings one along."""
-        selected = self.prepare.recipe.selected
         if "own" not in self.panels:
             return
+        selected = self.prepare.recipe.selected
         if selected is not None and selected.test is not None and self._news.recipe is None:
             self.own.take_view(selected.test.view)
 

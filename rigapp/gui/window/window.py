@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, QSettings, QTimer
+from PySide6.QtCore import QEvent, QObject, QSettings
 from PySide6.QtGui import (
     QCloseEvent,
     QGuiApplication,
@@ -17,7 +16,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QApplication,
-    QGridLayout,
     QMainWindow,
     QPushButton,
     QWidget,
@@ -44,11 +42,13 @@ from rigapp.gui.window.pagestack import PageStack
 from rigapp.gui.window.places import PageBar, Rail, RailPlace
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.gui.window.recover import RecoverPanel
+from rigapp.gui.window.rhythm import FAST_EVERY, IDLE, IN_TEST, SLOW_EVERY, STATE_EVERY, Pulse
+from rigapp.gui.window.room import BESIDE, PageRoom
 from rigapp.gui.window.side import SideColumn
 from rigapp.gui.window.tabs import TABS, Tabs
-from rigapp.gui.window.watchdog import IDLE_PERIOD_S, PERIOD_S, Watchdog
+from rigapp.gui.window.watchdog import Watchdog
 from rigapp.presentation.states import occupied_text
-from rigapp.presentation.tokens import GAP, MARGIN, STEP, TIGHT_HEIGHT, TIGHT_WIDTH, Theme
+from rigapp.presentation.tokens import MARGIN, STEP, Theme
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.messages import NO_TEST, RunState, Snapshot
 from rigapp.schema.states import ACTIVE
@@ -57,28 +57,6 @@ from rigapp.viewer.knownwear import WearReader
 from rigapp.viewer.news import News
 from rigapp.viewer.showntest import ShownTest
 from rigapp.viewer.tasks import TaskWorker
-
-
-@dataclass(frozen=True, slots=True)
-class Rhythm:
-    """How often something is done: looks for news, parts of a slow drawing, beats for stalls."""
-
-    look_ms: int
-    part_ms: int
-    beat_s: float
-
-
-IN_TEST = Rhythm(10, 25, PERIOD_S)
-"""A revolution shall be on the screen 70 ms after its end."""
-
-IDLE = Rhythm(250, 100, IDLE_PERIOD_S)
-"""A window that waits shall cost next to nothing."""
-
-STATE_EVERY = 10
-"""Looks between two at the state bar when there are no news: its ages grow all the same."""
-
-FAST_EVERY = 4
-"""Parts of a slow drawing between two looks at the newest revolution, for what was chosen there."""
 
 ACKNOWLEDGE_KEY = "F7"
 
@@ -90,20 +68,8 @@ WINDOW = (1440, 900)
 LEAST = (640, 360)
 """Of the window: a screen of 1366 x 768 at 200 %, with the frame around it."""
 
-BESIDE = frozenset({RailPlace.WATCH, RailPlace.RIG})
-"""Places with newest values and the way out of a fault beside them; the others need the width."""
-
-NARROW_WIDTH = 800
-"""A window less wide shows the way out of a fault in the place of the pages."""
-
-BESIDE_PAGES, OF_PAGES = (0, 1, 2, 1), (1, 0, 1, 1)
-"""Row, column and how many of each, of the side column beside the pages and in their place."""
-
 FRAME_HEIGHT = 40
 """Room for the frame that the window manager puts around a window."""
-
-SLOW_EVERY = 20
-"""Parts in which trends and tables are drawn in turns: in a test each of them twice a second."""
 
 
 class MainWindow(QMainWindow):
@@ -132,14 +98,13 @@ class MainWindow(QMainWindow):
         # What is known of the wear takes seconds: files are not read behind it.
         self._identifier = TaskWorker("gui-wear", bound=4)
         self._looks = 0
-        self.rhythm: Rhythm | None = None
         self._part = 0
         self._help: HelpWindow | None = None
+        self._start_bar: StartBar | None = None
         self._start_wanted: Path | None = None
         self._closing = ""
         self._discard = False
-        self._tight = self._narrow = self._passed_by = False
-        self._rig_file = rig
+        self._rig_file, self._tests, self._results_folder = rig, tuple(tests), results_folder
         self.theme = theme
         self.watchdog = Watchdog(self)
         named(self, "main_window", "Rig control").setWindowTitle(PROGRAM)
@@ -176,36 +141,69 @@ class MainWindow(QMainWindow):
             files=(rig, results_folder),
             theme=lambda: self.theme,
         )
-        self.start_bar = StartBar(self.tabs.prepare.recipe, tests, results_folder)
         self.side = SideColumn(theme, self.recover)
         self.tabs.panels["side"] = self.side
         self.rail = Rail(theme, self.show_help)
         bars = (self.viewer_bar, self.close_bar, self.guide.end_bar, self.notice)
         self.messages = MessageLine(bars, self.controls.answer_place, theme)
-        if rig is not None:
-            self.tabs.prepare.set_rig(rig)
-        if tests:
-            self.tabs.prepare.recipe.open_file(tests[0])
         self._build()
         self.dressing = ChunkedTask(self)
         for call in self._dress_calls():
             call()
         self._connect()
-        self._timer, self._part_timer = QTimer(self), QTimer(self)
-        self._timer.timeout.connect(self._look)
-        self._part_timer.timeout.connect(self._draw_part)
-        self._keep(IN_TEST)
+        self.pulse = Pulse(self._look, self._draw_part, self.watchdog, self)
         self._restore_layout()
 
-    def start(self) -> None:
-        """Begin to pull; called when the window is on the screen."""
+    def show_first_page(self) -> None:
+        """Go to the page that a start begins with: before the window is shown no other is made."""
         if not self._rig_file:  # a recorded test, whatever page was seen last
             self.tabs.show_page("overview")
         elif self.tabs.place is RailPlace.WATCH and self._start_wanted is None:
             self.tabs.show_page("start")
-        self._timer.start()
-        self._part_timer.start()
-        self.watchdog.start()
+
+    @property
+    def start_bar(self) -> StartBar:
+        """Return the card of a start, made when it is first wanted, as the page of its test."""
+        if self._start_bar is not None:
+            return self._start_bar
+        made = self._start_bar = StartBar(
+            self.tabs.prepare.recipe, self._tests, self._results_folder
+        )
+        made.setParent(self.body)
+        made.installEventFilter(self)
+        made.started.connect(self.guide.leave)
+        made.started.connect(self.controls.start_test)
+        dress_part(made, self.theme)
+        self._forbid_buttons(made)
+        self._show_occupied()
+        return made
+
+    def _show_occupied(self) -> None:
+        """Say on the card of a start that a calibration occupies the rig."""
+        status = self._connection.status
+        if self._start_bar is not None and status is not None:
+            found = status.engine.calibration
+            self._start_bar.show_occupied(occupied_text(status) if found is not None else "")
+
+    def _take_page(self, area: QWidget) -> None:
+        """Take a page that was made: the test file is opened in the form when that is there."""
+        self._forbid_buttons(area)
+        if area.objectName() != "page_prepare":
+            return
+        recipe = self.tabs.prepare.recipe
+        if self._rig_file is not None:
+            self.tabs.prepare.set_rig(self._rig_file)
+        if self._tests:
+            recipe.open_file(self._tests[0])
+        recipe.selection_changed.connect(self._name_selected)
+        recipe.selection_changed.connect(self.tabs.take_selected)
+        self._name_selected()
+        self.tabs.take_selected()
+
+    def start(self) -> None:
+        """Begin to pull; called when the window is on the screen."""
+        self.show_first_page()
+        self.pulse.start()
         self.tabs.make_all()
 
     def tick(self) -> None:
@@ -246,7 +244,7 @@ class MainWindow(QMainWindow):
         self.notice.take_connection(state, news.silence_s)
         if self.tabs.place in BESIDE:
             self.side.show_news(news)
-        self._show_side()
+        self.room.show_side()
         self.rail.show_rig(*rig_words(news))
         self.messages.show_time()
         if not replay:
@@ -330,7 +328,8 @@ class MainWindow(QMainWindow):
         bars = (self.header, self.rail, self.messages, self.notice, self.viewer_bar, self.controls)
         for part in (*bars, self.replay_bar):
             yield partial(part.dress, theme)
-        for plain in (self.page_bar, self.recover_button, self.start_bar, self.side, self._help):
+        bar, help_ = self._start_bar, self._help
+        for plain in (self.page_bar, self.room.recover_button, bar, self.side, help_):
             if plain is not None:
                 yield partial(dress_part, plain, theme)
         yield from self.stage.dress_calls(theme)
@@ -361,16 +360,14 @@ class MainWindow(QMainWindow):
         attached = (
             self._connection.state is ConnectionState.ATTACHED and not self._connection.is_replay
         )
-        if active and attached and self._closing != "now" and self._timer.isActive():
+        if active and attached and self._closing != "now" and self.pulse.look.isActive():
             event.ignore()
             self.close_bar.ask()
             return
         if self._keep_unsaved():
             event.ignore()
             return
-        self._timer.stop()
-        self._part_timer.stop()
-        self.watchdog.stop()
+        self.pulse.stop()
         self._save_layout()
         self.tabs.close_pages()
         self.guide.close()  # it frees the rig over the line that is closed next
@@ -385,8 +382,10 @@ class MainWindow(QMainWindow):
 
     def _keep_unsaved(self) -> bool:
         """Ask when changes of the test file would be lost; return whether the window stays."""
+        if self._discard or not self.pulse.look.isActive() or "prepare" not in self.tabs.panels:
+            return False
         recipe = self.tabs.prepare.recipe
-        if self._discard or not self._timer.isActive() or not recipe.unsaved():
+        if not recipe.unsaved():
             return False
         self.tabs.show_page("prepare")
         recipe.ask_before("closing the window", self._close_for_good)
@@ -404,12 +403,11 @@ class MainWindow(QMainWindow):
     def _take(self, snapshot: Snapshot) -> None:
         status = snapshot.status
         busy = status.engine.state in ACTIVE or self._start_wanted is not None
-        self._keep(IN_TEST if busy else IDLE)
+        self.pulse.keep(IN_TEST if busy else IDLE)
         self.recover.take_status(None if self._connection.is_replay else status)
         self.notice.take_status(status, replay=self._connection.is_replay)
         self.guide.take_status(status)
-        found = status.engine.calibration
-        self.start_bar.show_occupied(occupied_text(status) if found is not None else "")
+        self._show_occupied()
         self._test.take(snapshot)
         self.tabs.take(self.news)
         self._show_place()
@@ -430,17 +428,10 @@ class MainWindow(QMainWindow):
             self.controls.tell_occupied()
         self.recover.press()
 
-    def _keep(self, rhythm: Rhythm) -> None:
-        if rhythm is not self.rhythm:
-            self.rhythm = rhythm
-            self._timer.setInterval(rhythm.look_ms)
-            self._part_timer.setInterval(rhythm.part_ms)
-            self.watchdog.beat_every(rhythm.beat_s)
-
     def _show_who_commands(self) -> None:
         watch = self._connection.command
         line = self.controls.command_line
-        line.setVisible(not self._connection.is_replay and not self._tight)
+        line.setVisible(not self._connection.is_replay and not self.room.tight)
         line.show_holder(watch.holder, watch.name)
         self.viewer_bar.show_holder(watch.holder, watch.name)
         why = why_forbidden(watch.holder, watch.name)
@@ -512,23 +503,17 @@ class MainWindow(QMainWindow):
             guarded=True,
         )
         self.page_bar = PageBar(((RailPlace.RIG, self.calibrate_button),))
-        self.recover_button = button("show_recover", "Recover", self._show_recover, rank="primary")
-        content = self._content = QGridLayout()
-        content.addLayout(row((self.page_bar, 1), self.recover_button), 0, 0)
-        content.addWidget(self.stage, 1, 0)
-        content.addWidget(self.side, *BESIDE_PAGES)
-        content.setRowStretch(1, 1)
-        content.setColumnStretch(0, 1)
-        content.setContentsMargins(MARGIN, STEP, MARGIN, GAP)
-        content.setHorizontalSpacing(GAP)
-        content.setVerticalSpacing(2)
-        upper = column(self.header, self.messages, (content, 1), self.controls, self.replay_bar)
+        bars = (self.header, self.messages, self.rail, self.controls, self.recover)
+        self.room = PageRoom(
+            self, self.tabs, self.stage, self.page_bar, self.side, self.recover, bars
+        )
+        upper = column(
+            self.header, self.messages, (self.room.content, 1), self.controls, self.replay_bar
+        )
         upper.setSpacing(0)
         layout = row(self.rail, (upper, 1), on=self.body)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
-        self.start_bar.setParent(self.body)
-        self.start_bar.installEventFilter(self)
         self.setCentralWidget(self.body)
         buttons = self.messages.findChildren(QPushButton)
         follow_in_tab_order(self.rail.help_button, *buttons, self.page_bar.choice)
@@ -545,58 +530,17 @@ class MainWindow(QMainWindow):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep the side column in proportion, and the card of a start above the buttons."""
         super().resizeEvent(event)
-        self._make_room()
+        self.room.fit()
         self._place_start_bar()
-
-    def _make_room(self) -> None:
-        """Fit the shell to the size of the window."""
-        tight = self.width() < TIGHT_WIDTH or self.height() < TIGHT_HEIGHT
-        self.side.make_room(self.width(), tight=tight, alone=self._narrow)
-        if tight is not self._tight:
-            self._tight = tight
-            for part in (self.header, self.messages, self.rail, self.controls, self.recover):
-                part.make_room(tight=tight)
-        self._show_side()
-
-    def _show_side(self) -> None:
-        guiding = self.stage.guiding
-        self.page_bar.setVisible(not (guiding and self.height() < TIGHT_HEIGHT))
-        tight = self._tight or guiding
-        recovering = not self.recover.isHidden()
-        wanted = self.tabs.place in BESIDE and (not tight or recovering)
-        narrow = wanted and self.width() < NARROW_WIDTH
-        self._passed_by = self._passed_by and recovering
-        if narrow is not self._narrow:
-            self._narrow = narrow
-            self._content.removeWidget(self.side)
-            self._content.addWidget(self.side, *(OF_PAGES if narrow else BESIDE_PAGES))
-            self.side.make_room(self.width(), tight=self._tight, alone=narrow)
-        passed = narrow and self._passed_by
-        for part, seen in (
-            (self.side, wanted and not passed),
-            (self.stage, not narrow or passed),
-            (self.recover_button, passed),
-        ):
-            if part.isVisibleTo(self) != seen:
-                part.setVisible(seen)
-
-    def _pass_by(self) -> None:
-        """Show the pages in a window too narrow for them and the way out of a fault."""
-        self._passed_by = True
-        self._show_side()
-
-    def _show_recover(self) -> None:
-        self._passed_by = False
-        self._show_side()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Show the card of a start when it appears."""
-        if watched is self.start_bar and event.type() == QEvent.Type.Show:
+        if event.type() == QEvent.Type.Show:
             self._place_start_bar()
         return super().eventFilter(watched, event)
 
     def _place_start_bar(self) -> None:
-        if self.start_bar.isHidden():
+        if self._start_bar is None or self._start_bar.isHidden():
             return
         left, room = self.rail.width() + MARGIN, self.width() - self.rail.width() - 2 * MARGIN
         height = self.start_bar.heightForWidth(room)
@@ -605,11 +549,14 @@ class MainWindow(QMainWindow):
         self.start_bar.raise_()
 
     def _show_place(self) -> None:
-        self._show_side()
+        self.room.show_side()
         self.controls.lend_letters(self.stage.guiding)
         self.rail.show_place(self.tabs.place)
         now = -1 if self.stage.guiding else self.tabs.currentIndex()
         self.page_bar.show_pages(self.tabs.place, self.tabs.pages(), now)
+
+    def _open_start(self) -> None:
+        self.start_bar.open()
 
     def _name_selected(self) -> None:
         path = self.tabs.prepare.recipe.path
@@ -619,19 +566,15 @@ class MainWindow(QMainWindow):
         self.rail.chosen.connect(self.tabs.show_place)
         self.page_bar.chosen.connect(self.tabs.setCurrentIndex)
         turned = (self.rail.chosen, self.page_bar.chosen, self.tabs.currentChanged)
-        for chosen in (*turned, self.start_bar.started):
+        for chosen in turned:
             chosen.connect(self.guide.leave)
         for chosen in (self.rail.chosen, self.page_bar.chosen):
-            chosen.connect(self._pass_by)
-        self.controls.start_wanted.connect(self.start_bar.open)
-        self.tabs.prepare.recipe.selection_changed.connect(self._name_selected)
-        self.tabs.prepare.recipe.selection_changed.connect(self.tabs.take_selected)
-        self.tabs.take_selected()
-        self._name_selected()
-        self.start_bar.started.connect(self.controls.start_test)
+            chosen.connect(self.room.pass_by)
+        self.controls.start_wanted.connect(self._open_start)
+        self.controls.show_selected(self._tests[0].name if self._tests else "")
         self.recover.wanted.connect(self.controls.send)
         self.side.alarms.wanted.connect(self.controls.send)
-        self.recover.start_wanted.connect(self.start_bar.open)
+        self.recover.start_wanted.connect(self._open_start)
         self.controls.answered.connect(self.recover.answered)
         self.controls.refused.connect(lambda refused: self.messages.give_room(refused=refused))
         self.guide.moved.connect(self._show_place)
@@ -647,7 +590,7 @@ class MainWindow(QMainWindow):
         self.tabs.wanted.connect(self.controls.send)
         self.tabs.said.connect(self._say_answer)
         self.tabs.requested.connect(self._do)
-        self.tabs.made.connect(self._forbid_buttons)
+        self.tabs.made.connect(self._take_page)
         self.tabs.help_wanted.connect(self.help_with)
         self.preferences.changed.connect(self._take_choice)
         self._connection.sign_as(self.preferences.get(Preference.OPERATOR))

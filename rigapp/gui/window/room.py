@@ -1,0 +1,106 @@
+"""Who has room in a window of some size: pages, newest values, and the way out of a fault."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol
+
+from PySide6.QtWidgets import QGridLayout, QWidget
+
+from rigapp.gui.widgets.build import button, row
+from rigapp.gui.window.pagestack import PageStack
+from rigapp.gui.window.places import PageBar, RailPlace
+from rigapp.gui.window.recover import RecoverPanel
+from rigapp.gui.window.side import SideColumn
+from rigapp.gui.window.tabs import Tabs
+from rigapp.presentation.tokens import GAP, MARGIN, STEP, TIGHT_HEIGHT, TIGHT_WIDTH
+
+BESIDE = frozenset({RailPlace.WATCH, RailPlace.RIG})
+"""Places with newest values and the way out of a fault beside them; the others need the width."""
+
+NARROW_WIDTH = 800
+"""A window less wide shows the way out of a fault in the place of the pages."""
+
+BESIDE_PAGES, OF_PAGES = (0, 1, 2, 1), (1, 0, 1, 1)
+"""Row, column and how many of each, of the side column beside the pages and in their place."""
+
+
+class TightBar(Protocol):
+    """A part of the shell that takes less room in a tight window."""
+
+    def make_room(self, *, tight: bool) -> None:
+        """Take less room, or all of it."""
+        ...
+
+
+class PageRoom:
+    """Lay the pages and the side column, and give the room to who needs it."""
+
+    def __init__(
+        self,
+        window: QWidget,
+        tabs: Tabs,
+        stage: PageStack,
+        page_bar: PageBar,
+        side: SideColumn,
+        recover: RecoverPanel,
+        bars: Sequence[TightBar],
+    ) -> None:
+        self._window, self._tabs, self._stage, self._page_bar = window, tabs, stage, page_bar
+        self._side, self._recover, self._bars = side, recover, bars
+        self.tight = self._narrow = self._passed_by = False
+        self.recover_button = button("show_recover", "Recover", self.show_recover, rank="primary")
+        content = self.content = QGridLayout()
+        content.addLayout(row((page_bar, 1), self.recover_button), 0, 0)
+        content.addWidget(stage, 1, 0)
+        content.addWidget(side, *BESIDE_PAGES)
+        content.setRowStretch(1, 1)
+        content.setColumnStretch(0, 1)
+        content.setContentsMargins(MARGIN, STEP, MARGIN, GAP)
+        content.setHorizontalSpacing(GAP)
+        content.setVerticalSpacing(2)
+
+    def fit(self) -> None:
+        """Fit the shell to the size of the window."""
+        width, height = self._window.width(), self._window.height()
+        tight = width < TIGHT_WIDTH or height < TIGHT_HEIGHT
+        self._side.make_room(width, tight=tight, alone=self._narrow)
+        if tight is not self.tight:
+            self.tight = tight
+            for part in self._bars:
+                part.make_room(tight=tight)
+        self.show_side()
+
+    def show_side(self) -> None:
+        """Show newest values and the way out of a fault where they have room."""
+        width, height = self._window.width(), self._window.height()
+        guiding = self._stage.guiding
+        self._page_bar.setVisible(not (guiding and height < TIGHT_HEIGHT))
+        tight = self.tight or guiding
+        recovering = not self._recover.isHidden()
+        wanted = self._tabs.place in BESIDE and (not tight or recovering)
+        narrow = wanted and width < NARROW_WIDTH
+        self._passed_by = self._passed_by and recovering
+        if narrow is not self._narrow:
+            self._narrow = narrow
+            self.content.removeWidget(self._side)
+            self.content.addWidget(self._side, *(OF_PAGES if narrow else BESIDE_PAGES))
+            self._side.make_room(width, tight=self.tight, alone=narrow)
+        passed = narrow and self._passed_by
+        for part, seen in (
+            (self._side, wanted and not passed),
+            (self._stage, not narrow or passed),
+            (self.recover_button, passed),
+        ):
+            if part.isVisibleTo(self._window) != seen:
+                part.setVisible(seen)
+
+    def pass_by(self) -> None:
+        """Show the pages in a window too narrow for them and the way out of a fault."""
+        self._passed_by = True
+        self.show_side()
+
+    def show_recover(self) -> None:
+        """Show the way out of a fault again."""
+        self._passed_by = False
+        self.show_side()
