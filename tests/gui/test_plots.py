@@ -39,7 +39,7 @@ from rigapp.schema.alarms import rule_key
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import Event, Flag, Severity
 from rigapp.storage import LargestForce
-from rigapp.viewer.lines import EVERYTHING, Drawn, Flagged, banded, drawn
+from rigapp.viewer.lines import EVERYTHING, Drawn, Flagged, banded, drawn, newest_good
 from rigapp.viewer.moments import moments
 from rigapp.viewer.news import News
 from rigapp.viewer.ranges import round_places
@@ -89,6 +89,19 @@ def test_a_flagged_revolution_does_not_range_the_axis(buckets: int) -> None:
     assert line.y.max() == 391.0, "it is drawn all the same"
     unflagged = tripped(flags=Flag.GOOD)
     assert largest(unflagged, buckets).high == 391.0
+
+
+def test_a_table_with_fewer_rows_finds_the_flag_within_its_buckets() -> None:
+    flagged = Flagged(tripped().rows, EVERYTHING, 1000)
+    starts = np.array([1.0, 140.0, 148.0, 160.0])  # the third reaches up to revolution 159
+    assert list(flagged.at(starts)) == [False, False, True, False]
+    assert list(flagged.at(starts[:3])) == [False, False, True], "the last one up to the end"
+
+
+def test_the_newest_good_revolution_is_the_one_before_a_fault() -> None:
+    assert newest_good(tripped(150).rows, tripped(150).rows) == 148
+    assert newest_good(tripped(150, Flag.GOOD).rows, tripped(150, Flag.GOOD).rows) == 149
+    assert newest_good(tripped().rows, tripped().rows) == 199
 
 
 def test_where_every_revolution_is_flagged_all_of_them_range_the_axis() -> None:

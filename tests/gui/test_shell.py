@@ -123,6 +123,10 @@ def test_a_calibration_stands_in_the_window_and_is_left_and_come_back_to(
     qtbot.keyClick(window, Qt.Key.Key_F3)
     assert window.stage.guiding
     assert wizard.isVisible()
+    qtbot.keyClick(window, Qt.Key.Key_2, Qt.KeyboardModifier.ControlModifier)
+    assert not window.stage.guiding, "the keys of pages work behind a guide, too"
+    assert window.tabs.place is RailPlace.WATCH
+    qtbot.keyClick(window, Qt.Key.Key_F3)
     window.rail.buttons[RailPlace.WATCH].click()
     assert not wizard.isVisible()
     qtbot.keyClick(window, Qt.Key.Key_F3)
