@@ -72,7 +72,7 @@ def test_good_readings_make_a_sealed_record_and_a_certificate(folder: Path) -> N
     assert (folder / "a.pdf").read_bytes().startswith(b"%PDF")
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize("ending", ["html", "pdf"])
 def test_another_process_makes_the_same_certificate(folder: Path, ending: str) -> None:
     assert fit(folder, "record.json").returncode == 0

@@ -98,6 +98,7 @@ def test_a_key_that_cannot_be_read_is_named(folder: Path) -> None:
         rig(folder, "lab.json", trust=TRUST.replace("lab.pub", "wrong.pub"))
 
 
+@pytest.mark.long
 def test_check_shows_who_signed(folder: Path) -> None:
     rig(folder, "lab.json")
     done = rigapp("check", folder / "rig.toml", EXAMPLES / "quick.toml")

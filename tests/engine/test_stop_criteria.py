@@ -165,6 +165,7 @@ def test_the_wear_rate_is_a_slope_over_the_window() -> None:
     assert answered(steady, worn(lambda n: 0.002 * n, range(1, 3000))) == (0, None)
 
 
+@pytest.mark.sampled(every=4)
 @pytest.mark.parametrize("cut", [1, 4, 7, 50, 1999, 2519, 3000])
 @pytest.mark.parametrize("chunk", [3, 400, 100_000])
 def test_a_resumed_test_knows_its_past(cut: int, chunk: int) -> None:

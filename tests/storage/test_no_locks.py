@@ -55,7 +55,7 @@ def test_a_test_is_made_resumed_and_closed_without_locks(quick_folder: Path, no_
         assert check(reader) == 40
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 def test_another_process_is_found_without_locks(quick_folder: Path, no_locks: int) -> None:
     code = WITHOUT.format(number=no_locks) + (
         "from pathlib import Path; from storage_samples import new_test, write\n"
