@@ -69,6 +69,7 @@ def display(tmp_path: Path) -> Iterator[dict[str, str]]:
         process.wait(timeout=PATIENCE_S)
 
 
+@pytest.mark.long
 def test_start_note_pause_resume_acknowledge_stop_power_off_without_a_mouse(
     display: dict[str, str], tmp_path: Path
 ) -> None:
