@@ -198,14 +198,14 @@ def main() -> None:
     apply_theme(application, LIGHT)
     print(f"{'frame':<44}{'own ms':>9}{'plain ms':>10}{'plain / own':>13}")
     own, plain = own_overlays(application), plain_overlays(application)
-    overlays, beside = own, plain
+    overlays, peer_overlays = own, plain
     show("4 overlays, 3600 points + model + residual", own, plain)
     for rows in (23_000, BUDGET_ROWS, size(10_000_000, 50_000)):
         own, plain = own_trend(application, rows), plain_trend(application, rows)
         show(f"trend of 6 series, {rows:,} cycles", own, plain)
         if rows == BUDGET_ROWS:
             frame = overlays + own
-            peers = beside + plain
+            peers = peer_overlays + plain
     measured("frame", frame, "plain pyqtgraph", peers / frame)
 
 

@@ -106,7 +106,7 @@ def covered(seed: int) -> list[tuple[bool, bool, float, bool]]:
     return outcomes
 
 
-def told(seed: int) -> list[tuple[bool, bool]]:
+def statements_told(seed: int) -> list[tuple[bool, bool]]:
     """Return whether running-in and a change were told, in tests that they move by over 5 sigma."""
     life, outcomes = a_life(), []
     for part in PARTS:
@@ -222,7 +222,7 @@ def main() -> None:
             met.append(line(title, f"{share:.1%}", f"< {MOST_FALSE:.0%}", share < MOST_FALSE))
         for index, kind in enumerate(("running-in", "change")):
             if index == 0:
-                rows_told = list(pool.map(told, range(max(given.tests // 5, 1))))
+                rows_told = list(pool.map(statements_told, range(max(given.tests // 5, 1))))
             columns = shares([part[index] for part in row] for row in rows_told)
             for part, share in zip(PARTS, columns, strict=True):
                 title = f"{kind} over 5 sigma told at odds > 20, at {part:.0%} of life"

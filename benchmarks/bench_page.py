@@ -158,11 +158,11 @@ def judge(alone: list[tuple[float, list[float]]], watched: list[tuple[float, lis
     p99 = [ordered[int(0.99 * len(ordered))] for ordered in ages]
     ratios = (cpu[1] / cpu[0], p99[1] / p99[0])
     print(f"{'':32s} {'alone':>10s} {f'{PAGES} pages':>10s} {'ratio':>8s}")
-    for what, scale, (without, beside), ratio in (
+    for what, scale, (without, watched), ratio in (
         ("engine, processor (% of a core)", 100.0, cpu, ratios[0]),
         ("age of the data, p99 (ms)", 1e3, p99, ratios[1]),
     ):
-        print(f"{what:32s} {scale * without:10.1f} {scale * beside:10.1f} {ratio:8.2f}")
+        print(f"{what:32s} {scale * without:10.1f} {scale * watched:10.1f} {ratio:8.2f}")
     measured("page_cpu", ratios[0])
     measured("page_age", ratios[1])
 

@@ -38,10 +38,10 @@ PLACE_S = 0.02
 PACED_HZ = size(1000, 100)
 METADATA = TestMetadata(title="benchmark", rig_text="", test_text="")
 PLAN = FilePlan(revolutions=1, cycles=1, samples_per_cycle=SAMPLES, prediction=False)
-ROW_NAMES = [one.name for one in PLAN.revolution_columns]
-CYCLE_TYPES = {one.name: one.dtype for one in PLAN.cycle_columns}
-ROW_BYTES = sum(np.dtype(one.dtype).itemsize for one in PLAN.revolution_columns)
-CYCLE_BYTES = SAMPLES * sum(np.dtype(one).itemsize for one in CYCLE_TYPES.values())
+ROW_NAMES = [column.name for column in PLAN.revolution_columns]
+CYCLE_TYPES = {column.name: column.dtype for column in PLAN.cycle_columns}
+ROW_BYTES = sum(np.dtype(column.dtype).itemsize for column in PLAN.revolution_columns)
+CYCLE_BYTES = SAMPLES * sum(np.dtype(kind).itemsize for kind in CYCLE_TYPES.values())
 
 Row = NDArray[np.float64]
 Cycle = dict[str, NDArray[np.float32]]

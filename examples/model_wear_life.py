@@ -26,11 +26,11 @@ def main() -> dict[str, float]:
     """Print and return depth, mass and error bound after 23,000 cycles at 30 rpm."""
     result: dict[str, float] = {}
     for technique in ("perfect", "continuous"):
-        found = life(PARAMETERS, np.pi, 23_000, technique, tolerance=1e-3)
-        result[f"{technique}_depth_mm"] = 1e3 * float(found.max_depth[-1])
-        result[f"{technique}_error_mm"] = 1e3 * float(found.estimated_error[-1])
-        result[f"{technique}_mass_g"] = 1e3 * float(found.worn_mass[-1])
-        result[f"{technique}_mean_force_N"] = float(found.mean_force[-1])
+        worn = life(PARAMETERS, np.pi, 23_000, technique, tolerance=1e-3)
+        result[f"{technique}_depth_mm"] = 1e3 * float(worn.max_depth[-1])
+        result[f"{technique}_error_mm"] = 1e3 * float(worn.estimated_error[-1])
+        result[f"{technique}_mass_g"] = 1e3 * float(worn.worn_mass[-1])
+        result[f"{technique}_mean_force_N"] = float(worn.mean_force[-1])
     for name, value in result.items():
         print(f"{name:>24} {value:.6g}")
     return result

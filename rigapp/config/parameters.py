@@ -32,10 +32,10 @@ else:
     ContactLawName = Literal[tuple(CONTACT_LAWS)]
 
 LAW_WORDS = msgspec.Meta(
-    description="; ".join(f"{one.name}: {one.sentence}" for one in LAWS.values())
+    description="; ".join(f"{law.name}: {law.sentence}" for law in LAWS.values())
 )
 CONTACT_LAW_WORDS = msgspec.Meta(
-    description="; ".join(f"{one.name}: {one.sentence}" for one in CONTACT_LAWS.values())
+    description="; ".join(f"{law.name}: {law.sentence}" for law in CONTACT_LAWS.values())
 )
 
 MM = 1e-3

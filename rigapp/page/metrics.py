@@ -241,23 +241,28 @@ class PageNumbers:
     dropped: int
 
 
-class RigCollector(Collector):
-    """Make the metrics from what is known when they are asked for."""
+class Metrics(Collector):
+    """The metrics of the rigs, the page and its process, made when they are asked for."""
 
     def __init__(
         self, views: Callable[[], Sequence[RigView]], page: Callable[[], PageNumbers]
     ) -> None:
-        self._views = views
-        self._page = page
+        self._views, self._page = views, page
+        self._registry = CollectorRegistry(auto_describe=False)
+        self._registry.register(self)
+        ProcessCollector(registry=self._registry)
+
+    def text(self) -> bytes:
+        """Return all of them as Prometheus reads them."""
+        return generate_latest(self._registry)
 
     def collect(self) -> Iterator[Metric]:
         """Yield every metric with a sample."""
         views = self._views()
         rigs = _apart(views)
         for metric in TOLD:
-            family = _family(
-                metric.name, metric.words, ("rig", *metric.labels), counter=metric.counter
-            )
+            kind = CounterMetricFamily if metric.counter else GaugeMetricFamily
+            family = kind(metric.name, metric.words, labels=("rig", *metric.labels))
             for view in views:
                 for labels, value in metric.samples(view) if view.attached or metric.silent else ():
                     values = [rigs[view.identity], *(labels[name] for name in metric.labels)]
@@ -265,19 +270,10 @@ class RigCollector(Collector):
             if family.samples:
                 yield family
         page = self._page()
-        for name, words, value, counter in (
-            ("rigapp_page_readers", "pages that are open", page.readers, False),
-            ("rigapp_page_connections", "open connections", page.connections, False),
-            (
-                "rigapp_page_dropped_total",
-                "connections dropped as too slow, or too many",
-                page.dropped,
-                True,
-            ),
-        ):
-            family = _family(name, words, (), counter=counter)
-            family.add_metric([], value)
-            yield family
+        yield GaugeMetricFamily("rigapp_page_readers", "pages that are open", page.readers)
+        yield GaugeMetricFamily("rigapp_page_connections", "open connections", page.connections)
+        dropped = "connections dropped as too slow, or too many"
+        yield CounterMetricFamily("rigapp_page_dropped_total", dropped, page.dropped)
 
 
 def _apart(views: Sequence[RigView]) -> dict[str, str]:
@@ -287,25 +283,3 @@ def _apart(views: Sequence[RigView]) -> dict[str, str]:
         view.identity: view.name if times[view.name] == 1 else f"{view.name} ({view.identity})"
         for view in views
     }
-
-
-def _family(
-    name: str, words: str, labels: Sequence[str], *, counter: bool
-) -> CounterMetricFamily | GaugeMetricFamily:
-    kind = CounterMetricFamily if counter else GaugeMetricFamily
-    return kind(name, words, labels=labels)
-
-
-class Metrics:
-    """A registry of the rigs, the page and its process."""
-
-    def __init__(
-        self, views: Callable[[], Sequence[RigView]], page: Callable[[], PageNumbers]
-    ) -> None:
-        self._registry = CollectorRegistry(auto_describe=False)
-        self._registry.register(RigCollector(views, page))
-        ProcessCollector(registry=self._registry)
-
-    def text(self) -> bytes:
-        """Return all of them as Prometheus reads them."""
-        return generate_latest(self._registry)

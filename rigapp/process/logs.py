@@ -140,7 +140,7 @@ def in_file(path: Path) -> Iterator[None]:
         yield
 
 
-def beside(result: Path) -> Path:
+def log_beside(result: Path) -> Path:
     """Return the log file of a result file."""
     return result.with_suffix(".log")
 

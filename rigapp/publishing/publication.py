@@ -67,8 +67,8 @@ class Licence:
 CREATIVE_COMMONS = "https://creativecommons.org"
 DATA_COMMONS = "https://opendatacommons.org/licenses"
 LICENCES = {
-    one.identifier: one
-    for one in (
+    licence.identifier: licence
+    for licence in (
         Licence(
             "CC-BY-4.0",
             "Creative Commons Attribution 4.0 International licence",

@@ -92,8 +92,8 @@ _IDENTIFIED = say("is identified beside the model")
 _DEVIATION = say("The RMS of measured less predicted |F|")
 
 CRITERIA = {
-    one.key: one
-    for one in (
+    criterion.key: criterion
+    for criterion in (
         Criterion(
             "elapsed_time_h",
             say("elapsed time"),

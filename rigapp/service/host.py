@@ -31,7 +31,7 @@ from rigapp.notify.channels import DeliveryChannels, inspected, ways_of
 from rigapp.notify.facts import NotifierSetup
 from rigapp.notify.link import NotifierLink
 from rigapp.process.awake import StayAwake
-from rigapp.process.logs import beside, in_file
+from rigapp.process.logs import in_file, log_beside
 from rigapp.process.private import private_folder
 from rigapp.process.threads import CommandLock
 from rigapp.queue.worker import QueueActions
@@ -291,7 +291,7 @@ class EngineHost:
     def _keep_log(self, out: Path) -> None:
         """Keep the program's remarks beside this test's file from now on."""
         self._log.close()
-        self._log.enter_context(in_file(beside(out)))
+        self._log.enter_context(in_file(log_beside(out)))
 
     def resumption(self, path: Path) -> Resumption:
         """Connect where needed and say what a test in a file would meet if it went on here."""

@@ -192,8 +192,8 @@ _COEFFICIENT = (
 _PEAK = Result("peak_pressure_MPa", "MPa", say("largest contact pressure"))
 
 KINDS: Mapping[str, StudyKind] = {
-    one.name: one
-    for one in (
+    kind.name: kind
+    for kind in (
         StudyKind(
             "forces",
             ForcesRun,

@@ -259,9 +259,9 @@ class SourceBench:
                 assert not wrong.any(), f"{name}: wrong samples accepted as good: {signal[wrong]}"
             steps = np.diff(index) % PERIOD
             unflagged = (block.quality == 0)[1:] & sound[:-1]
-            whole = steps == 1
-            assert gaps or whole[unflagged].all(), f"samples are missing without a flag: {steps}"
-            within_turn = unflagged & (index[1:] != 0) & whole
+            in_order = steps == 1
+            assert gaps or in_order[unflagged].all(), f"samples are missing without a flag: {steps}"
+            within_turn = unflagged & (index[1:] != 0) & in_order
             for name in (n for n in self.contract.inputs if "counter" in n):
                 counts = np.diff(self._electrical(block, rows.index(name)))[within_turn]
                 assert (np.abs(counts - COUNTS / PERIOD) <= 1.0).all(), f"{name} steps by {counts}"

@@ -21,7 +21,7 @@ Make = Callable[..., Any]
 Drivers = Sequence[DriverInfo]
 
 
-def found(port: str, drivers: Drivers) -> Answer:
+def answer_at(port: str, drivers: Drivers) -> Answer:
     """Return who answers on a port, asked again as a person would on a busy computer."""
     inquiries = (ask(port, drivers) for _ in range(10))
     answer = next((inquiry.answer for inquiry in inquiries if inquiry.answer is not None), None)
@@ -33,7 +33,7 @@ def test_the_device_is_found_among_all_others(
     contract: Contract, bench: Make, known_drivers: Drivers
 ) -> None:
     b = bench(contract)
-    answer = found(b.port.url, known_drivers)
+    answer = answer_at(b.port.url, known_drivers)
     assert answer.driver == contract.info.name
     assert answer.identity.port == b.port.url
     b.driver.open()  # the port was released
@@ -42,7 +42,7 @@ def test_the_device_is_found_among_all_others(
 
 def test_what_answers_is_what_the_driver_identifies(source: Contract, bench: Make) -> None:
     b = bench(source)
-    asked, known = found(b.port.url, (source.info,)).identity, b.driver.open()
+    asked, known = answer_at(b.port.url, (source.info,)).identity, b.driver.open()
     assert (asked.maker, asked.model) == (known.maker, known.model)
     assert (asked.firmware, asked.serial_number) == (known.firmware, known.serial_number)
 

@@ -135,7 +135,7 @@ def _extremes_table(
 
 
 def _extremes_row(channel: ChannelFacts, noted: dict[str, str]) -> tuple[str, ...]:
-    def place(peak: Peak) -> str:
+    def marked(peak: Peak) -> str:
         if not math.isfinite(peak.value):
             return tr(UNKNOWN)
         if not peak.quality:
@@ -148,9 +148,9 @@ def _extremes_row(channel: ChannelFacts, noted: dict[str, str]) -> tuple[str, ..
         title_of(channel.channel),
         symbol(channel.unit),
         channel.largest.sign + number(channel.largest.value, channel.unit),
-        place(channel.largest),
+        marked(channel.largest),
         number(channel.smallest.value, channel.unit),
-        place(channel.smallest),
+        marked(channel.smallest),
         *(number(value, channel.unit) for value in values),
     )
 

@@ -137,18 +137,20 @@ def trends(
                     _band(axes, x, values, doubt, COLOURS[statistic])
             of_channel = stated.get(channel.name)
             if of_channel is not None:
-                for one in ("max", "min"):
-                    _band(axes, *channel.lines[one], of_channel, COLOURS[one])
+                for statistic in ("max", "min"):
+                    _band(axes, *channel.lines[statistic], of_channel, COLOURS[statistic])
             with_model = False
             negative = channel.smallest.value < 0.0 and channel.overall > max(
                 0.0, channel.largest.value
             )
-            for one, (x, values) in channel.lines.items():
-                turned = one == "rms" and negative
-                label = tr("−RMS") if turned else tr(SHORT[one])
-                _draw(axes, (x, -values if turned else values), color=COLOURS[one], label=label)
-            for one in ("max", "rms", "min"):
-                line = predicted.get(f"{channel.name}_{one}")
+            for statistic, (x, values) in channel.lines.items():
+                turned = statistic == "rms" and negative
+                label = tr("−RMS") if turned else tr(SHORT[statistic])
+                _draw(
+                    axes, (x, -values if turned else values), color=COLOURS[statistic], label=label
+                )
+            for statistic in ("max", "rms", "min"):
+                line = predicted.get(f"{channel.name}_{statistic}")
                 if line is not None and np.isfinite(line[1]).any():
                     _draw(axes, line, **MODEL_LINE, label=None if with_model else "model")
                     with_model = True

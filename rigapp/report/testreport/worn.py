@@ -221,9 +221,9 @@ def _depth(extent: Extent) -> str:
     return text if text == tr(UNKNOWN) else f"{text} µm"
 
 
-def _extent(found: Worn) -> float:
+def _extent(profile: Worn) -> float:
     """Return the angle, in steps of 30 degrees, up to which there is something to see."""
-    depth = np.fmax.reduce([np.nan_to_num(curve) for curve in found.curves.values()])
+    depth = np.fmax.reduce([np.nan_to_num(curve) for curve in profile.curves.values()])
     worn = np.flatnonzero(depth > 0.005 * max(float(depth.max()), 1e-12))
-    furthest = float(np.abs(found.angle[worn]).max(initial=0.0))
+    furthest = float(np.abs(profile.angle[worn]).max(initial=0.0))
     return float(min(180.0, 30.0 * np.ceil((furthest + 5.0) / 30.0)))
