@@ -20,16 +20,17 @@ A driver knows bytes and meaning, never engineering units of the rig and never t
 
 from __future__ import annotations
 
+import contextlib
 import enum
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final, Protocol, Self, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.texts import Sentence, SentenceError, say
+from rigapp.texts import Sentence, SentenceError, say, sentence_of_error
 
 
 class Named(Protocol):
@@ -500,6 +501,15 @@ def filled(specs: Mapping[str, SettingSpec], settings: Mapping[str, Any]) -> dic
 
 class InvalidRequest(SentenceError, ValueError):
     """Say in one sentence what of a request no such device can do, and what to do."""
+
+
+@contextlib.contextmanager
+def refusing(who: Named | Line) -> Iterator[None]:
+    """Raise a ValueError of a check, which knows no device, as SettingRefused of a device."""
+    try:
+        yield
+    except ValueError as error:
+        raise SettingRefused.at(who, sentence_of_error(error)) from error
 
 
 class DriverFactory(Protocol):

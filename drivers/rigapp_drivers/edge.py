@@ -140,7 +140,8 @@ class Edge:
         with contextlib.suppress(DeviceError):
             self._call("close", object)
 
-    def _identified(self) -> Identity:
+    def open(self) -> Identity:
+        """Open the port and identify the device; raise DeviceError."""
         identity = self._call("open", Identity)
         if not _same_number(self.serial_number, identity.serial_number):
             self.close()
@@ -176,10 +177,6 @@ class Edge:
 class GuardedSource(Edge):
     """A ``DataSource`` behind the edge, with ``InputSupervision``."""
 
-    def open(self) -> Identity:
-        """Open the port and identify the device; raise DeviceError."""
-        return self._identified()
-
     def configure(self, request: DataRequest) -> StreamSetup:
         """Set what differs, read everything back; raise DeviceError."""
         setup = self._call("configure", StreamSetup, request)
@@ -214,10 +211,6 @@ class GuardedSource(Edge):
 class GuardedSpindle(Edge):
     """A ``Spindle`` behind the edge."""
 
-    def open(self) -> Identity:
-        """Open the port and identify the drive; raise DeviceError."""
-        return self._identified()
-
     def configure(self, request: DriveRequest) -> Readback:
         """Set the watchdog and what else differs; raise DeviceError."""
         return self._configured(request)
@@ -241,10 +234,6 @@ class GuardedSpindle(Edge):
 
 class GuardedSlow(Edge):
     """A ``SlowSource`` behind the edge."""
-
-    def open(self) -> Identity:
-        """Open the port and identify the device; raise DeviceError."""
-        return self._identified()
 
     def configure(self, request: SlowRequest) -> Readback:
         """Check that the device tells these quantities; raise DeviceError."""

@@ -43,11 +43,9 @@ def settings_lost(who: Named, watchdog_s: float, set_s: float) -> SettingsLost:
         what = say("watchdog {:g} s instead of {:g} s", watchdog_s, set_s)
     return SettingsLost.at(
         who,
-        say(
-            "the drive has lost its settings ({}), as after a restart; check its supply,"
-            " then connect again.",
-            what,
-        ),
+        "the drive has lost its settings ({}), as after a restart; check its supply,"
+        " then connect again.",
+        what,
     )
 
 
@@ -95,10 +93,12 @@ def refuse_speed(who: Named | Line, speed_rev_per_s: float, request: DriveReques
     if not math.isfinite(speed_rev_per_s):
         raise SettingRefused.at(who, "a speed of {} is not a number.", speed_rev_per_s)
     if abs(speed_rev_per_s) > limit * (1 + _ROUNDING):
-        words = say(
-            "{:.1f} rpm is above the rig's maximum of {:.1f} rpm.", speed_rev_per_s * 60, limit * 60
+        raise SettingRefused.at(
+            who,
+            "{:.1f} rpm is above the rig's maximum of {:.1f} rpm.",
+            speed_rev_per_s * 60,
+            limit * 60,
         )
-        raise SettingRefused.at(who, words)
 
 
 def whole_ramp(
@@ -107,8 +107,9 @@ def whole_ramp(
     """Return an acceleration in the drive's steps, 1 to ``most``; raise SettingRefused for none."""
     ramp = acceleration_rev_per_s2 / step_rev_per_s2
     if not (math.isfinite(ramp) and ramp > 0):
-        words = say("an acceleration of {:g} rev/s2 is not possible.", acceleration_rev_per_s2)
-        raise SettingRefused.at(who, words)
+        raise SettingRefused.at(
+            who, "an acceleration of {:g} rev/s2 is not possible.", acceleration_rev_per_s2
+        )
     return min(max(1, round(ramp)), most)
 
 

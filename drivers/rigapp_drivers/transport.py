@@ -297,17 +297,17 @@ def _why_not_opened(error: Exception, port: str) -> tuple[type[ConnectionFailed]
     return ConnectionFailed, words
 
 
-def holder_of(port: str, processes: Path = Path("/proc")) -> str:
+def holder_of(port: str) -> str:
     """Return the name and number of a process that has a port open, "" where none is seen.
 
     Those of other users can only be seen by root.
     """
     real = os.path.realpath(port)
-    for one in processes.glob("[0-9]*"):
+    for process in Path("/proc").glob("[0-9]*"):
         with contextlib.suppress(OSError):
-            if any(os.readlink(opened) == real for opened in (one / "fd").iterdir()):
-                name = (one / "comm").read_text("utf-8", "replace").strip()
-                return say("{} ‹process {}›", name, one.name)
+            if any(os.readlink(opened) == real for opened in (process / "fd").iterdir()):
+                name = (process / "comm").read_text("utf-8", "replace").strip()
+                return say("{} ‹process {}›", name, process.name)
     return ""
 
 

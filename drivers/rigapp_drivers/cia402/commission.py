@@ -13,7 +13,7 @@ from functools import partial
 from typing import Any, Final
 
 from rigapp.texts import joined, say
-from rigapp_drivers.api import DriveRequest, ReplyTimeout, SettingRefused
+from rigapp_drivers.api import DriveRequest, InvalidRequest, ReplyTimeout, SettingRefused
 from rigapp_drivers.cia402.monitor import NodeMonitor
 from rigapp_drivers.cia402.network import CanNode
 from rigapp_drivers.cia402.protocol import (
@@ -104,12 +104,10 @@ class Setup:
 
 
 def check_watchdog(request: DriveRequest) -> None:
-    """Raise ValueError for a time-out that the heartbeat cannot carry."""
+    """Raise InvalidRequest for a time-out that the heartbeat cannot carry."""
     if not _SHORTEST_WATCHDOG_S <= request.watchdog_timeout_s <= _LONGEST_HEARTBEAT_MS * 1e-3:
-        raise ValueError(
-            say(
-                "a watchdog time-out of {:g} s is outside 0.05 to 65 s.", request.watchdog_timeout_s
-            )
+        raise InvalidRequest(
+            "a watchdog time-out of {:g} s is outside 0.05 to 65 s.", request.watchdog_timeout_s
         )
 
 
@@ -220,14 +218,16 @@ class Commissioning:
     def _choose_mode(self) -> None:
         supported = self._node.read_if_there(0x6502)
         if supported is not None and not supported & PROFILE_VELOCITY_BIT:
-            raise self._refused(say("the drive has no profile velocity mode ‹object 6502›."))
+            raise SettingRefused.at(
+                self._node, "the drive has no profile velocity mode ‹object 6502›."
+            )
         self._node.write(0x6060, PROFILE_VELOCITY)
         shown = 0x6060 if self._node.read_if_there(0x6061) is None else 0x6061
         deadline = time.monotonic() + _MODE_S
         while (mode := self._node.read(shown)) != PROFILE_VELOCITY:
             if time.monotonic() > deadline:
-                raise self._refused(
-                    say("the drive stays in mode {} instead of profile velocity.", mode)
+                raise SettingRefused.at(
+                    self._node, "the drive stays in mode {} instead of profile velocity.", mode
                 )
         self._readback["mode"] = self._kept[shown, 0] = PROFILE_VELOCITY
 
@@ -267,21 +267,19 @@ class Commissioning:
             self._set(0x60A9, raw := wanted)
         unit = None if raw is None else velocity_unit_rev_per_s(raw)
         if unit is None and not given:
-            raise self._refused(
-                say(
-                    "it does not tell in which unit it takes speeds; give velocity_step_rpm from"
-                    " its manual ‹object 60A9 is {}, rpm is 00B44700›.",
-                    say("not there") if raw is None else f"{raw:08X}",
-                )
+            raise SettingRefused.at(
+                self._node,
+                "it does not tell in which unit it takes speeds; give velocity_step_rpm from"
+                " its manual ‹object 60A9 is {}, rpm is 00B44700›.",
+                say("not there") if raw is None else f"{raw:08X}",
             )
         if unit is not None and given and not math.isclose(unit, given, rel_tol=1e-6):
-            raise self._refused(
-                say(
-                    "it takes speeds in steps of {:g} rpm ‹object 60A9›, the rig file says"
-                    " velocity_step_rpm = {:g}: one of them is wrong, and so would be the speed.",
-                    unit * 60.0,
-                    given * 60.0,
-                )
+            raise SettingRefused.at(
+                self._node,
+                "it takes speeds in steps of {:g} rpm ‹object 60A9›, the rig file says"
+                " velocity_step_rpm = {:g}: one of them is wrong, and so would be the speed.",
+                unit * 60.0,
+                given * 60.0,
             )
         if raw is not None:
             self._kept[0x60A9, 0] = raw
@@ -320,13 +318,12 @@ class Commissioning:
         """Refuse a drive that lacks what nothing can replace, before anything is set."""
         for (index, subindex), what in REQUIRED.items():
             if not self._is_there(index, subindex):
-                raise self._refused(
-                    say(
-                        "the drive cannot be used: it has nothing for {} ‹object {}:{}›.",
-                        what,
-                        f"{index:04X}",
-                        subindex,
-                    )
+                raise SettingRefused.at(
+                    self._node,
+                    "the drive cannot be used: it has nothing for {} ‹object {}:{}›.",
+                    what,
+                    f"{index:04X}",
+                    subindex,
                 )
 
     def _compare_encoder(self, request: DriveRequest) -> None:
@@ -334,13 +331,12 @@ class Commissioning:
             return
         counts = 4 * self._node.read(0x3010, 1)
         if counts != request.counts_per_revolution:
-            raise self._refused(
-                say(
-                    "the drive has {} counts per revolution ‹four times object 3010:1›, the"
-                    " rig file {}: one of them is wrong, and so would be the speed.",
-                    counts,
-                    request.counts_per_revolution,
-                )
+            raise SettingRefused.at(
+                self._node,
+                "the drive has {} counts per revolution ‹four times object 3010:1›, the"
+                " rig file {}: one of them is wrong, and so would be the speed.",
+                counts,
+                request.counts_per_revolution,
             )
 
     def _note_options(self) -> None:
@@ -428,17 +424,13 @@ class Commissioning:
         self._node.write(index, value, subindex)
         found = self._node.read(index, subindex)
         if found != value:
-            raise self._refused(
-                say(
-                    "the drive did not keep a setting; check its firmware and that it is"
-                    " not locked ‹object {}:{} reads {} after {} was set›.",
-                    f"{index:04X}",
-                    subindex,
-                    found,
-                    value,
-                )
+            raise SettingRefused.at(
+                self._node,
+                "the drive did not keep a setting; check its firmware and that it is"
+                " not locked ‹object {}:{} reads {} after {} was set›.",
+                f"{index:04X}",
+                subindex,
+                found,
+                value,
             )
         self._kept[index, subindex] = value
-
-    def _refused(self, sentence: str) -> SettingRefused:
-        return SettingRefused.at(self._node, sentence)

@@ -63,7 +63,9 @@ class DriveControl:
         state = self.state()
         while state is not State.ENABLED:
             if state in (State.FAULT, State.FAULT_REACTION):
-                raise self._fault(say("the drive is in fault, {}; reset it first.", self.error()))
+                raise DeviceFault.at(
+                    self._node, "the drive is in fault, {}; reset it first.", self.error()
+                )
             self.give_way()
             step = step_towards_enabled(state)
             if step is not None:
@@ -73,19 +75,18 @@ class DriveControl:
     def give_way(self) -> None:
         """Raise DeviceFault when another thread wants to stop."""
         if self._node.stop_requests != self._stop_requests:
-            raise self._fault(say("a stop came before the speed was set."))
+            raise DeviceFault.at(self._node, "a stop came before the speed was set.")
 
     def _wait_to_leave(self, state: State | None) -> State | None:
         deadline = time.monotonic() + STEP_S
         while (now := self.state()) is state:
             self.give_way()
             if time.monotonic() > deadline:
-                raise self._stuck(
-                    say(
-                        "the drive stays in state {} on its way to operation enabled; look"
-                        " at its safe-torque-off inputs and its supply.",
-                        state or say("unknown"),
-                    )
+                raise ReplyTimeout.at(
+                    self._node,
+                    "the drive stays in state {} on its way to operation enabled; look"
+                    " at its safe-torque-off inputs and its supply.",
+                    state or say("unknown"),
                 )
         return now
 
@@ -96,12 +97,10 @@ class DriveControl:
         deadline = time.monotonic() + STEP_S
         while (state := self.state()) not in _POWERLESS:
             if time.monotonic() > deadline:
-                raise self._stuck(
-                    say(
-                        "the drive stays in state {} after disable voltage; use the"
-                        " emergency stop.",
-                        state or say("unknown"),
-                    )
+                raise ReplyTimeout.at(
+                    self._node,
+                    "the drive stays in state {} after disable voltage; use the emergency stop.",
+                    state or say("unknown"),
                 )
             node.write(0x6040, Control.DISABLE_VOLTAGE)
         node.write(0x60FF, 0)
@@ -120,20 +119,16 @@ class DriveControl:
         while self.state() in (State.FAULT, State.FAULT_REACTION):
             self.give_way()
             if time.monotonic() > deadline:
-                raise self._fault(
-                    say("the drive stays in fault, {}; remove its cause first.", self.error())
+                raise DeviceFault.at(
+                    self._node,
+                    "the drive stays in fault, {}; remove its cause first.",
+                    self.error(),
                 )
         node.write(0x6040, Control.DISABLE_VOLTAGE)
 
     def error(self) -> str:
         """Return the drive's last error code (603F) in words."""
         return describe_code(self._node.read_if_there(0x603F))
-
-    def _fault(self, sentence: str) -> DeviceFault:
-        return DeviceFault.at(self._node, sentence)
-
-    def _stuck(self, sentence: str) -> ReplyTimeout:
-        return ReplyTimeout.at(self._node, sentence)
 
 
 _log = logging.getLogger(__name__)

@@ -247,7 +247,7 @@ class CanNode:
 
     def _lost(self, error: Exception) -> DeviceError:
         return DeviceLost.at(
-            self, say("the CAN adapter broke off ‹{}›; check its cable and the bus.", error)
+            self, "the CAN adapter broke off ‹{}›; check its cable and the bus.", error
         )
 
     # --- node ------------------------------------------------------------------------------------
@@ -360,13 +360,11 @@ class CanNode:
     def _refused(self, index: int, subindex: int, what: str) -> SettingRefused:
         return SettingRefused.at(
             self,
-            say(
-                "node {} refused to be read or set; check the drive's manual and its"
-                " settings ‹object {}: {}›.",
-                self.node_id,
-                _shown(index, subindex),
-                what,
-            ),
+            "node {} refused to be read or set; check the drive's manual and its"
+            " settings ‹object {}: {}›.",
+            self.node_id,
+            _shown(index, subindex),
+            what,
         )
 
 

@@ -74,7 +74,6 @@ class Control(enum.IntEnum):
     SWITCH_ON = 0x07
     ENABLE = 0x0F
     FAULT_RESET = 0x80
-    HALT = 0x100
 
 
 _STATES: Final[tuple[tuple[int, int, State], ...]] = (

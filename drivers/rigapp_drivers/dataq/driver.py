@@ -32,7 +32,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
-from rigapp.texts import joined, say, sentence_of_error
+from rigapp.texts import joined, say
 from rigapp_drivers.api import (
     Block,
     ConnectionFailed,
@@ -42,7 +42,6 @@ from rigapp_drivers.api import (
     DriverKind,
     Identity,
     InputFault,
-    InvalidRequest,
     ProtocolError,
     ReplyTimeout,
     SampleClock,
@@ -50,6 +49,7 @@ from rigapp_drivers.api import (
     StreamSetup,
     WrongDevice,
     filled,
+    refusing,
 )
 from rigapp_drivers.dataq import protocol as p
 from rigapp_drivers.dataq.link import PROBE, Link, identity_of, version_words
@@ -94,10 +94,8 @@ class Dataq:
         """Tell the device everything and check every echo; raise SettingRefused."""
         self.stop()
         settings = {**self._settings, **request.settings}
-        try:
+        with refusing(self):
             plan = make_plan(request, settings)
-        except InvalidRequest as error:
-            raise SettingRefused.at(self, sentence_of_error(error)) from error
         self._check_model(settings["model"])
         self._settings = settings
         self._link.reply_timeout_s = settings["reply_timeout_s"]

@@ -172,8 +172,8 @@ class Stream:
         self._running = False
         patience_s = 5.0 * self._link.reply_timeout_s + 1.0
         if not self._lock.acquire(timeout=patience_s):
-            raise self._error(
-                ReplyTimeout, say("the device is busy for {:g} s ‹reading thread›.", patience_s)
+            raise ReplyTimeout.at(
+                self._link.port, "the device is busy for {:g} s ‹reading thread›.", patience_s
             )
         try:
             self._end()
@@ -202,9 +202,9 @@ class Stream:
             if data is not None:
                 return data
         self._running = False
-        raise self._error(
-            DeviceLost,
-            say("it answers stop no more; switch it off and on and check the cable."),
+        raise DeviceLost.at(
+            self._link.port,
+            "it answers stop no more; switch it off and on and check the cable.",
         )
 
     def _keep(self, data: bytes) -> None:
@@ -249,14 +249,12 @@ class Stream:
             return
         self._halt()
         self._running = False
-        raise self._error(
-            SettingsLost,
-            say(
-                "nothing came for {:.1f} s though it answers: it was probably reset (power,"
-                " USB) and has lost its settings and its count; connect it again and find"
-                " the index again.",
-                silent_s,
-            ),
+        raise SettingsLost.at(
+            self._link.port,
+            "nothing came for {:.1f} s though it answers: it was probably reset (power,"
+            " USB) and has lost its settings and its count; connect it again and find"
+            " the index again.",
+            silent_s,
         )
 
     def _require_settings(self) -> None:
@@ -264,12 +262,10 @@ class Stream:
         if not self._rate or self._link.rate() == self._rate:
             return
         self._running = False
-        raise self._error(
-            SettingsLost,
-            say(
-                "it has restarted (power, USB) and has lost its settings and its count; connect"
-                " it again and find the index again."
-            ),
+        raise SettingsLost.at(
+            self._link.port,
+            "it has restarted (power, USB) and has lost its settings and its count; connect"
+            " it again and find the index again.",
         )
 
     def _parse(self) -> None:
@@ -293,16 +289,14 @@ class Stream:
             with contextlib.suppress(DeviceError):
                 self._halt()
             self._running = False
-            raise self._error(
-                ProtocolError,
-                say(
-                    "{}, still so after {} restarts; check that the encoder drives the"
-                    " counter input, maximum_speed_rpm and maximum_acceleration_rev_per_s2,"
-                    " and that the device was not reset (its settings and its count are"
-                    " lost then).",
-                    why,
-                    _MOST_RESTARTS,
-                ),
+            raise ProtocolError.at(
+                self._link.port,
+                "{}, still so after {} restarts; check that the encoder drives the"
+                " counter input, maximum_speed_rpm and maximum_acceleration_rev_per_s2,"
+                " and that the device was not reset (its settings and its count are"
+                " lost then).",
+                why,
+                _MOST_RESTARTS,
             )
         self._halt()
         self._parser.restart()
@@ -389,6 +383,3 @@ class Stream:
     def _say(self, sentence: str) -> None:
         self.tally.sentences.append(sentence)
         _log.warning("%s on %s: %s", self._link.port.device, self._link.port.port, sentence)
-
-    def _error(self, kind: type[DeviceLost | ProtocolError | ReplyTimeout], why: str) -> Exception:
-        return kind.at(self._link.port, why)

@@ -123,14 +123,12 @@ class Commissioner:
         )
         for wanted, least, what in needs:
             if wanted and self._firmware < least:
-                raise self._refused(
-                    say(
-                        "{} needs firmware {} or newer, this device has {}; let the maker"
-                        " update it.",
-                        what,
-                        p.version_words(least),
-                        p.version_words(self._firmware),
-                    )
+                raise SettingRefused.at(
+                    self._link.port,
+                    "{} needs firmware {} or newer, this device has {}; let the maker update it.",
+                    what,
+                    p.version_words(least),
+                    p.version_words(self._firmware),
                 )
 
     def _choose_checksum(self, plan: Plan) -> tuple[Plan, p.InterfaceReply]:
@@ -150,7 +148,9 @@ class Commissioner:
         wanted = bool(plan.data_checksum)
         reply = self._registers.open_session(high_speed=plan.high_speed, data_checksum=wanted)
         if reply.data_checksum != wanted:
-            raise self._refused(say("the device did not take the setting data_checksum."))
+            raise SettingRefused.at(
+                self._link.port, "the device did not take the setting data_checksum."
+            )
         if reply.write_protected:
             _log.warning("%s: the device reports write protection", self._name)
         return reply
@@ -174,14 +174,13 @@ class Commissioner:
         layout = FrameLayout(len(plan.objects), plan.data_type, bool(plan.data_checksum))
         capacity = self._baud_rate / _BITS_PER_BYTE * _LINE_SHARE / layout.length()
         if plan.sample_rate_Hz > capacity:
-            raise self._refused(
-                say(
-                    "sample_rate_Hz = {:g} needs more than a line of {} baud carries"
-                    " ({:.0f} samples/s); choose a lower rate, a higher baud rate or USB.",
-                    plan.sample_rate_Hz,
-                    self._baud_rate,
-                    capacity,
-                )
+            raise SettingRefused.at(
+                self._link.port,
+                "sample_rate_Hz = {:g} needs more than a line of {} baud carries"
+                " ({:.0f} samples/s); choose a lower rate, a higher baud rate or USB.",
+                plan.sample_rate_Hz,
+                self._baud_rate,
+                capacity,
             )
 
     # --- the settings ---------------------------------------------------------------------------
@@ -195,18 +194,17 @@ class Commissioner:
             self._set_once(setting, wanted)
         except SettingRefused as error:
             sentence = say("{} cannot be {}: {}", setting.words, _shown(wanted), error.sentence)
-            raise self._refused(sentence) from error
+            raise SettingRefused.at(self._link.port, sentence) from error
         self.writes += 1
         _log.info("%s: %s %s -> %s", self._name, setting.words, _shown(before), _shown(wanted))
         after = self._registers.get(setting)
         if not _same(after, wanted):
-            raise self._refused(
-                say(
-                    "{} is {} after {} was written; check the device with the maker's program.",
-                    setting.words,
-                    _shown(after),
-                    _shown(wanted),
-                )
+            raise SettingRefused.at(
+                self._link.port,
+                "{} is {} after {} was written; check the device with the maker's program.",
+                setting.words,
+                _shown(after),
+                _shown(wanted),
             )
 
     def _set_once(self, setting: Setting, wanted: Any) -> None:
@@ -233,8 +231,8 @@ class Commissioner:
         flags = self._registers.get(r.counter_mode(counter))
         if counter in plan.counters:
             if not flags & p.COUNTER_PRESENT:
-                raise self._refused(
-                    say("counter_{}: this device has no encoder input.", counter + 1)
+                raise SettingRefused.at(
+                    self._link.port, "counter_{}: this device has no encoder input.", counter + 1
                 )
             self._ensure(r.counter_home(counter), plan.counter_home)
             wanted = plan.counters[counter].encode()
@@ -253,16 +251,15 @@ class Commissioner:
             highest = self._registers.highest_rate_Hz()
             if rate > highest:
                 other = say(", int24 or int16") if plan.data_type is DataType.FLOAT32 else ""
-                raise self._refused(
-                    say(
-                        "sample_rate_Hz = {:g}: the device allows at most {:g} with {}"
-                        " inputs as {}; choose a lower rate{}.",
-                        rate,
-                        highest,
-                        len(plan.objects),
-                        plan.data_type.name.lower(),
-                        other,
-                    )
+                raise SettingRefused.at(
+                    self._link.port,
+                    "sample_rate_Hz = {:g}: the device allows at most {:g} with {}"
+                    " inputs as {}; choose a lower rate{}.",
+                    rate,
+                    highest,
+                    len(plan.objects),
+                    plan.data_type.name.lower(),
+                    other,
                 )
         self._ensure(r.RATE, rate)
 
@@ -324,18 +321,14 @@ class Commissioner:
             wanted[f"counter_{counter + 1}.mode"] = f"0x{flags:04X}"
         for key, value in wanted.items():
             if not _same(facts[key], value):
-                raise self._refused(
-                    say(
-                        "{} is {} in the end, {} was asked for: another setting changed it;"
-                        " check the device with the maker's program.",
-                        key,
-                        facts[key],
-                        value,
-                    )
+                raise SettingRefused.at(
+                    self._link.port,
+                    "{} is {} in the end, {} was asked for: another setting changed it;"
+                    " check the device with the maker's program.",
+                    key,
+                    facts[key],
+                    value,
                 )
-
-    def _refused(self, sentence: str) -> SettingRefused:
-        return SettingRefused(self._name, self._link.port.port, sentence)
 
 
 def _same(a: object, b: object) -> bool:

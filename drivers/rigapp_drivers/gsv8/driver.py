@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from rigapp.texts import joined, say, sentence_of_error
+from rigapp.texts import joined, say
 from rigapp_drivers.api import (
     Block,
     ConnectionFailed,
@@ -21,7 +21,6 @@ from rigapp_drivers.api import (
     DriverKind,
     Identity,
     InputFault,
-    InvalidRequest,
     Quality,
     ReplyTimeout,
     SettingRefused,
@@ -29,6 +28,7 @@ from rigapp_drivers.api import (
     StreamSetup,
     WrongDevice,
     filled,
+    refusing,
 )
 from rigapp_drivers.gsv8 import protocol as p
 from rigapp_drivers.gsv8.commission import PROBE, Commissioner, identity_of
@@ -198,10 +198,8 @@ class Gsv8:
         """Set what differs, read everything back; raise SettingRefused."""
         self.stop()
         settings = {**self._own_settings, **request.settings}
-        try:
+        with refusing(self):
             plan = make_plan(request, settings)
-        except InvalidRequest as error:
-            raise SettingRefused.at(self, sentence_of_error(error)) from error
         self._settings = settings
         self._link.reply_timeout_s = settings["reply_timeout_s"]
         self._link.expect(None)
@@ -380,17 +378,14 @@ class Gsv8:
         if self._link.tally.dropped_bytes:
             return WrongDevice.at(
                 self,
-                say(
-                    "something sends data, but not those of a GSV-8; check the port and, on"
-                    " a UART, baud_rate ({}).",
-                    rate,
-                ),
+                "something sends data, but not those of a GSV-8; check the port and, on"
+                " a UART, baud_rate ({}).",
+                rate,
             )
         return ConnectionFailed.at(
             self,
-            say(
-                "nothing answers; check power, cable and port and, on a UART, baud_rate ({}).", rate
-            ),
+            "nothing answers; check power, cable and port and, on a UART, baud_rate ({}).",
+            rate,
         )
 
     def _configured(self) -> tuple[Plan, FrameLayout]:
@@ -400,10 +395,8 @@ class Gsv8:
 
     def _channel(self, name: str) -> int:
         """Return the device's channel number of an input; counters in use come behind the eight."""
-        try:
+        with refusing(self):
             family, number = parse_input(name)
-        except InvalidRequest as error:
-            raise SettingRefused.at(self, sentence_of_error(error)) from error
         if family == "analog":
             return number
         counters = sorted(self._plan.counters) if self._plan is not None else []

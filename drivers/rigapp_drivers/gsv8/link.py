@@ -324,11 +324,9 @@ class Link:
             return ReplyTimeout.at(self.port, "no answer to {}; {}.", command.words, words)
         return ReplyTimeout.at(
             self.port,
-            say(
-                "no answer to {} within {:g} s ({}); check cable and power, and that no"
-                " other program uses the device.",
-                command.words,
-                self.reply_timeout_s,
-                why,
-            ),
+            "no answer to {} within {:g} s ({}); check cable and power, and that no"
+            " other program uses the device.",
+            command.words,
+            self.reply_timeout_s,
+            why,
         )

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import threading
+from collections.abc import Iterator
 from typing import Final
 
 from rigapp_drivers.api import ConnectionFailed, DeviceLost, SettingRefused
@@ -95,24 +97,18 @@ class SharedPort:
 
     def read_some(self, maximum: int, timeout_s: float) -> bytes:
         """Return what is there, at most maximum bytes; wait timeout_s for the first one."""
-        try:
-            return self._line().read_some(maximum, timeout_s)
-        except DeviceLost as error:
-            raise self._lost(error) from error
+        with self._using() as line:
+            return line.read_some(maximum, timeout_s)
 
     def write(self, data: bytes) -> None:
         """Send all bytes; raise DeviceLost."""
-        try:
-            self._line().write(data)
-        except DeviceLost as error:
-            raise self._lost(error) from error
+        with self._using() as line:
+            line.write(data)
 
     def drain(self) -> bytes:
         """Read until the line is quiet and return what came."""
-        try:
-            return self._line().drain()
-        except DeviceLost as error:
-            raise self._lost(error) from error
+        with self._using() as line:
+            return line.drain()
 
     def close(self) -> None:
         """Leave the line, and release it as the last; never raises."""
@@ -133,15 +129,17 @@ class SharedPort:
         """Return the bytes that were sent on the whole line."""
         return 0 if self.bus.line is None else self.bus.line.bytes_sent
 
-    def _line(self) -> SerialPort:
+    @contextlib.contextmanager
+    def _using(self) -> Iterator[SerialPort]:
+        """Hand out the open line; release it for all users when it breaks."""
         if self.bus.line is None:
             raise DeviceLost.at(self, "the port is not open.")
-        return self.bus.line
-
-    def _lost(self, error: DeviceLost) -> DeviceLost:
-        with _joining:
-            self._release(self.bus)
-        return DeviceLost.at(self, error.sentence)
+        try:
+            yield self.bus.line
+        except DeviceLost as error:
+            with _joining:
+                self._release(self.bus)
+            raise DeviceLost.at(self, error.sentence) from error
 
     def _release(self, bus: Bus) -> None:
         if bus.line is not None:

@@ -14,14 +14,15 @@ from rigapp_drivers.api import (
     DriverInfo,
     DriverKind,
     Identity,
+    InvalidRequest,
     Probe,
     ProtocolError,
     ReplyTimeout,
-    SettingRefused,
     SettingSpec,
     SlowRequest,
     WrongDevice,
     filled,
+    refusing,
 )
 from rigapp_drivers.modbus_sensor.bus import SharedPort
 from rigapp_drivers.modbus_sensor.link import Decoder, ModbusLink
@@ -88,13 +89,13 @@ class ModbusSensor:
     def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
         self.name = name
         self.port = port
-        self._settings = given = filled(SETTINGS, settings)
-        self._line = SharedPort(
-            name, port, given["baud_rate"], given["parity"], given["stop_bits"], given["address"]
+        self._settings = filled(SETTINGS, settings)
+        address, baud_rate, parity, stop_bits, timeout_s = (
+            self._settings[key]
+            for key in ("address", "baud_rate", "parity", "stop_bits", "reply_timeout_s")
         )
-        self._link = ModbusLink(
-            self._line, given["address"], given["baud_rate"], given["reply_timeout_s"]
-        )
+        self._line = SharedPort(name, port, baud_rate, parity, stop_bits, address)
+        self._link = ModbusLink(self._line, address, baud_rate, timeout_s)
         self._questions: tuple[Question, ...] = ()
         self._timeout_s = _OPEN_S
 
@@ -104,10 +105,8 @@ class ModbusSensor:
         Raises ConnectionFailed when nothing answers, WrongDevice when something else does or the
         device lacks a register, SettingRefused for registers that are none.
         """
-        try:
+        with refusing(self):
             self._questions = questions(registers_of(self._settings))
-        except ValueError as error:
-            raise SettingRefused.at(self, sentence_of_error(error)) from error
         self._line.open()
         self._link.share(self._line.bus)
         try:
@@ -124,24 +123,26 @@ class ModbusSensor:
 
     def configure(self, request: SlowRequest) -> Mapping[str, str | float | int]:
         """Check that the registers tell these quantities; return which register tells which."""
-        try:
+        with refusing(self):
             check(SlowRequest(request.quantities, request.timeout_s, self._settings))
-        except ValueError as error:
-            raise SettingRefused.at(self, sentence_of_error(error)) from error
-        wanted = [one for one in registers_of(self._settings) if one.quantity in request.quantities]
+        wanted = [
+            register
+            for register in registers_of(self._settings)
+            if register.quantity in request.quantities
+        ]
         self._questions = questions(wanted)
         self._timeout_s = request.timeout_s
         return {
             "address": self._settings["address"],
             **{
-                one.quantity: say(
+                register.quantity: say(
                     "function {}, address {}, {}, scale {:g}",
-                    one.function,
-                    one.address,
-                    one.type,
-                    one.scale,
+                    register.function,
+                    register.address,
+                    register.type,
+                    register.scale,
                 )
-                for one in wanted
+                for register in wanted
             },
         }
 
@@ -168,10 +169,11 @@ class ModbusSensor:
 
     def _ask(self, timeout_s: float) -> dict[str, float]:
         deadline_s = time.monotonic() + timeout_s
-        found: dict[str, float] = {}
-        for one in self._questions:
-            found |= one.values(self._link.read(one.function, one.address, one.count, deadline_s))
-        return found
+        values: dict[str, float] = {}
+        for question in self._questions:
+            words = self._link.read(question.function, question.address, question.count, deadline_s)
+            values |= question.values(words)
+        return values
 
 
 _ON_OPENING: Final[Mapping[type[BaseException], type[ConnectionFailed] | type[WrongDevice]]] = {
@@ -183,17 +185,15 @@ _ON_OPENING: Final[Mapping[type[BaseException], type[ConnectionFailed] | type[Wr
 
 
 def check(request: SlowRequest) -> None:
-    """Raise ValueError for quantities that the settings give no register for."""
+    """Raise InvalidRequest for quantities that the settings give no register for."""
     settings = filled(SETTINGS, request.settings)
-    known = [one.quantity for one in registers_of(settings)]
+    known = [register.quantity for register in registers_of(settings)]
     missing = [name for name in request.quantities if name not in known]
     if missing:
-        raise ValueError(
-            say(
-                "the device does not tell {}; its settings give {}.",
-                joined(", ", missing),
-                joined(", ", known),
-            )
+        raise InvalidRequest(
+            "the device does not tell {}; its settings give {}.",
+            joined(", ", missing),
+            joined(", ", known),
         )
 
 
@@ -206,6 +206,6 @@ DRIVER: Final = DriverInfo(
     simulator="rigapp_drivers.modbus_sensor.simulator:ModbusSensorSimulator",
     probe=PROBE,
     check=check,
-    quantities=tuple(one.quantity for one in PRESETS[SETTINGS["preset"].default]),
+    quantities=tuple(register.quantity for register in PRESETS[SETTINGS["preset"].default]),
     decoder=Decoder,
 )

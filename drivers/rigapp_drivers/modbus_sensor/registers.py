@@ -10,7 +10,7 @@ from typing import Annotated, Any, Final, Literal
 
 import msgspec
 
-from rigapp.texts import say
+from rigapp_drivers.api import InvalidRequest
 
 MOST_WORDS: Final = 125
 """Registers that one request may ask for (Modbus application protocol 1.1b3, 6.3 and 6.4)."""
@@ -70,32 +70,30 @@ OWN: Final = "own registers"
 
 
 def registers_of(settings: Mapping[str, Any]) -> tuple[Register, ...]:
-    """Return the registers that the settings ask for; raise ValueError with one sentence."""
+    """Return the registers that the settings ask for; raise InvalidRequest."""
     own = settings["registers"]
     if settings["preset"] != OWN:
         if own:
-            raise ValueError(
-                say('registers are given: write preset = "{}", or take them out.', OWN)
-            )
+            raise InvalidRequest('registers are given: write preset = "{}", or take them out.', OWN)
         return PRESETS[settings["preset"]]
     if not own:
-        raise ValueError(say('preset = "{}" needs at least one entry in registers.', OWN))
-    found = []
-    for place, table in enumerate(own, start=1):
+        raise InvalidRequest('preset = "{}" needs at least one entry in registers.', OWN)
+    registers = []
+    for number, table in enumerate(own, start=1):
         try:
             register = msgspec.convert(table, Register)
         except msgspec.ValidationError as error:
-            raise ValueError(say("registers, entry {}: {}.", place, error)) from error
+            raise InvalidRequest("registers, entry {}: {}.", number, error) from error
         if not (math.isfinite(register.scale) and register.scale != 0.0):
-            raise ValueError(
-                say("registers, entry {}: scale = {:g} tells nothing.", place, register.scale)
+            raise InvalidRequest(
+                "registers, entry {}: scale = {:g} tells nothing.", number, register.scale
             )
-        found.append(register)
-    names = [register.quantity for register in found]
+        registers.append(register)
+    names = [register.quantity for register in registers]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise ValueError(say("registers name the quantity {} twice.", twice))
-    return tuple(found)
+        raise InvalidRequest("registers name the quantity {} twice.", twice)
+    return tuple(registers)
 
 
 class Question(msgspec.Struct, frozen=True):

@@ -12,6 +12,7 @@ from rigapp_drivers.api import (
     ConnectionFailed,
     DriveRequest,
     Identity,
+    InvalidRequest,
     ProtocolError,
     ReplyTimeout,
     SettingRefused,
@@ -73,13 +74,13 @@ def identify(link: Link, status_width: str) -> Identity:
     try:
         text = link.version()
     except ReplyTimeout as error:
-        sentence = say("no RoboClaw answers at address {}: {}", link.address, error.sentence)
-        raise ConnectionFailed.at(link, sentence) from error
+        raise ConnectionFailed.at(
+            link, "no RoboClaw answers at address {}: {}", link.address, error.sentence
+        ) from error
     except ProtocolError as error:
-        sentence = say(
-            "what answers is no RoboClaw at address {}: {}", link.address, error.sentence
-        )
-        raise WrongDevice.at(link, sentence) from error
+        raise WrongDevice.at(
+            link, "what answers is no RoboClaw at address {}: {}", link.address, error.sentence
+        ) from error
     if not text.strip():
         raise WrongDevice.at(link, "the firmware text is empty.")
     link.generation = _generation(link, text, status_width)
@@ -176,15 +177,13 @@ def _power_off(link: Link, motor: int) -> dict[str, str]:
         }
     ramp_s = MAXIMUM_DUTY / found if found else math.inf
     if ramp_s > _LONGEST_POWER_OFF_S:
-        raise _refused(
+        raise SettingRefused.at(
             link,
-            say(
-                "taking the power off is a ramp of {:.2g} s; set the default duty"
-                " acceleration of motor {} to {} with the maker's tool.",
-                ramp_s,
-                motor,
-                MAXIMUM_DUTY_ACCELERATION,
-            ),
+            "taking the power off is a ramp of {:.2g} s; set the default duty"
+            " acceleration of motor {} to {} with the maker's tool.",
+            ramp_s,
+            motor,
+            MAXIMUM_DUTY_ACCELERATION,
         )
     return {"power_off_ramp": f"{ramp_s:.2f} s"}
 
@@ -215,13 +214,10 @@ def _emergency_stop_input(link: Link) -> dict[str, str]:
 
 
 def check_watchdog(request: DriveRequest) -> None:
-    """Raise ValueError for a time-out that no RoboClaw can keep."""
+    """Raise InvalidRequest for a time-out that no RoboClaw can keep."""
     if not 1 <= _watchdog_units(request) <= _MAXIMUM_TIMEOUT:
-        raise ValueError(
-            say(
-                "a watchdog time-out of {:g} s is outside 0.1 to 25.5 s.",
-                request.watchdog_timeout_s,
-            )
+        raise InvalidRequest(
+            "a watchdog time-out of {:g} s is outside 0.1 to 25.5 s.", request.watchdog_timeout_s
         )
 
 
@@ -239,27 +235,19 @@ def _set_watchdog(link: Link, units: int) -> None:
         (found,) = link.read(Command.GET_TIMEOUT)
     except ReplyTimeout as error:
         link.read(Command.STATUS)  # a drive that answers this is not silent: it lacks the command
-        raise _refused(
+        raise SettingRefused.at(
             link,
-            say(
-                "this firmware has no watchdog: it does not answer SET_TIMEOUT and"
-                " GET_TIMEOUT ({:d}, {:d}), and the spindle must not turn without one;"
-                " update the drive's firmware.",
-                Command.SET_TIMEOUT,
-                Command.GET_TIMEOUT,
-            ),
+            "this firmware has no watchdog: it does not answer SET_TIMEOUT and"
+            " GET_TIMEOUT ({:d}, {:d}), and the spindle must not turn without one;"
+            " update the drive's firmware.",
+            Command.SET_TIMEOUT,
+            Command.GET_TIMEOUT,
         ) from error
     if found != units:
-        raise _refused(
+        raise SettingRefused.at(
             link,
-            say(
-                "the serial time-out reads {:.1f} s after {:.1f} s was set; the spindle"
-                " must not turn without it.",
-                found * TIMEOUT_UNIT_S,
-                units * TIMEOUT_UNIT_S,
-            ),
+            "the serial time-out reads {:.1f} s after {:.1f} s was set; the spindle"
+            " must not turn without it.",
+            found * TIMEOUT_UNIT_S,
+            units * TIMEOUT_UNIT_S,
         )
-
-
-def _refused(link: Link, sentence: str) -> SettingRefused:
-    return SettingRefused.at(link, sentence)

@@ -291,11 +291,10 @@ class RoboClaw:
                 remedy = self._release_stop(link)
                 words = self._words(link)
         if words.emergency_stop:
-            sentence = say("the emergency stop stays: {}.", remedy)
-            raise DeviceFault.at(self, sentence)
+            raise DeviceFault.at(self, "the emergency stop stays: {}.", remedy)
         if words.faults:
-            sentence = say("{}: remove the cause, then reset again.", joined(", ", words.faults))
-            raise DeviceFault.at(self, sentence)
+            faults = joined(", ", words.faults)
+            raise DeviceFault.at(self, "{}: remove the cause, then reset again.", faults)
 
     def _words(self, link: Link) -> StatusWords:
         (state,) = link.read(Command.STATUS)
@@ -333,8 +332,9 @@ class RoboClaw:
             if reader.has_restarted(readings):
                 self._setup = None
                 self._target = None
-                sentence = say("the drive has restarted and its motor is off; check its supply.")
-                raise SettingsLost.at(self, sentence)
+                raise SettingsLost.at(
+                    self, "the drive has restarted and its motor is off; check its supply."
+                )
             # A drive that has restarted has no set-point either; nor has a ramp as it begins.
             if reader.watchdog_is_due or (self._target and readings.setpoint == 0):
                 self._check_watchdog(link, setup)
@@ -397,13 +397,13 @@ class RoboClaw:
 
     def _check_watchdog(self, link: Link, setup: Setup) -> None:
         """Read the serial time-out; with another one take the power off, raise SettingsLost."""
-        (found,) = link.read(Command.GET_TIMEOUT)
-        if found == setup.watchdog_units:
+        (units,) = link.read(Command.GET_TIMEOUT)
+        if units == setup.watchdog_units:
             return
         with contextlib.suppress(DeviceError):  # the caller's stop meets the error again
             self._off(link)
         self._setup = None
-        raise settings_lost(self, found * TIMEOUT_UNIT_S, setup.watchdog_s)
+        raise settings_lost(self, units * TIMEOUT_UNIT_S, setup.watchdog_s)
 
     # --- helpers ---------------------------------------------------------------------------------
 

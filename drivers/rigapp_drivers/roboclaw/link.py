@@ -259,22 +259,18 @@ class Link:
         if not told:
             return ReplyTimeout.at(
                 self,
-                say(
-                    "no reply in {} tries of {:.0f} ms or longer: check power, cable,"
-                    " address and baud rate ‹{}›.",
-                    len(failures),
-                    self._timeout_s * 1000.0,
-                    name,
-                ),
+                "no reply in {} tries of {:.0f} ms or longer: check power, cable,"
+                " address and baud rate ‹{}›.",
+                len(failures),
+                self._timeout_s * 1000.0,
+                name,
             )
         return ProtocolError.at(
             self,
-            say(
-                "no usable reply in {} tries: {}: check the cable's screen and the baud rate ‹{}›.",
-                len(failures),
-                joined("; ", told),
-                name,
-            ),
+            "no usable reply in {} tries: {}: check the cable's screen and the baud rate ‹{}›.",
+            len(failures),
+            joined("; ", told),
+            name,
         )
 
     def _reply_timeout(self, wire_bytes: int) -> float:
