@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from rigapp.texts import say
+
 
 @dataclass(frozen=True, slots=True)
 class Problem:
@@ -15,9 +17,14 @@ class Problem:
     blocks: bool = True
 
 
-def note(code: str, sentence: str) -> Problem:
-    """Return a problem that is only told: nothing is refused because of it."""
-    return Problem(code, sentence, blocks=False)
+def refusal(code: str, template: str, *values: object) -> Problem:
+    """Return a problem because of which the calibration is refused."""
+    return Problem(code, say(template, *values))
+
+
+def note(code: str, template: str, *values: object) -> Problem:
+    """Return a problem that is only reported: nothing is refused because of it."""
+    return Problem(code, say(template, *values), blocks=False)
 
 
 def blocked(problems: Iterable[Problem]) -> bool:

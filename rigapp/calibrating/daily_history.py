@@ -31,6 +31,7 @@ from rigapp_calibration.load_cell.daily import Chart, ChartFinding, DailyCheck, 
 from rigapp_calibration.records import Record, moment
 
 STORE = "daily-checks.jsonl"
+MOST_LINES = 20
 
 
 @dataclass(frozen=True, slots=True)
@@ -228,7 +229,7 @@ def history_result(found: DailyHistory) -> dict[str, Any]:
     }
 
 
-def history_lines(found: DailyHistory, most: int = 20) -> list[str]:
+def history_lines(found: DailyHistory) -> list[str]:
     """Return the newest checks as a table, and what the charts say."""
     return [
         say("when (UTC)         sensitivity  cross-talk   largest N  verdict  operator"),
@@ -236,7 +237,7 @@ def history_lines(found: DailyHistory, most: int = 20) -> list[str]:
             f"{when(one)}   {one['sensitivity_ratio']:10.5f}  {one['cross_talk_ratio']:+10.5f}"
             f"  {one['largest_N']:10.2f}  {'passed' if one['passed'] else 'FAILED'}"
             f"   {one['operator']}"
-            for one in found.entries[-most:]
+            for one in found.entries[-MOST_LINES:]
         ),
         *verdict_lines(found),
     ]

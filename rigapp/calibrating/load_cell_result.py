@@ -20,7 +20,7 @@ from rigapp_calibration.load_cell.force_uncertainty import too_uncertain
 from rigapp_calibration.load_cell.readings import load_cell_table
 from rigapp_calibration.load_cell.settings import LoadCellSettings
 from rigapp_calibration.load_cell.two_axis import common_zero_fit
-from rigapp_calibration.problems import Problem, blocked
+from rigapp_calibration.problems import Problem, blocked, refusal
 from rigapp_calibration.taking.readings import Rows
 
 OF_A_FIT = (
@@ -142,15 +142,13 @@ def _too_uncertain(found: LoadCellCalibration, settings: LoadCellSettings) -> It
         against = too_uncertain(found.budget.expanded, settings.cell.full_scale)
         if against:
             largest = max(found.budget.contributions, key=lambda one: one.uncertainty)
-            yield Problem(
+            yield refusal(
                 "too_uncertain",
-                say(
-                    "The result {}. The largest part is {} (u = {:.3g} N): correct its"
-                    " setting, or measure it better.",
-                    against,
-                    largest.name,
-                    largest.uncertainty,
-                ),
+                "The result {}. The largest part is {} (u = {:.3g} N): correct its"
+                " setting, or measure it better.",
+                against,
+                largest.name,
+                largest.uncertainty,
             )
 
 

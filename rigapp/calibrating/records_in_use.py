@@ -146,6 +146,8 @@ def _read(rig: Rig, key: str, name: str, kinds: tuple[str, ...]) -> tuple[str, R
     try:
         data = read_bytes(path)
         record = unseal(data)
+        if record.kind in kinds:
+            check_shape(record)
     except OSError as error:
         raise UnusableInput("{}: the record cannot be read ‹{}›.", where, error) from error
     except RecordError as error:
@@ -154,10 +156,6 @@ def _read(rig: Rig, key: str, name: str, kinds: tuple[str, ...]) -> tuple[str, R
         raise UnusableInput(
             "{}: this is the record of a {}, not of a {}.", where, record.kind, " or a ".join(kinds)
         )
-    try:
-        check_shape(record)
-    except RecordError as error:
-        raise UnusableInput("{}: {}.", where, error) from error
     return data.decode(), record
 
 

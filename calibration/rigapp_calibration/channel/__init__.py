@@ -17,7 +17,7 @@ import numpy as np
 
 from rigapp.texts import say
 from rigapp_calibration.arrays import Array, Whole
-from rigapp_calibration.problems import Problem, blocked
+from rigapp_calibration.problems import Problem, blocked, refusal
 from rigapp_calibration.taking.readings import (
     Rows,
     check_columns,
@@ -157,19 +157,17 @@ def _unusable(readings: ChannelReadings) -> Iterator[Problem]:
     yield from check_steps(readings, readings.series)
     count = len(set(_points_of(readings.reference).tolist()))
     if count < FEWEST_POINTS or len(readings.signal) <= FEWEST_POINTS:
-        yield Problem(
+        yield refusal(
             "too_few_points",
-            say(
-                "{} readings at {} references; take at least {} references, up and down.",
-                len(readings.signal),
-                count,
-                FEWEST_POINTS,
-            ),
+            "{} readings at {} references; take at least {} references, up and down.",
+            len(readings.signal),
+            count,
+            FEWEST_POINTS,
         )
     elif float(np.ptp(readings.signal)) < DEAD:
-        yield Problem(
+        yield refusal(
             "signal_dead",
-            say("The voltage does not follow the reference; is the channel connected?"),
+            "The voltage does not follow the reference; is the channel connected?",
         )
 
 
@@ -194,21 +192,17 @@ def _no_table(points: Array, readings: int) -> Iterator[Problem]:
     wrong = np.flatnonzero(np.diff(points[0]) <= 0.0)
     if len(wrong):
         value = points[1, wrong[0] + 1]
-        yield Problem(
+        yield refusal(
             "not_monotonic",
-            say(
-                "The voltage at the reference {:g} turns back: it would mean two values."
-                " Take the reading again, or leave the point out.",
-                value,
-            ),
+            "The voltage at the reference {:g} turns back: it would mean two values."
+            " Take the reading again, or leave the point out.",
+            value,
         )
     if readings <= points.shape[1]:
-        yield Problem(
+        yield refusal(
             "no_repeats",
-            say(
-                "Each reference was read once, which does not tell how well a reading"
-                " repeats; take a second series."
-            ),
+            "Each reference was read once, which does not tell how well a reading"
+            " repeats; take a second series.",
         )
 
 
@@ -254,14 +248,12 @@ def _too_uncertain(budget: Budget, span: float) -> Iterator[Problem]:
     if budget.expanded <= TOO_UNCERTAIN * span:
         return
     worst = max(budget.contributions, key=lambda one: one.uncertainty)
-    yield Problem(
+    yield refusal(
         "too_uncertain",
-        say(
-            "The expanded uncertainty {:.3g} is more than {:g} % of the span {:.4g}; its"
-            " largest part is {}.",
-            budget.expanded,
-            100 * TOO_UNCERTAIN,
-            span,
-            worst.name,
-        ),
+        "The expanded uncertainty {:.3g} is more than {:g} % of the span {:.4g}; its"
+        " largest part is {}.",
+        budget.expanded,
+        100 * TOO_UNCERTAIN,
+        span,
+        worst.name,
     )

@@ -44,7 +44,7 @@ from rigapp_calibration.load_cell.scatter import Scatter, scatter
 from rigapp_calibration.load_cell.settings import LoadCellSettings, impossible
 from rigapp_calibration.load_cell.two_axis import Terms, TwoAxisFit, choose_terms, fit
 from rigapp_calibration.load_cell.weights import weight_force
-from rigapp_calibration.problems import Problem, blocked
+from rigapp_calibration.problems import Problem, blocked, refusal
 from rigapp_calibration.taking.uncertainty import Budget
 
 STEADY_CODES = frozenset(
@@ -210,18 +210,16 @@ def check_rated_output(
     off = outputs / cell.rated_output - 1.0
     axis = int(np.abs(off).argmax())
     if abs(off[axis]) > allowed:
-        yield Problem(
+        yield refusal(
             "rated_output",
-            say(
-                "Bridge {} gives {:.4g} mV/V at full scale, {:+.1f} % from the rated {:.4g} mV/V;"
-                " {:.1f} % are allowed. Check unit and mass of the weights, and whether something"
-                " carries a part of the load.",
-                axis + 1,
-                float(outputs[axis]),
-                100.0 * float(off[axis]),
-                cell.rated_output,
-                100.0 * allowed,
-            ),
+            "Bridge {} gives {:.4g} mV/V at full scale, {:+.1f} % from the rated {:.4g} mV/V;"
+            " {:.1f} % are allowed. Check unit and mass of the weights, and whether something"
+            " carries a part of the load.",
+            axis + 1,
+            float(outputs[axis]),
+            100.0 * float(off[axis]),
+            cell.rated_output,
+            100.0 * allowed,
         )
 
 

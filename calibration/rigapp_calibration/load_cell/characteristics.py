@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import compress, pairwise
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from rigapp_calibration.load_cell.settings import LoadCellSettings
 from rigapp_calibration.load_cell.two_axis import TwoAxisFit, robust_fit
 from rigapp_calibration.load_cell.weights import force_per_mass, pin_force, weight_force
 from rigapp_calibration.load_cell.zeros import Zeros, examine_zeros
-from rigapp_calibration.problems import Problem, note
+from rigapp_calibration.problems import Problem, note, refusal
 from rigapp_calibration.taking.readings import each_series
 
 CREEP_AT = (30.0, 300.0)
@@ -78,7 +78,7 @@ class Loads:
             self.across[kept],
             self.group[kept],
             self.rising[kept],
-            tuple(one for one, stays in zip(self.series, kept, strict=True) if stays),
+            tuple(compress(self.series, kept)),
             self.direction[kept],
         )
 
@@ -273,11 +273,9 @@ def unusable_creep(hung: HungReadings) -> Iterator[Problem]:
     if why:
         yield note(
             "creep_unusable",
-            say(
-                "The readings of the creep are passed over, {}: the creep that the settings"
-                " state counts.",
-                why,
-            ),
+            "The readings of the creep are passed over, {}: the creep that the settings"
+            " state counts.",
+            why,
         )
 
 
@@ -299,18 +297,16 @@ def creep(hung: HungReadings, found: TwoAxisFit, load: float, scatter: float) ->
 def check_creep(found: Creep) -> Iterator[Problem]:
     """Yield that the load was touched between the two readings of the creep."""
     if abs(found.change) > LARGEST_CREEP * found.load:
-        yield Problem(
+        yield refusal(
             "creep",
-            say(
-                "Between {:.0f} s and {:.0f} s under {:.1f} N the indication changes by"
-                " {:+.2f} N, {:.1f} % of the load. No cell creeps so far: was the load"
-                " touched? Take the creep again, or leave it out.",
-                found.times[0],
-                found.times[1],
-                found.load,
-                found.change,
-                found.percent,
-            ),
+            "Between {:.0f} s and {:.0f} s under {:.1f} N the indication changes by"
+            " {:+.2f} N, {:.1f} % of the load. No cell creeps so far: was the load"
+            " touched? Take the creep again, or leave it out.",
+            found.times[0],
+            found.times[1],
+            found.load,
+            found.change,
+            found.percent,
         )
 
 

@@ -25,7 +25,7 @@ from rigapp_calibration.load_cell.reading_faults import (
 )
 from rigapp_calibration.load_cell.two_axis import Terms, huber_fit
 from rigapp_calibration.load_cell.wiring import check_wiring
-from rigapp_calibration.problems import Problem, note
+from rigapp_calibration.problems import Problem, note, refusal
 from rigapp_calibration.taking.readings import place_of
 
 NOTED_TURN = np.radians(2.0)
@@ -74,14 +74,12 @@ def _no_reference(evidence: Evidence) -> Iterator[Problem]:
         full = evidence.settings.cell.full_scale
         yield note(
             "no_angle_reference",
-            say(
-                "No angle reference is stated: an error that all pin angles have in common"
-                " leaves no trace in the readings (1 degree turns every force by {:.1f} N"
-                " at {:g} N), and U does not hold it. Take it with a level on the flat of"
-                " the crank, and write [angle] offset_deg.",
-                full * np.radians(1.0),
-                full,
-            ),
+            "No angle reference is stated: an error that all pin angles have in common"
+            " leaves no trace in the readings (1 degree turns every force by {:.1f} N"
+            " at {:g} N), and U does not hold it. Take it with a level on the flat of"
+            " the crank, and write [angle] offset_deg.",
+            full * np.radians(1.0),
+            full,
         )
 
 
@@ -105,23 +103,19 @@ def _axes(evidence: Evidence) -> Iterator[Problem]:
         return
     reversed_axes = [axis + 1 for axis in range(2) if a[axis, axis] < 0.0]
     if len(reversed_axes) == 2:
-        yield Problem(
+        yield refusal(
             "axes_reversed",
-            say(
-                "Both signals have the wrong sign: the pin stands half a turn off, or both"
-                " bridges are reversed; check the angle reference."
-            ),
+            "Both signals have the wrong sign: the pin stands half a turn off, or both"
+            " bridges are reversed; check the angle reference.",
         )
     elif reversed_axes:
         other = say(". Or the pin angle counts the wrong way") if reversed_axes[0] == 1 else ""
-        yield Problem(
+        yield refusal(
             "axis_reversed",
-            say(
-                "signal_{} has the wrong sign: that bridge is reversed; exchange its two"
-                " signal wires{}.",
-                reversed_axes[0],
-                other,
-            ),
+            "signal_{} has the wrong sign: that bridge is reversed; exchange its two"
+            " signal wires{}.",
+            reversed_axes[0],
+            other,
         )
     else:
         yield from _turned(a)
@@ -132,23 +126,19 @@ def _turned(a: Array) -> Iterator[Problem]:
     share = 100.0 * max(abs(a[0, 1] / a[0, 0]), abs(a[1, 0] / a[1, 1]))
     turn = float(np.arctan2(a[1, 0] - a[0, 1], a[0, 0] + a[1, 1]))
     if share > 20.0 or abs(turn) > BLOCKING_TURN:
-        yield Problem(
+        yield refusal(
             "angle_reference",
-            say(
-                "Each signal sees up to {:.0f} % of the other axis, as if every pin angle"
-                " were {:.1f} degrees off; repeat the angle reference step.",
-                share,
-                abs(np.degrees(turn)),
-            ),
+            "Each signal sees up to {:.0f} % of the other axis, as if every pin angle"
+            " were {:.1f} degrees off; repeat the angle reference step.",
+            share,
+            abs(np.degrees(turn)),
         )
     elif abs(turn) > NOTED_TURN:
         yield note(
             "angle_reference",
-            say(
-                "The axes stand as if every pin angle were {:.1f} degrees off. It can be"
-                " the cell's own cross-talk; only the angle reference step can tell.",
-                abs(np.degrees(turn)),
-            ),
+            "The axes stand as if every pin angle were {:.1f} degrees off. It can be"
+            " the cell's own cross-talk; only the angle reference step can tell.",
+            abs(np.degrees(turn)),
         )
 
 
@@ -181,15 +171,13 @@ def _saturated(evidence: Evidence) -> Iterator[Problem]:
         sure = np.maximum(SURE * noise, (0.005 if sharp else 0.025) * np.abs(signal))
         if np.median((beyond / sure)[at]) > 1.0:
             index, axis = (int(one) for one in np.argwhere(at)[0])
-            yield Problem(
+            yield refusal(
                 "saturated",
-                say(
-                    "signal_{} stands still at {:g} from {} while the load grows: the input"
-                    " is saturated; choose a larger range.",
-                    axis + 1,
-                    signal[index, axis],
-                    place_of(readings, index),
-                ),
+                "signal_{} stands still at {:g} from {} while the load grows: the input"
+                " is saturated; choose a larger range.",
+                axis + 1,
+                signal[index, axis],
+                place_of(readings, index),
             )
             return
 
@@ -230,15 +218,13 @@ def _jump(evidence: Evidence) -> tuple[Problem, Array] | None:
     offset = np.zeros_like(signal)
     offset[(zeros[split - 1] + zeros[split] + 1) // 2 :] = evidence.found.sensitivity @ step
     return (
-        Problem(
+        refusal(
             "zero_jump",
-            say(
-                "The zero jumps by {:.1f} N between {} and {}: did something touch cable or"
-                " amplifier? Take the readings again.",
-                size,
-                before,
-                after,
-            ),
+            "The zero jumps by {:.1f} N between {} and {}: did something touch cable or"
+            " amplifier? Take the readings again.",
+            size,
+            before,
+            after,
         ),
         offset,
     )
@@ -269,13 +255,11 @@ def _drift(evidence: Evidence) -> tuple[Problem, Array] | None:
         return None
     ramp = np.linspace(-0.5, 0.5, len(force))[:, None] * found.coefficients[-1]
     return (
-        Problem(
+        refusal(
             "drift",
-            say(
-                "The zero drifts by {:.1f} N over the calibration; let the cell warm up and"
-                " take the readings again.",
-                size,
-            ),
+            "The zero drifts by {:.1f} N over the calibration; let the cell warm up and"
+            " take the readings again.",
+            size,
         ),
         ramp,
     )
@@ -287,10 +271,8 @@ def _hysteresis(evidence: Evidence) -> tuple[Problem | None, Evidence]:
         return (
             note(
                 "no_descending_series",
-                say(
-                    "No load was read both going up and going down, so hysteresis is"
-                    " unknown; add a descending series."
-                ),
+                "No load was read both going up and going down, so hysteresis is"
+                " unknown; add a descending series.",
             ),
             evidence,
         )
@@ -301,14 +283,12 @@ def _hysteresis(evidence: Evidence) -> tuple[Problem | None, Evidence]:
     half = np.array([0.5 * by_load.get(round(float(load), 3), 0.0) for load in found.applied])
     along = found.along - np.where(found.rising, -half, half)
     return (
-        Problem(
+        refusal(
             "hysteresis",
-            say(
-                "Going down the cell reads {:+.1f} N against going up, more than 1 % of"
-                " full scale: something rubs, slips or was overloaded; find it before"
-                " calibrating.",
-                largest,
-            ),
+            "Going down the cell reads {:+.1f} N against going up, more than 1 % of"
+            " full scale: something rubs, slips or was overloaded; find it before"
+            " calibrating.",
+            largest,
         ),
         replace(
             evidence,
@@ -323,10 +303,7 @@ def _range(evidence: Evidence) -> Iterator[Problem]:
     if heaviest < 0.8 * full:
         yield note(
             "range_not_covered",
-            say(
-                "The largest load is {:.0f} N of {:.0f} N; above it the calibration is"
-                " extrapolated.",
-                heaviest,
-                full,
-            ),
+            "The largest load is {:.0f} N of {:.0f} N; above it the calibration is extrapolated.",
+            heaviest,
+            full,
         )

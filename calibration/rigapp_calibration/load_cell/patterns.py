@@ -19,7 +19,7 @@ from rigapp.texts import say
 from rigapp_calibration.arrays import Array, Whole
 from rigapp_calibration.load_cell.characteristics import Evidence, examine
 from rigapp_calibration.load_cell.two_axis import HUBER, Terms, cubes, squares
-from rigapp_calibration.problems import Problem
+from rigapp_calibration.problems import Problem, refusal
 from rigapp_calibration.taking.readings import place_of
 
 FALSE_ALARMS = 1e-4
@@ -318,16 +318,14 @@ def _named(evidence: Evidence, cells: Averages, found: Found) -> Problem:
             if pattern.steady
             else say("Slowly")
         )
-        return Problem(
+        return refusal(
             "gain_changed",
-            say(
-                "{}: {} {:.1f} % {} of the same load than before: the gain changed (range,"
-                " excitation, filter or cable?). Find out why, and take all series again.",
-                since,
-                who,
-                abs(100.0 * size),
-                say("more") if size > 0.0 else say("less"),
-            ),
+            "{}: {} {:.1f} % {} of the same load than before: the gain changed (range,"
+            " excitation, filter or cable?). Find out why, and take all series again.",
+            since,
+            who,
+            abs(100.0 * size),
+            say("more") if size > 0.0 else say("less"),
         )
     words = say(
         "{:.2f} kg {} than written", abs(size), say("heavier") if size > 0.0 else say("lighter")
@@ -340,9 +338,11 @@ def _named(evidence: Evidence, cells: Averages, found: Found) -> Problem:
         if pattern.only
         else say("From {:.3g} kg on every load", mass)
     )
-    return Problem(
+    return refusal(
         "wrong_piece",
-        say("{} seems {}, at every pin angle: weigh the piece that joins there.", which, words),
+        "{} seems {}, at every pin angle: weigh the piece that joins there.",
+        which,
+        words,
     )
 
 
@@ -362,15 +362,13 @@ def _of_every_load(evidence: Evidence, size: float, words: str) -> Problem:
         )
         return Problem("hanger_mass", heavier)
     itself = hanger > 0.0 and abs(size + hanger) < LIKE_THE_HANGER * hanger
-    return Problem(
+    return refusal(
         "hanger_mass" if itself or share > FRICTION else "dead_zone",
-        say(
-            "Every load seems {}, while the zeros are right: a dead zone (friction or slack at the"
-            " hanger), or a hanger or first piece that is not as written. Weigh both; if they are"
-            " right, free the hanger or state [use] dead_zone_percent = {:.2g}.",
-            words,
-            100.0 * share,
-        ),
+        "Every load seems {}, while the zeros are right: a dead zone (friction or slack at the"
+        " hanger), or a hanger or first piece that is not as written. Weigh both; if they are"
+        " right, free the hanger or state [use] dead_zone_percent = {:.2g}.",
+        words,
+        100.0 * share,
     )
 
 

@@ -18,7 +18,7 @@ from rigapp_calibration.load_cell.settings import (
     heaviest_mass,
 )
 from rigapp_calibration.load_cell.weights import FEWEST_LOADS, weight_force
-from rigapp_calibration.problems import Problem, blocked
+from rigapp_calibration.problems import Problem, blocked, refusal
 from rigapp_calibration.taking.readings import (
     check_columns,
     check_steps,
@@ -51,27 +51,23 @@ def check_readings(readings: LoadCellReadings, settings: LoadCellSettings) -> It
     scale = [
         *_impossible_masses(readings, settings),
         *check_settings(settings),
-        *_dead_or_stuck(readings, settings),
+        *_dead_or_stuck(readings),
     ]
     yield from scale
     if not blocked(scale):
         yield from _rated_output(readings, settings)
     loaded = int(np.count_nonzero(readings.mass > 0.0))
     if loaded < FEWEST_LOADED:
-        yield Problem(
+        yield refusal(
             "too_few_readings",
-            say(
-                "Only {} readings with weights; take at least {}, better 40 (4 pin angles,"
-                " 5 loads up and down).",
-                loaded,
-                FEWEST_LOADED,
-            ),
+            "Only {} readings with weights; take at least {}, better 40 (4 pin angles,"
+            " 5 loads up and down).",
+            loaded,
+            FEWEST_LOADED,
         )
     yield from _few_loads(readings)
     if not np.any(readings.mass == 0.0):
-        yield Problem(
-            "no_zero", say("There is no reading without weights; take a zero in each series.")
-        )
+        yield refusal("no_zero", "There is no reading without weights; take a zero in each series.")
 
 
 def _few_loads(readings: LoadCellReadings) -> Iterator[Problem]:
@@ -84,50 +80,43 @@ def _few_loads(readings: LoadCellReadings) -> Iterator[Problem]:
             if np.abs(loads - share).min() > 0.2 * heaviest
         ]
         missing = missing or [0.5 * (float(loads[0]) + heaviest)]
-        yield Problem(
+        yield refusal(
             "too_few_loads",
-            say(
-                "Only {} different loads hung ({} kg): at least {} are needed above zero. Take"
-                " others as well, for example {} kg.",
-                len(loads),
-                joined(" and ", (f"{one:g}" for one in loads)),
-                FEWEST_LOADS,
-                joined(" and ", (f"{one:.3g}" for one in missing)),
-            ),
+            "Only {} different loads hung ({} kg): at least {} are needed above zero. Take"
+            " others as well, for example {} kg.",
+            len(loads),
+            joined(" and ", (f"{one:g}" for one in loads)),
+            FEWEST_LOADS,
+            joined(" and ", (f"{one:.3g}" for one in missing)),
         )
 
 
 def _impossible_masses(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
     heaviest = float(np.nanmax(readings.mass, initial=0.0))
     if np.nanmin(readings.mass, initial=0.0) < 0.0:
-        yield Problem(
-            "negative_mass", say("A mass is negative; masses are written in kg, from 0 up.")
-        )
+        yield refusal("negative_mass", "A mass is negative; masses are written in kg, from 0 up.")
     limit = heaviest_mass(settings)
     if heaviest > 50.0 * limit:
-        yield Problem(
+        yield refusal(
             "mass_unit",
-            say("A mass of {:g} kg is written; was it meant in grams? Write kilograms.", heaviest),
+            "A mass of {:g} kg is written; was it meant in grams? Write kilograms.",
+            heaviest,
         )
     elif 0.0 < heaviest < LIGHTEST_SHARE * limit:
-        yield Problem(
+        yield refusal(
             "mass_unit",
-            say(
-                "The heaviest mass is {:g} kg, the cell may bear {:.1f} kg: nothing can be"
-                " told from so little; write kilograms, not tonnes.",
-                heaviest,
-                limit,
-            ),
+            "The heaviest mass is {:g} kg, the cell may bear {:.1f} kg: nothing can be"
+            " told from so little; write kilograms, not tonnes.",
+            heaviest,
+            limit,
         )
     elif heaviest > limit:
-        yield Problem(
+        yield refusal(
             "overload",
-            say(
-                "{:g} kg is more than the cell may bear ({:.1f} kg); check the mass, which"
-                " is written in kilograms, not in grams, newtons or pounds.",
-                heaviest,
-                limit,
-            ),
+            "{:g} kg is more than the cell may bear ({:.1f} kg); check the mass, which"
+            " is written in kilograms, not in grams, newtons or pounds.",
+            heaviest,
+            limit,
         )
 
 
@@ -138,51 +127,45 @@ def _angles(readings: LoadCellReadings) -> Iterator[Problem]:
         return
     degrees = np.degrees(angle)
     if np.ptp(degrees) > 0.5 and np.abs(degrees).max() < 6.3 and len(np.unique(degrees)) >= 4:
-        yield Problem(
+        yield refusal(
             "angle_unit",
-            say("All pin angles lie between 0 and 6.3; they look like radians, write degrees."),
+            "All pin angles lie between 0 and 6.3; they look like radians, write degrees.",
         )
         return
     groups = angle_groups(angle)
     count = len(np.unique(groups))
     if count < FEWEST_ANGLES:
-        yield Problem(
+        yield refusal(
             "too_few_angles",
-            say(
-                "Only {} pin angle{}: the two axes cannot be told apart; take at least {},"
-                " evenly round the turn.",
-                count,
-                "s" if count > 1 else "",
-                FEWEST_ANGLES,
-            ),
+            "Only {} pin angle{}: the two axes cannot be told apart; take at least {},"
+            " evenly round the turn.",
+            count,
+            "s" if count > 1 else "",
+            FEWEST_ANGLES,
         )
         return
     turned = np.sort(np.mod([angle[groups == g].mean() for g in np.unique(groups)], 2 * np.pi))
     gap = float(np.max(np.diff(np.append(turned, turned[0] + 2.0 * np.pi))))
     if gap > WIDEST_GAP:
-        yield Problem(
+        yield refusal(
             "angles_uneven",
-            say(
-                "No pin angle within {:.0f} degrees of the turn; spread the angles evenly.",
-                np.degrees(gap),
-            ),
+            "No pin angle within {:.0f} degrees of the turn; spread the angles evenly.",
+            np.degrees(gap),
         )
 
 
-def _dead_or_stuck(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
+def _dead_or_stuck(readings: LoadCellReadings) -> Iterator[Problem]:
     signal = readings.signal
     if len(signal) < 4 or not np.isfinite(signal).all():
         return
     still = np.ptp(signal, axis=0) == 0.0
     for axis in range(2):
         if still[axis]:
-            yield Problem(
+            yield refusal(
                 "bridge_dead",
-                say(
-                    "signal_{} never changes ({:g}); is the bridge connected and switched on?",
-                    axis + 1,
-                    signal[0, axis],
-                ),
+                "signal_{} never changes ({:g}); is the bridge connected and switched on?",
+                axis + 1,
+                signal[0, axis],
             )
     if not still.any():  # one signal alone repeats a series by chance
         yield from _copied(readings)
@@ -202,8 +185,8 @@ def _rated_output(readings: LoadCellReadings, settings: LoadCellSettings) -> Ite
     rated = float(np.percentile(change / force, 75.0)) * settings.cell.full_scale
     words = RATED_OUTPUT.objection(say("The signal at full scale"), rated)
     if words:
-        yield Problem(
-            "signal_unit", say("{} Are the signals volts of an amplifier, counts, or N?", words)
+        yield refusal(
+            "signal_unit", "{} Are the signals volts of an amplifier, counts, or N?", words
         )
 
 
@@ -219,14 +202,12 @@ def _duplicated(readings: LoadCellReadings) -> Iterator[Problem]:
     again, same = _seen_before(steps), _seen_before(rows)
     if same and (again == same or not coarse(readings)):
         more = say(" ({} more like it)", len(same) - 1) if len(same) > 1 else ""
-        yield Problem(
+        yield refusal(
             "duplicated_rows",
-            say(
-                "The reading at {} stands twice in the table{}; remove what was pasted"
-                " twice. A second run has series of its own.",
-                place_of(readings, same[0]),
-                more,
-            ),
+            "The reading at {} stands twice in the table{}; remove what was pasted"
+            " twice. A second run has series of its own.",
+            place_of(readings, same[0]),
+            more,
         )
     else:
         yield from check_steps(readings, _runs_of(readings))
@@ -268,14 +249,12 @@ def _copied(readings: LoadCellReadings) -> Iterator[Problem]:
     if copies:
         name, other = copies[0]
         more = say(" (and {} more)", len(copies) - 1) if len(copies) > 1 else ""
-        yield Problem(
+        yield refusal(
             "copied_series",
-            say(
-                "Series {} repeats series {} digit for digit{}; was it copied instead of taken?",
-                name,
-                other,
-                more,
-            ),
+            "Series {} repeats series {} digit for digit{}; was it copied instead of taken?",
+            name,
+            other,
+            more,
         )
 
 

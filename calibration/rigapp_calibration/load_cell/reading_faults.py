@@ -13,7 +13,7 @@ from rigapp.texts import say
 from rigapp_calibration.arrays import Array, Marks
 from rigapp_calibration.load_cell.characteristics import SURE, Evidence, examine
 from rigapp_calibration.load_cell.two_axis import ITERATIONS
-from rigapp_calibration.problems import Problem
+from rigapp_calibration.problems import Problem, refusal
 from rigapp_calibration.taking.readings import each_series, place_of
 
 ANGLE_OFF = np.radians(0.5)
@@ -172,16 +172,14 @@ def _angle_off(
         explained |= block
     worst, block = max(off, key=lambda one: abs(one[0]))
     index = int(np.flatnonzero(block)[0])
-    yield Problem(
+    yield refusal(
         "angle_off",
-        say(
-            "At the pin angle of {:.1f} degrees (series {}) every load seems turned by"
-            " {:+.2f} degrees: the angle written there, or at the opposite position, is"
-            " off; take it from the encoder.",
-            np.degrees(readings.angle[index]),
-            readings.series[index],
-            np.degrees(worst),
-        ),
+        "At the pin angle of {:.1f} degrees (series {}) every load seems turned by"
+        " {:+.2f} degrees: the angle written there, or at the opposite position, is"
+        " off; take it from the encoder.",
+        np.degrees(readings.angle[index]),
+        readings.series[index],
+        np.degrees(worst),
     )
 
 
@@ -231,15 +229,13 @@ def _angle_of_one(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
         differs = np.angle(np.exp(1j * written))
         if np.all(np.abs(np.abs(differs) - abs(turn)) < 0.3 * abs(turn) + np.radians(0.3)):
             explained[index] = True
-            yield Problem(
+            yield refusal(
                 "angle_off",
-                say(
-                    "The pin angle of {:.1f} degrees at {} is off by about {:.1f} degrees;"
-                    " take it from the encoder.",
-                    np.degrees(readings.angle[index]),
-                    place_of(readings, int(index)),
-                    abs(np.degrees(turn)),
-                ),
+                "The pin angle of {:.1f} degrees at {} is off by about {:.1f} degrees;"
+                " take it from the encoder.",
+                np.degrees(readings.angle[index]),
+                place_of(readings, int(index)),
+                abs(np.degrees(turn)),
             )
 
 
@@ -279,7 +275,7 @@ def _shifted(
         if len(run) >= 2:
             group = found.group[run[0]]
             explained[[i for i in members if i >= run[0] and found.group[i] == group]] = True
-            yield Problem(code, say("From {} on, {}.", place_of(evidence.readings, run[0]), words))
+            yield refusal(code, "From {} on, {}.", place_of(evidence.readings, run[0]), words)
 
 
 def _swapped(
@@ -298,14 +294,12 @@ def _swapped(
                 and abs(found.along[second] - found.applied[first]) < sure
             ):
                 explained[[first, second]] = True
-                yield Problem(
+                yield refusal(
                     "swapped_steps",
-                    say(
-                        "In series {} the readings of steps {} and {} are swapped.",
-                        readings.series[first],
-                        readings.step[first],
-                        readings.step[second],
-                    ),
+                    "In series {} the readings of steps {} and {} are swapped.",
+                    readings.series[first],
+                    readings.step[first],
+                    readings.step[second],
                 )
 
 
@@ -367,15 +361,13 @@ def _wrong_weight(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     for index in np.flatnonzero(wrong):
         explained[index] = True
         felt = found.along[index] / evidence.newton_per_kg
-        yield Problem(
+        yield refusal(
             "wrong_weight",
-            say(
-                "At {} the cell felt {:.2f} kg, but {:g} kg is written; check the weights"
-                " that hung there.",
-                place_of(readings, int(index)),
-                felt,
-                readings.mass[index],
-            ),
+            "At {} the cell felt {:.2f} kg, but {:g} kg is written; check the weights"
+            " that hung there.",
+            place_of(readings, int(index)),
+            felt,
+            readings.mass[index],
         )
 
 
@@ -391,16 +383,14 @@ def _not_monotonic(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
         applied = found.applied[index] - found.applied[index - 1]
         seen = found.along[index] - found.along[index - 1]
         if applied != 0.0 and seen * np.sign(applied) < -SURE * evidence.noise:
-            yield Problem(
+            yield refusal(
                 "not_monotonic",
-                say(
-                    "From step {} to {} of series {} the load {} but the reading went the"
-                    " other way; check what hung there.",
-                    readings.step[index - 1],
-                    readings.step[index],
-                    readings.series[index],
-                    say("grew") if applied > 0 else say("fell"),
-                ),
+                "From step {} to {} of series {} the load {} but the reading went the"
+                " other way; check what hung there.",
+                readings.step[index - 1],
+                readings.step[index],
+                readings.series[index],
+                say("grew") if applied > 0 else say("fell"),
             )
             return
 
@@ -421,14 +411,12 @@ def _scatter(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     rest = np.where(explained, 0.0, size)
     index = int(np.argmax(rest))
     if rest[index] > max(8.0 * evidence.noise, 3.0 * allowed):
-        yield Problem(
+        yield refusal(
             "scatter",
-            say(
-                "The reading at {} is {:.1f} N off, not only along its load: was the weight"
-                " still swinging? Take it again.",
-                place_of(readings, index),
-                rest[index],
-            ),
+            "The reading at {} is {:.1f} N off, not only along its load: was the weight"
+            " still swinging? Take it again.",
+            place_of(readings, index),
+            rest[index],
         )
 
 

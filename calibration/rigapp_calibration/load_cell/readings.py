@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import compress
 
 import numpy as np
 
@@ -55,7 +56,7 @@ class LoadCellReadings:
         """Return some of the readings."""
         return replace(
             self,
-            series=tuple(one for one, stays in zip(self.series, kept, strict=True) if stays),
+            series=tuple(compress(self.series, kept)),
             step=self.step[kept],
             mass=self.mass[kept],
             angle=self.angle[kept],

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from rigapp.texts import say
 from rigapp_calibration.load_cell.weights import STANDARD_GRAVITY, Place, WeightSet
-from rigapp_calibration.problems import Problem, note
+from rigapp_calibration.problems import Problem, note, refusal
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,16 +163,14 @@ def impossible(settings: LoadCellSettings) -> Iterator[Problem]:
     """Yield what cannot be true of cell, weights, air and place: no force is told by it."""
     unit = settings.cell.signal_unit
     if unit != SIGNAL_UNIT:
-        yield Problem(
+        yield refusal(
             "signal_unit",
-            say(
-                "signal_unit = {}, but a rig reads its load cell in {}; write signal_unit ="
-                " {} and the signals as the amplifier's mV of the bridge per V of"
-                " excitation.",
-                repr(unit),
-                SIGNAL_UNIT,
-                repr(SIGNAL_UNIT),
-            ),
+            "signal_unit = {}, but a rig reads its load cell in {}; write signal_unit ="
+            " {} and the signals as the amplifier's mV of the bridge per V of"
+            " excitation.",
+            repr(unit),
+            SIGNAL_UNIT,
+            repr(SIGNAL_UNIT),
         )
     for code, key, plausible, value in (
         ("weight_density", "density_kg_per_m3", WEIGHT_DENSITY, settings.weights.density),
@@ -189,14 +187,12 @@ def check_settings(settings: LoadCellSettings) -> Iterator[Problem]:
     yield from impossible(settings)
     heaviest = heaviest_mass(settings)
     if settings.weights.hanger_mass > heaviest:
-        yield Problem(
+        yield refusal(
             "hanger_mass",
-            say(
-                "hanger_mass_kg = {:g} is more than the cell may bear ({:.1f} kg); it is"
-                " written in kg, not in g.",
-                settings.weights.hanger_mass,
-                heaviest,
-            ),
+            "hanger_mass_kg = {:g} is more than the cell may bear ({:.1f} kg); it is"
+            " written in kg, not in g.",
+            settings.weights.hanger_mass,
+            heaviest,
         )
     yield from _gravity(settings)
 
@@ -211,20 +207,16 @@ def _gravity(settings: LoadCellSettings) -> Iterator[Problem]:
     if GRAVITY.objection("", gravity):
         return
     if expected is not None and abs(gravity / expected - 1.0) > GRAVITY_FITS:
-        yield Problem(
+        yield refusal(
             "wrong_gravity",
-            say(
-                "gravity_m_s2 = {:g} does not belong to the latitude and height given,"
-                " which mean {:.4f} m/s2; correct one of them.",
-                gravity,
-                expected,
-            ),
+            "gravity_m_s2 = {:g} does not belong to the latitude and height given,"
+            " which mean {:.4f} m/s2; correct one of them.",
+            gravity,
+            expected,
         )
     elif settings.gravity_stated and expected is None and abs(gravity - STANDARD_GRAVITY) < 5e-6:
         yield note(
             "standard_gravity",
-            say(
-                "gravity_m_s2 = 9.80665 is the standard value, not a local one (up to 0.27"
-                " % off); write the local value, or latitude and height."
-            ),
+            "gravity_m_s2 = 9.80665 is the standard value, not a local one (up to 0.27"
+            " % off); write the local value, or latitude and height.",
         )

@@ -17,7 +17,7 @@ import numpy as np
 from rigapp.texts import joined, say
 from rigapp_calibration.arrays import Array, Marks, Whole
 from rigapp_calibration.load_cell.characteristics import Evidence
-from rigapp_calibration.problems import Problem
+from rigapp_calibration.problems import Problem, refusal
 
 FITS = 0.1
 """Of the cell's sensitivity: a slope fits within a turn of six degrees and a gain of ten per cent;
@@ -74,7 +74,7 @@ def told_by_one_load(change: Array, direction: Array) -> Problem | None:
         if wiring.code != "bridge_dead":
             expected = np.array(wiring.change) @ direction
             if float(change @ expected) / size > DIRECTION_FITS:
-                return Problem(wiring.code, say("As the load shows, {}", _sentence(wiring.words)))
+                return refusal(wiring.code, "As the load shows, {}", _sentence(wiring.words))
     return None
 
 
@@ -97,14 +97,12 @@ def check_wiring(evidence: Evidence) -> Iterator[Problem]:
     largest = np.abs(seen).max(axis=0)
     weak = int(np.argmin(largest))
     if largest[weak] < DEAD * largest[1 - weak]:
-        yield Problem(
+        yield refusal(
             "bridge_dead",
-            say(
-                "signal_{} hardly follows the load ({:.1f} % of the other signal): is the"
-                " bridge connected and switched on?",
-                weak + 1,
-                100.0 * largest[weak] / largest.max(),
-            ),
+            "signal_{} hardly follows the load ({:.1f} % of the other signal): is the"
+            " bridge connected and switched on?",
+            weak + 1,
+            100.0 * largest[weak] / largest.max(),
         )
         return
     sensitivity, fitting = _best(seen, towards)
@@ -126,8 +124,8 @@ def check_wiring(evidence: Evidence) -> Iterator[Problem]:
         if wrong.any():
             left &= ~wrong
             where = _where(names, wrong, ~as_is | fits)
-            yield Problem(
-                wiring.code, say("{}: {} Then take them again.", where, _sentence(wiring.words))
+            yield refusal(
+                wiring.code, "{}: {} Then take them again.", where, _sentence(wiring.words)
             )
 
 
@@ -140,16 +138,14 @@ def _exchanged(sensitivity: Array, seen: Array, towards: Array, pair: Whole) -> 
 def _exchange(evidence: Evidence, numbers: Sequence[int], run: Whole) -> Problem:
     angles = [float(evidence.readings.angle[run == number][0]) for number in numbers]
     one, other = (evidence.readings.series[np.flatnonzero(run == n)[0]] for n in numbers)
-    return Problem(
+    return refusal(
         "angles_exchanged",
-        say(
-            "The pin angles of series {} ({:.1f} degrees) and {} ({:.1f} degrees) are written for"
-            " each other: exchange them.",
-            one,
-            np.degrees(angles[0]),
-            other,
-            np.degrees(angles[1]),
-        ),
+        "The pin angles of series {} ({:.1f} degrees) and {} ({:.1f} degrees) are written for"
+        " each other: exchange them.",
+        one,
+        np.degrees(angles[0]),
+        other,
+        np.degrees(angles[1]),
     )
 
 

@@ -13,7 +13,7 @@ from rigapp.texts import say
 from rigapp_calibration.arrays import Array
 from rigapp_calibration.probes.checks import checks, falling, robust_line, unusable
 from rigapp_calibration.probes.readings import ProbeReadings, ProbeSettings
-from rigapp_calibration.problems import Problem, blocked
+from rigapp_calibration.problems import Problem, blocked, refusal
 from rigapp_calibration.taking.uncertainty import (
     Budget,
     Contribution,
@@ -72,7 +72,7 @@ def calibrate_probe(readings: ProbeReadings, settings: ProbeSettings) -> ProbeCa
         return ProbeCalibration(False, tuple(problems))
     line = robust_line(readings.position, readings.signal)
     if line.slope == 0.0:
-        flat = Problem("probe_dead", say("The voltage does not change with the position."))
+        flat = refusal("probe_dead", "The voltage does not change with the position.")
         return ProbeCalibration(False, (flat,))
     return _result(readings, settings, [*problems, *checks(readings, settings, line)])
 
@@ -297,16 +297,14 @@ def calibrate_pair(
         return PairCalibration((one, two), None, tuple(problems))
     if readings[0].other is None or readings[1].other is None:
         problems.append(
-            Problem("no_other", say("The other probe was not read; the alignment is unknown."))
+            refusal("no_other", "The other probe was not read; the alignment is unknown.")
         )
         return PairCalibration((one, two), None, tuple(problems))
     alignment = align(readings, (settings[0].direction, settings[1].direction))
     if np.abs(alignment.angle).max() > LARGEST_ANGLE:
         worst = math.degrees(float(np.abs(alignment.angle).max()))
         problems.append(
-            Problem(
-                "crooked", say("A probe stands {:.1f} degrees off its axis; mount it again.", worst)
-            )
+            refusal("crooked", "A probe stands {:.1f} degrees off its axis; mount it again.", worst)
         )
     return PairCalibration((one, two), alignment, tuple(problems))
 

@@ -9,10 +9,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from rigapp.texts import say
 from rigapp_calibration.arrays import Array, Marks
 from rigapp_calibration.probes.readings import FEWEST_POSITIONS, ProbeReadings, ProbeSettings
-from rigapp_calibration.problems import Problem, blocked, note
+from rigapp_calibration.problems import Problem, blocked, note, refusal
 from rigapp_calibration.taking.readings import (
     check_columns,
     check_steps,
@@ -49,14 +48,12 @@ def unusable(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Probl
         return
     count = len(np.unique(readings.position))
     if count < FEWEST_POSITIONS:
-        yield Problem(
+        yield refusal(
             "too_few_positions",
-            say(
-                "Only {} micrometer positions; take at least {}, better {}, up and down.",
-                count,
-                FEWEST_POSITIONS,
-                GOOD_POSITIONS,
-            ),
+            "Only {} micrometer positions; take at least {}, better {}, up and down.",
+            count,
+            FEWEST_POSITIONS,
+            GOOD_POSITIONS,
         )
         return
     numbering = list(check_steps(readings, readings.series))
@@ -64,14 +61,12 @@ def unusable(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Probl
     if blocked(numbering):
         return
     if settings.gap_at_zero and settings.gap_at_zero + float(readings.position.min()) <= 0.0:
-        yield Problem(
+        yield refusal(
             "gap",
-            say(
-                "With a gap of {:g} um at position 0 the target would touch the probe at"
-                " {:g} um; correct gap_at_zero_um.",
-                1e6 * settings.gap_at_zero,
-                1e6 * float(readings.position.min()),
-            ),
+            "With a gap of {:g} um at position 0 the target would touch the probe at"
+            " {:g} um; correct gap_at_zero_um.",
+            1e6 * settings.gap_at_zero,
+            1e6 * float(readings.position.min()),
         )
     yield from _motion(readings, settings)
 
@@ -82,22 +77,18 @@ def _motion(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Proble
     if settings.nominal:
         least = 0.5 * float(np.ptp(readings.position)) / abs(settings.nominal)
     if readings.other is not None and float(np.ptp(readings.other)) > max(3.0 * moved, least):
-        yield Problem(
+        yield refusal(
             "wrong_probe",
-            say(
-                "The other probe moved by {:.3f} V, this one by {:.3f} V: the target stands"
-                " before the wrong probe, or the two plugs are exchanged.",
-                np.ptp(readings.other),
-                moved,
-            ),
+            "The other probe moved by {:.3f} V, this one by {:.3f} V: the target stands"
+            " before the wrong probe, or the two plugs are exchanged.",
+            np.ptp(readings.other),
+            moved,
         )
     elif moved < 1e-4 * settings.range_volts:
-        yield Problem(
+        yield refusal(
             "probe_dead",
-            say(
-                "The voltage does not change with the position; is the probe connected and"
-                " the target grounded?"
-            ),
+            "The voltage does not change with the position; is the probe connected and"
+            " the target grounded?",
         )
 
 
@@ -115,12 +106,13 @@ def checks(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -
     if len(np.unique(readings.position)) < GOOD_POSITIONS:
         yield note(
             "few_positions",
-            say("Fewer than {} positions; linearity is known only roughly.", GOOD_POSITIONS),
+            "Fewer than {} positions; linearity is known only roughly.",
+            GOOD_POSITIONS,
         )
     if not np.any(falling(readings)):
         yield note(
             "one_direction",
-            say("No position was read both going out and coming back; backlash is unknown."),
+            "No position was read both going out and coming back; backlash is unknown.",
         )
 
 
@@ -131,35 +123,29 @@ def _scale(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -
     ratio = measured / (1e6 * expected) if expected else 1.0
     small = span < SHORT_SPAN and float(np.ptp(readings.signal)) > 0.5
     if abs(ratio) < 1.0 / UNIT_OFF or abs(ratio) > UNIT_OFF or (small and not expected):
-        yield Problem(
+        yield refusal(
             "unit",
-            say(
-                "The positions span {:g} um and the sensitivity would be {:.4g} um/V:"
-                " positions are written in micrometres, not in millimetres (1 mm = 1000 um).",
-                1e6 * span,
-                measured,
-            ),
+            "The positions span {:g} um and the sensitivity would be {:.4g} um/V:"
+            " positions are written in micrometres, not in millimetres (1 mm = 1000 um).",
+            1e6 * span,
+            measured,
         )
     elif ratio < 0.0:
-        yield Problem(
+        yield refusal(
             "direction_reversed",
-            say(
-                "The sensitivity is {:+.2f} um/V where {:+.2f} is expected: the micrometer"
-                " was turned the other way, or its scale counts the other way. Positive is"
-                " along the axis of the follower (probe 1) or across it (probe 2).",
-                measured,
-                1e6 * (expected or 0.0),
-            ),
+            "The sensitivity is {:+.2f} um/V where {:+.2f} is expected: the micrometer"
+            " was turned the other way, or its scale counts the other way. Positive is"
+            " along the axis of the follower (probe 1) or across it (probe 2).",
+            measured,
+            1e6 * (expected or 0.0),
         )
     elif abs(ratio - 1.0) > SENSITIVITY_OFF:
-        yield Problem(
+        yield refusal(
             "wrong_sensitivity",
-            say(
-                "The sensitivity is {:.2f} um/V where {:.2f} is expected: another range of"
-                " the probe's electronics, or another micrometer screw?",
-                measured,
-                1e6 * (expected or 0.0),
-            ),
+            "The sensitivity is {:.2f} um/V where {:.2f} is expected: another range of"
+            " the probe's electronics, or another micrometer screw?",
+            measured,
+            1e6 * (expected or 0.0),
         )
 
 
@@ -167,14 +153,12 @@ def _saturation(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Pr
     saturated = np.flatnonzero(np.abs(readings.signal) >= 0.999 * settings.range_volts)
     if len(saturated):
         at = int(saturated[0])
-        yield Problem(
+        yield refusal(
             "saturated",
-            say(
-                "The voltage reaches {:.2f} V at {:.0f} um, the end of the range; move the"
-                " probe or choose a larger range.",
-                readings.signal[at],
-                1e6 * readings.position[at],
-            ),
+            "The voltage reaches {:.2f} V at {:.0f} um, the end of the range; move the"
+            " probe or choose a larger range.",
+            readings.signal[at],
+            1e6 * readings.position[at],
         )
 
 
@@ -187,9 +171,11 @@ def _copies(readings: ProbeReadings) -> Iterator[Problem]:
     for name, earlier in ((b, a) for at, b in enumerate(names) for a in names[:at]):
         long = len(values[name]) >= FEWEST_POSITIONS and len(set(values[name])) > 3
         if long and values[name] == values[earlier] and np.any(_rough(values[name])):
-            yield Problem(
+            yield refusal(
                 "copied_series",
-                say("Series {} repeats series {} digit for digit; take it again.", name, earlier),
+                "Series {} repeats series {} digit for digit; take it again.",
+                name,
+                earlier,
             )
             return
 
@@ -206,14 +192,12 @@ def _monotonic(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
         seen = (readings.signal[second] - readings.signal[first]) / line.slope
         backward = step * seen < 0.0 and abs(seen) > 6.0 * line.noise / abs(line.slope)
         if backward and readings.series[first] == readings.series[second]:
-            yield Problem(
+            yield refusal(
                 "not_monotonic",
-                say(
-                    "From step {} to {} of series {} the voltage went the wrong way.",
-                    readings.step[first],
-                    readings.step[second],
-                    readings.series[first],
-                ),
+                "From step {} to {} of series {} the voltage went the wrong way.",
+                readings.step[first],
+                readings.step[second],
+                readings.series[first],
             )
             return
 
@@ -230,42 +214,34 @@ def _systematic(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
     limit = max(LIMIT_OF_SPAN * span, noise)
     um = 1e6
     if abs(drift) > limit:
-        yield Problem(
+        yield refusal(
             "drift",
-            say(
-                "From the first to the last reading the voltage wanders by {:+.2f} um: let"
-                " probe, electronics and micrometer warm up, and clamp everything.",
-                um * drift,
-            ),
+            "From the first to the last reading the voltage wanders by {:+.2f} um: let"
+            " probe, electronics and micrometer warm up, and clamp everything.",
+            um * drift,
         )
     if abs(offset) > limit:
-        yield Problem(
+        yield refusal(
             "backlash",
-            say(
-                "Coming back reads {:+.2f} um against going out: approach every position"
-                " from one side.",
-                um * offset,
-            ),
+            "Coming back reads {:+.2f} um against going out: approach every position"
+            " from one side.",
+            um * offset,
         )
     if abs(curve) > max(NONLINEAR * span, noise):
-        yield Problem(
+        yield refusal(
             "nonlinear",
-            say(
-                "The voltage bends by {:+.2f} um over the span: stay inside the probe's"
-                " linear range, and see that target and probe are parallel.",
-                um * curve,
-            ),
+            "The voltage bends by {:+.2f} um over the span: stay inside the probe's"
+            " linear range, and see that target and probe are parallel.",
+            um * curve,
         )
     if readings.other is not None:
         other = robust_line(readings.position, readings.other).slope
         if abs(other) > OTHER_MOVES * abs(line.slope):
-            yield Problem(
+            yield refusal(
                 "crooked",
-                say(
-                    "The other probe shows {:.0f} % of the motion: the micrometer does not"
-                    " move along this probe's axis; set it up again.",
-                    100.0 * abs(other / line.slope),
-                ),
+                "The other probe shows {:.0f} % of the motion: the micrometer does not"
+                " move along this probe's axis; set it up again.",
+                100.0 * abs(other / line.slope),
             )
 
 
@@ -338,13 +314,11 @@ def positions(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
             continue
         step = 1e6 * (readings.position[after] - readings.position[before])
         if after + 1 < len(um) and _swapped(um[before : after + 2], step):
-            yield Problem(
+            yield refusal(
                 "swapped_steps",
-                say(
-                    "At {} and the step after it each voltage belongs to the other one's"
-                    " position: the two readings were exchanged.",
-                    place_of(readings, after),
-                ),
+                "At {} and the step after it each voltage belongs to the other one's"
+                " position: the two readings were exchanged.",
+                place_of(readings, after),
             )
             return
         goes_back = after + 1 < len(um) and (
@@ -355,25 +329,21 @@ def positions(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
             wrong = after if abs(um[after]) >= abs(um[before]) else before
             yield _other_or_wrong(readings, um, wrong)
         elif jumps[at] / step > 0.0:
-            yield Problem(
+            yield refusal(
                 "skipped_step",
-                say(
-                    "From {} on every voltage belongs to the next position: a position was"
-                    " skipped. {:g} um is written, the voltage belongs to {:.0f} um.",
-                    place_of(readings, after),
-                    1e6 * readings.position[after],
-                    1e6 * readings.position[after] + um[after],
-                ),
+                "From {} on every voltage belongs to the next position: a position was"
+                " skipped. {:g} um is written, the voltage belongs to {:.0f} um.",
+                place_of(readings, after),
+                1e6 * readings.position[after],
+                1e6 * readings.position[after] + um[after],
             )
         else:
-            yield Problem(
+            yield refusal(
                 "repeated_step",
-                say(
-                    "At {} the micrometer was not turned on: the voltage is that of the"
-                    " step before. {:g} um is written.",
-                    place_of(readings, after),
-                    1e6 * readings.position[after],
-                ),
+                "At {} the micrometer was not turned on: the voltage is that of the"
+                " step before. {:g} um is written.",
+                place_of(readings, after),
+                1e6 * readings.position[after],
             )
         return
 
@@ -391,29 +361,24 @@ def _other_or_wrong(readings: ProbeReadings, um: Array, at: int) -> Problem:
         moved = abs(rest.residual[at])
         own = abs(robust_line(readings.position, readings.signal).residual[at])
         if moved > max(6.0 * rest.noise, 0.3 * own):
-            return Problem(
+            return refusal(
                 "wrong_probe",
-                say(
-                    "At {} the other probe moved by {:.3f} V and this one stayed behind:"
-                    " the wrong micrometer was turned.",
-                    place_of(readings, at),
-                    moved,
-                ),
+                "At {} the other probe moved by {:.3f} V and this one stayed behind:"
+                " the wrong micrometer was turned.",
+                place_of(readings, at),
+                moved,
             )
     return _wrong(readings, um, at)
 
 
 def _wrong(readings: ProbeReadings, um: Array, at: int) -> Problem:
     written = 1e6 * readings.position[at]
-    return Problem(
+    return refusal(
         "wrong_position",
-        say(
-            "At {} the voltage belongs to {:.1f} um, but {:.1f} um is written; check the"
-            " micrometer.",
-            place_of(readings, at),
-            written + um[at],
-            written,
-        ),
+        "At {} the voltage belongs to {:.1f} um, but {:.1f} um is written; check the micrometer.",
+        place_of(readings, at),
+        written + um[at],
+        written,
     )
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from rigapp.texts import SentenceError, joined, say
 from rigapp_calibration.arrays import Array, Marks, Whole
-from rigapp_calibration.problems import Problem, note
+from rigapp_calibration.problems import Problem, note, refusal
 
 LARGEST = 1e12
 """No quantity of these tables comes near: a larger number is a slip of exponent or comma."""
@@ -54,7 +54,7 @@ def not_numbers(readings: Stepwise, columns: Array) -> Iterator[Problem]:
     if len(bad):
         more = say(" (and {} more)", len(bad) - 1) if len(bad) > 1 else ""
         words = say("The reading at {} is not a number{}", place_of(readings, int(bad[0])), more)
-        yield Problem("not_a_number", say("{}; take it again.", words))
+        yield refusal("not_a_number", "{}; take it again.", words)
 
 
 FEWEST_OF_A_RUN = 3
@@ -70,13 +70,11 @@ def check_steps(readings: Stepwise, runs: Sequence[Hashable]) -> Iterator[Proble
     steps = readings.step.tolist()
     twice = numbered_twice(runs, steps)
     if twice is not None:
-        yield Problem(
+        yield refusal(
             "duplicated_step",
-            say(
-                "The step number of {} stands twice in its series at this place; give each"
-                " reading of a series a number of its own, in the order taken.",
-                place_of(readings, twice),
-            ),
+            "The step number of {} stands twice in its series at this place; give each"
+            " reading of a series a number of its own, in the order taken.",
+            place_of(readings, twice),
         )
         return
     left_out: list[str] = []
@@ -84,13 +82,11 @@ def check_steps(readings: Stepwise, runs: Sequence[Hashable]) -> Iterator[Proble
         strides = [(steps[after] - steps[before], after) for before, after in pairwise(taken)]
         backward = next((index for stride, index in strides if stride < 0), None)
         if backward is not None:
-            yield Problem(
+            yield refusal(
                 "unordered_steps",
-                say(
-                    "The step numbers go back at {}; write the readings in the order taken"
-                    " (sorted as text, 11 stands before 2).",
-                    place_of(readings, backward),
-                ),
+                "The step numbers go back at {}; write the readings in the order taken"
+                " (sorted as text, 11 stands before 2).",
+                place_of(readings, backward),
             )
             return
         usual = min((stride for stride, _ in strides), default=1)
@@ -99,12 +95,10 @@ def check_steps(readings: Stepwise, runs: Sequence[Hashable]) -> Iterator[Proble
         more = say(" (and at {} more)", len(left_out) - 1) if len(left_out) > 1 else ""
         yield note(
             "missing_step",
-            say(
-                "A step number is left out before {}{}: a reading that does not count is"
-                " better kept as a comment with its reason.",
-                left_out[0],
-                more,
-            ),
+            "A step number is left out before {}{}: a reading that does not count is"
+            " better kept as a comment with its reason.",
+            left_out[0],
+            more,
         )
 
 
@@ -144,7 +138,8 @@ def check_columns(unused: tuple[str, ...]) -> Iterator[Problem]:
         names = joined(", ", unused)
         yield note(
             "unused_columns",
-            say("The table has columns that are passed over: {}; is one of them misspelt?", names),
+            "The table has columns that are passed over: {}; is one of them misspelt?",
+            names,
         )
 
 

@@ -24,7 +24,7 @@ from GTC import reporting
 
 from rigapp.texts import SentenceError, say
 from rigapp_calibration.arrays import Array
-from rigapp_calibration.problems import Problem, blocked, note
+from rigapp_calibration.problems import Problem, blocked, note, refusal
 
 FEWEST_REVOLUTIONS = 5
 GOOD_REVOLUTIONS = 10
@@ -285,37 +285,31 @@ def _unusable(rolls: Sequence[Roll], orders: int) -> Iterator[Problem]:
     for roll in rolls:
         count = len(roll.turns)
         if count < FEWEST_REVOLUTIONS:
-            yield Problem(
+            yield refusal(
                 "too_few_revolutions",
-                say(
-                    "{}: only {} whole, undisturbed revolutions; take at least {}, better {}.",
-                    roll.label,
-                    count,
-                    FEWEST_REVOLUTIONS,
-                    GOOD_REVOLUTIONS,
-                ),
+                "{}: only {} whole, undisturbed revolutions; take at least {}, better {}.",
+                roll.label,
+                count,
+                FEWEST_REVOLUTIONS,
+                GOOD_REVOLUTIONS,
             )
             continue
         if count < GOOD_REVOLUTIONS:
             yield note(
                 "few_revolutions",
-                say(
-                    "{}: {} revolutions; with {} the spread is known better.",
-                    roll.label,
-                    count,
-                    GOOD_REVOLUTIONS,
-                ),
+                "{}: {} revolutions; with {} the spread is known better.",
+                roll.label,
+                count,
+                GOOD_REVOLUTIONS,
             )
         if not 0.0 < abs(roll.speed) <= OVER * FASTEST:
-            yield Problem(
+            yield refusal(
                 "too_fast",
-                say(
-                    "{}: {:.1f} rpm is no slow roll: inertia moves the pin. Turn at {:.0f}"
-                    " rpm or less.",
-                    roll.label,
-                    60.0 * abs(roll.speed) / (2.0 * math.pi),
-                    60.0 * FASTEST / (2.0 * math.pi),
-                ),
+                "{}: {:.1f} rpm is no slow roll: inertia moves the pin. Turn at {:.0f}"
+                " rpm or less.",
+                roll.label,
+                60.0 * abs(roll.speed) / (2.0 * math.pi),
+                60.0 * FASTEST / (2.0 * math.pi),
             )
         yield from _unusable_turns(roll, orders)
 
@@ -324,30 +318,27 @@ def _unusable_turns(roll: Roll, orders: int) -> Iterator[Problem]:
     for turn in roll.turns:
         where = say("{}, revolution {}", roll.label, turn.number)
         if not (np.isfinite(turn.probes).all() and np.isfinite(turn.angle).all()):
-            yield Problem("not_a_number", say("{}: a value is not a number; roll again.", where))
+            yield refusal("not_a_number", "{}: a value is not a number; roll again.", where)
             return
         if len(turn.angle) < SAMPLES_PER_ORDER * orders:
-            yield Problem(
+            yield refusal(
                 "too_few_samples",
-                say(
-                    "{}: {} samples are too few for {} orders; sample faster, or ask for"
-                    " fewer orders.",
-                    where,
-                    len(turn.angle),
-                    orders,
-                ),
+                "{}: {} samples are too few for {} orders; sample faster, or ask for fewer orders.",
+                where,
+                len(turn.angle),
+                orders,
             )
             return
         if turn.saturated:
-            yield Problem(
-                "saturated", say("{}: a probe is at the end of its range; move it.", where)
-            )
+            yield refusal("saturated", "{}: a probe is at the end of its range; move it.", where)
             return
     for probe in range(2):
         if all(np.ptp(turn.probes[probe]) == 0.0 for turn in roll.turns):
-            yield Problem(
+            yield refusal(
                 "probe_dead",
-                say("{}: probe {} never changes; is it connected?", roll.label, probe + 1),
+                "{}: probe {} never changes; is it connected?",
+                roll.label,
+                probe + 1,
             )
 
 
@@ -358,44 +349,36 @@ def _judge(
     for probe in range(2):
         name, size = say("Probe {}", probe + 1), float(np.abs(curve[probe]).max())
         if size > LARGE:
-            yield Problem(
+            yield refusal(
                 "too_large",
-                say(
-                    "{}: a run-out of {:.0f} um is no run-out of a ground pin: the pin is"
-                    " loose, bent, or turns about another axis.",
-                    name,
-                    um * size,
-                ),
+                "{}: a run-out of {:.0f} um is no run-out of a ground pin: the pin is"
+                " loose, bent, or turns about another axis.",
+                name,
+                um * size,
             )
         if drift[probe] > max(UNSTEADY * size, 6.0 * within[probe]):
-            yield Problem(
+            yield refusal(
                 "unsteady",
-                say(
-                    "{}: from the first to the last half the map changes by {:.2f} um: let"
-                    " the rig warm up and run in, and roll again.",
-                    name,
-                    um * drift[probe],
-                ),
+                "{}: from the first to the last half the map changes by {:.2f} um: let"
+                " the rig warm up and run in, and roll again.",
+                name,
+                um * drift[probe],
             )
         if between is not None and between[probe] > max(BETWEEN * size, 4.0 * within[probe]):
             yield note(
                 "not_run_out",
-                say(
-                    "{}: the rolls differ by {:.2f} um from the map: the pin moves in the"
-                    " follower with the load. That part is no run-out; it is counted as"
-                    " uncertainty.",
-                    name,
-                    um * between[probe],
-                ),
+                "{}: the rolls differ by {:.2f} um from the map: the pin moves in the"
+                " follower with the load. That part is no run-out; it is counted as"
+                " uncertainty.",
+                name,
+                um * between[probe],
             )
         if size < 2.0 * combined[probe]:
             yield note(
                 "below_uncertainty",
-                say(
-                    "{}: the run-out is not larger than its uncertainty ({:.2f} um, u ="
-                    " {:.2f} um); applying the map gains nothing.",
-                    name,
-                    um * size,
-                    um * combined[probe],
-                ),
+                "{}: the run-out is not larger than its uncertainty ({:.2f} um, u ="
+                " {:.2f} um); applying the map gains nothing.",
+                name,
+                um * size,
+                um * combined[probe],
             )

@@ -19,7 +19,7 @@ import numpy as np
 
 from rigapp.texts import say
 from rigapp_calibration.arrays import Array
-from rigapp_calibration.problems import Problem, blocked, note
+from rigapp_calibration.problems import Problem, blocked, note, refusal
 
 COVERAGE = 2.0
 """About 95 % (GUM 6.3.3)."""
@@ -96,12 +96,10 @@ def running_check(runs: Sequence[SpeedRun], known: Known) -> RunningCheck:
         faults += (
             note(
                 "too_slow",
-                say(
-                    "At the fastest speed the known term is {:.2f} N, less than the"
-                    " uncertainty of {:.2f} N: this tells little; run faster.",
-                    abs(fast.known[0]),
-                    fast.expanded,
-                ),
+                "At the fastest speed the known term is {:.2f} N, less than the"
+                " uncertainty of {:.2f} N: this tells little; run faster.",
+                abs(fast.known[0]),
+                fast.expanded,
             ),
         )
     accepted = not blocked(faults)
@@ -125,13 +123,11 @@ def dither_error(spread: float, resolution: float) -> float:
 
 
 def _short(run: SpeedRun) -> Problem:
-    return Problem(
+    return refusal(
         "too_few_revolutions",
-        say(
-            "Only {} revolutions at a steady speed; take at least {}.",
-            len(run.speed),
-            LEAST_REVOLUTIONS,
-        ),
+        "Only {} revolutions at a steady speed; take at least {}.",
+        len(run.speed),
+        LEAST_REVOLUTIONS,
     )
 
 
@@ -162,30 +158,26 @@ def _problem(one: Comparison, moment: float) -> Problem:
     rpm = one.speed * 30.0 / math.pi
     along, across = (m - k for m, k in zip(one.measured, one.known, strict=True))
     if abs(across) > one.expanded:
-        return Problem(
+        return refusal(
             "across",
-            say(
-                "At {:.0f} rpm the force across the crank changes by {:+.2f} N, which"
-                " inertia cannot do (uncertainty {:.2f} N): are the axes and the angle"
-                " reference right, and is the follower off?",
-                rpm,
-                across,
-                one.expanded,
-            ),
-        )
-    return Problem(
-        "inertia_differs",
-        say(
-            "At {:.0f} rpm force_1 changes by {:+.2f} N instead of {:+.2f} N, {:+.2f} N off"
-            " (uncertainty {:.2f} N), as if mass times radius were {:.3f} kg mm: check that"
-            " mass, the sign of force_1, and that the follower is off.",
+            "At {:.0f} rpm the force across the crank changes by {:+.2f} N, which"
+            " inertia cannot do (uncertainty {:.2f} N): are the axes and the angle"
+            " reference right, and is the follower off?",
             rpm,
-            one.measured[0],
-            one.known[0],
-            along,
+            across,
             one.expanded,
-            1000.0 * moment,
-        ),
+        )
+    return refusal(
+        "inertia_differs",
+        "At {:.0f} rpm force_1 changes by {:+.2f} N instead of {:+.2f} N, {:+.2f} N off"
+        " (uncertainty {:.2f} N), as if mass times radius were {:.3f} kg mm: check that"
+        " mass, the sign of force_1, and that the follower is off.",
+        rpm,
+        one.measured[0],
+        one.known[0],
+        along,
+        one.expanded,
+        1000.0 * moment,
     )
 
 

@@ -140,6 +140,8 @@ def _texts(node: ast.AST) -> list[str]:
             return [one for one in _literals(arguments) if " " in one][:1]
         case ast.Call(func=ast.Name(id="say"), args=arguments):
             return _literals(arguments)[:1]
+        case ast.Call(func=ast.Name(id="refusal" | "note"), args=[_, *arguments]):
+            return _literals(arguments)[:1]
     return []
 
 
