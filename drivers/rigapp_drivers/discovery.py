@@ -111,11 +111,11 @@ def _rounds(
         return [(None, list(drivers))]
     rounds: dict[int, list[DriverInfo]] = {}
     rates = [info.probe.baud_rates for info in drivers if info.probe is not None]
-    for place in range(max(map(len, rates), default=0)):
+    for rank in range(max(map(len, rates), default=0)):
         for info in drivers:
             probe = info.probe
-            if probe is not None and place < len(probe.baud_rates):
-                rounds.setdefault(probe.baud_rates[place], []).append(info)
+            if probe is not None and rank < len(probe.baud_rates):
+                rounds.setdefault(probe.baud_rates[rank], []).append(info)
     return list(rounds.items())
 
 

@@ -173,7 +173,7 @@ def _entries() -> dict[str, EntryPoint]:
 
 
 def _nearest(word: str, words: Iterable[str]) -> str:
-    texts = [one for one in words if isinstance(one, str)]
+    texts = [text for text in words if isinstance(text, str)]
     near = difflib.get_close_matches(word, texts, n=1, cutoff=0.5)
     return say(' (did you mean "{}"?)', near[0]) if near else ""
 

@@ -72,12 +72,14 @@ def write_certificate(record: Path, to: Path, issued: datetime.date | None = Non
         raise UnusableInput("{}: there is no such record; check the name.", record) from error
     except (OSError, RecordError, UnusableInput) as error:
         raise UnusableInput("{}: the record cannot be used ‹{}›.", record, error) from error
-    found = verified(data)
-    for one in filter(None, (in_future(sealed, time.time()), *found.differences)):
-        raise UnusableInput("{}: there is no certificate of it: {}", record, one)
+    verification = verified(data)
+    for objection in filter(None, (in_future(sealed, time.time()), *verification.differences)):
+        raise UnusableInput("{}: there is no certificate of it: {}", record, objection)
     _check_issue(sealed, issued)
     try:
-        write_page(to, "certificate", lambda: certificate_of(sealed, found.unverified, issued))
+        write_page(
+            to, "certificate", lambda: certificate_of(sealed, verification.unverified, issued)
+        )
         return mark_of(sealed)
     except MALFORMED as error:
         raise UnusableInput(
@@ -102,7 +104,7 @@ def certificate_of(
     return Manuscript(
         title=f"Certificate of calibration: {_item(content)}",
         footer=f"Certificate {record.number}",
-        sections=tuple(one for one in sections if one.blocks),
+        sections=tuple(section for section in sections if section.blocks),
         closing=(
             "The results are those of the item named above, as it was when it was calibrated. The"
             " certificate may be passed on as a whole only, unless the laboratory agrees otherwise."
@@ -141,7 +143,11 @@ def _check_issue(record: Record, issued: datetime.date | None) -> None:
 def _item(content: Content) -> str:
     """Return the name of what was calibrated: the one section of the settings that has a name."""
     sections = content["settings"].values()
-    named = (str(one["name"]) for one in sections if isinstance(one, dict) and "name" in one)
+    named = (
+        str(section["name"])
+        for section in sections
+        if isinstance(section, dict) and "name" in section
+    )
     return next(named, str(content["kind"]))
 
 
@@ -179,17 +185,18 @@ def _identity(record: Record, issued: datetime.date | None) -> Table:
     return Table("Identification", tuple(rows))
 
 
-def _as_found(found: Content | None) -> str:
+def _as_found(comparison: Content | None) -> str:
     """Return what the calibration found of the record in use until then."""
-    if not found:
+    if not comparison:
         return "not compared with a calibration before"
     changes = "; ".join(
-        f"{one['what']} {one['value']:+.2g} {one['unit']} ({one['allowed']:.2g} {one['unit']}"
-        f" allowed{', MORE than allowed' * one['beyond']})"
-        for one in found["changes"]
+        f"{change['what']} {change['value']:+.2g} {change['unit']}"
+        f" ({change['allowed']:.2g} {change['unit']}"
+        f" allowed{', MORE than allowed' * change['beyond']})"
+        for change in comparison["changes"]
     )
-    day = str(found["calibrated_at"])[:10]
-    return f"record {found['record']} of {day} told too much: {changes}"
+    day = str(comparison["calibrated_at"])[:10]
+    return f"record {comparison['record']} of {day} told too much: {changes}"
 
 
 def _signer(record: Record) -> str:
@@ -205,8 +212,8 @@ def _notes(record: Record, unverified: Sequence[str]) -> Iterator[Text]:
     content = record.content
     if mark := mark_of(record):
         yield Text(f"{mark}.", strong=True)
-    for one in (*unverified, *_untraced(content)):
-        yield Text(one, strong=True)
+    for remark in (*unverified, *_untraced(content)):
+        yield Text(remark, strong=True)
     for problem in content["result"].get("problems", ()):
         yield Text(f"Note: {problem['sentence']}", strong=True)
     if remarks := content["settings"]["paperwork"]["notes"]:
@@ -226,11 +233,11 @@ def _untraced(content: Content) -> Iterator[str]:
             "No standard is named with its certificate: that the results are traceable is not"
             " shown."
         )
-    for one in known:
-        if one.get("due") and one["due"] < day:
+    for standard in known:
+        if standard.get("due") and standard["due"] < day:
             yield (
-                f"The certificate {one['certificate']} of {one['name']} had expired on"
-                f" {one['due']}, before the calibration."
+                f"The certificate {standard['certificate']} of {standard['name']} had expired on"
+                f" {standard['due']}, before the calibration."
             )
 
 
@@ -247,26 +254,31 @@ def _surroundings(settings: Content) -> Iterator[Row]:
     place = settings.get("place", {})
     for words, name, unit, shown in SURROUNDINGS:
         begin, end = (place.get(f"{name}{when}_{unit}") for when in ("", "_at_end"))
-        told = UNSTATED if begin is None else f"{begin:g} {shown}"
+        stated = UNSTATED if begin is None else f"{begin:g} {shown}"
         if end is not None:
-            told = f"{told} at the beginning, {end:g} {shown} at the end"
-        yield (words, told)
+            stated = f"{stated} at the beginning, {end:g} {shown} at the end"
+        yield (words, stated)
 
 
 def _standards(settings: Content) -> Table:
     """Return what was measured with: each with its certificate, due date and uncertainty."""
     rows: list[Row] = [
         (
-            f"{one['name']}, {one['mass_kg']:g} kg",
-            one["certificate"],
-            one["due"],
-            f"U = {one['expanded_uncertainty_g']:g} g (k = 2)",
+            f"{standard['name']}, {standard['mass_kg']:g} kg",
+            standard["certificate"],
+            standard["due"],
+            f"U = {standard['expanded_uncertainty_g']:g} g (k = 2)",
         )
-        for one in settings.get("weights", {}).get("piece", ())
+        for standard in settings.get("weights", {}).get("piece", ())
     ]
     rows += [
-        (one["name"], one["certificate"], one["due"] or "not stated", _joined(one["uncertainty"]))
-        for one in settings.get("standard", ())
+        (
+            standard["name"],
+            standard["certificate"],
+            standard["due"] or "not stated",
+            _joined(standard["uncertainty"]),
+        )
+        for standard in settings.get("standard", ())
     ]
     named = settings["paperwork"]["standards"]
     if named or not rows:

@@ -77,7 +77,7 @@ class DailyHistory:
     def in_control(self) -> bool:
         """Tell whether the last check is passed and no rule asks for action."""
         passed = bool(self.entries[-1]["passed"])
-        return passed and not any(one.action for _, one in self.findings)
+        return passed and not any(finding.action for _, finding in self.findings)
 
 
 def entry_of(
@@ -152,11 +152,11 @@ def read_history(store: Path, rig: str | None = None) -> DailyHistory:
     if not events:
         raise UnusableInput("{}: there are no daily checks yet; take one first.", store)
     wanted = rig or events[-1]["rig"]
-    mine = [one for one in events if one["rig"] == wanted]
+    mine = [event for event in events if event["rig"] == wanted]
     if not mine:
         raise UnusableInput("{}: there is no daily check of the rig {}.", store, repr(wanted))
     used = mine[-1]["calibration"]
-    entries = tuple(takewhile(lambda one: one["calibration"] == used, reversed(mine)))[::-1]
+    entries = tuple(takewhile(lambda event: event["calibration"] == used, reversed(mine)))[::-1]
     return DailyHistory(entries, len(mine) - len(entries), _charts(entries))
 
 
@@ -164,17 +164,17 @@ def _charts(entries: Sequence[Mapping[str, Any]]) -> dict[str, Chart]:
     """Return the charts of what the last check tells; a zero is judged by what is allowed."""
     last = entries[-1]
     charts = {}
-    for name, one in CHARTED.items():
+    for name, charted in CHARTED.items():
         values = [entry[name] for entry in entries if name in entry]
         if name not in last:
             continue
-        if one.of_zero:
+        if charted.of_zero:
             # A zero follows the temperature: no limits of its history.
-            charts[name] = Chart(np.array(values), one.promised, last["zero_allowed_N"])
+            charts[name] = Chart(np.array(values), charted.promised, last["zero_allowed_N"])
         else:
-            found = chart(values, one.promised, last["expanded_uncertainty_ratio"])
+            judged = chart(values, charted.promised, last["expanded_uncertainty_ratio"])
             # A level that is off shows in all of them: the check itself says so, the cell is right.
-            charts[name] = replace(found, findings=()) if last.get("turned_deg") else found
+            charts[name] = replace(judged, findings=()) if last.get("turned_deg") else judged
     return charts
 
 
@@ -199,14 +199,14 @@ def _digest(body: Mapping[str, Any]) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-def history_result(found: DailyHistory) -> dict[str, Any]:
+def history_result(history: DailyHistory) -> dict[str, Any]:
     """Return what ``--json`` prints."""
     return {
-        "in_control": found.in_control,
-        "earlier_checks": found.earlier,
+        "in_control": history.in_control,
+        "earlier_checks": history.earlier,
         "findings": [
             {"chart": name, "code": one.code, "sentence": one.sentence, "action": one.action}
-            for name, one in found.findings
+            for name, one in history.findings
         ],
         "checks": [
             {
@@ -214,7 +214,7 @@ def history_result(found: DailyHistory) -> dict[str, Any]:
                 for key in ("time", "operator", "passed", *CHARTED, "largest_N")
                 if key in one
             }
-            for one in found.entries
+            for one in history.entries
         ],
         "charts": {
             name: {
@@ -224,39 +224,39 @@ def history_result(found: DailyHistory) -> dict[str, Any]:
                 "standard_deviation": one.sigma,
                 "limits": one.limits,
             }
-            for name, one in found.charts.items()
+            for name, one in history.charts.items()
         },
     }
 
 
-def history_lines(found: DailyHistory) -> list[str]:
+def history_lines(history: DailyHistory) -> list[str]:
     """Return the newest checks as a table, and what the charts say."""
     return [
         say("when (UTC)         sensitivity  cross-talk   largest N  verdict  operator"),
         *(
-            f"{when(one)}   {one['sensitivity_ratio']:10.5f}  {one['cross_talk_ratio']:+10.5f}"
-            f"  {one['largest_N']:10.2f}  {'passed' if one['passed'] else 'FAILED'}"
-            f"   {one['operator']}"
-            for one in found.entries[-MOST_LINES:]
+            f"{when(entry)}   {entry['sensitivity_ratio']:10.5f}"
+            f"  {entry['cross_talk_ratio']:+10.5f}  {entry['largest_N']:10.2f}"
+            f"  {'passed' if entry['passed'] else 'FAILED'}   {entry['operator']}"
+            for entry in history.entries[-MOST_LINES:]
         ),
-        *verdict_lines(found),
+        *verdict_lines(history),
     ]
 
 
-def verdict_lines(found: DailyHistory) -> list[str]:
+def verdict_lines(history: DailyHistory) -> list[str]:
     """Return what the charts say, in sentences."""
-    count = len(found.entries)
-    lines: list[str] = [say("{}: {}", name, one.sentence) for name, one in found.findings]
-    last = found.entries[-1]
+    count = len(history.entries)
+    lines: list[str] = [say("{}: {}", name, finding.sentence) for name, finding in history.findings]
+    last = history.entries[-1]
     if not last["passed"]:
-        told = say("{:.2f} N off, {:.2f} N are allowed.", last["largest_N"], last["allowed_N"])
-        lines.insert(0, say("The last check failed: {}", last.get("sentence", told)))
+        deviation = say("{:.2f} N off, {:.2f} N are allowed.", last["largest_N"], last["allowed_N"])
+        lines.insert(0, say("The last check failed: {}", last.get("sentence", deviation)))
     if not lines:
         checks = say("1 check") if count == 1 else say("{} checks", count)
         lines = [say("{} with this calibration: in control.", checks)]
     if rule := last.get("decision_rule"):
         lines.append(str(rule))
-    limits = found.charts["sensitivity_ratio"].limits
+    limits = history.charts["sensitivity_ratio"].limits
     if limits is None:
         lines.append(say("From the eighth check on the history has limits of its own."))
     else:
@@ -277,34 +277,34 @@ def when(entry: Mapping[str, Any]) -> str:
 BLUE, ORANGE, GREY = "#0072B2", "#D55E00", "#666666"
 
 
-def write_chart(found: DailyHistory, to: Path) -> None:
+def write_chart(history: DailyHistory, to: Path) -> None:
     """Write the charts as .png, .html or .pdf; raise UnusableInput."""
     write_page(
-        to, "chart", lambda: chart_document(found), {".png": lambda: draw(found).draw("png")}
+        to, "chart", lambda: chart_document(history), {".png": lambda: draw(history).draw("png")}
     )
 
 
-def chart_document(found: DailyHistory) -> Manuscript:
+def chart_document(history: DailyHistory) -> Manuscript:
     """Compose the page: verdict, charts, table."""
     rows = tuple(
         (
-            when(one),
-            f"{one['sensitivity_ratio']:.5f}",
-            f"{one['cross_talk_ratio']:+.5f}",
-            f"{one['largest_N']:.2f}",
-            "passed" if one["passed"] else "failed",
-            str(one["operator"]),
+            when(entry),
+            f"{entry['sensitivity_ratio']:.5f}",
+            f"{entry['cross_talk_ratio']:+.5f}",
+            f"{entry['largest_N']:.2f}",
+            "passed" if entry["passed"] else "failed",
+            str(entry["operator"]),
         )
-        for one in found.entries
+        for entry in history.entries
     )
     head = ("when (UTC)", "sensitivity", "cross-talk", "largest N", "verdict", "operator")
-    words = tuple(Text(line) for line in verdict_lines(found))
+    words = tuple(Text(line) for line in verdict_lines(history))
     return Manuscript(
-        title=f"Daily checks of {found.entries[-1]['rig']}",
+        title=f"Daily checks of {history.entries[-1]['rig']}",
         footer="Control chart of the daily checks",
         sections=(
             Section("", words),
-            Section("Charts", (draw(found, words[0].text),)),
+            Section("Charts", (draw(history, words[0].text),)),
             Section("Checks", (Table("Checks with the calibration in use", rows, head),)),
         ),
         closing="Sensitivity, gain: felt over applied force. Cross-talk: share felt across the"
@@ -312,30 +312,30 @@ def chart_document(found: DailyHistory) -> Manuscript:
     )
 
 
-def draw(found: DailyHistory, words: str = "") -> Figure:
+def draw(history: DailyHistory, words: str = "") -> Figure:
     """Return the charts. words: for who cannot see them."""
     from matplotlib.figure import Figure as Canvas
     from matplotlib.ticker import MaxNLocator
 
-    columns = 2 if len(found.charts) > 2 else 1
-    rows = -(-len(found.charts) // columns)
+    columns = 2 if len(history.charts) > 2 else 1
+    rows = -(-len(history.charts) // columns)
     with in_style():
         canvas = Canvas(figsize=(WIDTH_IN, 2.2 * rows + 0.4), layout="constrained")
-    for place, (name, one) in enumerate(found.charts.items(), 1):
+    for index, (name, series) in enumerate(history.charts.items(), 1):
         of_zero = CHARTED[name].of_zero
-        axes = canvas.add_subplot(rows, columns, place)
-        count = np.arange(1, len(one.values) + 1)
-        axes.plot(count, one.values, "-o", color=BLUE, ms=4, lw=1, label="checks")
-        if one.findings:
-            axes.plot(count[-1:], one.values[-1:], "s", color=ORANGE, ms=9, mfc="none",
+        axes = canvas.add_subplot(rows, columns, index)
+        count = np.arange(1, len(series.values) + 1)
+        axes.plot(count, series.values, "-o", color=BLUE, ms=4, lw=1, label="checks")
+        if series.findings:
+            axes.plot(count[-1:], series.values[-1:], "s", color=ORANGE, ms=9, mfc="none",
                       mew=1.8, label="see the words")  # fmt: skip
-        axes.axhline(one.promised, color=GREY, lw=1.0)
-        if one.expanded is not None:
+        axes.axhline(series.promised, color=GREY, lw=1.0)
+        if series.expanded is not None:
             words = "allowed" if of_zero else "U of the calibration"
-            axes.axhspan(one.promised - one.expanded, one.promised + one.expanded, color=GREY,
-                         alpha=0.15, label=words)  # fmt: skip
-        if one.limits is not None:
-            for limit in one.limits:
+            low, high = series.promised - series.expanded, series.promised + series.expanded
+            axes.axhspan(low, high, color=GREY, alpha=0.15, label=words)
+        if series.limits is not None:
+            for limit in series.limits:
                 axes.axhline(limit, color=ORANGE, ls="--", lw=1.0)
             axes.plot([], [], "--", color=ORANGE, label="limits of the history")
         axes.set_title(CHARTED[name].words + (" (N)" if of_zero else ""), fontsize=9, loc="left")
@@ -384,16 +384,16 @@ def _blocks(records: Sequence[tuple[Record, Sequence[Change]]]) -> list[Block]:
         ),
         ("calibrated", "record", "as found"),
     )
-    told = [(one, outputs(one.kind, one.content["result"])) for one, _ in records]
-    names = list(dict.fromkeys(output.what for _, found in told for output in found))
+    by_record = [(one, outputs(one.kind, one.content["result"])) for one, _ in records]
+    names = list(dict.fromkeys(output.what for _, found in by_record for output in found))
     if not names:
         return [Text("Records of this kind state no sensitivity with its U: no chart."), table]
-    return [*(_chart(name, told) for name in names), table]
+    return [*(_chart(name, by_record) for name in names), table]
 
 
-def _chart(name: str, told: Sequence[tuple[Record, Sequence[Output]]]) -> Figure:
+def _chart(name: str, by_record: Sequence[tuple[Record, Sequence[Output]]]) -> Figure:
     """Return the values of one sensitivity over the dates, with bars of U."""
-    points = [(one, output) for one, found in told for output in found if output.what == name]
+    points = [(one, output) for one, found in by_record for output in found if output.what == name]
     values = [output.value for _, output in points]
     bars = [output.expanded for _, output in points]
     days = [

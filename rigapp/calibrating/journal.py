@@ -38,11 +38,11 @@ class Journal:
         with open(self._file, "rb", closefd=False) as stream:
             stream.seek(0)
             data = stream.read()
-        whole = data[: data.rfind(b"\n") + 1]
-        if len(whole) < len(data):
-            os.ftruncate(self._file, len(whole))
+        complete = data[: data.rfind(b"\n") + 1]
+        if len(complete) < len(data):
+            os.ftruncate(self._file, len(complete))
         events = []
-        for number, line in enumerate(whole.splitlines(), 1):
+        for number, line in enumerate(complete.splitlines(), 1):
             try:
                 event = json.loads(line)
                 if not isinstance(event, dict):

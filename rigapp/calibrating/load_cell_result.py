@@ -29,48 +29,59 @@ OF_A_FIT = (
 """Keys that a result without a fit has, too."""
 
 
-def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> dict[str, Any]:
+def load_cell_result(
+    calibration: LoadCellCalibration, settings: LoadCellSettings
+) -> dict[str, Any]:
     """Return what ``--json`` prints and the record keeps, units in the keys."""
-    fit, traits, budget, zero = found.fit, found.traits, found.budget, found.zero
-    problems = (*found.problems, *_too_uncertain(found, settings))
+    fit, traits, budget, zero = (
+        calibration.fit,
+        calibration.traits,
+        calibration.budget,
+        calibration.zero,
+    )
+    problems = (*calibration.problems, *_too_uncertain(calibration, settings))
     result: dict[str, Any] = {
-        "accepted": found.accepted and not blocked(problems),
+        "accepted": calibration.accepted and not blocked(problems),
         "problems": problems_of(problems),
-        "classification": found.classification,
+        "classification": calibration.classification,
         "full_scale_N": settings.cell.full_scale,
     }
     if fit is None or traits is None or budget is None or zero is None:
         return {**result, **dict.fromkeys(OF_A_FIT)}
-    applied, covariance, residual = found.applied, found.covariance, found.residual
+    applied, covariance, residual = (
+        calibration.applied,
+        calibration.covariance,
+        calibration.residual,
+    )
     assert applied is not None
     assert residual is not None
     assert covariance is not None
-    elements = found.elements
+    elements = calibration.elements
     zero_N = float(np.hypot(*(fit.matrix * [one.expanded for one in zero]).T).max())
     return {
         **result,
-        "terms": found.terms,
+        "terms": calibration.terms,
         "matrix_N_per_unit": fit.matrix.tolist(),
         "matrix_covariance": covariance.tolist(),
         "matrix_standard_uncertainty_N_per_unit": _square(np.sqrt(np.diag(covariance)).tolist()),
         "matrix_expanded_uncertainty_N_per_unit": _square([one.expanded for one in elements]),
         "matrix_effective_degrees_of_freedom": _square([finite(one.degrees) for one in elements]),
         "zero": fit.zero.tolist(),
-        **_pin_weight(found),
+        **_pin_weight(calibration),
         "sensitivity_unit_per_N": fit.sensitivity.tolist(),
         "quadratic_unit_per_N2": None if fit.quadratic is None else fit.quadratic.tolist(),
         "residual_std_N": fit.residual_std,
-        "uncertainty_line_N": _line(found.expanded_line or (budget.expanded, 0.0)),
+        "uncertainty_line_N": _line(calibration.expanded_line or (budget.expanded, 0.0)),
         "uncertainty_lines_of_mean_N": {
             name: _line(
-                expanded_line([getattr(one, name).of_mean(math.inf) for one in found.by_load])
+                expanded_line([getattr(one, name).of_mean(math.inf) for one in calibration.by_load])
             )
             for name in ("component", "magnitude")
         },
         **budget_result(budget, "N"),
-        "magnitude": budget_result(found.by_load[-1].magnitude, "N"),
-        "uncertainty_by_load": [_at_load(one) for one in found.by_load],
-        "of_calibration": _of_calibration(found.at_calibration),
+        "magnitude": budget_result(calibration.by_load[-1].magnitude, "N"),
+        "uncertainty_by_load": [_at_load(one) for one in calibration.by_load],
+        "of_calibration": _of_calibration(calibration.at_calibration),
         "zero_expanded_uncertainty": [one.expanded for one in zero],
         "zero_standard_uncertainty": [one.combined for one in zero],
         "zero_effective_degrees_of_freedom": [finite(one.degrees) for one in zero],
@@ -81,9 +92,9 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
             "interpolation_fc": traits.interpolation,
             "zero_return_f0": traits.zero_return,
             "reversibility_v": traits.reversibility,
-            "creep_c": None if found.creep is None else found.creep.percent,
+            "creep_c": None if calibration.creep is None else calibration.creep.percent,
         },
-        "creep": _creep(found.creep),
+        "creep": _creep(calibration.creep),
         "zero_drift_N": traits.drift,
         "applied_N": applied.tolist(),
         "residual_N": residual.tolist(),
@@ -102,9 +113,9 @@ def _of_calibration(by_load: Sequence[LoadUncertainty]) -> dict[str, Any]:
     }
 
 
-def _pin_weight(found: LoadCellCalibration) -> dict[str, Any]:
+def _pin_weight(calibration: LoadCellCalibration) -> dict[str, Any]:
     """Return the weight of what turns with the pin, as it acts where the loads hang."""
-    weight = found.pin_weight
+    weight = calibration.pin_weight
     assert weight is not None
     return {
         "pin_weight_N": weight.value,
@@ -112,36 +123,40 @@ def _pin_weight(found: LoadCellCalibration) -> dict[str, Any]:
     }
 
 
-def _creep(found: Creep | None) -> dict[str, Any] | None:
-    if found is None:
+def _creep(creep: Creep | None) -> dict[str, Any] | None:
+    if creep is None:
         return None
     return {
-        "load_N": found.load,
-        "hung_s": list(found.times),
-        "change_N": found.change,
-        "half_width_percent": 100.0 * found.half_width,
+        "load_N": creep.load,
+        "hung_s": list(creep.times),
+        "change_N": creep.change,
+        "half_width_percent": 100.0 * creep.half_width,
     }
 
 
-def _at_load(found: LoadUncertainty) -> dict[str, Any]:
+def _at_load(uncertainty: LoadUncertainty) -> dict[str, Any]:
     """Return the uncertainty at a load."""
-    told: dict[str, Any] = {"load_N": found.load}
+    result: dict[str, Any] = {"load_N": uncertainty.load}
     for name in ("component", "magnitude", "across"):
         for words, readings in (("one_reading", 1.0), ("mean_of_many", math.inf)):
-            told[f"{name}_{words}_N"] = getattr(found, name).of_mean(readings).expanded
+            result[f"{name}_{words}_N"] = getattr(uncertainty, name).of_mean(readings).expanded
     return {
-        **told,
-        "coverage_factor": found.component.coverage_factor,
-        "effective_degrees_of_freedom": finite(found.component.degrees),
+        **result,
+        "coverage_factor": uncertainty.component.coverage_factor,
+        "effective_degrees_of_freedom": finite(uncertainty.component.degrees),
     }
 
 
-def _too_uncertain(found: LoadCellCalibration, settings: LoadCellSettings) -> Iterator[Problem]:
+def _too_uncertain(
+    calibration: LoadCellCalibration, settings: LoadCellSettings
+) -> Iterator[Problem]:
     """Judge U where nothing else is wrong: a mistake that has a name makes it large by itself."""
-    if found.budget is not None and found.accepted:
-        against = too_uncertain(found.budget.expanded, settings.cell.full_scale)
+    if calibration.budget is not None and calibration.accepted:
+        against = too_uncertain(calibration.budget.expanded, settings.cell.full_scale)
         if against:
-            largest = max(found.budget.contributions, key=lambda one: one.uncertainty)
+            largest = max(
+                calibration.budget.contributions, key=lambda contribution: contribution.uncertainty
+            )
             yield refusal(
                 "too_uncertain",
                 "The result {}. The largest part is {} (u = {:.3g} N): correct its"
@@ -161,11 +176,13 @@ def _line(line: tuple[float, float]) -> dict[str, float]:
     return {"constant_N": line[0], "per_N": line[1]}
 
 
-def _weight_words(found: LoadCellCalibration) -> Iterator[str]:
-    weight = found.pin_weight
+def _weight_words(calibration: LoadCellCalibration) -> Iterator[str]:
+    weight = calibration.pin_weight
     if weight is not None:
-        told = (by_uncertainty(one, weight.expanded) for one in (weight.value, weight.expanded))
-        yield say("Weight that turns with the pin: {} N, U = {} N.", *told)
+        rounded = (
+            by_uncertainty(value, weight.expanded) for value in (weight.value, weight.expanded)
+        )
+        yield say("Weight that turns with the pin: {} N, U = {} N.", *rounded)
 
 
 def applied_by_former(rows: Rows, given: LoadCellFile, drift: bool | None) -> dict[str, Any]:
@@ -175,11 +192,11 @@ def applied_by_former(rows: Rows, given: LoadCellFile, drift: bool | None) -> di
     """
     readings = load_cell_table(rows)
     settings = load_cell_meaning(given, say("the record's settings"))
-    found = common_zero_fit(applied_force(readings, settings), readings.signal, drift)
+    fit = common_zero_fit(applied_force(readings, settings), readings.signal, drift)
     return {
-        "matrix_N_per_unit": found.matrix.tolist(),
-        "zero": found.zero.tolist(),
-        "quadratic_unit_per_N2": None if found.quadratic is None else found.quadratic.tolist(),
+        "matrix_N_per_unit": fit.matrix.tolist(),
+        "zero": fit.zero.tolist(),
+        "quadratic_unit_per_N2": None if fit.quadratic is None else fit.quadratic.tolist(),
     }
 
 
@@ -189,36 +206,36 @@ def fit_load_cell(rows: Rows, given: LoadCellFile, where: str) -> Outcome:
     Raises ReadingsError and UnusableInput.
     """
     settings = load_cell_meaning(given, where)
-    found = calibrate_load_cell(load_cell_table(rows), settings)
-    result = load_cell_result(found, settings)
-    if found.fit is None or found.budget is None or found.expanded_line is None:
-        return Outcome(say("load cell"), result, (found.classification,))
+    calibration = calibrate_load_cell(load_cell_table(rows), settings)
+    result = load_cell_result(calibration, settings)
+    if calibration.fit is None or calibration.budget is None or calibration.expanded_line is None:
+        return Outcome(say("load cell"), result, (calibration.classification,))
     unit = settings.cell.signal_unit
-    matrix = found.fit.matrix.tolist()
-    zero = joined(", ", (f"{value:.6f}" for value in found.fit.zero))
-    constant, slope = found.expanded_line
+    matrix = calibration.fit.matrix.tolist()
+    zero = joined(", ", (f"{value:.6f}" for value in calibration.fit.zero))
+    constant, slope = calibration.expanded_line
     lines = (
         say("Force on the pin = matrix (signal - zero), pin frame; matrix in N per {}:", unit),
         *("    " + "  ".join(f"{value:12.5f}" for value in row) for row in matrix),
-        say("Zero: {} {}.  Model: {}.", zero, unit, found.terms),
-        *_weight_words(found),
-        say("Residual standard deviation: {} N.", plain(found.fit.residual_std, 2)),
+        say("Zero: {} {}.  Model: {}.", zero, unit, calibration.terms),
+        *_weight_words(calibration),
+        say("Residual standard deviation: {} N.", plain(calibration.fit.residual_std, 2)),
         say(
             "Expanded uncertainty of the calibration at {} N: {} N (k = {:.2f}).",
-            plain(found.at_calibration[-1].load),
-            plain(found.at_calibration[-1].component.expanded, 2),
-            found.at_calibration[-1].component.coverage_factor,
+            plain(calibration.at_calibration[-1].load),
+            plain(calibration.at_calibration[-1].component.expanded, 2),
+            calibration.at_calibration[-1].component.coverage_factor,
         ),
         say(
             "Expanded uncertainty in use at {} N: {} N (k = {:.2f}); U(F) = {} N + {} F.",
-            plain(found.budget.value),
-            plain(found.budget.expanded, 2),
-            found.budget.coverage_factor,
+            plain(calibration.budget.value),
+            plain(calibration.budget.expanded, 2),
+            calibration.budget.coverage_factor,
             plain(constant, 2),
             plain(slope, 2),
         ),
-        creep_words(found.creep, settings.use.creep),
-        found.classification,
+        creep_words(calibration.creep, settings.use.creep),
+        calibration.classification,
     )
     header = (
         "",
@@ -226,6 +243,6 @@ def fit_load_cell(rows: Rows, given: LoadCellFile, where: str) -> Outcome:
         say("Signal 2 (N per {})", unit),
         say("Zero ({})", unit),
     )
-    axes = zip((say("Axis 1"), say("Axis 2")), matrix, found.fit.zero.tolist(), strict=True)
+    axes = zip((say("Axis 1"), say("Axis 2")), matrix, calibration.fit.zero.tolist(), strict=True)
     shown = ((name, *(f"{one:.4f}" for one in row), f"{rest:.6f}") for name, row, rest in axes)
     return Outcome(say("load cell"), result, lines, NumberTable(header, tuple(shown), in_lines=4))

@@ -123,14 +123,14 @@ def load_cell_plan(asked: Mapping[str, Any], given: LoadCellFile) -> LoadCellPla
     on_pin = settings.weights.hanger_mass + settings.weights.at_zero
     heaviest = min(sum(pieces), limit - on_pin)
     wanted = LoadCellPlan(PLANS[plan], heaviest, pieces)
-    loads = [sum(one) for one in wanted.loads()]
+    loads = [sum(pieces_hung) for pieces_hung in wanted.loads()]
     if len(loads) < (1 if wanted.kind is PlanKind.DAILY else FEWEST_LOADS):
         raise UnusableInput(
             "weights: by adding one piece after the other these make {} load(s) up to {:.3g} kg"
             " ({} kg), and {} are needed. Add pieces, for example of {:.2g} kg.",
             len(loads),
             heaviest,
-            joined(", ", (f"{one:g}" for one in loads)) or "0",
+            joined(", ", (f"{pieces_hung:g}" for pieces_hung in loads)) or "0",
             FEWEST_LOADS,
             heaviest / SIZES[wanted.kind].loads,
         )
@@ -193,32 +193,36 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         """Return mass and angle of a reading."""
         return f"{reading.value:g}", f"{math.degrees(reading.place):.1f}"
 
-    def told_live(self, found: Readiness) -> str:
+    def told_live(self, readiness: Readiness) -> str:
         """Return signals, the force that is felt and the one that should hang."""
-        one, two = found.steadiness.mean
+        first, second = readiness.steadiness.mean
         unit, procedure = self.given.cell.signal_unit, self.procedure
         text = say(
-            "Signals {:+.5f}, {:+.5f} {}: the cell feels {:.1f} N", one, two, unit, found.felt
+            "Signals {:+.5f}, {:+.5f} {}: the cell feels {:.1f} N",
+            first,
+            second,
+            unit,
+            readiness.felt,
         )
         if not procedure.done and procedure.step.kind is not StepKind.SET_UP:
             text += say("; what should hang weighs {:.1f} N", self.expected())
         return say("{}.", text)
 
-    def compared(self, found: Readiness) -> Readiness:
+    def compared(self, readiness: Readiness) -> Readiness:
         """Return it with what to check in its place where what is felt is not what should hang."""
         procedure = self.procedure
-        if procedure.done or procedure.step.kind is not StepKind.READING or not found.ready:
-            return found
-        taken, signal = procedure.taken, found.steadiness.mean
+        if procedure.done or procedure.step.kind is not StepKind.READING or not readiness.ready:
+            return readiness
+        taken, signal = procedure.taken, readiness.steadiness.mean
         doubt = self._doubt(procedure.step.value, procedure.step.series, taken, signal)
         if not doubt:
-            return found
-        before = [one.value for one in taken if not one.rejected][-1]
+            return readiness
+        before = [reading.value for reading in taken if not reading.rejected][-1]
         if not self._doubt(before, procedure.step.series, taken, signal):
             return replace(
-                found, state=SignalState.WAITING, words=say("what hangs has not changed yet")
+                readiness, state=SignalState.WAITING, words=say("what hangs has not changed yet")
             )
-        return replace(found, state=SignalState.WRONG, words=doubt)
+        return replace(readiness, state=SignalState.WRONG, words=doubt)
 
     def _doubt(
         self, mass: float, series: str, before: Sequence[TakenReading], signal: ArrayLike
@@ -230,8 +234,12 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         cell's or none.
         """
         window, steps, settings = self.newest, self.procedure.steps, self.settings
-        here = [one for one in before if not one.rejected and steps[one.step].series == series]
-        zeros = [np.array(one.signal) for one in here if one.value == 0.0]
+        here = [
+            reading
+            for reading in before
+            if not reading.rejected and steps[reading.step].series == series
+        ]
+        zeros = [np.array(reading.signal) for reading in here if reading.value == 0.0]
         if window is None or not zeros:
             return ""
 
@@ -240,14 +248,14 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
 
         expected, aside = weight(mass), window.zero - zeros[-1]
         gains = [
-            window.force(np.asarray(one.signal) + aside) / weight(one.value)
-            for one in here
-            if one.value > 0.0
+            window.force(np.asarray(reading.signal) + aside) / weight(reading.value)
+            for reading in here
+            if reading.value > 0.0
         ]
         gain, allowed = (float(np.median(gains)), ALIKE) if gains else (1.0, LARGEST_SHARE)
         off = window.force(np.asarray(signal) + aside) / gain - expected
         # A cell that was loaded returns to its zero only as well as it told the load.
-        heaviest = max(expected, *(weight(one.value) for one in here))
+        heaviest = max(expected, *(weight(reading.value) for reading in here))
         if abs(off) <= allowed * heaviest + settings.cell.resolution:
             return ""
         force, kg = abs(off), abs(off) / force_per_mass(settings.weights, settings.place)
@@ -255,15 +263,15 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
             return say("Check the pieces: {:.1f} N ({:.2f} kg) more than should hang.", force, kg)
         return say("Check the pieces: {:.1f} N ({:.2f} kg) less than should hang.", force, kg)
 
-    def recorded(self, found: Readiness) -> str:
+    def recorded(self, readiness: Readiness) -> str:
         """Return the signals in words."""
-        one, two = found.steadiness.mean
+        first, second = readiness.steadiness.mean
         text = say(
             "{:.5f}, {:.5f} {} (the calibration in use makes {:.1f} N of it)",
-            one,
-            two,
+            first,
+            second,
             self.given.cell.signal_unit,
-            found.felt,
+            readiness.felt,
         )
         *before, last = self.procedure.taken
         series = self.procedure.steps[last.step].series
@@ -316,26 +324,26 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         """
         setting = math.radians(self.given.angle.setting_standard_uncertainty_deg)
         try:
-            found = reversed_level(first, second, setting)
+            level = reversed_level(first, second, setting)
         except LevelError as error:
             raise ProcedureError(sentence_of_error(error)) from error
-        self._refer(found, (first, second))
-        return found
+        self._refer(level, (first, second))
+        return level
 
     @property
     def angle_reference(self) -> Event:
         """Return the angle reference that was taken, rad; 0 before it is."""
         return self.procedure.told("reference") or {"offset": 0.0, "uncertainty": 0.0}
 
-    def _refer(self, found: LevelReading, shown: Sequence[float]) -> None:
-        if abs(found.angle) > LARGEST_OFFSET:
+    def _refer(self, level: LevelReading, shown: Sequence[float]) -> None:
+        if abs(level.angle) > LARGEST_OFFSET:
             raise ProcedureError(
                 "the encoder shows {:.1f} degrees with the crank level; it should show"
                 " about 0. Is it the right flat? Else correct encoder.index_angle_deg"
                 " in the rig file",
-                math.degrees(found.angle),
+                math.degrees(level.angle),
             )
-        self.adopt(self.procedure.reference(-found.angle, found.uncertainty, shown))
+        self.adopt(self.procedure.reference(-level.angle, level.uncertainty, shown))
 
     # --- the end ---------------------------------------------------------------------------------
 
@@ -412,11 +420,11 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
 
     def used_settings(self) -> LoadCellFile:
         """Return the settings with the angle reference that was taken."""
-        told = self.angle_reference
+        reference = self.angle_reference
         angle = msgspec.structs.replace(
             self.given.angle,
-            offset_deg=math.degrees(told["offset"]),
-            standard_uncertainty_deg=math.degrees(told["uncertainty"]),
-            level_readings_deg=tuple(math.degrees(one) for one in told.get("shown", ())),
+            offset_deg=math.degrees(reference["offset"]),
+            standard_uncertainty_deg=math.degrees(reference["uncertainty"]),
+            level_readings_deg=tuple(math.degrees(shown) for shown in reference.get("shown", ())),
         )
         return msgspec.structs.replace(self.given, angle=angle)

@@ -25,46 +25,48 @@ from rigapp_calibration.taking.readings import Rows
 UM = 1e6
 
 
-def probe_result(found: ProbeCalibration) -> dict[str, Any]:
+def probe_result(calibration: ProbeCalibration) -> dict[str, Any]:
     """Return what ``--json`` prints and the record keeps, units in the keys."""
     return {
-        "accepted": found.accepted,
-        "problems": problems_of(found.problems),
-        "sensitivity_um_per_V": _times(found.sensitivity),
-        "sensitivity_relative_standard_uncertainty": found.sensitivity_uncertainty,
-        "offset_V": found.offset,
-        "linearity_percent": found.linearity,
-        "residual_std_um": _times(found.residual_std),
-        "hysteresis_um": _times(found.hysteresis),
-        "cylinder_gain": found.gain,
-        **budget_result(found.budget, "um", UM),
-        "expanded_uncertainty_of_mean_um": _times(found.expanded_of_mean),
-        "residual_um": None if found.residual is None else (UM * found.residual).tolist(),
+        "accepted": calibration.accepted,
+        "problems": problems_of(calibration.problems),
+        "sensitivity_um_per_V": _times(calibration.sensitivity),
+        "sensitivity_relative_standard_uncertainty": calibration.sensitivity_uncertainty,
+        "offset_V": calibration.offset,
+        "linearity_percent": calibration.linearity,
+        "residual_std_um": _times(calibration.residual_std),
+        "hysteresis_um": _times(calibration.hysteresis),
+        "cylinder_gain": calibration.gain,
+        **budget_result(calibration.budget, "um", UM),
+        "expanded_uncertainty_of_mean_um": _times(calibration.expanded_of_mean),
+        "residual_um": None
+        if calibration.residual is None
+        else (UM * calibration.residual).tolist(),
     }
 
 
-def pair_result(found: PairCalibration) -> dict[str, Any]:
+def pair_result(pair: PairCalibration) -> dict[str, Any]:
     """Return the result of both probes with their alignment, units in the keys."""
-    stated = [one for one in found.probes if one.expanded is not None]
-    worst = max(stated, key=lambda one: one.expanded or 0.0, default=None)
+    stated = [calibration for calibration in pair.probes if calibration.expanded is not None]
+    worst = max(stated, key=lambda calibration: calibration.expanded or 0.0, default=None)
     return {
-        "accepted": found.accepted,
-        "problems": problems_of(found.problems),
-        "probes": [probe_result(one) for one in found.probes],
-        "alignment": None if found.alignment is None else _alignment(found.alignment),
+        "accepted": pair.accepted,
+        "problems": problems_of(pair.problems),
+        "probes": [probe_result(calibration) for calibration in pair.probes],
+        "alignment": None if pair.alignment is None else _alignment(pair.alignment),
         "expanded_uncertainty_um": None if worst is None else _times(worst.expanded),
         "coverage_factor": None if worst is None else worst.coverage_factor,
     }
 
 
-def _alignment(found: Alignment) -> dict[str, Any]:
+def _alignment(alignment: Alignment) -> dict[str, Any]:
     return {
-        "angle_deg": np.degrees(found.angle).tolist(),
-        "angle_standard_uncertainty_deg": np.degrees(found.angle_uncertainty).tolist(),
-        "orthogonality_deg": math.degrees(found.orthogonality),
-        "orthogonality_standard_uncertainty_deg": math.degrees(found.orthogonality_uncertainty),
-        "matrix": found.matrix.tolist(),
-        "matrix_standard_uncertainty": found.matrix_uncertainty.tolist(),
+        "angle_deg": np.degrees(alignment.angle).tolist(),
+        "angle_standard_uncertainty_deg": np.degrees(alignment.angle_uncertainty).tolist(),
+        "orthogonality_deg": math.degrees(alignment.orthogonality),
+        "orthogonality_standard_uncertainty_deg": math.degrees(alignment.orthogonality_uncertainty),
+        "matrix": alignment.matrix.tolist(),
+        "matrix_standard_uncertainty": alignment.matrix_uncertainty.tolist(),
     }
 
 
@@ -72,22 +74,26 @@ def _times(value: float | None) -> float | None:
     return None if value is None else UM * value
 
 
-def probe_lines(found: ProbeCalibration) -> list[str]:
+def probe_lines(calibration: ProbeCalibration) -> list[str]:
     """Return the result in words and numbers, a line each."""
-    if found.sensitivity is None or found.offset is None:
+    if calibration.sensitivity is None or calibration.offset is None:
         return []
-    assert found.expanded is not None
-    assert found.expanded_of_mean is not None
-    backlash = found.hysteresis
+    assert calibration.expanded is not None
+    assert calibration.expanded_of_mean is not None
+    backlash = calibration.hysteresis
     return [
-        say("Position = {:.4f} um/V (voltage {:+.5f} V).", UM * found.sensitivity, -found.offset),
+        say(
+            "Position = {:.4f} um/V (voltage {:+.5f} V).",
+            UM * calibration.sensitivity,
+            -calibration.offset,
+        ),
         say(
             "Linearity {:.3f} % of the range; expanded uncertainty {:.2f} um (k = {:.2f}), of a"
             " mean of many readings {:.2f} um.",
-            found.linearity,
-            UM * found.expanded,
-            found.coverage_factor,
-            UM * found.expanded_of_mean,
+            calibration.linearity,
+            UM * calibration.expanded,
+            calibration.coverage_factor,
+            UM * calibration.expanded_of_mean,
         ),
         say("Backlash is not known.")
         if backlash is None
@@ -95,14 +101,14 @@ def probe_lines(found: ProbeCalibration) -> list[str]:
     ]
 
 
-def pair_lines(found: PairCalibration) -> list[str]:
+def pair_lines(pair: PairCalibration) -> list[str]:
     """Return the result of both probes in words and numbers, a line each."""
     lines: list[str] = [
         say("Probe {}: {}", number, line)
-        for number, one in enumerate(found.probes, 1)
-        for line in probe_lines(one)
+        for number, calibration in enumerate(pair.probes, 1)
+        for line in probe_lines(calibration)
     ]
-    alignment = found.alignment
+    alignment = pair.alignment
     if alignment is None:
         return lines
     angles, spread = np.degrees(alignment.angle), np.degrees(alignment.angle_uncertainty)
@@ -131,7 +137,7 @@ def fit_probes(rows: Rows, settings: Sequence[ProbeSettings]) -> Outcome:
     """
     readings = probe_table(rows)
     if len(settings) == 1:
-        found = calibrate_probe(readings, settings[0])
-        return Outcome("probe", probe_result(found), tuple(probe_lines(found)))
+        calibration = calibrate_probe(readings, settings[0])
+        return Outcome("probe", probe_result(calibration), tuple(probe_lines(calibration)))
     both = calibrate_pair(split_pair(readings), (settings[0], settings[1]))
     return Outcome(say("probe pair"), pair_result(both), tuple(pair_lines(both)))

@@ -55,7 +55,7 @@ LEAST_REACH_UM = 1.0
 
 def usual_reach_um(sensitivity_um_per_V: Sequence[float], range_V: float, positions: int) -> float:
     """Return the largest position (um): 80 % of the range, in steps of whole 5 um."""
-    reach = SHARE_OF_RANGE * range_V * min(abs(one) for one in sensitivity_um_per_V)
+    reach = SHARE_OF_RANGE * range_V * min(abs(sensitivity) for sensitivity in sensitivity_um_per_V)
     step = 2.0 * reach / (positions - 1)
     if step > 2.0 * ROUND_TO_UM:
         step = math.floor(step / ROUND_TO_UM) * ROUND_TO_UM
@@ -133,26 +133,26 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
         """Return the position of a reading."""
         return (f"{1e6 * reading.value:.1f}",)
 
-    def told_live(self, found: Readiness) -> str:
+    def told_live(self, readiness: Readiness) -> str:
         """Return the voltages and where the probe stands."""
         if self.procedure.done:
             return ""
-        one, two = found.steadiness.mean
+        first, second = readiness.steadiness.mean
         return say(
             "Probe 1 {:+.4f} V, probe 2 {:+.4f} V. By the calibration in use probe {:g}"
             " stands at {:+.1f} µm.",
-            one,
-            two,
+            first,
+            second,
             self.procedure.step.set_up,
-            1e6 * found.felt,
+            1e6 * readiness.felt,
         )
 
-    def recorded(self, found: Readiness) -> str:
+    def recorded(self, readiness: Readiness) -> str:
         """Return the voltage of the probe in words."""
         reading = self.procedure.taken[-1]
         own = reading.signal[int(reading.place) - 1]
         return say(
-            "{:+.5f} V (the calibration in use makes {:+.1f} um of it)", own, 1e6 * found.felt
+            "{:+.5f} V (the calibration in use makes {:+.1f} um of it)", own, 1e6 * readiness.felt
         )
 
     def residuals(self) -> ResidualsSoFar:

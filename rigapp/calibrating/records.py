@@ -27,25 +27,28 @@ if TYPE_CHECKING:
 
 def problems_of(problems: Sequence[Problem]) -> list[dict[str, Any]]:
     """Return problems as plain values."""
-    return [{"code": one.code, "sentence": one.sentence, "blocks": one.blocks} for one in problems]
+    return [
+        {"code": problem.code, "sentence": problem.sentence, "blocks": problem.blocks}
+        for problem in problems
+    ]
 
 
-def budget_result(found: Budget | None, unit: str, scale: float = 1.0) -> dict[str, Any]:
+def budget_result(budget: Budget | None, unit: str, scale: float = 1.0) -> dict[str, Any]:
     """Return what a result has of a budget, the unit in the keys; ``scale``: units per SI unit."""
     return {
-        f"expanded_uncertainty_{unit}": None if found is None else scale * found.expanded,
-        "coverage_factor": None if found is None else found.coverage_factor,
-        "effective_degrees_of_freedom": None if found is None else finite(found.degrees),
+        f"expanded_uncertainty_{unit}": None if budget is None else scale * budget.expanded,
+        "coverage_factor": None if budget is None else budget.coverage_factor,
+        "effective_degrees_of_freedom": None if budget is None else finite(budget.degrees),
         "budget": [
             {
-                "name": one.name,
-                f"standard_uncertainty_{unit}": scale * one.uncertainty,
-                "type": one.evaluation,
-                "distribution": one.distribution,
-                "degrees_of_freedom": finite(one.degrees),
-                "averages_out": one.averages,
+                "name": contribution.name,
+                f"standard_uncertainty_{unit}": scale * contribution.uncertainty,
+                "type": contribution.evaluation,
+                "distribution": contribution.distribution,
+                "degrees_of_freedom": finite(contribution.degrees),
+                "averages_out": contribution.averages,
             }
-            for one in (() if found is None else found.contributions)
+            for contribution in (() if budget is None else budget.contributions)
         ],
     }
 

@@ -85,11 +85,11 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
         names = getattr(section, place.key)
         if not names:
             continue
-        one = isinstance(names, str)
-        allowed = place.kinds if one else place.kinds[:1]
+        single = isinstance(names, str)
+        allowed = place.kinds if single else place.kinds[:1]
         key = f"{place.section}.{place.key}"
         texts_and_records = [
-            _read(rig, key, name, allowed) for name in ((names,) if one else names)
+            _read(rig, key, name, allowed) for name in ((names,) if single else names)
         ]
         from rigapp.calibrating.verification import verified  # GTC and SciPy: only where needed
 
@@ -105,7 +105,7 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
                 faults = [*_faults(rig, record, again, now), *_unsigned(record, trusted)]
                 each.append((text, record, again, joined(say(" and "), faults)))
         except MALFORMED as error:
-            named = joined(", ", (names,) if one else names)
+            named = joined(", ", (names,) if single else names)
             raise UnusableInput(
                 "{}: {} = {}: a value of the record is missing or cannot be ‹{}›; export the"
                 " record again from where it was made, or calibrate again.",
@@ -213,12 +213,14 @@ def _faults(rig: Rig, record: Record, again: Verification, now: float) -> list[s
     content, here = record.content, rig.record
     if again.compared:
         warnings: list[str] = [
-            say("does not follow from its readings ({})", one.rstrip("."))
-            for one in again.differences
+            say("does not follow from its readings ({})", difference.rstrip("."))
+            for difference in again.differences
         ]
     else:
         unknown = (*again.differences, *again.unverified)
-        warnings = [say("cannot be verified ({})", one.rstrip(".")) for one in unknown]
+        warnings = [
+            say("cannot be verified ({})", difference.rstrip(".")) for difference in unknown
+        ]
     ahead, due = in_future(record, now), str(content["due_at"])
     if ahead:
         warnings.append(ahead)

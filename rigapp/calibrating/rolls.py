@@ -168,8 +168,8 @@ class RollSession:
         events = self.journal.read()
         if events:
             try:
-                told = events[0]["plan"]
-                return RollPlan(tuple(told["speeds"]), told["revolutions"], told["orders"])
+                stored = events[0]["plan"]
+                return RollPlan(tuple(stored["speeds"]), stored["revolutions"], stored["orders"])
             except (KeyError, TypeError) as error:
                 raise UnusableInput(
                     "{}: it tells no rolls ‹{}›.", self.journal.path, error

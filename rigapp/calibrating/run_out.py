@@ -49,11 +49,11 @@ def map_of(files: Sequence[Path], orders: int) -> tuple[Outcome, str, list[dict[
 
     rolls = [read_roll(path) for path in files]
     try:
-        found = make_map([roll for roll, _ in rolls], orders, elastic_doubts=DOUBTS)
+        run_out = make_map([roll for roll, _ in rolls], orders, elastic_doubts=DOUBTS)
     except RunOutError as error:
         raise UnusableInput("run-out: {}.", error) from error
-    outcome = Outcome(say("run-out map"), run_out_result(found), tuple(run_out_lines(found)))
-    return outcome, harmonics_csv(found), [facts for _, facts in rolls]
+    outcome = Outcome(say("run-out map"), run_out_result(run_out), tuple(run_out_lines(run_out)))
+    return outcome, harmonics_csv(run_out), [facts for _, facts in rolls]
 
 
 def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
@@ -142,45 +142,45 @@ def _as_read(shown: Array, angle: Array, probes: Mapping[str, Any]) -> Array:
     return np.asarray(read + evaluate(together, angle), np.float64)
 
 
-def run_out_result(found: RunOutMap) -> dict[str, Any]:
+def run_out_result(run_out: RunOutMap) -> dict[str, Any]:
     """Return what ``--json`` prints and the record keeps, units in the keys."""
     result: dict[str, Any] = {
-        "accepted": found.accepted,
-        "problems": problems_of(found.problems),
+        "accepted": run_out.accepted,
+        "problems": problems_of(run_out.problems),
         "expanded_uncertainty_um": None,
-        "coverage_factor": found.coverage_factor,
+        "coverage_factor": run_out.coverage_factor,
     }
-    if found.coefficients is None or found.covariance is None or found.expanded is None:
+    if run_out.coefficients is None or run_out.covariance is None or run_out.expanded is None:
         return result
     grid = np.radians(np.arange(0.0, 360.0, GRID_DEG))
     return {
         **result,
-        "cos_um": (UM * found.coefficients[:, 0::2]).tolist(),
-        "sin_um": (UM * found.coefficients[:, 1::2]).tolist(),
-        "covariance_um2": (UM**2 * found.covariance).tolist(),
-        "map_um": (UM * evaluate(found.coefficients, grid)).tolist(),
-        "map_standard_uncertainty_um": (UM * spread_at(found.covariance, grid)).tolist(),
+        "cos_um": (UM * run_out.coefficients[:, 0::2]).tolist(),
+        "sin_um": (UM * run_out.coefficients[:, 1::2]).tolist(),
+        "covariance_um2": (UM**2 * run_out.covariance).tolist(),
+        "map_um": (UM * evaluate(run_out.coefficients, grid)).tolist(),
+        "map_standard_uncertainty_um": (UM * spread_at(run_out.covariance, grid)).tolist(),
         "map_step_deg": GRID_DEG,
-        "expanded_uncertainty_um": float(UM * found.expanded.max()),
+        "expanded_uncertainty_um": float(UM * run_out.expanded.max()),
         **{
             f"{name}_um": None if values is None else (UM * values).tolist()
             for name, values in (
-                ("peak_to_peak", found.peak),
-                ("inertia", found.inertia),
-                ("elastic", found.elastic),
-                ("between_rolls", found.between),
-                ("drift", found.drift),
-                ("rest", found.rest),
-                ("expanded_uncertainties", found.expanded),
+                ("peak_to_peak", run_out.peak),
+                ("inertia", run_out.inertia),
+                ("elastic", run_out.elastic),
+                ("between_rolls", run_out.between),
+                ("drift", run_out.drift),
+                ("rest", run_out.rest),
+                ("expanded_uncertainties", run_out.expanded),
             )
         },
     }
 
 
-def harmonics_csv(found: RunOutMap) -> str:
+def harmonics_csv(run_out: RunOutMap) -> str:
     """Return the orders of every revolution: the readings of the record."""
     lines = [",".join(RUN_OUT_COLUMNS)]
-    for one in found.harmonics:
+    for one in run_out.harmonics:
         for probe in range(2):
             both = np.vstack((one.coefficients[probe], one.elastic[probe]))
             pairs = (UM * both).reshape(2, -1, 2).transpose(1, 0, 2).reshape(-1, 4)
@@ -200,13 +200,13 @@ def parse_harmonics(text: str) -> tuple[Harmonics, ...]:
     given = RUN_OUT_COLUMNS if "elastic_cos_um" in text.partition("\n")[0] else RUN_OUT_COLUMNS[:6]
     rows = read_table(text, given)
     columns = np.column_stack([numbers(rows, name) for name in given])
-    found = []
+    harmonics = []
     for roll, number in dict.fromkeys(map(tuple, columns[:, :2].astype(int).tolist())):
         turn = columns[(columns[:, 0] == roll) & (columns[:, 1] == number), 4:] / UM
         shown = turn[:, :2].reshape(2, -1)
         moved = turn[:, 2:].reshape(2, -1) if turn.shape[1] > 2 else np.zeros_like(shown)
-        found.append(Harmonics(roll - 1, number, shown, moved, np.full(2, math.nan)))
-    return tuple(found)
+        harmonics.append(Harmonics(roll - 1, number, shown, moved, np.full(2, math.nan)))
+    return tuple(harmonics)
 
 
 def map_again(content: Mapping[str, Any]) -> dict[str, Any]:
@@ -214,26 +214,26 @@ def map_again(content: Mapping[str, Any]) -> dict[str, Any]:
     from rigapp.twin.predict import DOUBTS
 
     speeds = [one["speed_rpm"] * 2.0 * math.pi / 60.0 for one in content["taken"]["files"]]
-    found = map_of_harmonics(parse_harmonics(content["readings_csv"]), speeds, DOUBTS)
-    return run_out_result(found)
+    run_out = map_of_harmonics(parse_harmonics(content["readings_csv"]), speeds, DOUBTS)
+    return run_out_result(run_out)
 
 
-def run_out_lines(found: RunOutMap) -> list[str]:
+def run_out_lines(run_out: RunOutMap) -> list[str]:
     """Return the result in words and numbers, a line each."""
-    if found.peak is None or found.expanded is None or found.drift is None:
+    if run_out.peak is None or run_out.expanded is None or run_out.drift is None:
         return []
     lines: list[str] = [
         say(
             "Probe {}: run-out {:.2f} um from lowest to highest, expanded uncertainty"
             " {:.2f} um (k = {:.2f}).",
             probe + 1,
-            UM * found.peak[probe],
-            UM * found.expanded[probe],
-            found.coverage_factor,
+            UM * run_out.peak[probe],
+            UM * run_out.expanded[probe],
+            run_out.coverage_factor,
         )
         for probe in range(2)
     ]
-    if found.inertia is None:
+    if run_out.inertia is None:
         lines.append(
             say(
                 "One speed only: what inertia adds to it is not known. A second, other speed tells."
@@ -243,15 +243,15 @@ def run_out_lines(found: RunOutMap) -> list[str]:
         lines.append(
             say(
                 "Motion with the speed, taken off the slowest roll: up to {:.2f} um.",
-                UM * found.inertia.max(),
+                UM * run_out.inertia.max(),
             )
         )
-    if found.elastic is not None:
+    if run_out.elastic is not None:
         lines.append(
             say(
                 "Elastic motion of the pin with the force, by the model of the unworn"
                 " bushing, taken off: up to {:.2f} um about its mean.",
-                UM * found.elastic.max(),
+                UM * run_out.elastic.max(),
             )
         )
     return lines

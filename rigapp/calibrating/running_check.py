@@ -30,8 +30,8 @@ FORCE_UNCERTAINTY = 0.005
 def check_of(files: Sequence[Path], speeds: Sequence[float], known: Known) -> tuple[Outcome, str]:
     """Compare the runs at some speeds (rpm) with what is known: outcome, readings as CSV."""
     runs = [read_run(path, speed) for path, speed in zip(files, speeds, strict=True)]
-    found = running_check(runs, known)
-    result, lines = running_result(found, known, runs), (*running_lines(found), found.sentence)
+    check = running_check(runs, known)
+    result, lines = running_result(check, known, runs), (*running_lines(check), check.sentence)
     # What a check shows is told always.
     return Outcome(say("running check"), result, lines, told_always=True), runs_csv(runs)
 

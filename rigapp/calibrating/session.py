@@ -100,7 +100,7 @@ class Outcome:
     @property
     def changed(self) -> bool:
         """Tell whether the former record told more too much than is allowed."""
-        return any(one["beyond"] for one in self.as_found[0].get("changes", ()))
+        return any(change["beyond"] for change in self.as_found[0].get("changes", ()))
 
     @property
     def accepted(self) -> bool:
@@ -245,15 +245,15 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         """Return what a reading was taken at, for a table."""
 
     @abstractmethod
-    def told_live(self, found: Readiness) -> str:
+    def told_live(self, readiness: Readiness) -> str:
         """Return what the signals say now, in words."""
 
-    def compared(self, found: Readiness) -> Readiness:
+    def compared(self, readiness: Readiness) -> Readiness:
         """Return it, or what to check in its place where what is felt cannot be."""
-        return found
+        return readiness
 
     @abstractmethod
-    def recorded(self, found: Readiness) -> str:
+    def recorded(self, readiness: Readiness) -> str:
         """Return what was recorded, in words; found before it was taken."""
 
     @abstractmethod
@@ -317,7 +317,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         readiness = self.look(window)
         if not readiness.ready:
             raise ProcedureError("it cannot be recorded now: {}", readiness.words)
-        procedure, found, place = self.procedure, readiness.steadiness, self.place_of(window)
+        procedure, steadiness, place = self.procedure, readiness.steadiness, self.place_of(window)
         now, kind = round(time.time(), 3), procedure.step.kind
         match kind:
             case StepKind.SET_UP:
@@ -327,7 +327,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
             case StepKind.READING:
                 hung = self._in_time(window.newest)
                 after = procedure.record(
-                    found.mean, found.spread, now, value=at, place=place, hung=hung
+                    steadiness.mean, steadiness.spread, now, value=at, place=place, hung=hung
                 )
             case _:
                 raise ProcedureError("the angle reference is entered, not recorded")
@@ -411,16 +411,16 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         The values are those of the CSV, so that the sealed readings give the same result again.
         """
         return [
-            (line, dict(zip(self.columns, self.row(one), strict=True)))
-            for line, one in enumerate(self.procedure.taken, 2)
-            if not one.rejected
+            (line, dict(zip(self.columns, self.row(reading), strict=True)))
+            for line, reading in enumerate(self.procedure.taken, 2)
+            if not reading.rejected
         ]
 
     def readings_csv(self) -> str:
         """Return all readings as the CSV that is sealed, rejected ones as comments."""
         lines = [",".join(self.columns)]
-        for one in self.procedure.taken:
-            row, reason = ",".join(map(str, self.row(one))), " ".join(one.rejected.split())
+        for reading in self.procedure.taken:
+            row, reason = ",".join(map(str, self.row(reading))), " ".join(reading.rejected.split())
             lines.append(f"# rejected ({reason}): {row}" if reason else row)
         return "\n".join(lines) + "\n"
 

@@ -134,8 +134,8 @@ class SpindleRuns:
             )
             self.position += 1
             return None
-        for one in self.runs[self.position :]:
-            one.recipe.write_text(toml_text(one.test), encoding="utf-8")
+        for later in self.runs[self.position :]:
+            later.recipe.write_text(toml_text(later.test), encoding="utf-8")
         self._begun = True
         self.words = say("{:g} rpm for {} revolutions; {} records it.", run.rpm, planned, run.out)
         return Action("start", {"test": str(run.recipe.resolve()), "out": str(run.out.resolve())})
@@ -174,7 +174,7 @@ def speeds_of(option: str, text: str, least: float, most: float, fewest: int) ->
     except ValueError as error:
         raise UnusableInput("{} {}: write speeds in rpm, such as 3,6.", option, text) from error
     different = len(set(speeds)) == len(speeds) >= fewest
-    if not different or not all(least <= one <= most for one in speeds):
+    if not different or not all(least <= speed <= most for speed in speeds):
         raise UnusableInput(
             "{} {}: give {} or more different speeds from {:g} to {:g} rpm.",
             option,

@@ -113,13 +113,17 @@ def verified(data: bytes) -> Verification:
     A signature that does not hold is a difference.
     """
     record = unseal(data)
-    found = verify(record)
+    verification = verify(record)
     if record.signature is None:
-        return found
+        return verification
     from rigapp_calibration.signatures import signature_fault
 
     fault = signature_fault(record)
-    return replace(found, differences=(fault, *found.differences)) if fault else found
+    return (
+        replace(verification, differences=(fault, *verification.differences))
+        if fault
+        else verification
+    )
 
 
 def verify(record: Record) -> Verification:

@@ -287,9 +287,9 @@ class Commissioning:
         return given if unit is None else unit
 
     def _find_ramps(self) -> tuple[int, ...]:
-        ramps = tuple(one for one in _RAMPS if self._node.read_if_there(one) is not None)
+        ramps = tuple(index for index in _RAMPS if self._node.read_if_there(index) is not None)
         if len(ramps) < len(_RAMPS):
-            lacking = joined(", ", (f"{one:04X}" for one in _RAMPS if one not in ramps))
+            lacking = joined(", ", (f"{index:04X}" for index in _RAMPS if index not in ramps))
             self._advice.append(
                 say(
                     "it turns up or down along a ramp of its own, whatever the test file says;"
@@ -303,16 +303,16 @@ class Commissioning:
         """Return what the drive tells of itself: objects of the EPOS4, or of CiA 402 if there."""
         if self._epos:
             return {
-                quantity: (place, float(self._settings[unit]))
-                for quantity, (place, unit) in _EPOS_QUANTITIES.items()
+                quantity: (entry, float(self._settings[unit]))
+                for quantity, (entry, unit) in _EPOS_QUANTITIES.items()
             }
-        found = {}
+        quantities = {}
         for quantity, (index, unit, rated) in PROFILE_QUANTITIES.items():
-            whole = self._node.read_if_there(rated) if rated else 1
-            if whole and self._node.read_if_there(index) is not None:
-                found[quantity] = ((index, 0), unit * whole)
-        self._readback["quantities"] = joined(", ", found)
-        return found
+            rated_value = self._node.read_if_there(rated) if rated else 1
+            if rated_value and self._node.read_if_there(index) is not None:
+                quantities[quantity] = ((index, 0), unit * rated_value)
+        self._readback["quantities"] = joined(", ", quantities)
+        return quantities
 
     def _require(self) -> None:
         """Refuse a drive that lacks what nothing can replace, before anything is set."""
@@ -422,15 +422,15 @@ class Commissioning:
     def _set(self, index: int, value: int, subindex: int = 0) -> None:
         """Write a number and read it back."""
         self._node.write(index, value, subindex)
-        found = self._node.read(index, subindex)
-        if found != value:
+        readback = self._node.read(index, subindex)
+        if readback != value:
             raise SettingRefused.at(
                 self._node,
                 "the drive did not keep a setting; check its firmware and that it is"
                 " not locked ‹object {}:{} reads {} after {} was set›.",
                 f"{index:04X}",
                 subindex,
-                found,
+                readback,
                 value,
             )
         self._kept[index, subindex] = value

@@ -207,8 +207,8 @@ class Readings:
         wanted = {"current_A", "torque_Nm"}
         wanted |= {name for turn, name in enumerate(_IN_TURN) if turn in turns}
         new = {
-            name: node.read(*place) * unit
-            for name, (place, unit) in objects.items()
+            name: node.read(*entry) * unit
+            for name, (entry, unit) in objects.items()
             if name in wanted
         }
         torque_off = last.torque_off
@@ -247,8 +247,8 @@ class Readings:
         limit_s = max(_HEARTBEATS_MISSED * period_s, _HEARTBEAT_LEAST_S)
         if not monitor.wait_for_heartbeat(limit_s, _CATCH_UP_S):
             age_s = monitor.heartbeat_age_s()
-            told = say("never came") if age_s is None else say("is missing for {:.2f} s", age_s)
-            return [say("the drive's heartbeat {}", told)]
+            state = say("never came") if age_s is None else say("is missing for {:.2f} s", age_s)
+            return [say("the drive's heartbeat {}", state)]
         node_state = monitor.node_state
         if node_state not in (NodeState.OPERATIONAL, NodeState.BOOT_UP):
             return [say("the node does not operate any more ‹state {}›", node_state)]

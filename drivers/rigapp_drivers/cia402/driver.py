@@ -420,7 +420,7 @@ class Cia402Drive:
         """
         for index, subindex in objects:
             wanted = setup.kept.get((index, subindex))  # None: the drive has no such object
-            if wanted is None or (found := node.read(index, subindex)) == wanted:
+            if wanted is None or (readback := node.read(index, subindex)) == wanted:
                 continue
             _log.warning(
                 "%s on %s: object %04X:%d reads %d after %d was set",
@@ -428,7 +428,7 @@ class Cia402Drive:
                 self.port,
                 index,
                 subindex,
-                found,
+                readback,
                 wanted,
             )
             self._setup = None

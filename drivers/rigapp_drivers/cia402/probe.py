@@ -82,28 +82,28 @@ def ask(line: BytePort, timeout_s: float) -> Identity | None:
 
 def _abilities(line: BytePort, node: int, timeout_s: float) -> dict[str, str]:
     """Return what a node has and lacks of what a drive may have, by the objects that it reads."""
-    found: dict[bool, list[str]] = {True: [], False: []}
+    abilities: dict[bool, list[str]] = {True: [], False: []}
     for (index, subindex), what in ABILITIES.items():
         value = _read(line, node, index, subindex, timeout_s)
         if value is None:
             return {f"node_{node}": say("does not answer")}
         has = value is not False and (index != 0x6502 or bool(value & PROFILE_VELOCITY_BIT))
-        found[has].append(say("{} ‹{}›", what, f"{index:04X}"))
-    words = {f"node_{node}_has": found[True], f"node_{node}_lacks": found[False]}
+        abilities[has].append(say("{} ‹{}›", what, f"{index:04X}"))
+    words = {f"node_{node}_has": abilities[True], f"node_{node}_lacks": abilities[False]}
     return {key: joined(", ", objects) for key, objects in words.items() if objects}
 
 
 def _read(line: BytePort, node: int, index: int, subindex: int, timeout_s: float) -> int | None:
     """Return the number of an object, False where it is not there, None without an answer."""
-    place = struct.pack("<HB", index, subindex)
-    line.write(encode_frame(Frame(SDO_REQUEST_BASE + node, b"\x40" + place + bytes(4))))
+    address = struct.pack("<HB", index, subindex)
+    line.write(encode_frame(Frame(SDO_REQUEST_BASE + node, b"\x40" + address + bytes(4))))
     data, deadline = "", time.monotonic() + timeout_s
     while (left := deadline - time.monotonic()) > 0.0 and len(data) < _MOST_BYTES:
         data += line.read_some(_MOST_BYTES, left).decode("ascii", "replace")
         *lines, data = data.split("\r")
         for frame in filter(None, map(decode_frame, lines)):
             answer = frame.data
-            if frame.identifier == SDO_REPLY_BASE + node and answer[1:4] == place:
+            if frame.identifier == SDO_REPLY_BASE + node and answer[1:4] == address:
                 return answer[0] != _ABORT and int.from_bytes(answer[4:8], "little")
     return None
 

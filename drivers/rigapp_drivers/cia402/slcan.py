@@ -154,15 +154,15 @@ class Decoder:
 
     def sent(self, data: bytes) -> Iterator[str]:
         """Yield the frames that the program sent."""
-        for one in data.decode("ascii", "replace").split("\r"):
-            if one:
-                yield _words(one)
+        for line in data.decode("ascii", "replace").split("\r"):
+            if line:
+                yield _words(line)
 
     def received(self, data: bytes) -> Iterator[str]:
         """Yield the frames that came."""
         *lines, self._rest = (self._rest + data.decode("ascii", "replace")).split("\r")
-        for one in filter(None, lines):
-            yield _words(one)
+        for line in filter(None, lines):
+            yield _words(line)
 
 
 def _words(line: str) -> str:

@@ -281,9 +281,9 @@ class Dataq:
 
 
 def _counter_words(plan: Plan) -> str:
-    told = {"direction": plan.direction_line, "index": plan.index_line}
-    known = [name for name, line in told.items() if line is not None]
-    missing = [name for name, line in told.items() if line is None]
+    lines = {"direction": plan.direction_line, "index": plan.index_line}
+    known = [name for name, line in lines.items() if line is not None]
+    missing = [name for name, line in lines.items() if line is None]
     words = [say("16 bit, pulses of one input edge")]
     words += [say("with {} by digital lines", joined(say(" and "), known))] if known else []
     words += [say("without {}", joined(say(" or "), missing))] if missing else []

@@ -87,10 +87,10 @@ class Link:
         while (left := deadline - time.monotonic()) > 0.0:
             data += self.port.read_some(READ_BYTES, min(left, _SLICE_S))
             self.heard = len(data)
-            place = data.rfind(_STOP)
-            if place >= 0:
+            end = data.rfind(_STOP)
+            if end >= 0:
                 self.port.drain()
-                return data[:place]
+                return data[:end]
         return None
 
     def _exchange(self, command: bytes, tries: int = TRIES) -> str:
@@ -158,7 +158,9 @@ def ask(port: BytePort, timeout_s: float) -> Identity | None:
         model = link.query(Info.MODEL, tries=1)
         if not model.isalnum():
             return None
-        firmware, serial = (link.query(one, tries=1) for one in (Info.FIRMWARE, Info.SERIAL_NUMBER))
+        firmware, serial = (
+            link.query(info, tries=1) for info in (Info.FIRMWARE, Info.SERIAL_NUMBER)
+        )
     except (ReplyTimeout, ProtocolError):
         return None
     return identity_of(model, firmware, serial, port.port)

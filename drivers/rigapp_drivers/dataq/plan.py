@@ -65,7 +65,7 @@ class Plan:
     def commands(self, *, end_list: bool) -> tuple[bytes, ...]:
         """Return the command lines of the set-up; ps comes last, as srate may rewrite it."""
         lines = [p.line("encode", 0), p.line("endo", p.ALL_INPUTS)]
-        lines += [p.line("slist", place, word) for place, word in enumerate(self.scan_list)]
+        lines += [p.line("slist", index, word) for index, word in enumerate(self.scan_list)]
         if end_list:
             lines.append(p.line("slist", len(self.scan_list), p.END_OF_LIST))
         channels = [word & 7 for word in self.scan_list[: self.layout.analog]]

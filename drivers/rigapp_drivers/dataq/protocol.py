@@ -200,19 +200,19 @@ class Decoder:
     def sent(self, data: bytes) -> Iterator[str]:
         """Yield the command lines."""
         text = data.decode("ascii", "replace")
-        for one in filter(None, text.split("\r")):
-            self._scans |= one.startswith("start")
-            yield one
+        for command in filter(None, text.split("\r")):
+            self._scans |= command.startswith("start")
+            yield command
 
     def received(self, data: bytes) -> Iterator[str]:
         """Yield the answering lines, or how many bytes of samples came."""
         if self._scans:
-            place = data.rfind(line("stop"))
-            samples = data if place < 0 else data[:place]
+            end = data.rfind(line("stop"))
+            samples = data if end < 0 else data[:end]
             if samples:
                 yield f"{len(samples)} bytes of samples"
-            if place < 0:
+            if end < 0:
                 return
-            self._scans, data = False, data[place:]
+            self._scans, data = False, data[end:]
         replies, self._rest = split_replies(self._rest + data)
         yield from replies

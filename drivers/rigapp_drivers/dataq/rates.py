@@ -62,7 +62,7 @@ def nearest_rates(sample_rate_Hz: float, entries: int) -> list[Rate]:
         ticks = MASTER_CLOCK_HZ / (sample_rate_Hz * dec * deca)
         below.append(Rate(max(smallest, math.ceil(ticks * (1.0 - _ROUNDING))), dec, deca))
         above.append(Rate(min(LARGEST_SRATE, math.floor(ticks * (1.0 + _ROUNDING))), dec, deca))
-    below, above = ([one for one in some if checked(one, entries)] for some in (below, above))
+    below, above = ([rate for rate in some if checked(rate, entries)] for some in (below, above))
     # Of equals, max and min take the first, which has the smallest decimation.
     speed = attrgetter("sample_rate_Hz")
     return [best(some, key=speed) for best, some in ((max, below), (min, above)) if some]

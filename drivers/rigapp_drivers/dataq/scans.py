@@ -247,8 +247,8 @@ class ScanParser:
             signed = steps.astype(np.int32)
             change = np.diff(signed, prepend=signed[:1] if mark.step is None else mark.step)
             wrong |= np.abs(change) > rule.change
-        place = int(wrong.argmax())
-        return steps, place if wrong[place] else None
+        first = int(wrong.argmax())
+        return steps, first if wrong[first] else None
 
     def _hand_on(self, words: Words, steps: Words, runs: list[Run]) -> None:
         if len(words) == 0:

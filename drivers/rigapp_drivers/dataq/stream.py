@@ -67,8 +67,8 @@ class CountDirection:
         """Return what the latest index takes off each count; 0 before the first."""
         before = np.concatenate(([self._index_was_high], high[:-1]))
         self._index_was_high = bool(high[-1])
-        place = np.maximum.accumulate(np.where(high & ~before, np.arange(count.size), -1))
-        return np.where(place >= 0, count[place], 0)
+        last_edge = np.maximum.accumulate(np.where(high & ~before, np.arange(count.size), -1))
+        return np.where(last_edge >= 0, count[last_edge], 0)
 
 
 _log = logging.getLogger(__name__)

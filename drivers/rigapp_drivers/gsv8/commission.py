@@ -282,8 +282,8 @@ class Commissioner:
             facts[f"{name}.user_scale"] = registers.get(r.scale(channel))
             facts[f"{name}.user_offset"] = registers.get(r.offset(channel))
             facts[f"{name}.zero"] = registers.zero(channel)
-        for place, counter in enumerate(sorted(plan.counters)):
-            self._read_counter(plan, counter, p.ANALOG_CHANNELS + 1 + place)
+        for index, counter in enumerate(sorted(plan.counters)):
+            self._read_counter(plan, counter, p.ANALOG_CHANNELS + 1 + index)
         facts["settings_written"] = self.writes
 
     def _read_counter(self, plan: Plan, counter: int, channel: int) -> None:

@@ -390,17 +390,17 @@ class StreamParser:
         length = _looked_up(lengths, octets, starts)
         ends = starts + length
         coming = ends > len(octets)
-        whole = (length > 0) & ~coming
-        whole[whole] = octets[ends[whole] - 1] == SUFFIX
+        complete = (length > 0) & ~coming
+        complete[complete] = octets[ends[complete] - 1] == SUFFIX
         layout = self.layout
         if layout is not None and (layout.checksum or self._hold):
-            own = whole & (octets[np.minimum(starts + 1, len(octets) - 1)] & 0xD0 == 0x10)
-            whole[own] = (
+            own = complete & (octets[np.minimum(starts + 1, len(octets) - 1)] & 0xD0 == 0x10)
+            complete[own] = (
                 _checks(octets, starts[own], length[own])
                 if layout.checksum
                 else self._may_follow(octets, ends[own])
             )
-        return whole | coming & (length > 0)
+        return complete | coming & (length > 0)
 
     def _may_follow(self, octets: NDArray[np.uint8], ends: NDArray[np.int64]) -> NDArray[np.bool_]:
         """Tell at which ends a frame or a response begins, as far as its first bytes tell."""
@@ -438,8 +438,8 @@ def _looked_up(
 ) -> NDArray[np.int64]:
     """Return the announced length at each place; 3, the least, where the stream ends before."""
     last = len(octets) - 1
-    found = lengths[octets[np.minimum(starts + 1, last)], octets[np.minimum(starts + 2, last)]]
-    return np.where(starts + 2 > last, 3, found).astype(np.int64)
+    length = lengths[octets[np.minimum(starts + 1, last)], octets[np.minimum(starts + 2, last)]]
+    return np.where(starts + 2 > last, 3, length).astype(np.int64)
 
 
 def _checks(

@@ -60,8 +60,8 @@ def crc16_of_rows(rows: NDArray[np.uint8]) -> NDArray[np.uint16]:
     at once; byte after byte takes ten times as long for the rows of one packet.
     """
     of_zeros, shares, places = _crc16_shares(rows.shape[1])
-    found = shares.take(np.ascontiguousarray(rows.T) + places)
-    return np.bitwise_xor.reduce(found, axis=0, initial=of_zeros)
+    parts = shares.take(np.ascontiguousarray(rows.T) + places)
+    return np.bitwise_xor.reduce(parts, axis=0, initial=of_zeros)
 
 
 @functools.lru_cache(maxsize=64)
@@ -69,8 +69,8 @@ def _crc16_shares(length: int) -> tuple[np.uint16, NDArray[np.uint16], NDArray[n
     """Return the CRC-16 of so many zeros, what each byte adds, and where a place's 256 begin."""
     of_zeros, share = np.uint16(0xFFFF), _CRC16
     shares = np.empty((length, 256), np.uint16)
-    for place in reversed(range(length)):
-        shares[place] = share
+    for index in reversed(range(length)):
+        shares[index] = share
         share = (share >> 8) ^ _CRC16[share & 0xFF]
         of_zeros = (of_zeros >> 8) ^ _CRC16[of_zeros & 0xFF]
     return of_zeros, shares.ravel(), 256 * np.arange(length)[:, None]

@@ -109,9 +109,9 @@ def counter_home(counter: int) -> Setting:
 
 
 def _counter(counter: int, index: int, words: str, mask: int | None) -> Setting:
-    place = u8(p.counter_index(counter, index))
+    address = u8(p.counter_index(counter, index))
     read, write = Command.READ_COUNTER_MODE, Command.WRITE_COUNTER_MODE
-    return Setting(words, read, write, ">I", place, mask=mask, since=p.COUNTER_FIRMWARE)
+    return Setting(words, read, write, ">I", address, mask=mask, since=p.COUNTER_FIRMWARE)
 
 
 WRITE_WAIT: Final = 3.0

@@ -213,10 +213,10 @@ class StreamWatch:
     def _take_fault(self, fault: ValueFault | None) -> None:
         if fault is not None and fault not in (self.last_fault, self._known):
             self.last_fault = fault
-            told = fault.told(time.monotonic_ns())
-            self.faults = (*self.faults, told)[-_MOST_FAULTS:]
+            report = fault.told(time.monotonic_ns())
+            self.faults = (*self.faults, report)[-_MOST_FAULTS:]
             _log.warning("%s: %s", self._link.port.device, fault.words)
-            if told.kind is InputFaultKind.SENSOR_BROKEN:
+            if report.kind is InputFaultKind.SENSOR_BROKEN:
                 self._on_broken()
 
     def _take_error(self, code: int) -> None:

@@ -187,10 +187,10 @@ class Decoder:
         before = tally.dropped_bytes
         parsed = self._parser.feed(data)
         for response in parsed.responses:
-            told = response.data.hex(" ") or "-"
-            yield f"response: {status_words(response.status)}, {told}"
+            content = response.data.hex(" ") or "-"
+            yield f"response: {status_words(response.status)}, {content}"
         dropped = tally.dropped_bytes - before
-        rest = len(data) - sum(4 + len(one.data) for one in parsed.responses) - dropped
+        rest = len(data) - sum(4 + len(earlier.data) for earlier in parsed.responses) - dropped
         if rest > 0:
             yield f"{rest} bytes of measured values"
         if dropped:

@@ -144,7 +144,7 @@ class SharedPort:
     def _release(self, bus: Bus) -> None:
         if bus.line is not None:
             bus.line.close()
-        for key in [key for key, one in _BUSES.items() if one is bus]:
+        for key in [key for key, other in _BUSES.items() if other is bus]:
             del _BUSES[key]
 
 

@@ -298,10 +298,10 @@ class ModbusLink:
 
         They do not say what they answer.
         """
-        for one in self._bus.questions:
-            while until_s := one.open_until_s():
+        for question in self._bus.questions:
+            while until_s := question.open_until_s():
                 if self.port.read_some(_MOST_BYTES, until_s - time.monotonic()):
-                    one.answered()
+                    question.answered()
                     # The rest of a frame follows without a pause.
                     while self.port.read_some(_MOST_BYTES, self._pause_s):
                         pass

@@ -112,19 +112,24 @@ class Question(msgspec.Struct, frozen=True):
     def values(self, words: Sequence[int]) -> dict[str, float]:
         """Return the quantities in the words of its answer."""
         return {
-            one.quantity: one.value(words[one.address - self.address :][: one.count])
-            for one in self.registers
+            register.quantity: register.value(
+                words[register.address - self.address :][: register.count]
+            )
+            for register in self.registers
         }
 
 
 def questions(registers: Sequence[Register]) -> tuple[Question, ...]:
     """Return the fewest requests for registers; only neighbours share one: a gap may be nothing."""
-    ordered = sorted(registers, key=lambda one: (one.function, one.address))
-    groups: list[list[Register]] = [[one] for one in ordered[:1]]
-    for before, one in pairwise(ordered):
-        near = one.function == before.function and one.address == before.address + before.count
-        if near and one.address + one.count - groups[-1][0].address <= MOST_WORDS:
-            groups[-1].append(one)
+    ordered = sorted(registers, key=lambda register: (register.function, register.address))
+    groups: list[list[Register]] = [[register] for register in ordered[:1]]
+    for before, register in pairwise(ordered):
+        near = (
+            register.function == before.function
+            and register.address == before.address + before.count
+        )
+        if near and register.address + register.count - groups[-1][0].address <= MOST_WORDS:
+            groups[-1].append(register)
         else:
-            groups.append([one])
+            groups.append([register])
     return tuple(Question(g[0].function, g[0].address, tuple(g)) for g in groups)

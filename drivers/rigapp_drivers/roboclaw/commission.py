@@ -162,10 +162,10 @@ def _power_off(link: Link, motor: int) -> dict[str, str]:
     ramp that is too long.
     """
     try:
-        found = link.read(Command.DUTY_ACCELERATIONS, _TWICE)[motor - 1]
-        if found < MAXIMUM_DUTY_ACCELERATION:
+        acceleration = link.read(Command.DUTY_ACCELERATIONS, _TWICE)[motor - 1]
+        if acceleration < MAXIMUM_DUTY_ACCELERATION:
             link.write(Command.SET_DUTY_ACCELERATION_M1 + motor - 1, MAXIMUM_DUTY_ACCELERATION)
-            found = link.read(Command.DUTY_ACCELERATIONS)[motor - 1]
+            acceleration = link.read(Command.DUTY_ACCELERATIONS)[motor - 1]
     except ReplyTimeout:
         link.read(Command.STATUS)  # a drive that answers this is not silent: it lacks the command
         return {
@@ -175,7 +175,7 @@ def _power_off(link: Link, motor: int) -> dict[str, str]:
                 " the first stop."
             ),
         }
-    ramp_s = MAXIMUM_DUTY / found if found else math.inf
+    ramp_s = MAXIMUM_DUTY / acceleration if acceleration else math.inf
     if ramp_s > _LONGEST_POWER_OFF_S:
         raise SettingRefused.at(
             link,
@@ -232,7 +232,7 @@ def _set_watchdog(link: Link, units: int) -> None:
 
     try:
         link.write(Command.SET_TIMEOUT, units, in_effect=in_effect)
-        (found,) = link.read(Command.GET_TIMEOUT)
+        (readback,) = link.read(Command.GET_TIMEOUT)
     except ReplyTimeout as error:
         link.read(Command.STATUS)  # a drive that answers this is not silent: it lacks the command
         raise SettingRefused.at(
@@ -243,11 +243,11 @@ def _set_watchdog(link: Link, units: int) -> None:
             Command.SET_TIMEOUT,
             Command.GET_TIMEOUT,
         ) from error
-    if found != units:
+    if readback != units:
         raise SettingRefused.at(
             link,
             "the serial time-out reads {:.1f} s after {:.1f} s was set; the spindle"
             " must not turn without it.",
-            found * TIMEOUT_UNIT_S,
+            readback * TIMEOUT_UNIT_S,
             units * TIMEOUT_UNIT_S,
         )

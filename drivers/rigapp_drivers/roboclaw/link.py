@@ -222,7 +222,7 @@ class Link:
         tries: Sequence[float],
     ) -> _Reply:
         first = self._waits(1)[0]
-        tries = [one for one in tries if one >= first] or tries
+        tries = [wait for wait in tries if wait >= first] or tries
         first_s = time.monotonic()
         failures: list[str] = []
         because: set[str] = set()
@@ -253,10 +253,10 @@ class Link:
 
     def _failure(self, command: int, failures: list[str]) -> ProtocolError | ReplyTimeout:
         name = say("{} ({})", Command(command).name, command)
-        told = list(dict.fromkeys(sentence for sentence in failures if sentence))
+        reasons = list(dict.fromkeys(sentence for sentence in failures if sentence))
         if self.late_words:
             return ReplyTimeout.at(self, "no answer in time; {} ‹{}›.", self.late_words, name)
-        if not told:
+        if not reasons:
             return ReplyTimeout.at(
                 self,
                 "no reply in {} tries of {:.0f} ms or longer: check power, cable,"
@@ -269,7 +269,7 @@ class Link:
             self,
             "no usable reply in {} tries: {}: check the cable's screen and the baud rate ‹{}›.",
             len(failures),
-            joined("; ", told),
+            joined("; ", reasons),
             name,
         )
 

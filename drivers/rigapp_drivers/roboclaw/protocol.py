@@ -318,7 +318,7 @@ class CombinedStatus:
 def combined_status_of(values: tuple[int, ...]) -> CombinedStatus:
     """Return the record of command 73 (20 numbers, 56 bytes)."""
     tick, state, hot_1, hot_2, main, logic, *pairs = values
-    both = (tuple(pairs[place : place + 2]) for place in range(0, len(pairs), 2))
+    both = (tuple(pairs[index : index + 2]) for index in range(0, len(pairs), 2))
     return CombinedStatus(tick, state, (hot_1, hot_2), main, logic, *both)
 
 

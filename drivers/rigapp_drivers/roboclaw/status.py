@@ -113,7 +113,7 @@ def generation_of(firmware: str) -> Generation:
     Firmware from 4.2 on is taken as the newer generation, an unreadable text too: the driver checks
     the width against the CRC of a first reply, and a setting overrides both.
     """
-    found = _VERSION.search(firmware)
-    if found is None:
+    version = _VERSION.search(firmware)
+    if version is None:
         return NEWER
-    return NEWER if (int(found[1]), int(found[2])) >= _FIRST_32_BIT else OLDER
+    return NEWER if (int(version[1]), int(version[2])) >= _FIRST_32_BIT else OLDER

@@ -51,7 +51,7 @@ def port_of_number(number: str, found: Iterable[Any]) -> str:
     """
     ports = list(found)
     wanted = number.strip().casefold()
-    fits = [one.device for one in ports if (one.serial_number or "").casefold() == wanted]
+    fits = [port.device for port in ports if (port.serial_number or "").casefold() == wanted]
     if len(fits) == 1:
         return str(fits[0])
     if fits:
@@ -62,7 +62,7 @@ def port_of_number(number: str, found: Iterable[Any]) -> str:
             joined(", ", fits),
         )
     known = joined(
-        ", ", (f"{one.serial_number} ({one.device})" for one in ports if one.serial_number)
+        ", ", (f"{port.serial_number} ({port.device})" for port in ports if port.serial_number)
     )
     raise PortNotFound(
         "no port has the USB serial number {}; there are: {}. Check the cable.",

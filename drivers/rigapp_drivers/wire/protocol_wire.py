@@ -72,14 +72,14 @@ class Player:
         self.unknown: list[bytes] = []
         self._turn = 0
         self._since_s = now_s
-        streams = [place for place, turn in enumerate(self._turns) if turn.streams]
+        streams = [index for index, turn in enumerate(self._turns) if turn.streams]
         self._last_stream = streams[-1] if streams else -1
         self._begin(0, now_s)
 
     def write(self, data: bytes, now_s: float) -> None:
         """Take what the driver sends; give the answer from the recording."""
-        place = self._find(data)
-        if place is None:
+        index = self._find(data)
+        if index is None:
             # How an adapter is opened is python-can's affair, and nothing of it reaches the bus.
             if not (self._text and data[:1] not in (b"t", b"T")):
                 self.unknown.append(data)
@@ -87,12 +87,12 @@ class Player:
                     "%s: the recording has no answer to %s", self._trace.path, data.hex(" ")
                 )
             return
-        skipped = self._turns[self._turn + 1 : place] if place > self._turn else []
+        skipped = self._turns[self._turn + 1 : index] if index > self._turn else []
         left = [data for _, data in self._coming] if self._turns[self._turn].streams else []
         left += [part for turn in skipped if turn.streams for _, part in turn.received]
         self._coming.clear()
         self._coming.extend((now_s, part) for part in left)
-        self._begin(place, now_s)
+        self._begin(index, now_s)
 
     def read(self, now_s: float) -> bytes:
         """Return what has come by now."""
@@ -111,9 +111,9 @@ class Player:
         """Return the next turn with this question, else the last one before."""
         after = range(self._turn + 1, len(self._turns))
         before = range(self._turn, 0, -1)
-        for place in (*after, *before):
-            if self._turns[place].sent == data:
-                return place
+        for index in (*after, *before):
+            if self._turns[index].sent == data:
+                return index
         return None
 
     def _begin(self, place: int, now_s: float) -> None:

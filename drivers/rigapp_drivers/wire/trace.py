@@ -51,8 +51,8 @@ class WireRecord:
         """Return the content of a note, empty where it is none."""
         if self.kind is not RecordKind.NOTE:
             return {}
-        found = json.loads(self.data)
-        return found if isinstance(found, dict) else {}
+        content = json.loads(self.data)
+        return content if isinstance(content, dict) else {}
 
 
 @dataclass(frozen=True, slots=True)

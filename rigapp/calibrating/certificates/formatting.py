@@ -42,17 +42,17 @@ class Parts:
     readings: Sequence[Table] = ()
 
 
-def say(template: str, one: Content, otherwise: str = UNSTATED) -> str:
+def say(template: str, content: Content, otherwise: str = UNSTATED) -> str:
     """Return a template (``str.format``) filled from a record; otherwise: where that lacks it."""
     try:
-        return template.format_map(one)
+        return template.format_map(content)
     except (KeyError, IndexError, TypeError):
         return otherwise
 
 
-def rows_of(lines: Mapping[str, str], one: Content, otherwise: str = UNSTATED) -> list[Row]:
+def rows_of(lines: Mapping[str, str], content: Content, otherwise: str = UNSTATED) -> list[Row]:
     """Return rows of a name and what a record says of it; lines: name -> template."""
-    return [(name, say(line, one, otherwise)) for name, line in lines.items()]
+    return [(name, say(line, content, otherwise)) for name, line in lines.items()]
 
 
 def table(
@@ -60,16 +60,16 @@ def table(
 ) -> Table:
     """Return a table with a row of each item; columns: header -> template."""
     cells = columns.values()
-    rows = tuple(tuple(say(cell, one, otherwise) for cell in cells) for one in items)
+    rows = tuple(tuple(say(cell, item, otherwise) for cell in cells) for item in items)
     return Table(title, rows, tuple(columns))
 
 
-def elements(letter: str, one: Content, columns: Mapping[str, str]) -> list[Row]:
+def elements(letter: str, content: Content, columns: Mapping[str, str]) -> list[Row]:
     """Return a row of each element of 2 x 2 matrices; columns: key of the matrix -> format."""
     return [
         (
             f"{letter}{i + 1}{j + 1}",
-            *(say(f"{{{key}[{i}][{j}]:{form}}}", one) for key, form in columns.items()),
+            *(say(f"{{{key}[{i}][{j}]:{form}}}", content) for key, form in columns.items()),
         )
         for i in range(2)
         for j in range(2)

@@ -205,7 +205,7 @@ def _uncertainty(result: Content, load: float) -> float:
     if not stated:
         line = result["uncertainty_line_N"]
         return float(line["constant_N"] + line["per_N"] * load)
-    points = [(one["load_N"], one["component_one_reading_N"]) for one in stated]
+    points = [(point["load_N"], point["component_one_reading_N"]) for point in stated]
     return float(np.interp(load, *np.array(points).T))
 
 
@@ -307,7 +307,7 @@ def _used(own: Content) -> Content:
     """Return U of the calibration without the lines of its budgets that are of use only."""
 
     def shown(budget: Sequence[Content]) -> list[Content]:
-        return [one for one in budget if one["standard_uncertainty_N"] > 0.0]
+        return [line for line in budget if line["standard_uncertainty_N"] > 0.0]
 
     magnitude = {**own["magnitude"], "budget": shown(own["magnitude"]["budget"])}
     return {**own, "budget": shown(own["budget"]), "magnitude": magnitude}
@@ -376,11 +376,11 @@ def _elements(result: Content) -> Iterator[Row]:
     keys = ("", "_standard_uncertainty", "_expanded_uncertainty")
     matrices = [result.get(f"matrix{key}_N_per_unit") for key in keys]
     for row, column in np.ndindex(2, 2):
-        values = [None if one is None else one[row][column] for one in matrices]
+        values = [None if value is None else value[row][column] for value in matrices]
         of_all = values[2] or 0.0
         shown = (
-            UNSTATED if one is None else by_uncertainty(one, of_all, index == 1)
-            for index, one in enumerate(values)
+            UNSTATED if value is None else by_uncertainty(value, of_all, index == 1)
+            for index, value in enumerate(values)
         )
         yield (f"K{row + 1}{column + 1}", *shown)
 

@@ -105,7 +105,7 @@ def _each(content: Content) -> list[tuple[str, Content, ProbeReadings]]:
     if "probes" not in result:
         return [("", result, readings)]
     both = zip(result["probes"], split_pair(readings), strict=True)
-    return [(f"Probe {number}: ", one, taken) for number, (one, taken) in enumerate(both, 1)]
+    return [(f"Probe {number}: ", own, taken) for number, (own, taken) in enumerate(both, 1)]
 
 
 def _range(name: str, result: Content, readings: ProbeReadings) -> str:
@@ -245,8 +245,8 @@ def run_out_parts(content: Content) -> Parts:
 def _expanded(result: Content) -> Table:
     """Return U of the map of each probe."""
     rows = tuple(
-        (f"Probe {number}", f"U = {one:.3f} µm, k = {result['coverage_factor']:.2f}")
-        for number, one in enumerate(result["expanded_uncertainties_um"], 1)
+        (f"Probe {number}", f"U = {expanded:.3f} µm, k = {result['coverage_factor']:.2f}")
+        for number, expanded in enumerate(result["expanded_uncertainties_um"], 1)
     )
     return Table("Uncertainty of the map where it is largest", rows)
 
@@ -298,7 +298,7 @@ def _turns_table(content: Content) -> Table:
             size = np.hypot(float(row["cos_um"]), float(row["sin_um"]))
             at = np.degrees(np.arctan2(float(row["sin_um"]), float(row["cos_um"]))) % 360.0
             turns[row["roll"], row["revolution"]][row["probe"]] = f"{size:.4f} at {at:.2f}°"
-    rows = tuple((roll, number, one["1"], one["2"]) for (roll, number), one in turns.items())
+    rows = tuple((roll, number, turn["1"], turn["2"]) for (roll, number), turn in turns.items())
     header = ("roll", "revolution", "probe 1, µm", "probe 2, µm")
     return Table("First order of every revolution: size, angle of its maximum", rows, header)
 

@@ -259,8 +259,10 @@ class Pdos:
             self._must_be_off(parameters)
             if objects.number(index, 0) != 0:
                 raise AbortTransfer(Abort.STATE)
-            found = objects.entries.get((entry >> 16, entry >> 8 & 0xFF))
-            if entry and (found is None or not found.mappable or found.length * 8 != entry & 0xFF):
+            mapped = objects.entries.get((entry >> 16, entry >> 8 & 0xFF))
+            if entry and (
+                mapped is None or not mapped.mappable or mapped.length * 8 != entry & 0xFF
+            ):
                 raise AbortTransfer(Abort.NOT_MAPPABLE)
 
         objects.add(index, 0, Entry("u8", len(entries), written=count_written))

@@ -216,8 +216,8 @@ class DataqSimulator:
         words = words_of(readings, state.scan_list, self.model, self._rng)
         state.packet += self._damaged(words.astype("<u2"))
         size = self.packet_bytes
-        whole = len(state.packet) // size * size
-        data, state.packet = state.packet[:whole], state.packet[whole:]
+        length = len(state.packet) // size * size
+        data, state.packet = state.packet[:length], state.packet[length:]
         return replies + data
 
     def _amplified(self, signals: RigSignals) -> RigSignals:
@@ -324,13 +324,13 @@ class DataqSimulator:
         scan_list = self._state.scan_list
         if len(numbers) != 2 or not 0 <= numbers[0] <= min(len(scan_list), p.MOST_ENTRIES):
             return None
-        place, word = numbers
+        index, word = numbers
         if word == p.END_OF_LIST:
-            del scan_list[max(1, place) :]
+            del scan_list[max(1, index) :]
             return ""
-        if not known_word(word, self.model) or place == p.MOST_ENTRIES:
+        if not known_word(word, self.model) or index == p.MOST_ENTRIES:
             return None
-        scan_list[place : place + 1] = [word]
+        scan_list[index : index + 1] = [word]
         return ""
 
     def _set(self, command: str, numbers: tuple[int, ...]) -> str | None:
@@ -368,8 +368,8 @@ class DataqSimulator:
         data = data[lost_bytes:]
         dropped = take(DataqFault.DROPPED_BYTE, 3.0)
         if dropped is not None:
-            place = int(dropped) % max(1, len(data))
-            data = data[:place] + data[place + 1 :]
+            index = int(dropped) % max(1, len(data))
+            data = data[:index] + data[index + 1 :]
         garbage = take(DataqFault.GARBAGE, 7.0)
         if garbage is not None:
             data = self._rng.bytes(max(1, int(garbage))) + data

@@ -152,17 +152,17 @@ def words_of(
     """Return the words of the scans, (scans, entries); low bits that carry no signal are random."""
     scans = readings.counts.size
     words = np.empty((scans, len(scan_list)), np.uint16)
-    for place, entry in enumerate(scan_list):
+    for column, entry in enumerate(scan_list):
         function, code = entry & 0xF, entry >> 8
         if function < ANALOG_CHANNELS:
-            words[:, place] = _converted(readings.analog[function], model, code, rng)
+            words[:, column] = _converted(readings.analog[function], model, code, rng)
         elif function == Function.COUNTER:
-            words[:, place] = (readings.counts % COUNTER_SPAN) ^ 0x8000
+            words[:, column] = (readings.counts % COUNTER_SPAN) ^ 0x8000
         elif function == Function.RATE:
             steps = np.round(readings.rate_Hz / RATE_RANGES_HZ[code - 1] * 65535.0)
-            words[:, place] = np.minimum(steps, 65535.0).astype(np.int64) ^ 0x8000
+            words[:, column] = np.minimum(steps, 65535.0).astype(np.int64) ^ 0x8000
         else:
-            words[:, place] = readings.lines << 8
+            words[:, column] = readings.lines << 8
     return words
 
 

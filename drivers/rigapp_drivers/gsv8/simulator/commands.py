@@ -251,16 +251,16 @@ def _write_floats(values: list[float], a: bytes) -> bytes:
     value = read_f32(a[1:])
     if not math.isfinite(value):
         raise RequestRefused(0x52)
-    for place in _users(a[0]):
-        values[place] = value
+    for index in _users(a[0]):
+        values[index] = value
     return b""
 
 
 def _get_input_type(d: Device, a: bytes) -> bytes:
-    place, requested = _analog(a[0]), a[1]
+    index, requested = _analog(a[0]), a[1]
     if requested != 0xFF and requested not in tuple(InputType):
         raise RequestRefused(0x52)
-    kind = d.settings.input_types[place] if requested == 0xFF else InputType(requested)
+    kind = d.settings.input_types[index] if requested == 0xFF else InputType(requested)
     nominal = p.NOMINAL_RANGE.get(kind, 0.0)
     return u8(kind) + u32(round(nominal * (100_000 if kind is InputType.SINGLE_ENDED else 100)))
 
@@ -270,11 +270,11 @@ def _set_input_type(d: Device, a: bytes) -> bytes:
     if a[1] >= InputType.COUNTER:
         raise RequestRefused(0x52)
     kind, settings = InputType(a[1]), d.settings
-    for place in [a[0] - 1] if a[0] else range(p.ANALOG_CHANNELS):
-        settings.input_types[place] = kind
-        settings.scales[place] = default_scale(kind)
-        settings.offsets[place] = 0.0
-        settings.zeros[place] = 0
+    for index in [a[0] - 1] if a[0] else range(p.ANALOG_CHANNELS):
+        settings.input_types[index] = kind
+        settings.scales[index] = default_scale(kind)
+        settings.offsets[index] = 0.0
+        settings.zeros[index] = 0
     return b""
 
 

@@ -248,9 +248,9 @@ class MeasuredValues:
         if self._pending is not None and len(self._pending[0]) == len(values):
             values = np.concatenate((self._pending[0], values), axis=1)
             saturated = np.concatenate((self._pending[1], saturated))
-        whole = values.shape[1] // sequences * sequences
-        self._pending = (values[:, whole:], saturated[whole:])
-        return values[:, :whole], saturated[:whole]
+        count = values.shape[1] // sequences * sequences
+        self._pending = (values[:, count:], saturated[count:])
+        return values[:, :count], saturated[:count]
 
     def _damaged(self, frames: NDArray[np.uint8]) -> bytes:
         """Return the bytes of frames with what faults do to them."""

@@ -62,21 +62,21 @@ class ModbusSensorSimulator:
         faults: Faults = (),
     ) -> None:
         self._registers = registers_of({"preset": preset, "registers": registers or []})
-        self.quantities = tuple(one.quantity for one in self._registers)
+        self.quantities = tuple(register.quantity for register in self._registers)
         self._address = address
         self._plan = FaultPlan(ModbusSensorFault, faults)
         self.inject, self.clear = self._plan.add, self._plan.clear
         self._buffer = b""
         self._last_byte_s = 0.0
         self._words: dict[tuple[int, int], int] = {}
-        self.observe({one.quantity: 0.0 for one in self._registers})
+        self.observe({register.quantity: 0.0 for register in self._registers})
 
     def observe(self, values: Mapping[str, float]) -> None:
         """Take what the sensors see now, by quantity; others keep what they had."""
-        for one in self._registers:
-            if one.quantity in values:
-                for place, word in enumerate(one.encode(values[one.quantity])):
-                    self._words[one.function, one.address + place] = word
+        for register in self._registers:
+            if register.quantity in values:
+                for offset, word in enumerate(register.encode(values[register.quantity])):
+                    self._words[register.function, register.address + offset] = word
 
     def receive(self, data: bytes, now_s: float) -> bytes:
         """Take bytes from the host and return the replies that they cause, late ones in time."""
@@ -126,10 +126,12 @@ class ModbusSensorSimulator:
             return self._exception(function, _ILLEGAL_ADDRESS)
         words = dict(self._words)
         if self._plan.on(ModbusSensorFault.SENSOR_BROKEN):
-            for one in self._registers:
-                if one.invalid is not None:
-                    for place, word in enumerate(one.encode(one.scale * one.invalid + one.offset)):
-                        words[one.function, one.address + place] = word
+            for register in self._registers:
+                if register.invalid is not None:
+                    for place, word in enumerate(
+                        register.encode(register.scale * register.invalid + register.offset)
+                    ):
+                        words[register.function, register.address + place] = word
         data = struct.pack(f">{count}H", *(words[place] for place in places))
         return bytes((function, len(data))) + data
 
