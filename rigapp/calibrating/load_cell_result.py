@@ -27,18 +27,13 @@ OF_A_FIT = (
     "matrix_N_per_unit", "zero", "residual_std_N", "expanded_uncertainty_N", "coverage_factor",
 )  # fmt: skip
 """Keys that a result without a fit has, too."""
+Result = dict[str, Any]
 
 
-def load_cell_result(
-    calibration: LoadCellCalibration, settings: LoadCellSettings
-) -> dict[str, Any]:
+def load_cell_result(calibration: LoadCellCalibration, settings: LoadCellSettings) -> Result:
     """Return what ``--json`` prints and the record keeps, units in the keys."""
-    fit, traits, budget, zero = (
-        calibration.fit,
-        calibration.traits,
-        calibration.budget,
-        calibration.zero,
-    )
+    fit, traits = calibration.fit, calibration.traits
+    budget, zero = calibration.budget, calibration.zero
     problems = (*calibration.problems, *_too_uncertain(calibration, settings))
     result: dict[str, Any] = {
         "accepted": calibration.accepted and not blocked(problems),
@@ -48,15 +43,11 @@ def load_cell_result(
     }
     if fit is None or traits is None or budget is None or zero is None:
         return {**result, **dict.fromkeys(OF_A_FIT)}
-    applied, covariance, residual = (
-        calibration.applied,
-        calibration.covariance,
-        calibration.residual,
-    )
+    applied, residual = calibration.applied, calibration.residual
+    covariance, elements = calibration.covariance, calibration.elements
     assert applied is not None
     assert residual is not None
     assert covariance is not None
-    elements = calibration.elements
     zero_N = float(np.hypot(*(fit.matrix * [one.expanded for one in zero]).T).max())
     return {
         **result,
@@ -117,10 +108,7 @@ def _pin_weight(calibration: LoadCellCalibration) -> dict[str, Any]:
     """Return the weight of what turns with the pin, as it acts where the loads hang."""
     weight = calibration.pin_weight
     assert weight is not None
-    return {
-        "pin_weight_N": weight.value,
-        "pin_weight_expanded_uncertainty_N": weight.expanded,
-    }
+    return {"pin_weight_N": weight.value, "pin_weight_expanded_uncertainty_N": weight.expanded}
 
 
 def _creep(creep: Creep | None) -> dict[str, Any] | None:
