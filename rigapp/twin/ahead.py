@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.schema.details import error_text
 from rigapp.texts import say
 from rigapp.twin.approach import Approach
 from rigapp_model.errors import ModelError
@@ -53,8 +54,9 @@ class BushingAhead:
                 self._step()
         except (ModelError, ValueError, ArithmeticError) as error:
             self._failed = True
+            why = error_text(error, say("the wear cannot be computed"))
             log.warning(
-                say("The elastic approach is not known beyond {:g} m: {}", self._reach, error)
+                say("The elastic approach is not known beyond {:g} m: {}", self._reach, why)
             )
         if self._rows and (self._told is None or self._told.depths.size < len(self._rows)):
             order = np.argsort(self.loads.magnitude)

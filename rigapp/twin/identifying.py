@@ -134,7 +134,9 @@ class LifeAhead:
         except (ModelError, ValueError, ArithmeticError) as error:
             self.failed = error_text(error, say("the wear cannot be computed"))
             log.warning(
-                say("The life is not computed beyond {:g} um: {}", 1e6 * self.depth[-1], error)
+                say(
+                    "The life is not computed beyond {:g} um: {}", 1e6 * self.depth[-1], self.failed
+                )
             )
             return
         self.progress.append(self._state.cycles)
