@@ -1,4 +1,4 @@
-"""Remarks of the program: their level, the terminal, the file beside the results."""
+"""Remarks of the program: their level, the terminal, the file log_beside the results."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from rigapp.process.logs import (
     LEVEL_VARIABLE,
     MOST_WAITING,
     BoundedQueueHandler,
-    beside,
     chosen_level,
     in_file,
+    log_beside,
     on_terminal,
 )
 
@@ -133,8 +133,8 @@ def test_a_test_has_its_log_beside_its_file(tmp_path: Path) -> None:
     # Beside the end a busy computer may bring a warning of a late answer, and nothing else.
     said = [line for line in done.stderr.splitlines() if "WARNING: drive" not in line]
     assert len(said) == 1, done.stderr
-    text = beside(out).read_text()
-    assert beside(out) == tmp_path / "t.log"
+    text = log_beside(out).read_text()
+    assert log_beside(out) == tmp_path / "t.log"
     assert "started by" in text
     assert "INFO" in text
     again = rigapp(tmp_path, "--log-level", "info", "run", *run[1:5], tmp_path / "u.h5", *run[6:])

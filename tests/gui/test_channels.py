@@ -146,7 +146,7 @@ def test_a_free_channel_is_drawn_in_the_trend_and_against_the_angle(
         panel.show_news(News(data=data))
     trend.choice.setCurrentIndex(trend.choice.findData(WARM.name))
     trend.show_news(News(data=data))
-    assert trend.words == "Now: maximum 32.5, RMS 32, minimum 31.5"
+    assert trend.words == "Now: maximum 32.5 °C, RMS 32 °C, minimum 31.5 °C"
     trend.choice.setCurrentIndex(trend.choice.findData(ROOM.name))
     trend.show_news(News(data=data))
     assert trend.words == "Now: newest 21.5, 12 s old"

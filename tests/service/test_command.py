@@ -74,7 +74,7 @@ def test_others_are_refused_by_name_but_may_make_the_rig_safe(desk: Desk) -> Non
 
 def test_command_is_given_back_and_taken_by_another(desk: Desk) -> None:
     desk.ask("take_command", ADA)
-    with pytest.raises(Refused, match="not in command of this rig, Ada is"):
+    with pytest.raises(Refused, match="you do not control this rig, Ada is"):
         desk.ask("release_command", BOB)
     desk.ask("release_command", ADA)
     assert desk.ask("take_command", BOB) == {"in_command": "Bob"}
