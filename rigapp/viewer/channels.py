@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from rigapp.presentation.numbers import unit_text
+from rigapp.presentation.numbers import true_minus, unit_text
 from rigapp.presentation.translation import Text, tr
 from rigapp.schema.channels import BASE, LOAD_CELL, Channel, ChannelTable, Kind
 from rigapp.texts import capitalised
@@ -84,7 +84,7 @@ def value_text(value: float | None, unit: str, decimals: int = 2) -> str:
     """Return a value with its unit; a dash where it is not known."""
     if value is None or not math.isfinite(value):
         return "–"
-    return f"{value:.{decimals}f} {unit_text(unit)}".rstrip()
+    return f"{true_minus(f'{value:.{decimals}f}')} {unit_text(unit)}".rstrip()
 
 
 @dataclass(frozen=True, slots=True)

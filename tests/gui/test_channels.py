@@ -149,7 +149,7 @@ def test_a_free_channel_is_drawn_in_the_trend_and_against_the_angle(
     assert trend.words == "Now: maximum 32.5 °C, RMS 32 °C, minimum 31.5 °C"
     trend.choice.setCurrentIndex(trend.choice.findData(ROOM.name))
     trend.show_news(News(data=data))
-    assert trend.words == "Now: newest 21.5, 12 s old"
+    assert trend.words == "Now: newest 21.5 °C, 12 s old"
     assert [curves.choice.itemText(i) for i in range(2)] == ["Pin position", "Bushing temperature"]
     curves.choice.setCurrentIndex(1)
     curves.show_news(News(data=data))

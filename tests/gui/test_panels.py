@@ -170,7 +170,7 @@ def test_channels_show_signal_value_and_what_is_positive(
     status = make_status()
     panel.show_news(News(status))
     channels = {row[0]: row[1:] for row in panel.channels.texts()}
-    assert channels["force_1"][:4] == ["-0.431 mV/V", "-86.20 N", "±2 N", "rig file"]
+    assert channels["force_1"][:4] == ["\u22120.431 mV/V", "\u221286.20 N", "±2 N", "rig file"]
     assert "away from the crank's centre" in channels["force_1"][4]
     assert channels["probe_1"][1:3] == ["121.00 µm", "not known"]
     assert channels["probe_1"][4].endswith("towards the slider")

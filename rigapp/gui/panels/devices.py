@@ -30,7 +30,7 @@ from rigapp.gui.widgets.build import (
 )
 from rigapp.gui.widgets.reflow import WrappingGrid, flowing
 from rigapp.gui.widgets.tables import PlainTable
-from rigapp.presentation.numbers import grouped, unit_text
+from rigapp.presentation.numbers import grouped, true_minus, unit_text
 from rigapp.presentation.tokens import GAP, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.details import details_of
@@ -323,7 +323,7 @@ class DevicePanel(QWidget):
         rows = [
             (
                 channel.name,
-                f"{round(channel.raw, RAW_PLACES):.5g} {unit_text(channel.raw_unit)}",
+                true_minus(f"{round(channel.raw, RAW_PLACES):.5g} ") + unit_text(channel.raw_unit),
                 f"{value_text(channel.value, channel.unit)}{_suffix(age)}",
                 f"±{channel.uncertainty:.3g} {unit_text(channel.unit)}"
                 if channel.uncertainty
