@@ -15,6 +15,7 @@ from rigapp.gui.widgets.build import button, edit, filled, fit_hint, named, pros
 from rigapp.gui.widgets.numbers import number
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.widgets.tables import PlainTable
+from rigapp.presentation.numbers import grouped, true_minus
 from rigapp.presentation.tokens import STEP
 from rigapp.presentation.translation import Text, tr, translate
 from rigapp.schema.channels import BASE, ChannelTable
@@ -126,7 +127,7 @@ class LimitPanel(QGroupBox):
             self._shown = limits
             self.table.show_rows(
                 [
-                    (one.words, f"{_number(one.value)} {one.unit}".rstrip())
+                    (one.words, f"{_grouped(one.value)} {one.unit}".rstrip())
                     for one in limits.values()
                 ]
             )
@@ -194,3 +195,7 @@ class LimitPanel(QGroupBox):
 
 def _number(value: float) -> str:
     return f"{value:.9g}"
+
+
+def _grouped(value: float) -> str:
+    return grouped(int(value)) if float(value).is_integer() else true_minus(_number(value))
