@@ -8305,7 +8305,7 @@ ab {}</translation>
     </message>
     <message>
         <source>Take control from {name}</source>
-        <translation>Steuerung von {name} übernehmen</translation>
+        <translation>{name} ablösen</translation>
     </message>
     <message>
         <source>Take control from {name}? {name} can then only look; the log records it.</source>
