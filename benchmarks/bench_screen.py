@@ -199,7 +199,7 @@ def revolution_ms(folder: Path) -> Followed:
         ("two new themes", [window.switch_theme, window.switch_theme]),
     ):
         stalls[name] = max(stall_of(call) for call in calls)
-    window._timer.stop()
+    window.pulse.stop()
     window.close()
     end_engines()
     return Followed(ages, idle, stalls)
