@@ -134,8 +134,8 @@ def _record(
 
 def _decode(path: Path, tree: Mapping[str, Any], record: type[Record]) -> Record:
     _check_schema(path, tree)
-    _refuse_another_kind(path, tree, record)
     for where, key, allowed in _unknown_keys(tree, _known(record)):
+        _refuse_another_kind(path, tree, record)
         raise UnusableInput(
             "{}: {}{} is not a known key{}.", path, where, key, _nearest(key, allowed)
         )
@@ -147,16 +147,12 @@ def _decode(path: Path, tree: Mapping[str, Any], record: type[Record]) -> Record
 
 def _refuse_another_kind(path: Path, tree: Mapping[str, Any], wanted: type[Record]) -> None:
     """Refuse a file whose tables are those of another kind: two files given in the wrong order."""
-
-    def belongs(kind: type[msgspec.Struct]) -> bool:
-        return all(key in _known(kind)[""] for key in tree)
-
-    other = next((kind for kind in KINDS if belongs(kind)), None)
-    if other is not None and not belongs(wanted) and wanted in KINDS:
+    fitting = [kind for kind in KINDS if set(tree) <= set(_known(kind)[""])]
+    if fitting and wanted in KINDS and wanted not in fitting:
         raise UnusableInput(
             "{}: this is a {}; a {} belongs here. Check which file goes where.",
             path,
-            KINDS[other],
+            KINDS[fitting[0]],
             KINDS[wanted],
         )
 
