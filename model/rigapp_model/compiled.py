@@ -36,6 +36,13 @@ PLAIN = (int, float, complex, str, bytes, type(None), np.generic, np.dtype, numb
 
 _DIGEST = "kernel_digest"
 
+UNCOUNTED = {"cache": True, "_nrt": False}
+"""Options of a kernel that makes no array: it counts no references to its arguments.
+
+Each count is a locked instruction; a small kernel called once a sample or stage takes up to half as
+long again with them.
+"""
+
 
 def njit(signatures: Any, **options: Any) -> Callable[[Callable[..., Any]], Any]:
     """Return what compiles a function for its signatures at once; options are those of numba.njit.

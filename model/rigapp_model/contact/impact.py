@@ -189,6 +189,7 @@ def integrate_contact(
     tally = np.zeros(kernel.TALLY)
     control = _control(system, moments)
     course[kernel.NEXT_STEP] = control[kernel.FIRST_CONTACT]
+    workspace = kernel.make_workspace()
     status = kernel.UNFINISHED
     while status == kernel.UNFINISHED and tally[kernel.STEPS] < MOST_STEPS:
         status = kernel.integrate(
@@ -203,6 +204,7 @@ def integrate_contact(
             samples,
             impacts,
             tally,
+            workspace,
         )
         if progress is not None:
             progress(float(course[kernel.TIME] / moments[-1]))

@@ -11,15 +11,17 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import boolean, float64, int64, void
+from numba import boolean, float64, int64, types, void
+from numpy.typing import NDArray
 from scipy.integrate import DOP853
 
 from rigapp_model.compiled import njit
-from rigapp_model.contact.impact_laws import KERNEL, TABLE, VECTOR
+from rigapp_model.contact.impact_laws import INLINED, KERNEL, TABLE, VECTOR
 from rigapp_model.contact.impact_motion import (
     COORDINATES,
     DERIVATIVE,
     FORCE,
+    REFERENCE,
     ROW,
     SLID,
     STATE,
@@ -33,6 +35,8 @@ from rigapp_model.contact.impact_motion import (
     rates,
     reference,
 )
+
+Array = NDArray[np.float64]
 
 DONE, UNFINISHED, STEP_TOO_SMALL = range(3)
 
@@ -76,6 +80,7 @@ PEAK_ROUNDS, PEAK_PARTS = 3, 8
 SAME_TIME = 1e-13
 """Of the step: a crossing is not known better."""
 ROWS = float64[:, ::1]
+WORKSPACE = types.Tuple((ROWS, ROWS, ROWS, ROW, ROW))
 A = np.zeros((ALL_STAGES, ALL_STAGES))
 A[:STAGES, :STAGES] = DOP853.A
 A[STAGES, :STAGES] = DOP853.B
@@ -85,6 +90,21 @@ E3, E5, D = DOP853.E3.copy(), DOP853.E5.copy(), DOP853.D.copy()
 
 BEGIN, END, STAGE = range(3)
 """Rows of a step's states: where it begins, where it ends, and a stage between."""
+
+
+def make_workspace() -> tuple[Array, Array, Array, Array, Array]:
+    """Make the arrays of a step: stages, states, interpolant, and room for a state and its rate.
+
+    A stage is its derivative, and behind it the reference at its time.
+    """
+    stages, rate = np.empty((ALL_STAGES, 2 * DERIVATIVE)), np.empty(DERIVATIVE)
+    return stages, np.empty((3, STATE)), np.empty((7, STATE)), np.empty(STATE), rate
+
+
+@njit(REFERENCE(ROWS, int64), **INLINED)
+def stage_reference(k, i):  # type: ignore[no-untyped-def]
+    """Return the reference motion at the time of a stage."""
+    return k[i, 9], k[i, 10], k[i, 11], k[i, 12], k[i, 13], k[i, 14], k[i, 15], k[i, 16], k[i, 17]
 
 
 @njit(
@@ -99,10 +119,11 @@ def evaluate(p, table, options, time, h, k, states, impact_speed, touching, firs
     """
     b0, b1, b2, b3 = states[BEGIN, 0], states[BEGIN, 1], states[BEGIN, 2], states[BEGIN, 3]
     y = b0, b1, b2, b3
-    r = np.empty((ALL_STAGES, 9))
     for i in range(first, last):
         found = reference(p, time + C[i] * h)
-        r[i, 0], r[i, 1], r[i, 2], r[i, 3], r[i, 4], r[i, 5], r[i, 6], r[i, 7], r[i, 8] = found
+        k[i, 9], k[i, 10], k[i, 11], k[i, 12], k[i, 13], k[i, 14], k[i, 15], k[i, 16], k[i, 17] = (
+            found
+        )
     for i in range(first, last):
         s0 = s1 = s2 = s3 = 0.0
         for j in range(i):
@@ -112,7 +133,7 @@ def evaluate(p, table, options, time, h, k, states, impact_speed, touching, firs
             s2 += a * k[j, 2]
             s3 += a * k[j, 3]
         y = b0 + h * s0, b1 + h * s1, b2 + h * s2, b3 + h * s3
-        ref = r[i, 0], r[i, 1], r[i, 2], r[i, 3], r[i, 4], r[i, 5], r[i, 6], r[i, 7], r[i, 8]
+        ref = stage_reference(k, i)
         found = rates(p, table, options, ref, y, impact_speed, touching)
         k[i, 0], k[i, 1], k[i, 2], k[i, 3], k[i, 4], k[i, 5], k[i, 6], k[i, 7], k[i, 8] = found
     states[STAGE, 0], states[STAGE, 1], states[STAGE, 2], states[STAGE, 3] = y
@@ -208,11 +229,12 @@ def first_crossing(p, table, options, time, h, states, dense, point, sign):  # t
     for eighth in range(1, 9):
         high = 0.125 * eighth
         interpolate(states, dense, high, point)
-        if sign * depth_and_rate(p, table, options, time + high * h, point)[0] > 0.0:
+        if sign * depth_and_rate(p, table, options, reference(p, time + high * h), point)[0] > 0.0:
             for _ in range(60):
                 middle = 0.5 * (low + high)
                 interpolate(states, dense, middle, point)
-                deep = depth_and_rate(p, table, options, time + middle * h, point)[0]
+                ref = reference(p, time + middle * h)
+                deep = depth_and_rate(p, table, options, ref, point)[0]
                 if sign * deep > 0.0:
                     high = middle
                 else:
@@ -273,11 +295,13 @@ def greatest_force(  # type: ignore[no-untyped-def]
     return most
 
 
-@njit(void(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean, ROW), **KERNEL)
-def write_sample(p, table, options, time, y, impact_speed, touching, out):  # type: ignore[no-untyped-def]
-    """Write one sample of the whole state, its contact and its accelerations."""
+@njit(void(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean, ROW, ROW), **KERNEL)
+def write_sample(p, table, options, time, y, impact_speed, touching, moving, out):  # type: ignore[no-untyped-def]
+    """Write one sample of the whole state, its contact and its accelerations.
+
+    moving: room for a derivative.
+    """
     hold = joint_contact(p, table, options, time, y, impact_speed, touching)
-    moving = np.empty(DERIVATIVE)
     derivative(p, table, options, time, y, impact_speed, touching, moving)
     _, _, c, s, rate, growth, position, velocity, acceleration = reference(p, time)
     out[X], out[THETA] = position + y[X], math.atan2(s, c) + y[THETA]
@@ -300,26 +324,34 @@ def refer(p, time, sign, y):  # type: ignore[no-untyped-def]
     y[THETA_RATE] += sign * rate
 
 
-@njit(int64(VECTOR, TABLE, int64[::1], ROW, ROW, VECTOR, VECTOR, int64, ROWS, ROWS, ROW), **KERNEL)
-def integrate(p, table, options, y, course, control, times, most_steps, samples, impacts, tally):  # type: ignore[no-untyped-def]
+@njit(
+    int64(VECTOR, TABLE, int64[::1], ROW, ROW, VECTOR, VECTOR, int64, ROWS, ROWS, ROW, WORKSPACE),
+    **KERNEL,
+)
+def integrate(  # type: ignore[no-untyped-def]
+    p, table, options, y, course, control, times, most_steps, samples, impacts, tally, workspace
+):
     """Go on towards the last of ``times``, write samples, impacts and tallies; return a status.
 
     options: location, shape. y (off the reference, see ``refer``), course and tally are changed:
     when ``most_steps`` did not suffice the status is UNFINISHED, and a call with the same goes on.
+    workspace: see ``make_workspace``.
     """
     scale, floor, tally_from = control[:4], control[FLOOR], control[TALLY_FROM]
     time, h = course[TIME], course[NEXT_STEP]
     touching, impact_speed = course[IN_TOUCH] > 0.5, max(course[BEGAN_AT], floor)
     next_sample = int(course[NEXT_SAMPLE])
     end = times[-1]
-    k, states = np.empty((ALL_STAGES, DERIVATIVE)), np.empty((3, STATE))
-    dense, point, slope = np.empty((7, STATE)), np.empty(STATE), np.empty(DERIVATIVE)
+    k, states, dense, point, slope = workspace
     present = int(course[PRESENT])
-    states[BEGIN, :] = y
+    for n in range(STATE):
+        states[BEGIN, n] = y[n]
     derivative(p, table, options, time, y, impact_speed, touching, k[0])
-    deep, rate = depth_and_rate(p, table, options, time, y)
+    deep, rate = depth_and_rate(p, table, options, reference(p, time), y)
     while next_sample < times.size and times[next_sample] <= time:
-        write_sample(p, table, options, time, y, impact_speed, touching, samples[next_sample])
+        write_sample(
+            p, table, options, time, y, impact_speed, touching, slope, samples[next_sample]
+        )
         next_sample += 1
     status = UNFINISHED
     for _ in range(most_steps):
@@ -337,7 +369,9 @@ def integrate(p, table, options, y, course, control, times, most_steps, samples,
             continue
         arrival = end if h >= end - time else time + h
         sign = -1.0 if touching else 1.0
-        deep_then, rate_then = depth_and_rate(p, table, options, arrival, states[END])
+        deep_then, rate_then = depth_and_rate(
+            p, table, options, stage_reference(k, STAGES), states[END]
+        )
         crossed = False
         ready = False
         if may_cross(sign * deep, sign * rate, sign * deep_then, sign * rate_then, h):
@@ -349,7 +383,9 @@ def integrate(p, table, options, y, course, control, times, most_steps, samples,
                 h *= part
                 arrival = time + h
                 try_step(p, table, options, time, h, k, states, scale, impact_speed, touching)
-                deep_then, rate_then = depth_and_rate(p, table, options, arrival, states[END])
+                deep_then, rate_then = depth_and_rate(
+                    p, table, options, stage_reference(k, STAGES), states[END]
+                )
         while next_sample < times.size and times[next_sample] <= arrival:
             if not ready:
                 prepare_dense(p, table, options, time, h, k, states, impact_speed, touching, dense)
@@ -364,6 +400,7 @@ def integrate(p, table, options, y, course, control, times, most_steps, samples,
                 point,
                 impact_speed,
                 touching,
+                slope,
                 samples[next_sample],
             )
             next_sample += 1
@@ -390,7 +427,8 @@ def integrate(p, table, options, y, course, control, times, most_steps, samples,
                 if present >= 0:
                     impacts[present, IMPACT_PEAK] = max(impacts[present, IMPACT_PEAK], most)
         time = arrival
-        states[BEGIN, :] = states[END]
+        for n in range(STATE):
+            states[BEGIN, n] = states[END, n]
         deep, rate = deep_then, rate_then
         h *= min(GROW, SAFETY * max(error, FLAWLESS) ** -ORDER)
         if crossed:
@@ -409,8 +447,10 @@ def integrate(p, table, options, y, course, control, times, most_steps, samples,
                     tally[IMPACTS] += 1
             derivative(p, table, options, time, states[BEGIN], impact_speed, touching, k[0])
         else:
-            k[0, :] = k[STAGES]
-    y[:] = states[BEGIN]
+            for n in range(DERIVATIVE):
+                k[0, n] = k[STAGES, n]
+    for n in range(STATE):
+        y[n] = states[BEGIN, n]
     course[TIME], course[NEXT_STEP], course[NEXT_SAMPLE] = time, h, next_sample
     course[IN_TOUCH], course[BEGAN_AT] = 1.0 if touching else 0.0, impact_speed
     course[PRESENT] = present

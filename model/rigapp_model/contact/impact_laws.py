@@ -10,7 +10,7 @@ import math
 
 from numba import float64, int64, types
 
-from rigapp_model.compiled import njit
+from rigapp_model.compiled import UNCOUNTED, njit
 
 RADIUS, LENGTH, MASS, INERTIA, STATIC_MOMENT, SLIDER_MASS = range(6)
 STIFFNESS, FREE_POSITION, GRAVITY_X, GRAVITY_Y = range(6, 10)
@@ -33,7 +33,7 @@ CIRCLE, PROFILE, ELASTIC_FOUNDATION = range(3)
 NODE_X, NODE_Y, NODE_LENGTH, CUBIC, SQUARE, LINEAR, CONSTANT = range(7)
 """Columns of the profile table: surface nodes in the follower frame, then the radius spline."""
 
-KERNEL = {"cache": True, "error_model": "numpy"}
+KERNEL = {**UNCOUNTED, "error_model": "numpy"}
 """Options of a compiled function: divisions are not checked; a zero ends as a step too small."""
 INLINED = {**KERNEL, "forceinline": True}
 """Of one that every stage of every step calls: its arrays alone are twenty arguments."""

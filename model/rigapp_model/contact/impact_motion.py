@@ -49,6 +49,9 @@ COORDINATES, STATE = 4, 8
 FORCE, DERIVATIVE = 8, 9
 """Behind the rates of the state: the size of the joint's force, N."""
 
+SMALL_ANGLE = 0.01
+"""rad: up to here the series is exact to rounding, and quicker than the functions."""
+
 ROW = float64[::1]
 COORDINATE_VALUES = types.UniTuple(float64, 4)
 REFERENCE = types.UniTuple(float64, 9)
@@ -85,8 +88,14 @@ def placed_joint(p, location, ref, y):  # type: ignore[no-untyped-def]
     and sine of the follower's angle.
     """
     _, _, c0, s0, rate0, _, _, _, _ = ref
-    half = math.sin(0.5 * y[THETA])
-    bend, turn = -2.0 * half * half, 2.0 * half * math.cos(0.5 * y[THETA])
+    angle = y[THETA]
+    squared = angle * angle
+    if squared < SMALL_ANGLE**2:
+        bend = squared * (-1.0 / 2.0 + squared * (1.0 / 24.0 - squared / 720.0))
+        turn = angle * (1.0 + squared * (-1.0 / 6.0 + squared * (1.0 / 120.0 - squared / 5040.0)))
+    else:
+        half = math.sin(0.5 * angle)
+        bend, turn = -2.0 * half * half, 2.0 * half * math.cos(0.5 * angle)
     dc, ds = c0 * bend - s0 * turn, s0 * bend + c0 * turn
     c, s = c0 + dc, s0 + ds
     length, rate = p[LENGTH], y[THETA_RATE]
@@ -127,10 +136,12 @@ def joint_contact(p, table, options, time, y, impact_speed, touching):  # type: 
     return contact_there(p, table, options, placed, rate, impact_speed, touching)
 
 
-@njit(PAIR(VECTOR, TABLE, int64[::1], float64, ROW), **KERNEL)
-def depth_and_rate(p, table, options, time, y):  # type: ignore[no-untyped-def]
+@njit(PAIR(VECTOR, TABLE, int64[::1], REFERENCE, ROW), **KERNEL)
+def depth_and_rate(p, table, options, ref, y):  # type: ignore[no-untyped-def]
     """Return the penetration of a state, negative for a gap, and its rate of change."""
-    hold = joint_contact(p, table, options, time, y, 1.0, False)
+    placed = placed_joint(p, options[0], ref, (y[X], y[THETA], y[X_RATE], y[THETA_RATE]))
+    rate = ref[4] + y[THETA_RATE]
+    hold = contact_there(p, table, options, placed, rate, 1.0, False)
     return hold[3], hold[4]
 
 
