@@ -60,7 +60,7 @@ from rigapp.simulation.wall import (
     worn,
 )
 from rigapp.simulation.wall import AREA as WORN_AREA
-from rigapp_model.compiled import njit
+from rigapp_model.compiled import UNCOUNTED, njit
 
 SWING = 0.12
 """Of the stiffest contact in one step, rad: the fourth order loses 1e-7 of the speed there."""
@@ -94,7 +94,7 @@ def damping_of(restitution: float) -> float:
     return low
 
 
-@njit(types.UniTuple(F, 2)(SQUARE, ROW, F), cache=True)
+@njit(types.UniTuple(F, 2)(SQUARE, ROW, F), **UNCOUNTED)
 def pressed(table: Array, wall_state: Array, depth: float) -> tuple[float, float]:
     """Return (elastic force, energy stored in it), N and J, of a penetration in m."""
     force, energy = 0.0, 0.0
@@ -116,7 +116,7 @@ def pressed(table: Array, wall_state: Array, depth: float) -> tuple[float, float
 TOUCHING = types.UniTuple(F, 12)
 
 
-@njit(TOUCHING(CONSTANTS, SQUARE, ROW, ROW, F), cache=True)
+@njit(TOUCHING(CONSTANTS, SQUARE, ROW, ROW, F), **UNCOUNTED)
 def touch(k: Constants, table: Array, wall_state: Array, state: Array, turns: float) -> Numbers:
     """Return what the joint does at one moment; forces are those on the follower by the pin.
 
@@ -158,7 +158,7 @@ def touch(k: Constants, table: Array, wall_state: Array, state: Array, turns: fl
     return fx, fy, normal, elastic, energy, deep, rate, slip, rub, nx, ny, mass
 
 
-@njit(F(CONSTANTS, ROW, TOUCHING), cache=True)
+@njit(F(CONSTANTS, ROW, TOUCHING), **UNCOUNTED)
 def crank_load(k: Constants, state: Array, contact: Numbers) -> float:
     """Return the torque on the crank by the contact and by its own weight, N m."""
     fx, fy, _, _, _, _, _, _, _, nx, ny, _ = contact
@@ -168,7 +168,7 @@ def crank_load(k: Constants, state: Array, contact: Numbers) -> float:
     return weight - x * fy + y * fx
 
 
-@njit(types.UniTuple(F, 2)(CONSTANTS, DRIVE, SQUARE, ROW, ROW, F), cache=True)
+@njit(types.UniTuple(F, 2)(CONSTANTS, DRIVE, SQUARE, ROW, ROW, F), **UNCOUNTED)
 def crank_sense(
     k: Constants, d: Drive, table: Array, wall_state: Array, state: Array, fraction: float
 ) -> tuple[float, float]:
@@ -181,7 +181,7 @@ def crank_sense(
     return math.copysign(1.0, free), held
 
 
-@njit(TOUCHING(CONSTANTS, DRIVE, SQUARE, ROW, ROW, F, F, F, ROW), cache=True)
+@njit(TOUCHING(CONSTANTS, DRIVE, SQUARE, ROW, ROW, F, F, F, ROW), **UNCOUNTED)
 def rates(
     k: Constants,
     d: Drive,
@@ -226,7 +226,8 @@ def rates(
 
 
 @njit(
-    types.UniTuple(F, 3)(CONSTANTS, DRIVE, SQUARE, ROW, ROW, F, F, F, F, F, SQUARE, ROW), cache=True
+    types.UniTuple(F, 3)(CONSTANTS, DRIVE, SQUARE, ROW, ROW, F, F, F, F, F, SQUARE, ROW),
+    **UNCOUNTED,
 )
 def runge_kutta(
     k: Constants,
@@ -262,7 +263,7 @@ def runge_kutta(
     return force, abs(slip), touch(k, table, wall_state, reached, 1.0)[5]
 
 
-@njit(types.void(CONSTANTS, WALL, ROW), cache=True)
+@njit(types.void(CONSTANTS, WALL, ROW), **UNCOUNTED)
 def foresee(k: Constants, wall: Wall, state: Array) -> None:
     """Let the wall's table reach the force of the impact that begins.
 
@@ -277,7 +278,7 @@ def foresee(k: Constants, wall: Wall, state: Array) -> None:
             renew(wall, bore(k), wall.state[TOP] * (energy / stored) ** (2.0 / 3.0))
 
 
-@njit(types.void(CONSTANTS, WALL, ROW, F, F, types.boolean), cache=True)
+@njit(types.void(CONSTANTS, WALL, ROW, F, F, types.boolean), **UNCOUNTED)
 def wear(k: Constants, wall: Wall, state: Array, force: float, slip: float, inboard: bool) -> None:
     """Wear and warm the bushing by a force (N) that slides (m).
 
@@ -347,7 +348,7 @@ def move(
         left -= step
 
 
-@njit(types.UniTuple(F, 4)(CONSTANTS, ROW, TOUCHING, F), cache=True)
+@njit(types.UniTuple(F, 4)(CONSTANTS, ROW, TOUCHING, F), **UNCOUNTED)
 def loose_views(
     k: Constants, state: Array, contact: Numbers, seen_depth: float
 ) -> tuple[float, float, float, float]:
@@ -367,7 +368,7 @@ def loose_views(
     return fx * cos_t + fy * sin_t, fy * cos_t - fx * sin_t, along, across
 
 
-@njit(types.void(CONSTANTS, SQUARE, ROW, ROW), cache=True)
+@njit(types.void(CONSTANTS, SQUARE, ROW, ROW), **UNCOUNTED)
 def settle(k: Constants, table: Array, wall_state: Array, state: Array) -> None:
     """Put slider and follower where the resting pin presses on the wall, without speed."""
     fx, fy, force = resting(k, state[ANGLE], state[DEPTH])
@@ -383,7 +384,7 @@ def settle(k: Constants, table: Array, wall_state: Array, state: Array) -> None:
     state[SLIDER_SPEED] = state[FOLLOWER_SPEED] = 0.0
 
 
-@njit(types.UniTuple(F, 2)(CONSTANTS, SQUARE, ROW, ROW), cache=True)
+@njit(types.UniTuple(F, 2)(CONSTANTS, SQUARE, ROW, ROW), **UNCOUNTED)
 def loose_energy(
     k: Constants, table: Array, wall_state: Array, state: Array
 ) -> tuple[float, float]:

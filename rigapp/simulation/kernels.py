@@ -81,7 +81,7 @@ from rigapp.simulation.wall import (
     renew,
     worn,
 )
-from rigapp_model.compiled import njit
+from rigapp_model.compiled import UNCOUNTED, njit
 
 # What the compiled plant's sensors see: the terminals of bridges and probes, and their noise.
 #
@@ -102,7 +102,7 @@ REST_FORCE = 0.05
 """Below about this force (N) the pin floats off the wall towards the bushing's centre."""
 
 
-@njit(uint64(U, U, U), cache=True, forceinline=True)
+@njit(uint64(U, U, U), forceinline=True, **UNCOUNTED)
 def random_bits(seed: np.uint64, kind: np.uint64, index: np.uint64) -> np.uint64:
     """Return 64 random bits that depend on seed, kind and index only (SplitMix64 finaliser)."""
     z = seed * np.uint64(0xD1342543DE82EF95) + kind * np.uint64(0xA0761D6478BD642F)
@@ -114,7 +114,7 @@ def random_bits(seed: np.uint64, kind: np.uint64, index: np.uint64) -> np.uint64
     return z ^ (z >> np.uint64(31))
 
 
-@njit(types.UniTuple(F, 2)(U, U, U), cache=True, forceinline=True)
+@njit(types.UniTuple(F, 2)(U, U, U), forceinline=True, **UNCOUNTED)
 def normal_pair(seed: np.uint64, kind: np.uint64, index: np.uint64) -> tuple[float, float]:
     """Return two independent standard normal numbers (Box-Muller)."""
     bits = random_bits(seed, kind, index)
@@ -135,7 +135,7 @@ def uniform(seed: np.uint64, kind: np.uint64, first: int, count: int) -> Array:
     return numbers
 
 
-@njit(float64(float64[:, ::1], int64, int64, F), cache=True, forceinline=True)
+@njit(float64(float64[:, ::1], int64, int64, F), forceinline=True, **UNCOUNTED)
 def delayed(ring: Array, row: int, head: int, steps: float) -> float:
     """Return the value of ``steps`` steps ago: cubic Lagrange through the four nearest points."""
     if steps == 0.0:
@@ -156,7 +156,9 @@ def delayed(ring: Array, row: int, head: int, steps: float) -> float:
 
 
 @njit(
-    types.UniTuple(F, 4)(CONSTANTS, SQUARE, ROW, POSITION, F, F, F, F), cache=True, forceinline=True
+    types.UniTuple(F, 4)(CONSTANTS, SQUARE, ROW, POSITION, F, F, F, F),
+    forceinline=True,
+    **UNCOUNTED,
 )
 def views(
     k: Constants,
@@ -191,7 +193,7 @@ def views(
     return e1, n1, along, across
 
 
-@njit(float64(F, F), cache=True, forceinline=True)
+@njit(float64(F, F), forceinline=True, **UNCOUNTED)
 def quantised(value: float, step: float) -> float:
     """Return the nearest multiple of step (the value itself for step 0)."""
     if step == 0.0:
@@ -201,8 +203,8 @@ def quantised(value: float, step: float) -> float:
 
 @njit(
     types.void(CONSTANTS, float64[::1], float64[:, ::1], int64, U, U, F, float64[:, ::1], int64),
-    cache=True,
     forceinline=True,
+    **UNCOUNTED,
 )
 def emit(
     k: Constants,
@@ -257,7 +259,7 @@ CREEP_BEGINS_S = 60.0
 """Creep is counted in decades of time after the first minute."""
 
 
-@njit(types.UniTuple(F, 2)(CONSTANTS, DRIVE, float64[::1], F), cache=True, forceinline=True)
+@njit(types.UniTuple(F, 2)(CONSTANTS, DRIVE, float64[::1], F), forceinline=True, **UNCOUNTED)
 def friction_sense(k: Constants, d: Drive, state: Array, fraction: float) -> tuple[float, float]:
     """Return (sense of dry friction, 1 if it holds the crank at rest else 0)."""
     if state[SPEED] > 0.0:
@@ -277,8 +279,8 @@ def friction_sense(k: Constants, d: Drive, state: Array, fraction: float) -> tup
 
 @njit(
     types.void(CONSTANTS, DRIVE, SQUARE, ROW, POSITION, float64[::1], F, F, F, F, F),
-    cache=True,
     forceinline=True,
+    **UNCOUNTED,
 )
 def turn(
     k: Constants,

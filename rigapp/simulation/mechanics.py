@@ -23,7 +23,7 @@ from numba import float64, types
 
 from rigapp.simulation.layout import OFF, VELOCITY, Constants, Drive
 from rigapp.simulation.wall import BORE, Bore
-from rigapp_model.compiled import njit
+from rigapp_model.compiled import UNCOUNTED, njit
 
 Numbers = tuple[float, ...]
 F = types.float64
@@ -37,7 +37,7 @@ WANDER = 0.137
 POSITION = types.UniTuple(F, 9)
 
 
-@njit(POSITION(CONSTANTS, F, F), cache=True, forceinline=True)
+@njit(POSITION(CONSTANTS, F, F), forceinline=True, **UNCOUNTED)
 def geometry(k: Constants, angle: float, depth: float) -> Numbers:
     """Return (sin t, cos t, sin p, cos p, p', p'', x3, x3', x3'')."""
     length = k.follower_length + k.lengthening_sign * (k.clearance + depth)
@@ -54,7 +54,7 @@ def geometry(k: Constants, angle: float, depth: float) -> Numbers:
     return sin_t, cos_t, sin_p, cos_p, p1, p2, x3, x31, x32
 
 
-@njit(types.UniTuple(F, 15)(CONSTANTS, F, F), cache=True, forceinline=True)
+@njit(types.UniTuple(F, 15)(CONSTANTS, F, F), forceinline=True, **UNCOUNTED)
 def bodies(k: Constants, angle: float, depth: float) -> Numbers:
     """Return the coefficients of one position.
 
@@ -82,7 +82,9 @@ def bodies(k: Constants, angle: float, depth: float) -> Numbers:
     )  # fmt: skip
 
 
-@njit(types.UniTuple(F, 2)(CONSTANTS, types.UniTuple(F, 15), F, F, F), cache=True, forceinline=True)
+@njit(
+    types.UniTuple(F, 2)(CONSTANTS, types.UniTuple(F, 15), F, F, F), forceinline=True, **UNCOUNTED
+)
 def reaction(
     k: Constants, b: Numbers, acceleration: float, square: float, couple: float
 ) -> tuple[float, float]:
@@ -99,7 +101,7 @@ def reaction(
     return fx, moment / ((arm + half) * cos_p)
 
 
-@njit(types.UniTuple(F, 5)(CONSTANTS, F, F, F, F, F, F), cache=True, forceinline=True)
+@njit(types.UniTuple(F, 5)(CONSTANTS, F, F, F, F, F, F), forceinline=True, **UNCOUNTED)
 def motion(
     k: Constants,
     angle: float,
@@ -134,14 +136,14 @@ def motion(
     return acceleration, fx, fy, force, friction
 
 
-@njit(types.UniTuple(F, 3)(CONSTANTS, F, F), cache=True)
+@njit(types.UniTuple(F, 3)(CONSTANTS, F, F), **UNCOUNTED)
 def resting(k: Constants, angle: float, depth: float) -> tuple[float, float, float]:
     """Return (Fx, Fy, |F|) of the crank held at rest, no friction in the joint."""
     fx, fy = reaction(k, bodies(k, angle, depth), 0.0, 0.0, 0.0)
     return fx, fy, math.sqrt(fx * fx + fy * fy)
 
 
-@njit(types.UniTuple(F, 2)(CONSTANTS, F, F, F), cache=True)
+@njit(types.UniTuple(F, 2)(CONSTANTS, F, F, F), **UNCOUNTED)
 def energy(k: Constants, angle: float, speed: float, depth: float) -> tuple[float, float]:
     """Return (kinetic, potential) energy in J; potential: spring and weight."""
     b = bodies(k, angle, depth)
@@ -155,7 +157,7 @@ def energy(k: Constants, angle: float, speed: float, depth: float) -> tuple[floa
     return 0.5 * b[12] * speed * speed, 0.5 * k.stiffness * stretch * stretch - weight
 
 
-@njit(types.UniTuple(F, 3)(CONSTANTS, DRIVE, F, F, F, F), cache=True, forceinline=True)
+@njit(types.UniTuple(F, 3)(CONSTANTS, DRIVE, F, F, F, F), forceinline=True, **UNCOUNTED)
 def motor(
     k: Constants, d: Drive, angle: float, speed: float, integral: float, fraction: float
 ) -> tuple[float, float, float]:
@@ -185,7 +187,7 @@ def motor(
     return torque, rate, torque / k.torque_constant
 
 
-@njit(BORE(CONSTANTS), cache=True)
+@njit(BORE(CONSTANTS), **UNCOUNTED)
 def bore(k: Constants) -> Bore:
     """Return what the wall of the bushing needs to know of the joint."""
     return Bore(k.pin_radius, k.bushing_radius, k.width, k.wear_coefficient)

@@ -24,7 +24,7 @@ import numpy as np
 from numba import float64, int64, types
 from numpy.typing import NDArray
 
-from rigapp_model.compiled import njit
+from rigapp_model.compiled import UNCOUNTED, njit
 
 Array = NDArray[np.float64]
 F = types.float64
@@ -180,7 +180,7 @@ def wave_compliance(n: float, inner: float, outer: float, modulus: float, poisso
     return float(found @ bore)
 
 
-@njit(types.void(WALL, BORE, SQUARE), cache=True)
+@njit(types.void(WALL, BORE, SQUARE), **UNCOUNTED)
 def shape(w: Wall, k: Bore, at: Array) -> None:
     """Write what the pin's circle is at each node when it touches in the middle: ``at`` (4, NODES).
 
@@ -199,7 +199,7 @@ def shape(w: Wall, k: Bore, at: Array) -> None:
         at[3, i] = lean
 
 
-@njit(int64(WALL, BORE, F, F, SQUARE, SQUARE, SQUARE), cache=True)
+@njit(int64(WALL, BORE, F, F, SQUARE, SQUARE, SQUARE), **UNCOUNTED)
 def eliminate(
     w: Wall, k: Bore, slip: float, force: float, at: Array, factors: Array, found: Array
 ) -> int:
@@ -267,7 +267,7 @@ def tabulate(w: Wall, k: Bore, slip: float) -> None:
         w.table[level] = (p[0], approach, area, 0.0)
 
 
-@njit(types.void(WALL, BORE, F), cache=True)
+@njit(types.void(WALL, BORE, F), **UNCOUNTED)
 def renew(w: Wall, k: Bore, force: float) -> None:
     """Wear the wall by what the table has gathered and make a new one, for at least a force (N)."""
     away = k.bushing_radius - k.pin_radius + w.worn[0]
@@ -285,7 +285,7 @@ def renew(w: Wall, k: Bore, force: float) -> None:
         tabulate(w, k, w.state[LASTS])
 
 
-@njit(types.Tuple((int64, F))(ROW, F), cache=True, forceinline=True)
+@njit(types.Tuple((int64, F))(ROW, F), forceinline=True, **UNCOUNTED)
 def place(state: Array, force: float) -> tuple[int, float]:
     """Return the row of the table below a force (N) and which part of the way to the next it is."""
     share = LEVELS**2 * max(force, 0.0) / state[TOP]
@@ -293,14 +293,14 @@ def place(state: Array, force: float) -> tuple[int, float]:
     return level, (share - level * level) / (2.0 * level + 1.0)
 
 
-@njit(float64(SQUARE, ROW, F, int64), cache=True, forceinline=True)
+@njit(float64(SQUARE, ROW, F, int64), forceinline=True, **UNCOUNTED)
 def looked_up(table: Array, state: Array, force: float, column: int) -> float:
     """Return a column of the table at a force, N."""
     level, part = place(state, force)
     return (1.0 - part) * table[level, column] + part * table[level + 1, column]
 
 
-@njit(types.UniTuple(F, 2)(SQUARE, ROW, F, F, F), cache=True, forceinline=True)
+@njit(types.UniTuple(F, 2)(SQUARE, ROW, F, F, F), forceinline=True, **UNCOUNTED)
 def worn(
     table: Array, state: Array, wear_coefficient: float, force: float, slip: float
 ) -> tuple[float, float]:
