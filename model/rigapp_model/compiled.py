@@ -1,14 +1,13 @@
 """Compile kernels with a cache on disk that is never stale.
 
-numba keeps compiled code beside the module and takes it again as long as the file of the function
-is unchanged. What the function calls and the constants it names are compiled into it as well, and
-may stand in other files. Here the compiled code is taken again only while everything that went into
+numba keeps compiled code beside the module and uses it again as long as the file of the function
+is unchanged. The functions it calls and the constants it names are compiled into it as well, and
+may be in other files. Here the compiled code is used again only while everything that went into
 it is the same: the bytecode, constants and options of the kernel and of all kernels that it calls,
-directly or through others, and the versions of the compiler. Lines that a kernel does not depend on
-compile nothing anew.
+directly or through others, and the versions of the compiler.
 
-numba's own rules say where the cache is: ``NUMBA_CACHE_DIR``, else beside the module, else, where
-that cannot be written, in the user's cache folder.
+By numba's own rules the cache is in ``NUMBA_CACHE_DIR``, else beside the module, else, where that
+cannot be written, in the user's cache folder.
 """
 
 # mypy: disable-error-code="misc"
@@ -29,10 +28,10 @@ from numba.core.dispatcher import Dispatcher
 
 VERSIONS = (numba.__version__, np.__version__)
 FOREIGN = frozenset({"numpy", "numba", "scipy", *sys.stdlib_module_names})
-"""Packages whose content is said by their version."""
+"""Packages whose content follows from their version."""
 
 PLAIN = (int, float, complex, str, bytes, type(None), np.generic, np.dtype, numba.types.Type)
-"""Kinds of constants that their repr tells in full."""
+"""Kinds of constants with a complete repr."""
 
 _DIGEST = "kernel_digest"
 
@@ -45,7 +44,7 @@ long again with them.
 
 
 def njit(signatures: Any, **options: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Return what compiles a function for its signatures at once; options are those of numba.njit.
+    """Return a decorator that compiles a function at once; options are those of numba.njit.
 
     With ``cache=True`` the compiled code is kept as this module says. Raises TypeError when the
     function names a value that cannot be compared with that of another run.
@@ -60,7 +59,7 @@ def njit(signatures: Any, **options: Any) -> Callable[[Callable[..., Any]], Any]
 
 
 def digest(function: FunctionType, options: Mapping[str, Any]) -> str:
-    """Return a digest of all that the compiled code of a function follows from."""
+    """Return a digest of everything that the compiled code of a function depends on."""
     sha = hashlib.sha256()
     for part in (repr(VERSIONS), *_function(function, options, set())):
         sha.update(part.encode() + b"\0")
@@ -68,16 +67,16 @@ def digest(function: FunctionType, options: Mapping[str, Any]) -> str:
 
 
 def cache_name(function: FunctionType) -> str:
-    """Return how the names of a kernel's files in the cache begin, after those of its module."""
+    """Return the prefix of a kernel's files in the cache, after that of its module."""
     return f"{function.__qualname__.replace('<', '').replace('>', '')}-{_disambiguator(function)}."
 
 
 def _disambiguator(function: Any) -> str:
-    """Tell kernels apart that one line of source makes again and again."""
+    """Return a text that distinguishes kernels made repeatedly by one line of source."""
     return getattr(function, _DIGEST)[:12] if "<" in function.__qualname__ else ""
 
 
-# --- what goes into compiled code -----------------------------------------------------------------
+# --- content of the digest ------------------------------------------------------------------------
 
 
 def _function(
@@ -96,7 +95,7 @@ def _function(
 
 
 def _code(code: CodeType, names: dict[str, Any], seen: set[FunctionType]) -> Iterator[str]:
-    """Yield the bytecode, and for the names that it looks up in its module what they stand for."""
+    """Yield the bytecode, and the values of the names that it looks up in its module."""
     yield repr((code.co_code, code.co_names, code.co_varnames, code.co_freevars))
     for constant in code.co_consts:
         if isinstance(constant, CodeType):
@@ -186,9 +185,9 @@ class KeyedForUser(_Keyed, caching.UserWideCacheLocator):
 
 
 def _use_keyed_locators() -> bool:
-    """Put the locators for kernels before numba's own, which go on to serve everybody else.
+    """Put the locators for kernels before numba's own, which serve all other functions.
 
-    Returns False where NUMBA_CACHE_LOCATOR_CLASSES allows no others: then nothing is kept.
+    Returns False where NUMBA_CACHE_LOCATOR_CLASSES allows no others: then nothing is cached.
     """
     present = caching.CacheImpl._locator_classes
     if KeyedInChosenFolder not in present:

@@ -20,10 +20,10 @@ from rigapp_model.parameters import Mechanism
 Array = NDArray[np.float64]
 
 X1, Y1, PHI1, X2, Y2, PHI2, X3, Y3, PHI3, ALPHA = range(10)
-"""Places of the unknowns in q (paper, Eq. 5; alpha follows for the imperfect joint)."""
+"""Indices of the unknowns in q (paper, Eq. 5; alpha follows for the imperfect joint)."""
 
 STALLED = 1e-12  # steps that shrink no more are rounding, where the Jacobian is nearly singular
-ENOUGH_ITERATIONS = 8  # Newton has converged by then, or goes on rounding
+ENOUGH_ITERATIONS = 8  # Newton has converged by then, to rounding
 MOST_ITERATIONS = 30  # Newton takes 5 from its start; 30 means that it does not converge
 TOLERANCE = 1e-14  # of the unknowns: rounding, so that the reference adds no error of its own
 
@@ -157,9 +157,9 @@ def _perfect_joint(mechanism: Mechanism, turn: Array) -> System:
                 jacobian[:, i, PHI1] = -a * v1
                 jacobian[:, i, PHI2] = -b * v2
                 gamma[:, i] = a * u1 * qd[:, PHI1] ** 2 + b * u2 * qd[:, PHI2] ** 2
-        for i, place in ((6, Y3), (7, PHI3), (8, PHI1)):
-            phi[:, i] = q[:, place]
-            jacobian[:, i, place] = 1.0
+        for i, column in ((6, Y3), (7, PHI3), (8, PHI1)):
+            phi[:, i] = q[:, column]
+            jacobian[:, i, column] = 1.0
         phi[:, 8] -= turn
         return phi, jacobian, gamma
 
@@ -207,9 +207,9 @@ def _imperfect_joint(
         jacobian[:, 4, PHI1] = jacobian[:, 4, ALPHA] = slope
         jacobian[:, 4, PHI2] = -slope
         gamma[:, 4] = -phi[:, 4] * (contact_rate - qd[:, PHI2]) ** 2
-        for i, place in ((7, Y3), (8, PHI3), (9, PHI1)):
-            phi[:, i] = q[:, place]
-            jacobian[:, i, place] = 1.0
+        for i, column in ((7, Y3), (8, PHI3), (9, PHI1)):
+            phi[:, i] = q[:, column]
+            jacobian[:, i, column] = 1.0
         phi[:, 9] -= turn
         return phi, jacobian, gamma
 

@@ -1,4 +1,4 @@
-"""How stiff a pin in a bushing is and how much a contact damps: the settings of technique 3."""
+"""Stiffness and damping of a pin in a bushing: the settings of technique 3."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class ContactModel:
     friction_ramp: sliding speeds (m/s) at which Coulomb friction begins to act and acts in full.
     impact_speed_floor: least d0' (m/s): a contact that begins at rest would damp infinitely.
     foundation: bear on the whole surface as an elastic foundation instead of one point; None does
-    so for a worn surface only, where the pin fits closely and one point makes no sense.
+    so for a worn surface only, where the pin fits closely and a single point is wrong.
     stiffness: K in N/m^1.5, for an elastic force K d^1.5 instead of the law's.
     tolerance: error of one step as part of the mean penetration.
     """
@@ -68,15 +68,15 @@ class ContactModel:
         return CONTACT_LAWS[self.law].damping(self.restitution)
 
     def sentence(self) -> str:
-        """Say by how much the law misses the restitution asked for; nothing when it does not."""
-        given = restitution_of(self.hysteresis)
-        if abs(given - self.restitution) <= MISSED:
+        """Return how far the law misses the set restitution, empty when it does not."""
+        actual = restitution_of(self.hysteresis)
+        if abs(actual - self.restitution) <= MISSED:
             return ""
         return say(
             "The contact law {} gives a restitution of {:.2f} where {:.2f} is asked for; choose"
             " the law elements, which gives it.",
             self.law,
-            given,
+            actual,
             self.restitution,
         )
 
@@ -109,9 +109,9 @@ class WornSurface:
         closed = self.angle[-1] - self.angle[0] > 2.0 * np.pi - 1e-9
         angle = self.angle if closed else np.append(self.angle, self.angle[0] + 2.0 * np.pi)
         depth = np.append(self.depth[: len(angle) - 1], self.depth[0])
-        given = CubicSpline(angle, depth, bc_type="periodic")
+        spline = CubicSpline(angle, depth, bc_type="periodic")
         steps = np.linspace(0.0, 2.0 * np.pi, count + 1)
-        values = given(steps)
+        values = spline(steps)
         values[-1] = values[0]
         return CubicSpline(steps, values, bc_type="periodic")
 

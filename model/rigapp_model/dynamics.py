@@ -19,20 +19,20 @@ from rigapp_model.errors import ModelError
 from rigapp_model.parameters import Joint, Mechanism
 
 # The kernel: motion and forces at every angle in one pass, compiled. Numpy would pass over all
-# angles once for each of the 130 operations, and start each anew.
+# angles once for each of the 130 operations.
 #
-# A block of angles is solved in a small array whose rows are a known distance apart: only so does
-# the compiler know that no row overlaps another, and takes several angles at once.
+# A block of angles is solved in a small array whose rows are a fixed distance apart: only then can
+# the compiler exclude that rows overlap, and vectorise.
 
 CRANK_RADIUS, FOLLOWER_LENGTH, CRANK_MASS, FOLLOWER_MASS, MOVING_MASS = range(5)
 CRANK_INERTIA, FOLLOWER_INERTIA, STIFFNESS, FREE_POSITION = range(5, 9)
 GRAVITY_X, GRAVITY_Y, FRICTION_RADIUS = range(9, 12)
 CONSTANTS = 12
-"""Places in the constants; the last is that of the friction circle, m, 0 without friction."""
+"""Indices of the constants; the last is that of the friction circle, m, 0 without friction."""
 
 ANGLE, SPEED, ACCELERATION, GAP, COSINE, SINE = range(6)
-GIVEN = 6
-"""Rows of what is given at each angle: the crank's motion, clearance, cosine and sine."""
+INPUTS = 6
+"""Rows of the inputs at each angle: the crank's motion, clearance, cosine and sine."""
 
 (
     FOLLOWER_SINE,
@@ -49,11 +49,11 @@ GIVEN = 6
 CRANK_POSITION, CRANK_VELOCITY, CRANK_ACCELERATION = range(10, 16, 2)
 CENTRE_POSITION, CENTRE_VELOCITY, CENTRE_ACCELERATION = range(16, 22, 2)
 FORCE, FORCE_CRANK, FORCE_FOLLOWER, WRIST_FORCE, BEARING_FORCE = range(22, 32, 2)
-FOUND = 32
-"""Rows of what is found; from ``CRANK_POSITION`` on each is the first of two, x and y."""
+OUTPUTS = 32
+"""Rows of the outputs; from ``CRANK_POSITION`` on each is the first of two, x and y."""
 
 SPAN = 64  # angles of a block: its rows stay in the fastest cache
-BLOCK = (FOUND + GIVEN) * SPAN
+BLOCK = (OUTPUTS + INPUTS) * SPAN
 
 ROWS = float64[:, ::1]
 
@@ -63,33 +63,33 @@ ROWS = float64[:, ::1]
     cache=True,
     error_model="numpy",
 )
-def solve(constants, given, found):  # type: ignore[no-untyped-def]
-    """Fill ``found`` (FOUND, n) at each angle of ``given`` (GIVEN, n); return whether it moves.
+def solve(constants, inputs, outputs):  # type: ignore[no-untyped-def]
+    """Fill ``outputs`` (OUTPUTS, n) at each angle of ``inputs`` (INPUTS, n); return if it moves.
 
     It does not where the friction circle is larger than the follower's lever: the joint locks. A
     moment M turns the pin force into (fx, fy + M / lever), and M = s rho |F| with the radius rho of
     the circle and s the sense of sliding, so |F| is the positive root of a quadratic.
     """
-    r, whole = constants[CRANK_RADIUS], constants[FOLLOWER_LENGTH]
+    r, rod = constants[CRANK_RADIUS], constants[FOLLOWER_LENGTH]
     m1, m2, m3 = constants[CRANK_MASS], constants[FOLLOWER_MASS], constants[MOVING_MASS]
     turning = constants[CRANK_INERTIA] + 0.25 * m1 * r * r
     gx, gy, rho = constants[GRAVITY_X], constants[GRAVITY_Y], constants[FRICTION_RADIUS]
     stiffness, free = constants[STIFFNESS], constants[FREE_POSITION]
     inertia = constants[FOLLOWER_INERTIA]
-    half, locked = 0.5 * whole, 0
+    half, locked = 0.5 * rod, 0
     block = np.empty(BLOCK)
-    count = given.shape[1]
+    count = inputs.shape[1]
     for begin in range(0, count, SPAN):
         size = min(SPAN, count - begin)
-        for row in range(SPEED, GIVEN):
+        for row in range(SPEED, INPUTS):
             for j in range(size):
-                block[(FOUND + row) * SPAN + j] = given[row, begin + j]
+                block[(OUTPUTS + row) * SPAN + j] = inputs[row, begin + j]
         for j in range(size):
-            rate = block[(FOUND + SPEED) * SPAN + j]
-            growth = block[(FOUND + ACCELERATION) * SPAN + j]
-            gap = block[(FOUND + GAP) * SPAN + j]
-            c1, s1 = block[(FOUND + COSINE) * SPAN + j], block[(FOUND + SINE) * SPAN + j]
-            length = whole + gap
+            rate = block[(OUTPUTS + SPEED) * SPAN + j]
+            growth = block[(OUTPUTS + ACCELERATION) * SPAN + j]
+            gap = block[(OUTPUTS + GAP) * SPAN + j]
+            c1, s1 = block[(OUTPUTS + COSINE) * SPAN + j], block[(OUTPUTS + SINE) * SPAN + j]
+            length = rod + gap
             ratio = r / length
             s2 = -ratio * s1
             c2 = math.sqrt(1.0 - s2 * s2)
@@ -167,8 +167,8 @@ def solve(constants, given, found):  # type: ignore[no-untyped-def]
             block[WRIST_FORCE * SPAN + j], block[(WRIST_FORCE + 1) * SPAN + j] = wrist_x, wrist_y
             block[BEARING_FORCE * SPAN + j] = m1 * crank_ax + fx - m1 * gx
             block[(BEARING_FORCE + 1) * SPAN + j] = m1 * crank_ay + fy - m1 * gy
-        for row in range(FOUND):
-            found[row, begin : begin + size] = block[row * SPAN : row * SPAN + size]
+        for row in range(OUTPUTS):
+            outputs[row, begin : begin + size] = block[row * SPAN : row * SPAN + size]
     return locked == 0
 
 
@@ -256,54 +256,54 @@ def inverse_dynamics(
     is not finite. Sources: paper Eqs 4 and 12 with their multipliers eliminated by hand; friction
     by the friction circle.
     """
-    given = _given(mechanism, angle, speed, acceleration, clearance)
-    shape = given.shape[1:]
-    given = given.reshape((GIVEN, -1))
-    np.cos(given[ANGLE], out=given[COSINE])
-    np.sin(given[ANGLE], out=given[SINE])
-    found = np.empty((FOUND, given.shape[1]))
-    if not solve(_constants(mechanism, contact), given, found):
+    inputs = _inputs(mechanism, angle, speed, acceleration, clearance)
+    shape = inputs.shape[1:]
+    inputs = inputs.reshape((INPUTS, -1))
+    np.cos(inputs[ANGLE], out=inputs[COSINE])
+    np.sin(inputs[ANGLE], out=inputs[SINE])
+    outputs = np.empty((OUTPUTS, inputs.shape[1]))
+    if not solve(_constants(mechanism, contact), inputs, outputs):
         assert contact is not None
         raise ModelError(
             "friction_coefficient",
             contact.friction_coefficient,
             say("the joint locks: the friction circle is larger than the follower's lever"),
         )
-    given, found = given.reshape((len(given), *shape)), found.reshape((len(found), *shape))
+    inputs, outputs = inputs.reshape((len(inputs), *shape)), outputs.reshape((len(outputs), *shape))
 
     def vector(row: int) -> Array:
-        return found[row : row + 2]
+        return outputs[row : row + 2]
 
     return MechanismMotion(
-        angle=given[ANGLE],
-        speed=given[SPEED],
-        acceleration=given[ACCELERATION],
-        follower_angle=np.arcsin(found[FOLLOWER_SINE]),
-        follower_speed=found[FOLLOWER_SPEED],
-        follower_acceleration=found[FOLLOWER_ACCELERATION],
+        angle=inputs[ANGLE],
+        speed=inputs[SPEED],
+        acceleration=inputs[ACCELERATION],
+        follower_angle=np.arcsin(outputs[FOLLOWER_SINE]),
+        follower_speed=outputs[FOLLOWER_SPEED],
+        follower_acceleration=outputs[FOLLOWER_ACCELERATION],
         crank_position=vector(CRANK_POSITION),
         crank_velocity=vector(CRANK_VELOCITY),
         crank_acceleration=vector(CRANK_ACCELERATION),
         follower_position=vector(CENTRE_POSITION),
         follower_velocity=vector(CENTRE_VELOCITY),
         follower_centre_acceleration=vector(CENTRE_ACCELERATION),
-        slider_position=found[SLIDER_POSITION],
-        slider_velocity=found[SLIDER_VELOCITY],
-        slider_acceleration=found[SLIDER_ACCELERATION],
-        spring_force=found[SPRING_FORCE],
+        slider_position=outputs[SLIDER_POSITION],
+        slider_velocity=outputs[SLIDER_VELOCITY],
+        slider_acceleration=outputs[SLIDER_ACCELERATION],
+        spring_force=outputs[SPRING_FORCE],
         force=vector(FORCE),
         force_crank=vector(FORCE_CRANK),
         force_follower=vector(FORCE_FOLLOWER),
         wrist_force=vector(WRIST_FORCE),
-        guide_force=found[GUIDE_FORCE],
+        guide_force=outputs[GUIDE_FORCE],
         bearing_force=vector(BEARING_FORCE),
-        drive_torque=found[DRIVE_TORQUE],
-        friction_moment=found[FRICTION_MOMENT],
+        drive_torque=outputs[DRIVE_TORQUE],
+        friction_moment=outputs[FRICTION_MOMENT],
     )
 
 
 def _constants(mechanism: Mechanism, contact: Joint | None) -> Array:
-    """Return what the compiled solution takes of mechanism and joint."""
+    """Return the constants of mechanism and joint for the compiled solution."""
     constants = np.zeros(CONSTANTS)
     constants[CRANK_RADIUS] = mechanism.crank_radius
     constants[FOLLOWER_LENGTH] = mechanism.follower_length
@@ -322,14 +322,14 @@ def _constants(mechanism: Mechanism, contact: Joint | None) -> Array:
     return constants
 
 
-def _given(
+def _inputs(
     mechanism: Mechanism,
     angle: ArrayLike,
     speed: ArrayLike,
     acceleration: ArrayLike,
     clearance: ArrayLike,
 ) -> Array:
-    """Return the four arguments, checked, as rows of what the compiled solution takes."""
+    """Return the four arguments, checked, as input rows of the compiled solution."""
     names = ("angle", "speed", "acceleration", "clearance")
     arrays = [np.asarray(a, dtype=np.float64) for a in (angle, speed, acceleration, clearance)]
     try:
@@ -339,10 +339,10 @@ def _given(
             ", ", (say("{} {}", n, a.shape) for n, a in zip(names, arrays, strict=True))
         )
         raise ModelError("shapes", shapes, say("give arrays of one shape, or scalars")) from problem
-    given = np.empty((GIVEN, *shape))
+    inputs = np.empty((INPUTS, *shape))
     for row, array in enumerate(arrays):
-        given[row] = array
-    if not np.isfinite(given[: len(arrays)]).all():
+        inputs[row] = array
+    if not np.isfinite(inputs[: len(arrays)]).all():
         name = next(n for n, a in zip(names, arrays, strict=True) if not np.isfinite(a).all())
         raise ModelError(name, say("not finite"), say("give finite numbers only"))
     least = float(arrays[3].min(initial=0.0))
@@ -358,7 +358,7 @@ def _given(
             ),
             "m",
         )
-    return given
+    return inputs
 
 
 def rest_angle(mechanism: Mechanism) -> float | None:

@@ -1,4 +1,4 @@
-"""What the model says when it cannot work with a number."""
+"""Errors of the model for numbers that it cannot use."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from rigapp.texts import say
 
 
 class ModelError(ValueError):
-    """Name the quantity, its value and what to do, in one plain sentence.
+    """The sentence names the quantity, its value and the remedy.
 
-    ``quantity`` is the name of the field or argument at fault, ``value`` what was given.
+    ``quantity`` is the name of the field or argument at fault, ``value`` its value.
     """
 
     def __init__(self, quantity: str, value: Any, remedy: str, unit: str = "") -> None:
@@ -25,24 +25,24 @@ class ModelError(ValueError):
 
 
 def require_finite(quantity: str, value: Any, unit: str = "") -> None:
-    """Refuse what is not one finite number."""
+    """Raise ModelError unless the value is one finite number."""
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
         raise ModelError(quantity, value, say("give a finite number"), unit)
 
 
 def require_positive(quantity: str, value: Any, unit: str = "") -> None:
-    """Refuse what is not a finite number above zero."""
+    """Raise ModelError unless the value is a finite number above zero."""
     require_finite(quantity, value, unit)
     if value <= 0.0:
         raise ModelError(quantity, value, say("it must be greater than 0"), unit)
 
 
 def require_not_negative(quantity: str, value: Any, unit: str = "") -> None:
-    """Refuse what is not a finite number of at least zero."""
+    """Raise ModelError unless the value is a finite number of at least zero."""
     require_finite(quantity, value, unit)
     if value < 0.0:
         raise ModelError(quantity, value, say("it must not be negative"), unit)
 
 
 class OutOfTime(Exception):
-    """Say that who waits wants no more: raised by a caller's ``progress``, between steps."""
+    """Raised by a caller's ``progress``, between steps, to stop a computation."""

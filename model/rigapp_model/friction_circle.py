@@ -1,9 +1,9 @@
-"""The joint's friction coefficient from the force that a model without friction does not explain.
+"""The joint's friction coefficient from the force that a model without friction leaves.
 
 Friction in the joint is a couple M = s rho |F| on the follower about the pin's centre, with
 rho = R1 sin(atan mu) the radius of the friction circle and s the sense of sliding. The wrist bears
-no couple, so that M turns up as M / L across the follower, and nowhere along it: there the slider's
-mass and the spring decide. So only what is measured across the follower tells of friction.
+no couple, so that M appears as M / L across the follower, and not along it, where the slider's mass
+and the spring decide. So only the force across the follower shows friction.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ LEAST_COUPLE = 1e-9
 LEAST_NOISE = 1e-12  # N: a model that explains its own forces leaves rounding
 ROUNDS = 2  # the first takes all that is not explained for noise, the second what is left
 MOST_CORRELATED = 0.98
-"""Correlation of neighbours that counts at most: 100 samples say as much as one.
+"""Largest correlation of neighbours that counts: 100 samples are worth one.
 
-More is no noise, but a slow part that a revolution is too short to tell the size of.
+More is no noise, but a slow part whose size cannot be determined from a revolution.
 """
 
 
@@ -66,8 +66,8 @@ def friction_of(
     measured (2, n): force on the follower by the pin, N, crank frame, at equal steps of the crank;
     across (n,): its component across the follower by the model without friction, N; turn (n,):
     crank angle less follower angle, rad; sense (n,): +1 or -1, of crank speed less follower speed;
-    lever: pin radius over follower length. Least squares with what the load cell may be off by (its
-    zero and its matrix) beside the couple, each held by its own uncertainty; what is left counts as
+    lever: pin radius over follower length. Least squares with the errors of the load cell (its zero
+    and its matrix) beside the couple, each with its own uncertainty as prior; the rest counts as
     noise, its correlation from sample to sample included. A cell whose relative uncertainty is
     u leaves about u / lever in the coefficient: its direction on the crank looks like friction.
     """
@@ -82,12 +82,12 @@ def friction_of(
     free = held > 0.0
     columns, held = columns[:, free], held[free]
     noise = float(wanted.std())
-    for _ in range(ROUNDS):  # the noise that is left decides how much the cell's own doubt counts
+    for _ in range(ROUNDS):  # the remaining noise decides the weight of the cell's own errors
         weight = max(noise, LEAST_NOISE) ** -2.0
         spread = np.linalg.inv(weight * (columns.T @ columns) + np.diag(held**-2.0))
-        found = weight * (spread @ (columns.T @ wanted))
-        noise = _correlated(wanted - columns @ found)
-    sine, doubted = float(found[0]), float(np.sqrt(spread[0, 0]))
+        solution = weight * (spread @ (columns.T @ wanted))
+        noise = _correlated(wanted - columns @ solution)
+    sine, doubted = float(solution[0]), float(np.sqrt(spread[0, 0]))
     if not abs(sine) < 1.0:
         return Friction()
     cosine = np.sqrt(1.0 - sine * sine)
@@ -95,7 +95,7 @@ def friction_of(
 
 
 def _correlated(rest: Array) -> float:
-    """Return the standard deviation of noise that, uncorrelated, would say as little as this."""
+    """Return the standard deviation of the equivalent uncorrelated noise."""
     centred = rest - rest.mean()
     power = float(centred @ centred)
     near = float(centred @ np.roll(centred, 1)) / power if power > 0.0 else 0.0

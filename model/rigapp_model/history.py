@@ -18,14 +18,14 @@ from rigapp.texts import say
 from rigapp_model.compiled import njit
 from rigapp_model.errors import ModelError
 
-# The kernels: sums of the angle fit. The linear algebra library would do them with threads that
-# wait for each other: on a busy machine a hundred times slower than the sums themselves.
+# The kernels: sums of the angle fit. The linear algebra library would compute them with threads
+# that wait for each other: on a busy machine a hundred times slower.
 
 MATRIX = float64[:, ::1]
 ROW = float64[::1]
 READ_ROW = types.Array(float64, 1, "C", readonly=True)
 DEPENDENT = 1e-14
-"""Part of a column that must be left after the others, or it is taken as dependent on them."""
+"""Part of a column that must remain after the others, or it is taken as dependent on them."""
 
 
 @njit(types.Tuple((MATRIX, ROW))(MATRIX, ROW), cache=True, fastmath={"reassoc"})
@@ -115,8 +115,8 @@ def evaluate(tau, phase, trend, cosines, sines):  # type: ignore[no-untyped-def]
 Array = NDArray[np.float64]
 
 HARMONICS = 12  # ripple falls with k^3: the 13th is 2000 times below the first
-FEWEST_SAMPLES = 8  # a trend has three unknowns, and must be told from noise
-MOST_BLOCKS = 2048  # 170 to a period of the 12th harmonic; more cost time and tell nothing
+FEWEST_SAMPLES = 8  # a trend has three unknowns, and must be distinguished from noise
+MOST_BLOCKS = 2048  # 170 to a period of the 12th harmonic; more cost time for nothing
 RIPPLE_PRIOR = 0.05
 """Expected amplitude (rad) of the first harmonic, 5 % ripple of the speed: a loosely tuned drive.
 
@@ -135,10 +135,10 @@ RESOLVED = 1e-9  # rad: ten times the rounding of an angle after 1e5 turns
 FINEST_COUNT = 1e-5  # rad: 600 000 counts a turn, more than the counter of any rig resolves
 WHOLE = 0.01  # counts: in a step of 100, where the finest is known to 1e-4
 COUNTING_SPAN, COUNTING_DEVIATION = 1.85, 0.34
-"""What counting alone leaves about a line: span and deviation, in counts.
+"""Residuals about a line by counting alone: span and deviation, in counts.
 
 At most 1.21 and 0.326 in 6000 steady turns of any speed. The deviation leaves 5 % above that; the
-span an edge 0.6 counts off its place, which encoders have, and no whole count.
+span an edge 0.6 counts off, which encoders have, and no whole count.
 """
 LEAST_TURN = 0.25
 """Half the turn (rad) below which there is nothing periodic to fit.
@@ -235,8 +235,8 @@ def _block_means(values: Array, size: int) -> Array:
     """Return the means of whole blocks; the rest after the last whole block is left out."""
     if size == 1:
         return values
-    whole = len(values) // size * size
-    return values[:whole].reshape(-1, size).mean(axis=1)
+    end = len(values) // size * size
+    return values[:end].reshape(-1, size).mean(axis=1)
 
 
 def _design(tau: Array, phase: Array, count: int) -> Array:
@@ -257,7 +257,7 @@ def _polynomial(coefficients: Array, tau: Array) -> Array:
 
 @dataclass(frozen=True, slots=True)
 class Counted:
-    """Hold single samples (not means) for the question whether a fit explains the counts."""
+    """Single samples (not means), to decide whether a fit explains the counts."""
 
     tau: Array
     angle: Array

@@ -1,8 +1,8 @@
-"""How uncertain are speed and acceleration that were fitted to a measured history of the angle?
+"""The uncertainty of speed and acceleration fitted to a measured history of the angle.
 
-The fit has a few harmonics of the turn. What the measured angle still shows beyond it is looked for
-up to ``HIGHEST_ORDER``; what stands out is motion that the fit does not follow, and what does not
-stand out could still hide in the counts.
+The fit has a few harmonics of the turn. The residuals are searched for motion up to
+``HIGHEST_ORDER``; orders that stand out are motion that the fit does not follow, and others could
+still hide in the counts.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from rigapp_model.recurrent_motion import HIGHEST_ORDER, RecurrentMotion
 Array = NDArray[np.float64]
 
 UNSEEN_COUNTS = 2.5
-"""Counts of a history that a motion may change without being told from none."""
+"""Counts of a history that a motion may change without being detected."""
 STANDS_OUT, FAR = 10.0, 25.0
 """An order with so many times the power of the noise is motion: two of the first, one of the second
 (odds of 1 in 100,000 by chance)."""
@@ -33,13 +33,13 @@ BROAD = 7.0
 EXPLAINED = 0.06
 """Counts by which a fit may miss those that were measured and still explain them."""
 ALIKE = 1.1
-"""Ratio of deviations up to which two motions explain angles that are no counts alike."""
+"""Ratio of deviations up to which two motions explain angles that are no counts equally well."""
 BETWEEN = 1.0 / np.sqrt(24.0)
-"""RMS of a wave of any amplitude that has room in a span of one."""
+"""RMS of a wave of any amplitude that fits in a span of one."""
 SPIKE = 3.0
-"""Counts, or standard deviations, by which one sample is off its neighbours by a fault."""
+"""Counts, or standard deviations, by which a faulty sample is off its neighbours."""
 TOGETHER = 9
-"""Neighbours whose mean tells whether the fit is off: a hundredth of a turn."""
+"""Neighbours whose mean shows whether the fit is off: a hundredth of a turn."""
 COUNTED = 0.6
 """Counts by which that mean is off where a steady turn beats slowly with the counts."""
 REACH = 3
@@ -51,9 +51,9 @@ class MotionUncertainty:
     """Hold standard uncertainties at each time: angle (rad), speed (rad/s), acceleration (rad/s^2).
 
     unfollowed: the largest acceleration (rad/s^2) that the angle shows beyond the fit; 0 when none
-    stands out of the noise. recurrent: what comes again, this revolution among it. history: what
-    all of that is about: the fit, or what comes again where that explains the angle as well.
-    lasting: part of the acceleration's deviation that is alike in each revolution.
+    exceeds the noise. recurrent: recurrent motion, with this revolution. history: the motion that
+    these belong to: the fit, or the recurrent motion where that explains the angle as well.
+    lasting: part of the acceleration's deviation that is the same in each revolution.
     """
 
     angle: Array
@@ -74,9 +74,9 @@ def motion_uncertainty(
     history: AngleHistory,
     before: RecurrentMotion = NOTHING_YET,
 ) -> MotionUncertainty:
-    """Return how uncertain a fitted history is; arguments as ``smooth_history`` took them.
+    """Return the uncertainty of a fitted history; arguments as for ``smooth_history``.
 
-    before: what came again in the revolutions before, which tells what the fit to one misses.
+    before: recurrent motion of earlier revolutions, which shows what the fit to one misses.
     """
     moments = np.asarray(time, dtype=np.float64)
     turned = np.unwrap(np.asarray(angle, dtype=np.float64))
@@ -119,10 +119,10 @@ def motion_uncertainty(
         for times in (1, 2)
     ]
     if known is not None:
-        many = known.hidden_speed, known.hidden_acceleration
+        in_common = known.hidden_speed, known.hidden_acceleration
         hidden = [
-            min(one, float(np.hypot(np.sqrt(known.again) * one, other)))
-            for one, other in zip(hidden, many, strict=True)
+            min(alone, float(np.hypot(np.sqrt(known.again) * alone, common)))
+            for alone, common in zip(hidden, in_common, strict=True)
         ]
     speed, acceleration = (
         np.hypot(_envelope(_derived(seen, rate, size, times), top), hidden[times - 1])
@@ -146,10 +146,10 @@ def motion_uncertainty(
 
 
 def _explains(turned: Array, known: Array, history: AngleHistory, quantum: float) -> bool:
-    """Tell whether a known motion explains the angles as well as the fit to them does.
+    """Return whether a known motion explains the angles as well as the fit does.
 
-    Counts: by what the fit itself is held to; else: the deviation from it is that from the fit,
-    whose terms take some.
+    For counts by the criterion of the fit itself; else the deviation from it must not exceed that
+    from the fit, corrected for its terms.
     """
     left = turned - known
     if quantum > 0.0:
@@ -159,7 +159,7 @@ def _explains(turned: Array, known: Array, history: AngleHistory, quantum: float
 
 
 def _of_angle(left: Array, noise: float, quantum: float) -> Array:
-    """Return the standard uncertainty of a fitted angle, rad, from what measured ones differ by.
+    """Return the standard uncertainty of a fitted angle, rad, from the residuals.
 
     Each measured angle is right to a count: where several together are off by more, at the seam of
     a turn with a change of speed, the fit is off there.
@@ -171,7 +171,7 @@ def _of_angle(left: Array, noise: float, quantum: float) -> Array:
 
 
 def _stands_out(ratio: Array, top: int) -> NDArray[np.bool_]:
-    """Tell which orders are motion, from their power over the noise's."""
+    """Return which orders are motion, from their power over the noise's."""
     slow = ratio[1 : top + 1]
     standing = slow > STANDS_OUT
     if np.count_nonzero(standing) < 2 and slow.max() < FAR:
@@ -182,10 +182,10 @@ def _stands_out(ratio: Array, top: int) -> NDArray[np.bool_]:
 
 
 def _beyond(turned: Array, smooth: Array, quantum: float) -> tuple[Array, float]:
-    """Return what the angle shows beyond the fit, spikes left out, and how much any may hide.
+    """Return the angle beyond the fit, without spikes, and how much may be hidden.
 
-    Counts are compared with those that the fit would give: what is left is motion, not counting.
-    Where a few angles between the counts come again and again, motion between them changes none.
+    Counts are compared with those that the fit would give: the rest is motion, not counting. Where
+    the same few angles between the counts recur, motion between them changes none.
     """
     left = turned - smooth
     if quantum > 0.0:
@@ -201,20 +201,20 @@ def _beyond(turned: Array, smooth: Array, quantum: float) -> tuple[Array, float]
 
 
 def _line_of_least_span(left: Array, quantum: float) -> Array:
-    """Return the line about which least is left: counting a steady turn leaves one count."""
+    """Return the line with the least span of residuals: counting a steady turn leaves one count."""
     tau = np.linspace(-1.0, 1.0, len(left))
     low, high = -quantum, quantum
     for _ in range(40):
-        one, two = low + (high - low) / 3.0, high - (high - low) / 3.0
-        if np.ptp(left - one * tau) < np.ptp(left - two * tau):
-            high = two
+        lower, upper = low + (high - low) / 3.0, high - (high - low) / 3.0
+        if np.ptp(left - lower * tau) < np.ptp(left - upper * tau):
+            high = upper
         else:
-            low = one
+            low = lower
     return np.asarray(0.5 * (low + high) * tau)
 
 
 def _room(left: Array, quantum: float) -> float:
-    """Return the widest angle within a count at which no sample lies."""
+    """Return the widest angle within a count without a sample."""
     places = np.sort(np.mod(left, quantum))
     return float(np.max(np.diff(places, append=places[0] + quantum)))
 
@@ -243,5 +243,5 @@ def _faster(seen: Array, top: int, rate: float) -> float:
     orders = np.arange(1, top + 1)
     each = np.abs(seen[orders]) * (rate * orders) ** 2
     line = float(np.max(each**2) / np.sum(each**2))
-    one = float(np.median(each[2 * top // 3 :]))
-    return max(0.0, 1.0 - 2.0 * line) * 2.0 * one * (min(REACH * top, len(seen) - 1) - top)
+    typical = float(np.median(each[2 * top // 3 :]))
+    return max(0.0, 1.0 - 2.0 * line) * 2.0 * typical * (min(REACH * top, len(seen) - 1) - top)

@@ -44,7 +44,7 @@ class ContinuousContact:
         return not self.compression
 
     def sentence(self) -> str:
-        """Return what to tell the user when the assumption fails; empty when it holds."""
+        """Return a sentence for the user when the assumption fails; empty when it holds."""
         if self.assumption_holds:
             return ""
         if np.all(self.wall < 0.0):
@@ -164,7 +164,7 @@ def _ranges_above_zero(angle: Array, value: Array) -> tuple[Range, ...]:
     if above[-1]:
         crossings.append(float(angle[-1]))
     ranges = zip(crossings[::2], crossings[1::2], strict=True)
-    whole = 2.0 * np.pi if cyclic else 0.0
+    period = 2.0 * np.pi if cyclic else 0.0
     return tuple(
-        (s - whole, e - whole) if whole and min(s, e) >= whole else (s, e) for s, e in ranges
+        (s - period, e - period) if period and min(s, e) >= period else (s, e) for s, e in ranges
     )

@@ -1,4 +1,4 @@
-"""What the mechanism, its joint and its materials are: checked records in SI units."""
+"""The mechanism, its joint and its materials: checked records in SI units."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ class Joint:
 
     @property
     def projected_area(self) -> float:
-        """Return what a force is divided by for the nominal pressure: diameter x width, m^2."""
+        """Return the area of the nominal pressure: diameter x width, m^2."""
         return 2.0 * self.pin_radius * self.bushing_width
 
 
@@ -142,7 +142,7 @@ class Material:
 
 @dataclass(frozen=True, slots=True)
 class WearLaw:
-    """Say how wear departs from Archard's dh/ds = K p; the default does not.
+    """The deviation from Archard's dh/ds = K p; none by default.
 
     See ``rigapp_model.wear.laws``. name: there. excess: by what part of K it is larger in the first
     revolution; running_in: revolutions in which this falls to 1/e. exponent: of the pressure;

@@ -1,8 +1,8 @@
-"""What of the crank's motion comes again in each revolution, from many that are alike.
+"""The motion of the crank that recurs in each revolution, from many similar ones.
 
 One revolution's angle is counted, and motion of many orders may hide in the counts. A mechanism
-repeats: the mean over like revolutions shows what the fit to a single one misses, and their scatter
-shows how much motion there is that does not repeat.
+repeats: the mean over similar revolutions shows the motion that the fit to a single one misses, and
+their scatter the motion that does not repeat.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ Array = NDArray[np.float64]
 ComplexArray = NDArray[np.complex128]
 
 HIGHEST_ORDER = 40
-"""Orders of the turn up to which motion is looked for, and may hide in the counts."""
+"""Orders of the turn up to which motion is searched, and may hide in the counts."""
 REMEMBERED = 100.0
 """Revolutions over which the mean is taken: the drive's controller warms up over more."""
 SAME_SPEED = 0.01
-"""Relative change of the mean speed up to which revolutions are like each other."""
+"""Relative change of the mean speed up to which revolutions count as similar."""
 LEAST_SEEN = 3
-"""Revolutions from which their scatter says something."""
+"""Revolutions from which their scatter is used."""
 JERK = 8.0
 """Ratio of scatters from which a revolution counts as so many times the usual one only."""
 MOST_SAMPLES = 2048
@@ -34,18 +34,18 @@ SIGNIFICANT = 6.0
 OWN = 2.0
 """An order that scatters by more than so many times its chance changes from turn to turn."""
 SEEN = 2.0
-"""Power of higher orders beyond so many standard deviations of chance is motion that is there."""
+"""Power of higher orders beyond so many standard deviations of chance is motion."""
 _ORDERS = np.arange(1, HIGHEST_ORDER + 1)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class KnownMotion:
-    """Say what many revolutions know of one: angle (n,), rad, speed, rad/s, acceleration, rad/s^2.
+    """The recurrent motion of a revolution: angle (n,), rad, speed, rad/s, acceleration, rad/s^2.
 
-    again: the part of the counts that comes again at the same angles, and tells nothing new.
-    hidden_speed, hidden_acceleration: standard deviations of what comes again and is not seen,
-    and of what does not come again; lasting: the part of the latter that comes again, by its
-    deviation. scatter: usual variance of a harmonic (HIGHEST_ORDER,), rad^2.
+    again: the part of the counts that recurs at the same angles, without new information.
+    hidden_speed, hidden_acceleration: standard deviations of unseen recurrent motion, and of
+    motion that does not recur; lasting: the recurrent part of the latter, by its deviation.
+    scatter: usual variance of a harmonic (HIGHEST_ORDER,), rad^2.
     """
 
     angle: Array
@@ -74,7 +74,7 @@ class RecurrentMotion:
     def after(
         self, time: Array, angle: Array, smooth: Array, chance: float
     ) -> tuple[RecurrentMotion, KnownMotion | None]:
-        """Take a revolution and say what is known of it; None where too few were alike.
+        """Take a revolution and return its known motion; None where too few were similar.
 
         time (n,), s; angle (n,): as measured, unwrapped; smooth (n,): as fitted, rad. chance:
         variance of one harmonic by counts or noise, rad^2.
@@ -85,16 +85,16 @@ class RecurrentMotion:
         speed = float((smooth[-1] - smooth[0]) / (time[-1] - time[0]))
         alike = abs(speed - self.speed) <= SAME_SPEED * abs(speed)
         before = self if alike else RecurrentMotion()
-        whole = _harmonics(moments, some, waves)
-        new = before._with(whole, speed, chance)
+        harmonics = _harmonics(moments, some, waves)
+        new = before._with(harmonics, speed, chance)
         if new.seen < LEAST_SEEN:
             return new, None
-        return new, new._known(time, angle, _waves(smooth) if step > 1 else waves, whole)
+        return new, new._known(time, angle, _waves(smooth) if step > 1 else waves, harmonics)
 
-    def _with(self, whole: ComplexArray, speed: float, chance: float) -> RecurrentMotion:
+    def _with(self, harmonics: ComplexArray, speed: float, chance: float) -> RecurrentMotion:
         seen = self.seen + 1
         share = max(1.0 / seen, 1.0 / REMEMBERED)
-        step = whole - self.mean
+        step = harmonics - self.mean
         squared = (1.0 - share) * np.abs(step) ** 2
         if self.seen >= LEAST_SEEN:
             weights = _ORDERS**4.0
@@ -110,23 +110,23 @@ class RecurrentMotion:
         )
 
     def _known(
-        self, time: Array, angle: Array, waves: ComplexArray, whole: ComplexArray
+        self, time: Array, angle: Array, waves: ComplexArray, harmonics: ComplexArray
     ) -> KnownMotion:
-        """Return what is known of a revolution whose harmonics were found as whole."""
+        """Return what is known of a revolution whose harmonics are given."""
         number = min(float(self.seen), REMEMBERED)
         scatter = self.scatter * number / (number - 1.0)
         power = np.maximum(np.abs(self.mean) ** 2, 1e-300)
         mean = self.mean * np.maximum(0.0, 1.0 - SIGNIFICANT * scatter / number / power)
-        # What changes from turn to turn by more than chance: this turn's own, as far as it is told.
+        # Orders that change from turn to turn by more than chance: this turn's own.
         own = 1.0 - self.chance / np.maximum(scatter, 1e-300)
         own = np.where(scatter > OWN * self.chance, own, 0.0)
-        mean = mean + own * (whole - mean)
+        mean = mean + own * (harmonics - mean)
         periodic, faster, pushed = (
             2.0 * np.real((mean * (1j * self.speed * _ORDERS) ** times) @ waves)
             for times in range(3)
         )
         line = np.polynomial.Polynomial.fit(time, angle - periodic, 1)
-        # Counts that come again at the same angles scatter too little, and are in the mean instead.
+        # Counts that recur at the same angles scatter too little, and are in the mean instead.
         usual = max(self.chance, 1e-300)
         too_little = 1.0 - float(scatter[FITTED:].mean()) / usual
         repeated = float(np.mean((np.abs(self.mean) ** 2 - scatter / number)[FITTED:])) / usual
@@ -141,7 +141,7 @@ class RecurrentMotion:
         lasting = np.where(sure & ~follows, each, 0.0) + weak
         pushing = np.where(follows, own * chance, free) + lasting
         turning = pushing / (self.speed * _ORDERS) ** 2.0
-        hidden = [float(np.sqrt(one.sum())) for one in (turning, pushing)]
+        hidden = [float(np.sqrt(powers.sum())) for powers in (turning, pushing)]
         return KnownMotion(
             line(time) + periodic,
             line.deriv()(time) + faster,
@@ -155,16 +155,16 @@ class RecurrentMotion:
 
 
 def hidden_power(powers: Array, doubts: Array, which: NDArray[np.bool_] | None = None) -> Array:
-    """Return what powers of the acceleration's orders (HIGHEST_ORDER,) may be, (rad/s^2)^2.
+    """Return upper bounds of the acceleration's powers by order (HIGHEST_ORDER,), (rad/s^2)^2.
 
-    powers: estimated, with their standard deviations; which: orders that are asked for, 0 for
-    others. Above FITTED no order has more than the others there: a jerk within no time has as much
-    in each, any smoother motion less in higher ones. So the lower of them, which counts tell better
-    by the fourth power of the order, bound the higher; what is seen of these is added.
+    powers: estimated, with their standard deviations; which: selected orders, 0 for the others.
+    Above FITTED no order has more than the others there: a jerk within no time has as much
+    in each, any smoother motion less in higher ones. So the lower of them, which counts resolve
+    better by the fourth power of the order, bound the higher; visible power of these is added.
     """
-    asked = np.ones(powers.size, dtype=np.bool_) if which is None else which
-    found = np.zeros(powers.size)
-    for part in (asked & (_ORDERS <= FITTED), asked & (_ORDERS > FITTED)):
+    selected = np.ones(powers.size, dtype=np.bool_) if which is None else which
+    hidden = np.zeros(powers.size)
+    for part in (selected & (_ORDERS <= FITTED), selected & (_ORDERS > FITTED)):
         some, doubt = powers[part], doubts[part]
         if not some.size:
             continue
@@ -176,8 +176,8 @@ def hidden_power(powers: Array, doubts: Array, which: NDArray[np.bool_] | None =
             )
             seen = float(some.sum()) - SEEN * float(np.sqrt(doubt @ doubt))
             most = min(most, max(level * some.size, seen))
-        found[part] = most / some.size
-    return found
+        hidden[part] = most / some.size
+    return hidden
 
 
 def _harmonics(time: Array, angle: Array, waves: ComplexArray) -> ComplexArray:

@@ -1,4 +1,4 @@
-"""The contact laws in one table, and what of an impact's speed each gives back.
+"""The contact laws in one table, and their restitution.
 
 A new law is one row here, and where it is elastic in its own way a curve in
 ``rigapp_model.contact.indentation``. Nothing is imported here: a command line's help reads them.
@@ -17,7 +17,7 @@ LEAST_RESTITUTION = 0.01
 NEARLY_ELASTIC = 0.999
 """Above, Lankarani and Nikravesh's damping is exact to 1e-6 of the restitution."""
 MISSED = 0.02
-"""A restitution off by more is said: rigs do not know theirs better."""
+"""A larger error of the restitution is reported: that of a rig is not known better."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +37,7 @@ class ContactLaw:
 def exact_damping(restitution: float) -> float:
     """Return the factor a that gives a restitution e back: a (1 + e) = ln((1 + a)/(1 - a e)).
 
-    What F = f(d) (1 + a d'/d0') takes from an impact depends on a alone, whatever f is: integrate
+    The loss of an impact by F = f(d) (1 + a d'/d0') depends on a alone, whatever f is: integrate
     v dv / (1 + a v/d0') = -f dd / m from touch to rest and from rest to parting (Gonthier and
     others, 2004). 0 at e = 1.
     """
@@ -60,7 +60,7 @@ def restitution_of(damping: float) -> float:
 
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
-    """Return where a function that falls through 0 does so, by halving."""
+    """Return the root of a falling function, by bisection."""
     for _ in range(60):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if function(middle) > 0.0 else (low, middle)
@@ -79,8 +79,8 @@ def flores_damping(restitution: float) -> float:
 
 DEFAULT_LAW = "elements"
 CONTACT_LAWS = {
-    one.name: one
-    for one in (
+    law.name: law
+    for law in (
         ContactLaw(
             "elements",
             say("as stiff as the elastic bushing of the wear model; the restitution is exact"),

@@ -1,7 +1,7 @@
-"""How far may a healthy rig be from its prediction? One band for what is measured minus predicted.
+"""The band within which a healthy rig agrees with its prediction: of measured minus predicted.
 
-The band holds what the angle leaves open, the tolerances of the mechanism, the joint's friction,
-the place of the index, the latency, the load cell, and the noise of what is averaged over a bin.
+The band contains the uncertainty of the angle, the tolerances of the mechanism, the joint's
+friction, the index, the latency, the load cell, and the noise of the mean over a bin.
 """
 
 from __future__ import annotations
@@ -33,15 +33,14 @@ Array = NDArray[np.float64]
 SAME_DEPTH = 20e-6
 """Change of the wear, m, up to which tolerances have the same effect."""
 REMEMBERED = 10.0
-"""Revolutions over which what the angle leaves open is averaged: in a single one it is itself a
-matter of chance."""
+"""Revolutions over which the part by the angle is averaged: in a single one it is random."""
 UNLIKE = 8.0
 """Ratio of variances from which a revolution is not like those before it: calmer after a run-up, or
 with a jerk of the crank. Chance alone makes it 4."""
 
 
 class BandRecord(msgspec.Struct, frozen=True):
-    """What a band remembers: variances as bytes (float64, N^2), empty where there are none."""
+    """The state of a band: variances as bytes (float64, N^2), empty where there are none."""
 
     speed: float
     depth: float
@@ -52,9 +51,9 @@ class BandRecord(msgspec.Struct, frozen=True):
 
 @dataclass(slots=True)
 class AgreementBand:
-    """Give the band of a revolution, (GRID,), expanded (k = 2), N; remember those alike.
+    """The band of a revolution, (GRID,), expanded (k = 2), N, averaged over similar ones.
 
-    cell: what is stated of it, None where nothing is.
+    cell: uncertainty of the load cell, None where none is stated.
     """
 
     parameters: Parameters
@@ -69,16 +68,16 @@ class AgreementBand:
 
     @property
     def left_open(self) -> Array:
-        """Return what the angle leaves open, averaged, (GRID,), expanded (k = 2), N."""
+        """Return the part by the angle, averaged, (GRID,), expanded (k = 2), N."""
         return np.asarray(COVERAGE_FACTOR * np.sqrt(self._now))
 
     def packed(self) -> BandRecord:
-        """Return what it remembers."""
+        """Return the state."""
         memory = _bytes(self._tolerance), _bytes(self._open)
         return BandRecord(self._speed, self._depth, self._seen, *memory)
 
     def restore(self, record: BandRecord) -> None:
-        """Go on from what another one remembered."""
+        """Continue from the state of another one."""
         self._speed, self._depth, self._seen = record.speed, record.depth, record.seen
         self._tolerance, self._open = _array(record.tolerance), _array(record.left_open)
 
@@ -108,7 +107,7 @@ class AgreementBand:
         before = left if self._open is None else self._open
         usual = np.minimum(left, UNLIKE * before)
         self._open = before + share * (usual - before)
-        # Where the crank jerks, that counts at once and in full, and is soon forgotten.
+        # A jerk of the crank counts at once and in full, and in no later revolution.
         self._now = np.where(left > usual, left, self._open)
         cell = self.cell or UNSTATED_CELL
         force = np.asarray(motion.force_magnitude)
@@ -128,7 +127,7 @@ def _array(data: bytes) -> Array | None:
 def _tolerances(
     parameters: Parameters, joint: str, motion: MechanismMotion, depth: float
 ) -> Iterator[Array]:
-    """Yield what one standard tolerance of each parameter changes in |F|, (GRID,), N."""
+    """Yield the change of |F| by one standard tolerance of each parameter, (GRID,), N."""
     force = np.asarray(motion.force_magnitude)
     for tolerance in TOLERANCES:
         change = tolerance.off_by(parameters, joint, motion, depth)

@@ -1,7 +1,7 @@
-"""A bushing of the model that wears ahead of the real one, to tell the elastic approach by depth.
+"""A bushing of the model that wears ahead of the real one, for the elastic approach by depth.
 
 Approach and depth belong together whatever the wear coefficient is: it decides only how fast both
-come. So the approach at the *measured* depth is taken out, however wrong the model's wear is.
+come. So the approach at the *measured* depth is removed, however wrong the model's wear is.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 GROWTH = 0.15
 """A step wears by this share of depth and approach together."""
 AHEAD = 1.3
-"""The table reaches further than the depth that is asked for by this factor."""
+"""The table reaches further than the requested depth by this factor."""
 FIRST_REACH = 10e-6
 """The table begins with depths up to this, m."""
 ANY_COEFFICIENT = 1e-12
@@ -37,7 +37,7 @@ log = logging.getLogger(__name__)
 
 @dataclass(slots=True)
 class BushingAhead:
-    """Wear a new bushing under the loads of a revolution, as far as depths are asked for."""
+    """Wear a new bushing under the loads of a revolution, as far as depths are requested."""
 
     parameters: Parameters
     loads: CycleLoads
@@ -48,7 +48,7 @@ class BushingAhead:
     _told: Approach | None = None
 
     def upto(self, depth: float) -> Approach | None:
-        """Return the approach at depths up to one at least, m; None when the model cannot tell."""
+        """Return the approach at depths up to one at least, m; None where the model fails."""
         try:
             while not self._failed and self._reach < AHEAD * max(depth, FIRST_REACH):
                 self._step()

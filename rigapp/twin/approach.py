@@ -1,7 +1,7 @@
-"""How far a force brings pin and bushing nearer by elasticity, by depth of wear. Pure functions.
+"""The elastic approach of pin and bushing under a force, by depth of wear. Pure functions.
 
-The probes see wear and elastic approach together. As the contact conforms the approach falls: what
-they see grows by less than the wear.
+The probes measure wear and elastic approach together. As the contact conforms the approach falls:
+their reading grows by less than the wear.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Approach:
-    """Hold the elastic approach (D, M), m, at depths (D,), m, and forces (M,), N; both rise.
+    """The elastic approach (D, M), m, at depths (D,), m, and forces (M,), N; both rise.
 
     Between them straight lines; below the first depth and beyond the last that of the nearest,
     beyond the largest force in proportion to it.
@@ -52,7 +52,7 @@ class Approach:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MeanApproach:
-    """Hold the mean elastic approach under some forces, means (D,), m, at depths (D,), m."""
+    """The mean elastic approach under some forces, means (D,), m, at depths (D,), m."""
 
     depths: Array
     means: Array
@@ -69,7 +69,7 @@ class MeanApproach:
         return depth + outside
 
     def gain(self, depth: float) -> float:
-        """Return how many metres of depth a metre of what the probes see is, at a depth (m)."""
+        """Return the metres of depth in a metre of the probes' reading, at a depth (m)."""
         step = 1e-7
         seen = self.at(depth + step) - self.at(depth - step)
         return 1.0 / max(1.0 + seen / (2.0 * step), 0.2)

@@ -1,4 +1,4 @@
-"""What a twin must know to go on where another one ended: kept beside the test, and in its file."""
+"""The state from which a new twin continues another one: kept beside the test, and in its file."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class BushingRecord(msgspec.Struct, frozen=True):
 
 
 class ReferenceRecord(msgspec.Struct, frozen=True):
-    """What the new bushing told of the probes, see ``pinpath.Reference``; m."""
+    """The probes' reference in the new bushing, see ``pinpath.Reference``; m."""
 
     centre: tuple[float, float]
     run_out: tuple[float, float]
@@ -51,7 +51,7 @@ class ReferenceRecord(msgspec.Struct, frozen=True):
 
 
 class RecurrentRecord(msgspec.Struct, frozen=True):
-    """What of the crank's motion comes again: mean (complex128) and scatter (float64) as bytes."""
+    """The recurrent motion of the crank: mean (complex128) and scatter (float64) as bytes."""
 
     speed: float
     seen: int
@@ -64,10 +64,9 @@ class Checkpoint(msgspec.Struct, frozen=True):
     """Everything of a twin after revolution ``newest``.
 
     loads: of the bushing ahead, float64 (positions, 3) as bytes: force (N) and slip (m); empty
-    where there is none. identified: the wear coefficient so far, None in those of before. before:
+    where there is none. identified: the wear coefficient so far, None in older ones. before:
     revolutions that the bushing had made when the test began. band: within which a healthy rig
-    agrees; deviation: what differs from the model; recurrent: what of the crank's motion comes
-    again; None in those of before.
+    agrees; deviation: from the model; recurrent: motion of the crank; None in older ones.
     """
 
     version: int
@@ -148,7 +147,7 @@ def _recurrent(record: RecurrentRecord) -> RecurrentMotion:
 
 
 def take_over(twin: Twin, checkpoint: bytes, same_model: bool) -> None:
-    """Let a new twin go on with the bushing that another test has left.
+    """Continue a new twin with the bushing of another test.
 
     same_model: of both tests, and its readings are believed; else only the probes' reading of the
     new bushing is taken over, the model's bushings begin unworn, and no coefficient is identified

@@ -1,10 +1,10 @@
-"""What explains that a rig differs from its model by more than its tolerances allow? One cause.
+"""The one cause that explains why a rig differs from its model by more than its tolerances.
 
-The mean of measured minus predicted, both components against the crank angle, has what each
-tolerance changes in it, what the load cell may be off by, and what is left of chance. Under this
+The mean of measured minus predicted, both components against the crank angle, contains the effect
+of each tolerance, the errors of the load cell, and noise. Under this
 covariance the amplitude of each cause is estimated; one whose amplitude is beyond its limits (for
 so many causes: Baarda's test of outliers) explains the difference. The clearance hardly changes a
-force: it is told by where the pin lies in the new bushing.
+force: it follows from the position of the pin in the new bushing.
 """
 
 from __future__ import annotations
@@ -52,33 +52,33 @@ POINTS = 120
 AVERAGED = 20.0
 """Revolutions over which the difference is averaged."""
 EACH = 10
-"""Revolutions after which a cause is looked for, and then each time."""
+"""A cause is searched for once in so many revolutions."""
 FALSE_ALARM = 0.01
-"""Probability that a healthy rig is said to differ, over all causes."""
+"""Probability that a healthy rig is reported to differ, over all causes."""
 LIMIT = float(-ndtri(0.5 * FALSE_ALARM / (len(DEVIATIONS) - 1)))
 NEARLY = 4.0
 """Difference of squared scores up to which another cause explains nearly as much: odds of 7."""
 ALIKE_RAD = math.radians(12.0)
-"""How far in crank angle that reaches which neither tolerances nor noise explain."""
+"""Correlation length of the unmodelled force, by crank angle."""
 UNMODELLED_N = 0.1
-"""Standard size of that where none is seen, N."""
+"""Standard size of the unmodelled force where none is seen, N."""
 HIDDEN_N = 2.0
-"""A motion that leaves this much open, standard, N, explains what a fault of 2 N would show."""
+"""An uncertainty by the angle of this size, standard, N, hides a fault of 2 N."""
 HANGING_N = 0.2
-"""Standard weight of what hangs on the load cell outboard of its gauges, N: 20 g."""
+"""Standard uncertainty of the weight outboard of the load cell's gauges, N: 20 g."""
 UPWARD = np.array([0.0, 1.0])
 """Away from the weight where the parameter file has no gravity in the plane."""
 LEAN = 0.1
-"""More than this (rad) between the new pin's place and the force: the probes' zero is elsewhere."""
+"""More than this (rad) between the new pin and the force: the probes' zero is elsewhere."""
 PLACE_DOUBT = 20e-6
-"""Standard doubt of where a probe's zero was put that was put at the bushing's centre, m."""
+"""Standard uncertainty of a probe's zero that was set at the bushing's centre, m."""
 
 
 @dataclass(frozen=True, slots=True)
 class Deviation:
-    """Say what explains a difference: a name of ``DEVIATIONS``, value and U (k = 2) in its unit.
+    """The cause of a difference: a name of ``DEVIATIONS``, value and U (k = 2) in its unit.
 
-    score: how far that is beyond what tolerances and chance allow, in standard deviations.
+    score: how far that is beyond tolerances and chance, in standard deviations.
     alternative: another cause that explains it nearly as well.
     """
 
@@ -101,49 +101,49 @@ class Deviation:
 
 
 class DeviationRecord(msgspec.Struct, frozen=True):
-    """What is remembered of the difference: (2, POINTS) as bytes, float64, N."""
+    """The state of the average: (2, POINTS) as bytes, float64, N."""
 
     speed: float
     seen: int
     mean: bytes
     noise: float
-    told: tuple[str, float, float, float, str]
+    reported: tuple[str, float, float, float, str] = msgspec.field(name="told")
 
 
 @dataclass(slots=True)
 class DeviationWatch:
-    """Average measured minus predicted force, and say what explains it.
+    """Average measured minus predicted force, and find its cause.
 
-    cell: what is stated of the load cell, None where nothing is.
+    cell: uncertainty of the load cell, None where none is stated.
     """
 
     parameters: Parameters
     joint: str
     cell: CellDoubt | None = None
-    told: Deviation = field(default_factory=Deviation)
+    reported: Deviation = field(default_factory=Deviation)
     _speed: float = math.nan
     _seen: int = 0
     _mean: Array = field(default_factory=lambda: np.zeros((2, POINTS)))
     _noise: float = 0.0
 
     def packed(self) -> DeviationRecord:
-        """Return what it remembers."""
-        last = self.told
+        """Return the state."""
+        last = self.reported
         mean = self._mean.astype("<f8").tobytes()
         words = last.name, last.value, last.uncertainty, last.score, last.alternative
         return DeviationRecord(self._speed, self._seen, mean, self._noise, words)
 
     def restore(self, record: DeviationRecord) -> None:
-        """Go on from what another one remembered."""
+        """Continue from the state of another one."""
         self._speed, self._seen, self._noise = record.speed, record.seen, record.noise
         self._mean = np.frombuffer(record.mean, dtype="<f8").reshape(2, POINTS).copy()
-        self.told = Deviation(*record.told)
+        self.reported = Deviation(*record.reported)
 
     def take(
         self, force: Array, motion: MechanismMotion, left_open: Array, depth: float,
         reference: Reference | None,
     ) -> Deviation:  # fmt: skip
-        """Take a revolution and return what explains the difference so far.
+        """Take a revolution and return the cause of the difference so far.
 
         force (2, GRID): measured, N, crank frame; left_open (GRID,): standard, N, by the measured
         angle, alike in each revolution; depth: of the predicted wear, m; reference: of the new
@@ -165,11 +165,12 @@ class DeviationWatch:
             candidates = [of_clearance(reference)]
             if float(np.sqrt(np.mean(left_open**2))) < HIDDEN_N:
                 candidates.append(self._by_force(motion, left_open, depth))
-            before, self.told = self.told, max(candidates, key=lambda cause: abs(cause.score))
-            if self.told.name not in (before.name, NO_CAUSE):
-                sentence = deviation_sentence(*self.told.columns.values())
+            before = self.reported
+            self.reported = max(candidates, key=lambda cause: abs(cause.score))
+            if self.reported.name not in (before.name, NO_CAUSE):
+                sentence = deviation_sentence(*self.reported.columns.values())
                 log.warning(say("Measurement and model differ {}.", sentence))
-        return self.told
+        return self.reported
 
     def _by_force(self, motion: MechanismMotion, left_open: Array, depth: float) -> Deviation:
         cell = self.cell or UNSTATED_CELL
@@ -195,7 +196,7 @@ class DeviationWatch:
             return Deviation()
         second = int(np.argsort(np.abs(score))[-2])
         near_by = score[strongest] ** 2 - score[second] ** 2 < NEARLY
-        # Its own tolerance is part of the covariance, and no doubt of what it is in truth.
+        # Its own tolerance is in the covariance, but no part of the uncertainty of its value.
         doubt = math.sqrt(max(1.0 / precision[strongest] - 1.0, 0.0))
         unit = standards[strongest]
         return Deviation(
@@ -208,7 +209,7 @@ class DeviationWatch:
 
 
 def of_clearance(reference: Reference | None) -> Deviation:
-    """Return what the pin's place in the new bushing tells of the clearance.
+    """Return the deviation of the clearance by the pin's position in the new bushing.
 
     Where the probes' zero is the bushing's centre, the new pin lies the clearance away from it, in
     the direction of the force; beyond it where the clearance is larger.
@@ -225,7 +226,7 @@ def of_clearance(reference: Reference | None) -> Deviation:
 def _causes(
     parameters: Parameters, joint: str, motion: MechanismMotion, depth: float, gain: float
 ) -> tuple[list[str], list[float], Array]:
-    """Return names, standard tolerances and what these change, (causes, 2 POINTS), N."""
+    """Return names, standard tolerances and their effects, (causes, 2 POINTS), N."""
     causes: list[tuple[str, float, Array]] = []
     for tolerance in TOLERANCES:
         change = tolerance.off_by(parameters, joint, motion, depth)
@@ -249,7 +250,7 @@ def _causes(
 
 
 def _cell_columns(force: Array, cell: CellDoubt) -> Array:
-    """Return what the cell may be off by, beside its gain, (columns, 2 POINTS), N.
+    """Return the errors of the cell beside its gain, (columns, 2 POINTS), N.
 
     Its zero, unlike gains, cross-talk, and a turn on the crank.
     """
@@ -272,7 +273,7 @@ def _means(curves: Array) -> Array:
 
 
 def _alike(spread: Array) -> Array:
-    """Return the covariance of what is alike near by, (POINTS, POINTS), of standard sizes."""
+    """Return the covariance (POINTS, POINTS) of errors correlated along the angle."""
     angle = np.arange(POINTS) * (2.0 * math.pi / POINTS)
     chord = 2.0 * np.sin(0.5 * (angle[:, None] - angle[None, :]))
     return np.asarray(np.outer(spread, spread) * np.exp(-0.5 * (chord / ALIKE_RAD) ** 2))

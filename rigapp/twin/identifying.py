@@ -1,7 +1,7 @@
-"""The wear coefficient beside the test: readings into bins, a life worn ahead, what they tell.
+"""The wear coefficient beside the test: readings in bins, a life computed ahead, their posterior.
 
-All of it is a function of the revolutions seen, in their order, and of nothing else: a twin that
-goes on from a checkpoint gives the same numbers to the last bit.
+All of it is a function of the revolutions so far, in their order, and of nothing else: a twin that
+continues from a checkpoint gives the same numbers to the last bit.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ LIFE_ERROR = 0.01
 elasticity and wear differ at an equal coefficient, the model's and the simulated rig's."""
 LEAST_REFERENCE, NO_REFERENCE = 1e-8, 1.0
 """The zero of the depth is never better known than the first, m: the resolution of the probes. The
-second stands for nothing known of it yet."""
+second stands for an unknown one."""
 MODULUS_DOUBT = 0.2
 """Relative standard uncertainty of the bushing's modulus: data sheets of polymers differ by it."""
 MODULUS_SHARE = 0.65
@@ -61,7 +61,7 @@ Most of it is the approach that is taken out wrongly, early on the computed life
 CLEARANCE_SHARE = 0.4
 """A clearance that is larger by a part takes so much of it from the coefficient at equal depth: of
 a rigid crescent 0.48 to 0.43 at 13 to 43 um, and 0.30 to 0.35 where the approach is taken out of
-the reading by the clearance that is told."""
+the reading by the stated clearance."""
 WIDTH = 1e-4
 """Standard tolerance of the bushing's width, m: turned polymers are within 0.2 mm."""
 STEP_SHARE, FIRST_CYCLES = 0.05, 2.0
@@ -79,9 +79,9 @@ log = logging.getLogger(__name__)
 
 
 class IdentifiedRecord(msgspec.Struct, frozen=True):
-    """Everything of an ``Identifier``: see its fields; known: the columns that are held.
+    """The state of an ``Identifier``, with its fields; known: the columns that are held.
 
-    A field that a record of before may lack has a default; without ``ends``, what remains is
+    A field that an older record may lack has a default; without ``ends``, the remaining life is
     unknown until the next bin closes.
     """
 
@@ -100,7 +100,7 @@ class IdentifiedRecord(msgspec.Struct, frozen=True):
 
 @dataclass(slots=True)
 class LifeAhead:
-    """Wear a new bushing on under one load, a step a time, as far as is asked for."""
+    """Wear a new bushing under one load, a step at a time, as far as is requested."""
 
     parameters: Parameters
     loads: CycleLoads
@@ -113,11 +113,11 @@ class LifeAhead:
 
     @property
     def steps(self) -> int:
-        """Return how many steps were made."""
+        """Return the number of steps made."""
         return len(self.depth) - 1
 
     def step(self) -> None:
-        """Wear on by one step, unless the model cannot."""
+        """Make one more step, unless the model has no solution."""
         if self.failed:
             return
         try:
@@ -152,7 +152,7 @@ class LifeAhead:
         return float(np.average(each, weights=self.loads.slip * self.loads.magnitude))
 
     def life(self) -> DepthLife | None:
-        """Return the life so far; None while there is hardly any."""
+        """Return the life so far; None while it is too short."""
         if self.steps < 3:
             return None
         if self._life is None or self._life.computed_depth < self.depth[-1]:
@@ -177,12 +177,12 @@ def _without_running_in(parameters: Parameters) -> Parameters:
 
 @dataclass(slots=True)
 class Identifier:
-    """Gather readings of the depth, and say what they tell when a bin closes.
+    """Gather readings of the depth, and compute the posterior when a bin closes.
 
     progress: measured, nominal cycles by revolution ``revolution``; reference: standard
     uncertainty of the depth's zero, m; deepest: measured, m; ratio: K to the model's; ends: the
     revolution at which the criterion's depth is reached, with its limits; known: the columns, held
-    from bin to bin, but what remains counts down; refused: why the last bin told nothing.
+    from bin to bin, but the remaining life counts down; refused: why the last bin gave no result.
     """
 
     parameters: Parameters
@@ -225,7 +225,7 @@ class Identifier:
         self.deepest = max(self.deepest, depth.depth)
         if self._wanted(self.ahead):
             self.ahead.step()
-        # The least so far: what a later depth is less certain by is the elastic approach.
+        # The least so far: the larger uncertainty of a later depth is that of the elastic approach.
         self.reference = max(min(self.reference, 0.5 * depth.uncertainty), LEAST_REFERENCE)
         life = self.ahead.life()
         if life is not None:
@@ -237,13 +237,13 @@ class Identifier:
             self.known[name] = math.nan if math.isnan(end) else max(end - self.revolution, 0.0)
 
     def _wanted(self, ahead: LifeAhead) -> bool:
-        """Tell whether the life has to go on."""
+        """Return whether the life must be computed further."""
         deep = AHEAD * max(self.deepest, self.sought.depth or 0.0, FIRST_REACH)
         far = AHEAD * self.ratio * self.sought.planned
         return ahead.depth[-1] < deep or ahead.progress[-1] < far
 
     def _judge(self, life: DepthLife, depth: float, warm: float) -> None:
-        """Compare a reading with what was expected of it."""
+        """Compare a reading with its expected value."""
         watch = self.consistency
         watch.add(self.revolution, self.progress, depth, life, warm)
         if watch.mean is None:
@@ -254,7 +254,7 @@ class Identifier:
         self.known["wear_departure_revolution"] = math.nan if departure is None else departure.since
 
     def _renew(self, life: DepthLife | None) -> None:
-        """Say anew what is known, now that a bin is closed."""
+        """Compute the posterior again after a bin is closed."""
         if life is None:
             return
         try:
@@ -269,7 +269,7 @@ class Identifier:
 
     def _columns(self, identified: Identification, life: DepthLife) -> dict[str, float]:
         best = identified.best
-        change = best.place.median if best.place is not None else math.nan
+        change = best.transition.median if best.transition is not None else math.nan
         changed = best.name == WEAR_MODELS[2]
         columns = {
             **_limited("wear_coefficient", identified.coefficient, MM3_PER_NM),
@@ -286,7 +286,7 @@ class Identifier:
         return columns
 
     def errors(self) -> ProbeErrors:
-        """Return what the record states of the probes; raise NotIdentifiable where none does."""
+        """Return the probes' errors by their record; raise NotIdentifiable without one."""
         drift = self.sought.drift_um
         per_root = None if drift is None else 1e-6 * drift / math.sqrt(math.log(10.0))
         joint = self.parameters.joint
@@ -300,7 +300,7 @@ class Identifier:
         )
 
     def prior(self) -> Prior:
-        """Return what is known beforehand; raise NotIdentifiable for a model that does not wear."""
+        """Return the prior; raise NotIdentifiable for a model that does not wear."""
         coefficient = self.parameters.bushing.wear_coefficient
         if coefficient <= 0.0:
             raise NotIdentifiable(
@@ -312,7 +312,7 @@ class Identifier:
         return Prior(prior.wear_coefficient_mm3_per_Nm / MM3_PER_NM, prior.spread_ln, prior.source)
 
     def possible(self) -> bool:
-        """Tell whether anything can ever be stated; say in words why not."""
+        """Return whether an identification is possible; log the reason where it is not."""
         try:
             self.errors()
             self.prior()
@@ -324,7 +324,7 @@ class Identifier:
     # --- checkpoint ------------------------------------------------------------------------------
 
     def packed(self) -> IdentifiedRecord:
-        """Return all that goes on."""
+        """Return the state."""
         open_bin = replace(self.bins, closed=[]).numbers()
         return IdentifiedRecord(
             self.sought,
@@ -341,7 +341,7 @@ class Identifier:
         )
 
     def restore(self, kept: IdentifiedRecord, reference: CycleLoads | None) -> None:
-        """Go on from what was kept; the life is worn again as far as it had come."""
+        """Continue from a state; the life is computed again as far as it had come."""
         self.bins, self.consistency = bins_of(kept.bins), consistency_of(kept.consistency)
         self._closed = kept.bins["closed"]
         self.progress, self.revolution = kept.progress, kept.revolution

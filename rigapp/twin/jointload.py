@@ -1,4 +1,4 @@
-"""How the joint is stressed in a measured revolution, and how it rubs. Pure functions."""
+"""Load and friction of the joint in a measured revolution. Pure functions."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class JointLoad:
-    """Hold the curves of ``JOINT_CURVES`` (n,) in their units by name, and the friction."""
+    """The curves of ``JOINT_CURVES`` (n,) in their units by name, and the friction."""
 
     curves: dict[str, Array]
     friction: Friction
@@ -38,10 +38,10 @@ UNKNOWN = JointLoad({curve.name: np.full(1, np.nan) for curve in JOINT_CURVES}, 
 def joint_load(
     parameters: Parameters, force: Array, motion: MechanismMotion, cell: CellDoubt | None
 ) -> JointLoad:
-    """Return how a revolution stresses the joint.
+    """Return the load of the joint in a revolution.
 
-    force (2, n): measured, N, crank frame, at the angles of ``motion``; cell: what is stated of the
-    load cell, None where nothing is: then nothing is said of the friction.
+    force (2, n): measured, N, crank frame, at the angles of ``motion``; cell: uncertainty of the
+    load cell, None where none is stated: then the friction stays unknown.
     """
     joint, mechanism = parameters.joint, parameters.mechanism
     pressure = 1e-6 * np.hypot(*force) / joint.projected_area

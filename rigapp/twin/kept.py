@@ -1,4 +1,4 @@
-"""What the twin of a test kept of its identification in the file, to be gone through again."""
+"""The twin's identification as the file of a test keeps it."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from rigapp.twin.twin import Twin
 from rigapp_model.identification import DepthLife, NotIdentifiable
 
 NO_BIN = say("no bin of revolutions is complete yet: wait")
-"""Why a test tells nothing before its first bin."""
+"""Why nothing is identified before the first bin."""
 
 
 def kept_of(reader: TestReader) -> tuple[Identifier, int]:
     """Return the identification of a test as its twin left it; raise NotIdentifiable for none.
 
-    Its readings stand in bins, and its life is worn as far as it had come. The second value: the
+    Its readings are in bins, and its life is computed as far as it had come. The second value: the
     revolutions that the bushing had made when the test began, which its readings count.
     """
     if "wear_coefficient" not in reader.column_units("prediction"):

@@ -1,9 +1,9 @@
-"""What engine and twin say to each other, and the engine's end: a mailbox, a process, a thread.
+"""The messages between engine and twin, and the engine's end: a mailbox, a process, a thread.
 
 The mailbox holds ``MAILBOX`` revolutions and drops the oldest: the twin predicts every revolution
 that it can keep up with, and never delays the engine. A worker that dies or does not answer within
 ``ANSWER_S`` is started again with the newest checkpoint, so that its bushings are worn as they
-were; the revolution that it failed on is asked once more. What is never predicted is reported, and
+were; the revolution that it failed on is sent once more. Skipped revolutions are reported, and
 after ``ATTEMPTS`` workers that predicted nothing no other is started.
 """
 
@@ -27,9 +27,9 @@ from rigapp.texts import say
 
 
 class IdentificationTarget(msgspec.Struct, frozen=True):
-    """Say what a test asks of its wear, and what the record of its probes states.
+    """What is to be identified of a test's wear, and the record of its probes.
 
-    sensitivity: relative standard uncertainty; drift_um: what a position may wander by in a decade
+    sensitivity: relative standard uncertainty; drift_um: drift of a position in a decade
     of revolutions, standard; None where no record states it. depth_um: of the stop criterion, None
     without one. planned: the last revolution. record: which one it is. prior: of the wear
     coefficient, None where the test file has none. load: relative standard uncertainty of the
@@ -51,12 +51,12 @@ class IdentificationTarget(msgspec.Struct, frozen=True):
 
 
 class TwinSetup(msgspec.Struct, frozen=True):
-    """Tell the twin which model to run.
+    """The model that the twin runs.
 
     new_position_um: mean pin position (probe_1, probe_2) of the new bushing, where the file of a
-    resumed test knows it; else the first revolutions tell. checkpoint: what an earlier twin of the
-    same test left, to go on from there. new_test: that was another test of the same specimen,
-    whose revolutions begin anew; same_model: of both tests, else only where the probes saw the new
+    resumed test has it; else the first revolutions give it. checkpoint: of an earlier twin of the
+    same test, to continue from. new_test: that was another test of the same specimen, whose
+    revolutions begin again; same_model: of both tests, else only the probes' reference of the new
     bushing counts. sought: what is to be identified. force_uncertainty_N: expanded (k = 2) of the
     measured force, constant and per N, None where nothing states it.
     """
@@ -72,18 +72,18 @@ class TwinSetup(msgspec.Struct, frozen=True):
 
 
 class TwinAnswer(msgspec.Struct, frozen=True):
-    """Say what became of the setup or of a revolution.
+    """The answer to the setup or to a revolution.
 
     refused: why there is no prediction of this revolution; the next one may have one. failed: why
-    this process ends and another must take over. hopeless: no other would do better. said: what
-    the operator should read besides.
+    this process ends and another must take over. hopeless: no other would do better. remarks:
+    what the operator should read besides.
     """
 
     prediction: Prediction | None = None
     refused: str = ""
     failed: str = ""
     hopeless: bool = False
-    said: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
 
 
 MAILBOX = 64
@@ -97,8 +97,8 @@ REPORT_PAUSE_S = 60.0
 """Gaps in the predictions are reported together, no more often than this."""
 TOO_SLOW = say("the twin could not keep up")
 SINGLE_THREADED = {"OPENBLAS_NUM_THREADS": "1"}
-"""Of the worker, unless somebody says otherwise: its matrices are small, and threads that wait for
-each other make an update of the wear coefficient up to twice as long."""
+"""Default of the worker's environment: its matrices are small, and threads that wait for each other
+make an update of the wear coefficient up to twice as long."""
 
 
 @dataclass(slots=True)
@@ -111,14 +111,14 @@ class SkippedRevolutions:
     why: str = TOO_SLOW
 
     def add(self, revolution: int, why: str = TOO_SLOW) -> None:
-        """Add a revolution; the newest reason stands for all."""
+        """Add a revolution; the newest reason is reported for all."""
         self.why = why
         self.first = revolution if not self.count else min(self.first, revolution)
         self.last = max(self.last, revolution)
         self.count += 1
 
     def sentence(self) -> str:
-        """Say which ones they are."""
+        """Return which revolutions they are, as a sentence."""
         span = say("revolutions {} to {}", self.first, self.last) if self.count > 1 else ""
         return say(
             "{}: {} not predicted, {}; their wear is made up for with the forces of later ones",
@@ -140,8 +140,8 @@ class TwinLink:
     ) -> None:
         """Start the thread and the worker.
 
-        on_prediction, on_report: called from the twin's thread; a report is a sentence on what
-        became of the twin, for the log.
+        on_prediction, on_report: called from the twin's thread; a report is a sentence on the state
+        of the twin, for the log.
         """
         self._setup = setup
         self._on_prediction = on_prediction
@@ -267,7 +267,7 @@ class TwinLink:
         return True
 
     def _exchange(self, worker: MessageChild) -> bool:
-        """Ask for one prediction; False when the worker must be started again."""
+        """Request one prediction; False when the worker must be started again."""
         with self._missed_lock:
             measured = self._mailbox.popleft()
         worker.send(measured)
@@ -314,8 +314,8 @@ class TwinLink:
         return None
 
     def _heard(self, answer: TwinAnswer) -> TwinAnswer:
-        """Pass on what a worker has to say besides its prediction."""
-        for text in answer.said:
+        """Pass on the remarks of a worker, and note its failure."""
+        for text in answer.remarks:
             self._report(text)
         if answer.failed:
             self.given_up |= answer.hopeless

@@ -30,7 +30,7 @@ USUAL_RAD = float(np.radians(10.0))
 
 @dataclass(frozen=True, slots=True)
 class MeasuredDepth:
-    """Hold a measured wear depth and its expanded uncertainty (k = 2), m; NaN when not known."""
+    """A measured wear depth and its expanded uncertainty (k = 2), m; NaN when not known."""
 
     depth: float = float("nan")
     uncertainty: float = float("nan")
@@ -39,10 +39,10 @@ class MeasuredDepth:
 def measured_depth(
     path: PathSum, reference: Reference | None, clearance: float, approach: Approach | None
 ) -> MeasuredDepth:
-    """Return the measured wear depth of a revolution, NaN when there is none to tell.
+    """Return the measured wear depth of a revolution, NaN without one.
 
-    clearance: of the new bushing, m; approach: by the model, None when the model cannot tell: then
-    it stays in the depth, and nobody knows how uncertain that is.
+    clearance: of the new bushing, m; approach: by the model, None when the model has no solution:
+    then it stays in the depth, whose uncertainty is unknown.
     """
     if reference is None:
         return MeasuredDepth()
@@ -70,10 +70,10 @@ def measured_depth(
     return MeasuredDepth(depth, 2.0 * doubt)
 
 
-# The worn surface of the bushing as the pin's measured places tell it. Pure functions.
+# The worn surface of the bushing by the pin's measured positions. Pure functions.
 #
-# Whatever place the pin has been in is free of material: the worn surface is at least the envelope
-# of the pin's circle over all measured places of its centre, and where the pin bears it is that.
+# Every position of the pin is free of material: the worn surface is at least the envelope of the
+# pin's circle over all measured positions of its centre, and where the pin bears it is that.
 # Where the pin's circle does not reach the bushing's first circle, nothing is known: NaN.
 
 
@@ -118,7 +118,7 @@ def worn_depth(
 def depth_uncertainty(radial: float, across: float, direction: float) -> Array:
     """Return the expanded uncertainty (k = 2) of the depth at each angle, m.
 
-    radial, across: standard uncertainties of the pin's place along the direction of load and
+    radial, across: standard uncertainties of the pin's position along the direction of load and
     across it, m; direction: of the load, rad. A pin moved by u adds u cos(angle between) to the
     depth.
     """

@@ -1,9 +1,9 @@
 """Where the pin's centre is in the bushing, by crank angle, from the probes. Pure functions.
 
 All vectors are in the wear frame: the follower frame turned by 180 degrees, x from the bushing's
-centre to the initial contact point. What the probes see of the pin's centre is the place of the
-pin, the eccentricity of its surface (run-out, which turns with the crank against the follower) and
-the place of the probes' zero. The revolutions of a new bushing tell the last two: there the pin's
+centre to the initial contact point. The probes measure the position of the pin's centre, the
+eccentricity of its surface (run-out, which turns with the crank against the follower) and the
+position of their zero. The revolutions of a new bushing give the last two: there the pin's
 centre is the clearance away from the bushing's.
 """
 
@@ -24,7 +24,7 @@ BINS = 120
 LOADED = 0.1
 """Parts of a revolution with less than this share of the largest force are left out."""
 LEAST_PARTS = 8
-"""Fewer loaded parts of a revolution than this tell nothing."""
+"""Fewer loaded parts of a revolution than this give no reference."""
 CENTRED = 0.1
 """The probes' zero is the bushing's centre if the new pin is the clearance from it to this part."""
 LARGEST_LEAN = 0.2
@@ -34,7 +34,7 @@ EARLY_DOUBT = 0.3
 ACROSS = 0.05
 """Weight of what is across the force: its direction's error is multiplied by the clearance."""
 FRICTION_DOUBT = 0.1
-"""Standard uncertainty of the friction's angle, rad, where only forces tell the direction."""
+"""Standard uncertainty of the friction's angle, rad, where only forces give the direction."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,15 +92,15 @@ class PathSum:
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """What a new bushing told of the probes.
+    """The reference of the probes by a new bushing.
 
     centre (2,): reading at the bushing's centre, m; run_out (2,): the pin's eccentricity at equal
-    crank and follower angle, m; centred: whether the probes' own zero tells the direction (else
+    crank and follower angle, m; centred: whether the probes' own zero gives the direction (else
     forces do); radial, across: standard uncertainties of the centre along the mean direction of
     load and across it, m; approach: elastic approach of pin and bushing then at the largest force,
     m, by the model; elastic: whether it was taken out of the centre (else the centre has that of
     the unworn bushing). beyond: how much farther from the probes' zero the new pin was than
-    clearance, wear and approach put it, m; lean: the angle between that place and the force, rad;
+    clearance, wear and approach put it, m; lean: the angle between its position and the force, rad;
     NaN where they are not known.
     """
 
@@ -149,12 +149,12 @@ def reference_of(
     friction: float = 0.0,
     approach: Approach = RIGID,
 ) -> Reference | None:
-    """Return what a nearly new bushing tells of the probes, None when it tells too little.
+    """Return the reference by a nearly new bushing, None without enough data.
 
-    worn: depth by then, m; friction: coefficient of the joint, which turns the force
-    away from the normal. Solved by least squares: reading = centre + (clearance + worn + elastic
-    approach) normal + run-out turned by the crank. Where the probes' zero is near the bushing's
-    centre its direction is trusted, and only the distance from it is taken from the clearance.
+    worn: depth by then, m; friction: coefficient of the joint, which turns the force away from the
+    normal. Solved by least squares: reading = centre + (clearance + worn + elastic approach) normal
+    + run-out turned by the crank. Where the probes' zero is near the bushing's centre, its
+    direction is used, and only the distance from it is taken from the clearance.
     """
     force, position = path.mean_force, path.mean_position
     size = np.hypot(*force)
@@ -197,8 +197,8 @@ def early_wear(
 ) -> float:
     """Return the depth, m, that a new bushing has in the middle of some of its first revolutions.
 
-    The pin's mean place along the force moves by the wear of a revolution less what the elastic
-    approach falls by; a straight line through the revolutions, followed back to 0. Never below 0.
+    The pin's mean position along the force moves by the wear of a revolution less the fall of the
+    elastic approach; a straight line through the revolutions, extrapolated to 0. Never below 0.
     """
     force = sum((path.force.sum(axis=1) for path in paths), np.zeros(2))
     direction = force / max(float(np.hypot(*force)), 1e-300)
@@ -214,7 +214,7 @@ def early_wear(
 
 
 def reference_from_mean(position: Array, clearance: float, path: PathSum) -> Reference:
-    """Return what the mean reading (2,), m, of the new bushing and a path in the worn one tell.
+    """Return the reference by the mean reading (2,), m, of the new bushing and a path when worn.
 
     The run-out turns with the crank, wear does not: the worn bushing's path has it as well.
     """
@@ -238,7 +238,7 @@ def centres(
 ) -> Array:
     """Return the pin's centre from the bushing's for each part with a sample, (2, n), m.
 
-    The elastic approach of the bushing worn to a depth (m) is taken out along the force.
+    The elastic approach of the bushing worn to a depth (m) is removed along the force.
     """
     turn = path.turn[path.filled]
     moved = path.mean_position - reference.centre[:, None] - turned(reference.run_out, turn)

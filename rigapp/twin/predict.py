@@ -1,4 +1,4 @@
-"""Predict one measured revolution, and say how far the measurement is from it. Pure functions."""
+"""Predict one measured revolution, and compare the measurement with it. Pure functions."""
 
 from __future__ import annotations
 
@@ -42,12 +42,12 @@ COVERAGE_FACTOR = 2.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PredictionUncertainty:
-    """Hold the expanded uncertainty (k = 2, N) of the predicted force at crank angles.
+    """The expanded uncertainty (k = 2, N) of the predicted force at crank angles.
 
     unfollowed: the largest angular acceleration (rad/s^2) that the angle shows and the prediction
-    does not follow; 0 when none stands out of the noise of the angle. lasting: part of the curve
-    that is alike in each revolution, and does not average out. recurrent: what comes again
-    in each revolution, this one among them.
+    does not follow; 0 when none exceeds the noise of the angle. lasting: part of the curve that is
+    the same in each revolution, and does not average out. recurrent: motion of each revolution,
+    this one included.
     """
 
     curve: Array
@@ -93,15 +93,15 @@ GRID: Array = np.arange(PREDICTION_POINTS, dtype=np.float64) * (2.0 * np.pi / PR
 NOTHING: Mapping[str, float] = dict.fromkeys(
     (column.name for column in (*deviation_columns(), *identified_columns())), math.nan
 )
-"""The columns of what is told from many revolutions while nothing is known."""
+"""The columns identified from many revolutions while nothing is known."""
 
 
 NO_BAND: Array = np.full(1, np.nan)
-"""That of a prediction of which nothing is stated."""
+"""The band of a prediction without one."""
 
 
 class PredictionError(ValueError):
-    """Say why a revolution cannot be predicted, without a full stop."""
+    """The text says why a revolution cannot be predicted, without a full stop."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,14 +120,14 @@ class MeasuredRevolution:
     probe_2: Array
     temperature: float = math.nan
     on_grid: Callable[[Array], Array] = field(init=False, repr=False)
-    """Takes values (n,) at its angles to ``GRID``, by straight lines."""
+    """Interpolates values (n,) at its angles linearly to ``GRID``."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "on_grid", _onto_grid(self.angle))
 
 
 def _onto_grid(angle: Array) -> Callable[[Array], Array]:
-    """Return what takes values (n,) at some angles, rad, to ``GRID``; they go on turn by turn."""
+    """Return the interpolation of periodic values (n,) at some angles, rad, to ``GRID``."""
     turn = 2.0 * np.pi
     inside = np.mod(angle, turn)
     order = np.argsort(inside)
@@ -147,7 +147,7 @@ def _onto_grid(angle: Array) -> Callable[[Array], Array]:
 
 @dataclass(frozen=True, slots=True)
 class Wear:
-    """What is known of the wear at a revolution, m at the contact point; NaN when unknown.
+    """The wear at a revolution, m at the contact point; NaN when unknown.
 
     predicted: by the model alone. driven: by the model from the measured forces. measured: by the
     probes, with its expanded uncertainty (k = 2).
@@ -162,7 +162,7 @@ class Wear:
 def unpack(message: RevolutionMeasured) -> MeasuredRevolution:
     """Turn a message into arrays in SI; samples that do not advance the crank are left out.
 
-    Raises PredictionError for a crank that stood or turned backwards, and for what is no number.
+    Raises PredictionError for a stationary or reversed crank, and for values that are no numbers.
     """
     time, angle = as_array(message.time_s, "<f8"), as_array(message.angle_rad, "<f8")
     force_1, force_2 = as_array(message.force_1, "<f8"), as_array(message.force_2, "<f8")
@@ -194,7 +194,7 @@ def predict_force(
     """Compute motion and forces at ``GRID`` from the history of the crank's angle alone.
 
     joint: one of ``SOLVABLE``, of a bushing worn by depth (m) at the contact point. Returns also
-    how uncertain the angle leaves the force, by what came again in the revolutions before.
+    the uncertainty of the force by the angle, with the recurrent motion of earlier revolutions.
     """
     fitted = smooth_history(measured.time, measured.angle)
     doubt = motion_uncertainty(measured.time, measured.angle, fitted, before)
@@ -222,12 +222,12 @@ def compare(
     doubt: PredictionUncertainty | None = None,
     load: JointLoad = UNKNOWN,
     band: Array = NO_BAND,
-    told: Mapping[str, float] = NOTHING,
+    identified: Mapping[str, float] = NOTHING,
 ) -> Prediction:
-    """Say what was predicted for a revolution, how surely, and how far the measurement is off.
+    """Return the prediction of a revolution, its uncertainty, and the deviation of the measurement.
 
-    band: within which a healthy rig agrees, N. told: columns of what is told from many revolutions,
-    where it is known.
+    band: within which a healthy rig agrees, N. identified: columns told from many revolutions,
+    NaN where unknown.
     """
     force_1, force_2 = motion.force_crank
     force = motion.force_magnitude
@@ -248,7 +248,7 @@ def compare(
         "unfollowed_acceleration": math.nan if doubt is None else doubt.unfollowed,
         f"{AGREEMENT.name}_max": float(np.max(band)),
     }
-    values |= {**load.values, **NOTHING, **told}
+    values |= {**load.values, **NOTHING, **identified}
     for name, curve in curves.items():
         statistics = {"max": np.max(curve), "min": np.min(curve), "rms": _rms(curve)}
         values |= {f"{name}_{statistic}": value for statistic, value in statistics.items()}
@@ -270,8 +270,8 @@ def phase_shift(measured: Array, predicted: Array) -> float:
     )
     correlation = np.fft.irfft(spectrum, size)
     peak = int(np.argmax(correlation))
-    before, here, after = correlation[[peak - 1, peak, (peak + 1) % size]]
-    curvature = before - 2.0 * here + after
+    before, top, after = correlation[[peak - 1, peak, (peak + 1) % size]]
+    curvature = before - 2.0 * top + after
     lag = peak + (0.5 * (before - after) / curvature if curvature < 0.0 else 0.0)
     if lag > size / 2:
         lag -= size

@@ -1,6 +1,6 @@
-"""By how much may a healthy rig differ from its parameter file, and what does that change?
+"""The tolerances of a healthy rig against its parameter file, and their effects.
 
-One list for the band within which a healthy rig agrees, and for what explains a rig that does not.
+One list for the band within which a healthy rig agrees, and for the causes of a deviation.
 """
 
 from __future__ import annotations
@@ -24,32 +24,32 @@ MASS, STIFFNESS = 0.01, 0.01
 """Relative standard tolerances: parts are weighed with screws and cables on or off; springs of a
 catalogue are within 2 %."""
 SPRING_PLACE = 5e-4
-"""Standard doubt of the spring's free position, m: set with a rule."""
+"""Standard uncertainty of the spring's free position, m: set with a rule."""
 FRICTION = 0.05
-"""Standard doubt of the friction coefficient: polymers on steel lie between 0.05 and 0.25, and few
+"""Standard uncertainty of the friction coefficient: polymers on steel have 0.05 to 0.25, and few
 parameter files state it."""
 CLEARANCE = 50e-6
 """Standard tolerance of the bushing's radius, m: a turned polymer."""
 INDEX = math.radians(0.1)
-"""Standard doubt of the crank angle at the encoder's index, rad, where it was set with care."""
+"""Standard uncertainty of the crank angle at the encoder's index, rad, if it was set with care."""
 LATENCY_S = 2e-4
-"""Standard doubt of the stated latency: a fifth of a usual filter's delay."""
+"""Standard uncertainty of the stated latency: a fifth of a usual filter's delay."""
 UNSTATED_CELL = CellDoubt(0.3, 0.01)
 """A load cell without a record: a data sheet's sensitivity and cross-talk are within 2 %."""
 GUIDE_N = 0.3
 """Standard friction of the slider's guide, N, which the model lacks: ball guides rub by 0.5 % of
 what they carry."""
 CELL_TURN = math.radians(0.05)
-"""Standard doubt of the load cell's direction on the crank, rad: its calibration states as much."""
+"""Standard uncertainty of the load cell's direction on the crank, rad, by its calibration."""
 SAME_SPEED = 0.01
-"""Relative change of the mean speed up to which revolutions are like each other."""
+"""Relative change of the mean speed up to which revolutions count as similar."""
 
 Change = Callable[[Parameters], Parameters | None]
 
 
 @dataclass(frozen=True, slots=True)
 class Tolerance:
-    """Say what a parameter may be off by, in the unit that ``DEVIATIONS`` has for its name.
+    """The tolerance of a parameter, in the unit that ``DEVIATIONS`` has for its name.
 
     vary: returns the parameters with it off by so much, None where there is no such part.
     """
@@ -61,7 +61,7 @@ class Tolerance:
     def off_by(
         self, parameters: Parameters, joint: str, motion: MechanismMotion, depth: float
     ) -> Array | None:
-        """Return what that changes in the force, (2, GRID), N, crank frame; None for nothing."""
+        """Return its change of the force, (2, GRID), N, crank frame; None for none."""
         changed = self.vary(parameters)
         if changed is None:
             return None
@@ -124,10 +124,10 @@ TOLERANCES = (
     ),
     Tolerance("clearance", 1e6 * CLEARANCE, _joint(_clearance)),
 )
-"""What the parameter file states, and the standard tolerance of it."""
+"""The parameters of the file with their standard tolerances."""
 
 
 def slope(curve: Array) -> Array:
-    """Return by how much curves (..., GRID) change in one rad of the crank."""
+    """Return the derivative of curves (..., GRID) by the crank angle, per rad."""
     step = 2.0 * (GRID[1] - GRID[0])
     return np.asarray((np.roll(curve, -1, axis=-1) - np.roll(curve, 1, axis=-1)) / step)

@@ -1,7 +1,7 @@
-"""The twin: predicts each revolution and lets two bushings wear beside the real one.
+"""The twin: predicts each revolution and wears two bushings beside the real one.
 
 One is worn by the forces that the model predicts, from the first cycle on and by nothing measured;
-the other by the forces that the load cell measures. The real one is seen by the probes.
+the other by the forces that the load cell measures. The probes measure the real one.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ from rigapp_model.wear.state import WearState, unworn_state, worn_by
 Array = NDArray[np.float64]
 
 STEP_SHARE = 0.02
-"""A bushing is worn on once this share of the cycles so far has come together."""
+"""A bushing is worn further once this share of the cycles so far has been gathered."""
 CATCH_UP_STEPS = 12
 COUNTED = ("wear_change_revolution", "wear_departure_revolution")
 """Columns that name a revolution, which the bushing counts from when it was new."""
@@ -86,12 +86,12 @@ class TrackedBushing:
     failed: str = ""
 
     def due(self, cycles: float) -> bool:
-        """Tell whether enough cycles have come together to wear on."""
+        """Return whether enough cycles are gathered for a step of wear."""
         done = self.state.cycles if self.state is not None else 0.0
         return not self.failed and cycles - done >= max(1.0, STEP_SHARE * done)
 
     def wear_to(self, cycles: float, loads: CycleLoads, parameters: Parameters) -> bool:
-        """Wear on to a number of cycles when enough have come together.
+        """Wear to a number of cycles when enough are gathered.
 
         True when the bushing changed.
         """
@@ -111,13 +111,13 @@ class TrackedBushing:
 
     @property
     def depth(self) -> float:
-        """Return the depth at the contact point, m; NaN when the model cannot tell."""
+        """Return the depth at the contact point, m; NaN when the model has no solution."""
         if self.failed:
             return float("nan")
         return self.state.depth_at_contact if self.state is not None else 0.0
 
     def profile(self) -> Array:
-        """Return the depth (m) at the angles of a worn profile; NaN when the model cannot tell."""
+        """Return the depth (m) at the angles of a worn profile; NaN where the model fails."""
         if self.failed or self.state is None:
             return on_angles(np.array([-np.pi, 0.0]), np.full(2, np.nan if self.failed else 0.0))
         return on_angles(*self.state.profile())
@@ -140,11 +140,11 @@ class Twin:
     """Predict revolutions in the order in which they come; gaps in the numbers count as worn.
 
     new_position_um: mean reading of the probes in the new bushing, for a test whose first
-    revolutions this twin has not seen and of which no checkpoint is left. cell: what is stated of
-    the load cell, None where nothing is. identifier: of the wear coefficient, None where it cannot
-    be told. changed: whether the
-    last revolution changed what a checkpoint keeps. before: revolutions that the bushing had made
-    when this test began. recurrent: motion of the crank that comes again in each revolution.
+    revolutions this twin has not had and of which no checkpoint is left. cell: uncertainty of the
+    load cell, None where none is stated. identifier: of the wear coefficient, None where it cannot
+    be identified. changed: whether the last revolution changed the checkpoint. before: revolutions
+    that the bushing had made when this test began. recurrent: motion of the crank that recurs in
+    each revolution.
     """
 
     parameters: Parameters
@@ -173,7 +173,7 @@ class Twin:
         self.deviation = DeviationWatch(self.parameters, self.joint, self.cell)
 
     def predict(self, measured: MeasuredRevolution) -> Prediction:
-        """Predict a revolution, wear the bushings on, compare."""
+        """Predict a revolution, wear the bushings, compare."""
         depth = self.predicted.depth
         motion, doubt = predict_force(
             self.parameters, self.joint, measured, 0.0 if np.isnan(depth) else depth,
@@ -250,7 +250,7 @@ class Twin:
         return self.ahead.upto(depth) if self.ahead is not None else None
 
     def _measured_depth(self, path: PathSum) -> MeasuredDepth:
-        """Return how deep the bushing is worn, the approach told far enough for that depth."""
+        """Return the measured depth, with the approach computed far enough for it."""
         clearance = self.parameters.joint.clearance
         approach = self._approach(0.0)
         depth = measured_depth(path, self.reference, clearance, approach)
@@ -261,7 +261,7 @@ class Twin:
         return depth
 
     def _profile(self, revolution: int, path: PathSum) -> WornProfile | None:
-        """Return a new worn profile when enough revolutions have come together."""
+        """Return a new worn profile when enough revolutions are gathered."""
         self._path = path if self._path is None else self._path + path
         keep = profile_is_due(self.kept_profile, revolution)
         waited = revolution - self.profiled
@@ -318,7 +318,7 @@ class Twin:
 
 
 def profile_is_due(kept: int, revolution: int) -> bool:
-    """Tell whether a worn profile is to be kept now, after the one of revolution ``kept`` (or 0).
+    """Return whether a worn profile is to be kept now, after the one of revolution ``kept`` (or 0).
 
     PROFILES_PER_DECADE numbers in each decade, at equal distances in the logarithm.
     """

@@ -1,6 +1,6 @@
 """The twin's process: setup first, then one answer for each measured revolution.
 
-Started by ``rigapp.twin.link``; ends with the engine's process. What goes wrong is reported in a
+Started by ``rigapp.twin.link``; ends with the engine's process. Errors are reported in a
 ``TwinAnswer``, for the log of the test.
 """
 
@@ -43,11 +43,11 @@ class Remarks(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         """Keep a warning."""
-        said = record.msg  # with its structure, so that a window says it in its language
-        self._texts.append(said if isinstance(said, Sentence) else record.getMessage())
+        text = record.msg  # with its structure, so that a window can translate it
+        self._texts.append(text if isinstance(text, Sentence) else record.getMessage())
 
     def take(self) -> tuple[str, ...]:
-        """Return what came since the last call, each once."""
+        """Return the warnings since the last call, each once."""
         texts = tuple(dict.fromkeys(self._texts))
         self._texts.clear()
         return texts
@@ -77,7 +77,7 @@ def new_twin(setup: TwinSetup) -> Twin:
 
 
 def _cell(stated: tuple[float, float] | None) -> CellDoubt | None:
-    """Return what is stated of the load cell; say in words what follows where nothing is."""
+    """Return the uncertainty of the load cell; log the consequence where none is stated."""
     if stated is None:
         log.warning(
             say(
@@ -93,7 +93,7 @@ def _cell(stated: tuple[float, float] | None) -> CellDoubt | None:
 def answer(twin: Twin, measured: RevolutionMeasured) -> TwinAnswer:
     """Return the prediction for a revolution, with a checkpoint where it is a new one.
 
-    A revolution of which the model can make nothing is refused.
+    A revolution without a solution of the model is refused.
     """
     try:
         prediction = twin.predict(unpack(measured))
@@ -105,7 +105,7 @@ def answer(twin: Twin, measured: RevolutionMeasured) -> TwinAnswer:
 
 
 def set_up(setup: TwinSetup) -> tuple[Twin | None, TwinAnswer]:
-    """Return the twin that a message asks for, or why there is none."""
+    """Return the twin of a setup, or why there is none."""
     try:
         return new_twin(setup), TwinAnswer()
     except Exception as error:
@@ -113,7 +113,7 @@ def set_up(setup: TwinSetup) -> tuple[Twin | None, TwinAnswer]:
 
 
 def serve(twin: Twin, measured: RevolutionMeasured) -> TwinAnswer:
-    """Return the answer to a message; whatever goes wrong in the model becomes a sentence."""
+    """Return the answer to a message; an error of the model becomes a sentence."""
     try:
         return answer(twin, measured)
     except Exception as error:
@@ -136,13 +136,13 @@ def main(arguments: list[str]) -> int:
         return 0
     twin, reply = set_up(setup)
     if reply.failed:
-        reply = msgspec.structs.replace(reply, said=remarks.take())
+        reply = msgspec.structs.replace(reply, remarks=remarks.take())
     engine.send(reply)
     while twin is not None and not reply.failed and engine.alive:
         measured = engine.receive(RevolutionMeasured, WAIT_S)
         if measured is not None:
             # Remarks on the setup come with the first revolution: then the test has its log.
-            reply = msgspec.structs.replace(serve(twin, measured), said=remarks.take())
+            reply = msgspec.structs.replace(serve(twin, measured), remarks=remarks.take())
             engine.send(reply)
     engine.close(LINGER_S if reply.failed else 0.0)
     return int(bool(reply.failed))

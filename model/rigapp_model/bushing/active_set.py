@@ -1,7 +1,7 @@
 """The compiled part of the contact: active set, Cholesky, Schur system for the pin.
 
 ``frame`` (N, 4) holds for each surface node the unit normal from the pin centre, in global
-components and in radial and tangential components of the node's own place on the ring.
+components and in radial and tangential components at the node's own angle on the ring.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ NOT_SETTLED = 1
 ONE_SIDED = 2
 
 _LIMIT = 200  # bounds the single changes that come after _PATIENCE
-_SAFE = 0.3  # of the determinant without turning: less and the step leaves what it was taken from
+_SAFE = 0.3  # of the determinant without turning: with less the step leaves its linearisation
 _SINGULAR = 1e-15  # of the squared trace: a stiffness in one direction only
 _CLOSED = 1e-6  # of the largest gap: less is neither open nor pressed in
 _BALANCED = 1e-6  # of the force, which the pressures carry but for this part
 _LONGEST_STEP = 0.1  # of the pin's radius: farther the nodes meet another part of its surface
-_STILL = 1e-12  # of the pin's radius: rounding of a place
+_STILL = 1e-12  # of the pin's radius: rounding of a position
 # After so many iterations the set changes one node at a time, which cannot cycle.
 _PATIENCE = 30
 
@@ -146,7 +146,7 @@ def list_touching(touching, gap, nodes):  # type: ignore[no-untyped-def]
     error_model="numpy",
 )
 def revise(left, touching, pressed, reach, slack, single):  # type: ignore[no-untyped-def]
-    """Drop what pulls, add what overlaps; return how many conditions were broken.
+    """Drop nodes that pull, add those that overlap; return the number of broken conditions.
 
     left: the gap after displacement; reach: the largest displacement; slack: what is not yet
     counted, as a part of the largest force or of the reach; single: change only the node that
@@ -179,10 +179,10 @@ def revise(left, touching, pressed, reach, slack, single):  # type: ignore[no-un
     error_model="numpy",
 )
 def turning_stiffness(frame, gap, pressed, nodes, count, pin_radius):  # type: ignore[no-untyped-def]
-    """Return how the forces given turn when the pin moves, (2, 2), N/m per metre of width.
+    """Return the stiffness by the turning of the forces when the pin moves, (2, 2), N/m per metre.
 
-    A normal turns by the pin's tangential move over its distance; without this term the pin finds
-    its place sideways only slowly.
+    A normal turns by the pin's tangential move over its distance; without this term the pin
+    converges sideways only slowly.
     """
     turning = np.zeros((2, 2))
     for p in range(count):
@@ -250,7 +250,7 @@ def solve(  # type: ignore[no-untyped-def]
 
     Returns the status and the number of iterations. Each iteration solves gap = 0 on the touching
     nodes together with the balance of forces, linear in the pin's move, then revises the set. It
-    ends when set and pin stay. ``gap`` is then what is left after elastic displacement.
+    ends when set and pin stay. ``gap`` is then the rest after elastic displacement.
     """
     n = surface.shape[0]
     nodes = np.empty(n, dtype=np.int64)

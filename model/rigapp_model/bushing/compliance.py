@@ -1,4 +1,4 @@
-"""What a unit force on the bushing's inner surface does to every node of that surface."""
+"""The displacement of every node of the bushing's inner surface by a unit force on it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class SurfaceCompliance:
-    """Hold the compliance between some surface nodes, in polar components, per metre of width.
+    """The compliance between some surface nodes, in polar components, per metre of width.
 
     ``nodes``: their numbers round the ring, (N,); ``axis``: unit vectors (N, 2), the radial
     direction of each node; ``polar``: (4, N, N), m^2/N, radial by radial, radial by tangential,
@@ -63,7 +63,7 @@ def circular_compliance(
     if nodes is None:
         nodes = np.arange(2 * sectors)
     angle = surface_angles(sectors)[nodes]
-    # Node 0 of the numbering stands at -pi, a sector's line for every number of sectors.
+    # Node 0 of the numbering is at -pi, a sector's line for every number of sectors.
     sector, side = nodes // 2, nodes % 2
     apart = (sector[:, None] - sector[None, :]) % sectors
     polar = np.empty((4, len(nodes), len(nodes)))

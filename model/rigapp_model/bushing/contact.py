@@ -1,4 +1,4 @@
-"""The rigid pin in the elastic bushing, without friction: which nodes touch, and how hard."""
+"""The rigid pin in the elastic bushing, without friction: touching nodes and their forces."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rigapp_model.errors import ModelError
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-# A contact deeper than this part of the wall is beyond linear elasticity by any measure.
+# A contact deeper than this part of the wall is far beyond linear elasticity.
 LARGEST_INDENTATION = 0.2
 # The pin's flanks, beyond this part of its radius, are nearly parallel to the force.
 FLANK = 0.98
@@ -24,21 +24,21 @@ LARGEST_STRAIN = 0.25
 
 
 class ContactError(ModelError):
-    """Say why a load cannot be carried by the contact."""
+    """The contact cannot carry a load; the text says why."""
 
 
 class ArcTooSmall(ContactError):
-    """Say that the contact reaches beyond the arc of nodes chosen for it."""
+    """The contact reaches beyond the arc of nodes chosen for it."""
 
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """Hold one contact: where the pin is and what presses where.
+    """One contact: the pin's position and the forces of the nodes.
 
     ``pin``: the pin centre from the bushing's centre, (2,), m; ``force``: normal force of each
     node per metre of width, (N,), N/m; ``frame``: unit normals (N, 4), outward, in x and y and
-    in radial and tangential components; ``gap``: what is left between pin and surface after
-    elastic displacement and wear, m; ``touching``: flags; ``iterations``: how many it took.
+    in radial and tangential components; ``gap``: between pin and surface after elastic
+    displacement and wear, m; ``touching``: flags; ``iterations``: their number.
     """
 
     pin: Array
@@ -132,7 +132,7 @@ def first_guess(
 
 
 def simpson_weights(surface: Array) -> Array:
-    """Return the length of the closed surface that each node stands for, m.
+    """Return the length of the closed surface at each node, m.
 
     surface: positions of all nodes of the ring, (N, 2), corners first and then every second one.
     Simpson's rule in each element on the polygon through its three nodes, so it is the current
@@ -153,7 +153,7 @@ def simpson_weights(surface: Array) -> Array:
 def refuse_beyond_elasticity(
     force: float, indentation: float, wall: float, pressure: float, modulus: float
 ) -> None:
-    """Raise ContactError when the pin presses harder than linear elasticity can tell.
+    """Raise ContactError when the pin presses harder than linear elasticity allows.
 
     force: N/m; indentation: how deep the pin sinks in, m; wall: thickness of the bushing, m;
     pressure: the largest, Pa; modulus: E / (1 - nu^2), Pa.

@@ -1,7 +1,7 @@
 """Small dense linear algebra for compiled loops: inner loops run along rows.
 
 The rows are slices from the first element used on, and the loops count from 0: where a loop begins
-at a variable the compiler must expect places counted from the end, and takes one number at a time.
+at a variable the compiler must expect negative indices, and takes one number at a time.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def substitute(factor, n, rhs, rows):  # type: ignore[no-untyped-def]
 
 @njit("void(float64[:,::1], int64, float64[:,::1], float64[:,::1])", cache=True)
 def invert(factor, n, lower, inverse):  # type: ignore[no-untyped-def]
-    """Fill the upper triangle of inverse[:n, :n] with (U^T U)^-1; lower is room to work in.
+    """Fill the upper triangle of inverse[:n, :n] with (U^T U)^-1; lower is overwritten.
 
     lower = U^-T row by row, then its transpose times itself; four rows at a time.
     """
@@ -78,22 +78,22 @@ def invert(factor, n, lower, inverse):  # type: ignore[no-untyped-def]
             inverse[i, j] = 0.0
     for i in range(n):
         scale = 1.0 / factor[i, i]
-        whole = i - i % 4
+        unrolled = i - i % 4
         row = lower[i]
-        for k in range(0, whole, 4):
+        for k in range(0, unrolled, 4):
             r0, r1 = factor[k, i] * scale, factor[k + 1, i] * scale
             r2, r3 = factor[k + 2, i] * scale, factor[k + 3, i] * scale
             a0, a1, a2, a3 = lower[k], lower[k + 1], lower[k + 2], lower[k + 3]
             for j in range(k + 4):
                 row[j] -= (r0 * a0[j] + r1 * a1[j]) + (r2 * a2[j] + r3 * a3[j])
-        for k in range(whole, i):
+        for k in range(unrolled, i):
             ratio = factor[k, i] * scale
             above = lower[k]
             for j in range(k + 1):
                 row[j] -= ratio * above[j]
         lower[i, i] = scale
-    whole = n - n % 4
-    for k in range(0, whole, 4):
+    unrolled = n - n % 4
+    for k in range(0, unrolled, 4):
         for i in range(k + 4):
             r0, r1, r2, r3 = lower[k, i], lower[k + 1, i], lower[k + 2, i], lower[k + 3, i]
             row, end = inverse[i, i : k + 4], k + 4
@@ -101,7 +101,7 @@ def invert(factor, n, lower, inverse):  # type: ignore[no-untyped-def]
             a2, a3 = lower[k + 2, i:end], lower[k + 3, i:end]
             for j in range(row.size):
                 row[j] += (r0 * a0[j] + r1 * a1[j]) + (r2 * a2[j] + r3 * a3[j])
-    for k in range(whole, n):
+    for k in range(unrolled, n):
         for i in range(k + 1):
             ratio = lower[k, i]
             row, above = inverse[i, i : k + 1], lower[k, i : k + 1]

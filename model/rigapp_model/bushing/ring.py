@@ -116,7 +116,7 @@ SECTORS = tuple(
 
 @dataclass(frozen=True, slots=True)
 class Ring:
-    """Hold the bushing's radii and the pin's (m), and the bushing's material; the rim is fixed.
+    """The radii of bushing and pin (m), and the bushing's material; the rim is fixed.
 
     ``contact``: whether the bushing gives way like an elastic body or like a bed of springs.
     """
@@ -273,7 +273,7 @@ def pressure_distribution(
     if not (np.isfinite(size) and size > 0.0):
         raise ContactError("force", size, say("give a finite force above 0"), "N/m")
     if size > ring.modulus * ring.wall:
-        # More than the modulus over the whole wall: nothing elastic is left of it.
+        # More than the modulus over the whole wall: far beyond elasticity.
         refuse_beyond_elasticity(size, size / ring.modulus, ring.wall, ring.modulus, ring.modulus)
     expected = ring.half_angle(size)
     if sectors is None:

@@ -1,4 +1,4 @@
-"""Statistics over many revolutions of a motion in which none is like the next.
+"""Statistics over many revolutions of a chaotic motion.
 
 Where pin and bushing lose contact the motion is chaotic: one revolution is one sample. Means over
 many, with standard errors by batch means (Law, *Simulation modeling and analysis*, section 9.5),
@@ -28,7 +28,7 @@ MOST_BATCHES = 20  # batch means need 10 to 30: fewer scatter, more are too shor
 
 @dataclass(frozen=True, slots=True)
 class Mean:
-    """Hold a mean and its standard error, of the same shape; NaN from a single revolution."""
+    """A mean and its standard error, of the same shape; NaN from a single revolution."""
 
     value: Array
     standard_error: Array
@@ -126,8 +126,8 @@ def ensemble(
 ) -> Ensemble:
     """Run so many revolutions after the settling ones and return their means.
 
-    progress: called with the part done; when it raises OutOfTime the ensemble is what is there by
-    then, or goes on raising when that is nothing. Raises ModelError as ``contact_cycle`` does.
+    progress: called with the part done; when it raises OutOfTime the ensemble so far is returned,
+    or OutOfTime raised when it is empty. Raises ModelError as ``contact_cycle`` does.
     """
     if revolutions < 1:
         raise ModelError("revolutions", revolutions, say("give at least 1"))
@@ -150,7 +150,7 @@ def ensemble(
     except OutOfTime:
         if not taken:
             raise
-    results = {name: found.result() for name, found in means.items()}
+    results = {name: mean.result() for name, mean in means.items()}
     return Ensemble(
         revolutions=done, sample=taken[0], peaks=np.sort(np.concatenate(peaks)), **results
     )
@@ -160,7 +160,7 @@ _NO_MEANS = ("revolutions", "sample", "peaks")
 
 
 def _quantities(system: ClearanceSystem, cycle: ContactCycle) -> dict[str, ArrayLike]:
-    """Return what is averaged of one revolution, by the names of ``Ensemble``."""
+    """Return the quantities of one revolution to average, by the names of ``Ensemble``."""
     motion = cycle.motion
     circumference = 2.0 * np.pi * system.joint.pin_radius
     return {

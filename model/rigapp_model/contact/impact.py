@@ -23,24 +23,24 @@ from rigapp_model.frames import into_frame
 
 Array = NDArray[np.float64]
 
-MOST_STEPS = 20_000_000  # ends a motion that no step suits, in minutes
+MOST_STEPS = 20_000_000  # ends a motion without a suitable step, in minutes
 MOST_SWINGS = 3_000_000  # about as many steps: a minute or two
 MOST_IMPACTS = 100_000  # 800 revolutions at 120 impacts: as many as one call may want
 CONTINUOUS = 1e-12  # of a cycle: a shorter flight is rounding of the times of contact
 STEPS_AT_ONCE = 20_000
-"""Steps between two looks at whether the caller still waits."""
+"""Steps between two calls of ``progress``, which may stop the integration."""
 
-# A longer step could fly past a touch, or over what rises and falls within one contact.
+# A longer step could miss a touch, or a rise and fall within one contact.
 LONGEST_FLIGHT_TURN, LONGEST_FLIGHT_S = float(np.deg2rad(1.0)), 1e-3
 LONGEST_CONTACT_TURN, LONGEST_CONTACT_S = float(np.deg2rad(5.0)), 1e-2
 SHORTEST_PART = 1e-17
 """No step is so small a part of the time integrated over."""
 
 FINER = 1e-2
-"""Of a tolerance: the one that tells what it leaves."""
+"""Of a tolerance: the finer one that measures its error."""
 
 ROUNDING = 2e-16
-"""Least tolerance as a part of the mechanism's size: what double precision leaves of a place."""
+"""Least tolerance as a part of the mechanism's size: the resolution of double precision."""
 
 FIRST_CONTACT_PART = 0.1
 """First step of a contact as a part of the time in which a contact swings."""
@@ -65,7 +65,7 @@ class Impacts:
 
 @dataclass(frozen=True, slots=True)
 class ContactCycle:
-    """Hold motion and contact at every sample, and what happened between them.
+    """Motion and contact at every sample, and integrals between them.
 
     ``motion`` as for the other techniques; its force is that of the pin on the follower.
     ``penetration`` (m) is negative in flight: the gap. ``contact_angle`` (rad) is where the pin is
@@ -139,10 +139,10 @@ def numerical_noise(
     points: int,
     progress: Callable[[float], None] | None = None,
 ) -> float:
-    """Return what the tolerance leaves in the force of a cycle on ``points`` angles, N RMS.
+    """Return the error of the force of a cycle on ``points`` angles by the tolerance, N RMS.
 
-    The same revolution at the default tolerance, or at a hundredth of a finer one, tells. NaN where
-    that one loses contact: no two runs of a chaotic motion are alike.
+    Compared with the same revolution at the default tolerance, or at a hundredth of a finer one.
+    NaN where that one loses contact: no two runs of a chaotic motion are alike.
     """
     settings = system.contact
     finer = min(ContactModel().tolerance, FINER * settings.tolerance)
@@ -267,7 +267,7 @@ def _check_duration(system: ClearanceSystem, duration: float) -> None:
 
 
 def _control(system: ClearanceSystem, moments: Array) -> Array:
-    """Return what steers the steps; tolerances never below what rounding leaves of the place."""
+    """Return the control of the steps; tolerances never below the rounding of positions."""
     mechanism, settings = system.mechanism, system.contact
     depth, _, pace, _ = system.scales
     reach = mechanism.crank_radius + mechanism.follower_length

@@ -51,22 +51,22 @@ IMPACT = 3
 
 TIME, NEXT_STEP, IN_TOUCH, BEGAN_AT, NEXT_SAMPLE, PRESENT = range(6)
 COURSE = 6
-"""Places in the course: time, next step, whether in contact, its impact speed, next sample, and the
-row of the present contact among the impacts, -1 where it has none."""
+"""Indices of the course: time, next step, whether in contact, its impact speed, next sample, row of
+the present contact among the impacts, -1 where it has none."""
 
 TOUCH_TIME, STEPS, REJECTED, IMPACTS, GREATEST = range(5)
 TALLY = 5
 
 SHORTEST, LONGEST_FLIGHT, LONGEST_CONTACT, FIRST_CONTACT, FLOOR, TALLY_FROM = range(4, 10)
 CONTROL = 10
-"""Places in the control: tolerances of the states, then steps, impact speed, begin of tally."""
+"""Indices of the control: tolerances of the states, then steps, impact speed, begin of tally."""
 
 STAGES, ALL_STAGES = 12, 16
 WITHIN = 11  # the stages from here to STAGES are at the end of the step, and differ by its error
 SAFETY, SHRINK, GROW, ORDER = 0.9, 0.2, 6.0, 0.125
 """Of the next step: Hairer, Norsett, Wanner (1993), II.4, for a method of order 8."""
 HOPELESS, HOPELESS_SHRINK = 1e30, 0.1
-"""An error that is no number any more says nothing of the step that would do."""
+"""An error that is not a number gives no suitable step."""
 FLAWLESS = 1e-12
 """Of the tolerance: an error of 0 does not make an endless step."""
 ABOVE_STAGES = 0.25
@@ -120,9 +120,9 @@ def evaluate(p, table, options, time, h, k, states, impact_speed, touching, firs
     b0, b1, b2, b3 = states[BEGIN, 0], states[BEGIN, 1], states[BEGIN, 2], states[BEGIN, 3]
     y = b0, b1, b2, b3
     for i in range(first, last):
-        found = reference(p, time + C[i] * h)
+        prescribed = reference(p, time + C[i] * h)
         k[i, 9], k[i, 10], k[i, 11], k[i, 12], k[i, 13], k[i, 14], k[i, 15], k[i, 16], k[i, 17] = (
-            found
+            prescribed
         )
     for i in range(first, last):
         s0 = s1 = s2 = s3 = 0.0
@@ -134,8 +134,8 @@ def evaluate(p, table, options, time, h, k, states, impact_speed, touching, firs
             s3 += a * k[j, 3]
         y = b0 + h * s0, b1 + h * s1, b2 + h * s2, b3 + h * s3
         ref = stage_reference(k, i)
-        found = rates(p, table, options, ref, y, impact_speed, touching)
-        k[i, 0], k[i, 1], k[i, 2], k[i, 3], k[i, 4], k[i, 5], k[i, 6], k[i, 7], k[i, 8] = found
+        rate = rates(p, table, options, ref, y, impact_speed, touching)
+        k[i, 0], k[i, 1], k[i, 2], k[i, 3], k[i, 4], k[i, 5], k[i, 6], k[i, 7], k[i, 8] = rate
     states[STAGE, 0], states[STAGE, 1], states[STAGE, 2], states[STAGE, 3] = y
 
 
@@ -269,9 +269,9 @@ def greatest_force(  # type: ignore[no-untyped-def]
 ):
     """Return the greatest size of the joint's force within a step in contact, N.
 
-    The stages of the step tell whether it lies between the ends; then it is sought on the
-    interpolant, which ``ready`` says to be in ``dense`` already. slope: room for a derivative.
-    known: the greatest before; where none between the stages can be above it, none is sought.
+    The stages of the step show whether it lies between the ends; then it is searched on the
+    interpolant, which is in ``dense`` already if ``ready``. slope: overwritten. known: the greatest
+    before; where none between the stages can be above it, none is searched.
     """
     most = max(k[0, FORCE], k[STAGES, FORCE])
     between, least = 0.0, min(k[0, FORCE], k[STAGES, FORCE])

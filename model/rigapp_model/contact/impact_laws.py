@@ -1,7 +1,7 @@
 """Contact force between pin and bushing, compiled: circles, a worn profile, elastic foundation.
 
-Vectors here are in the follower frame's orientation or global, as said; the bushing belongs to the
-follower.
+Vectors here are in the follower frame's orientation or global, as stated; the bushing belongs to
+the follower.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ REFERENCE_LENGTH = 21
 CURVE_BEGIN, CURVE_SPACING, CURVE = range(22, 25)
 SEGMENTS = 96
 PARAMETERS = CURVE + 4 * SEGMENTS
-"""Places in the parameter vector of the compiled functions.
+"""Indices of the parameter vector of the compiled functions.
 
 The last is where the cubics of the elastic curve begin, of log force over log depth; they are read
 where the contact stiffness, that of a force K d^1.5, is 0.
@@ -88,18 +88,18 @@ def nearest_on_profile(p, table, dx, dy):  # type: ignore[no-untyped-def]
         if squared < least:
             best, least = j, squared
     step = 2.0 * math.pi / count
-    place = 0.0
+    shift = 0.0
     ex = ey = 0.0
     for _ in range(MOST_STEPS):
-        j, s = best, place
+        j, s = best, shift
         if s < 0.0:
-            j, s = (best - 1) % count, place + step
+            j, s = (best - 1) % count, shift + step
         rho = table[j, CONSTANT] + s * (
             table[j, LINEAR] + s * (table[j, SQUARE] + s * table[j, CUBIC])
         )
         rho1 = table[j, LINEAR] + s * (2.0 * table[j, SQUARE] + 3.0 * s * table[j, CUBIC])
         rho2 = 2.0 * table[j, SQUARE] + 6.0 * s * table[j, CUBIC]
-        angle = math.pi + best * step + place
+        angle = math.pi + best * step + shift
         c, sn = math.cos(angle), math.sin(angle)
         ex, ey = rho * c - dx, rho * sn - dy
         tx, ty = rho1 * c - rho * sn, rho1 * sn + rho * c
@@ -111,10 +111,10 @@ def nearest_on_profile(p, table, dx, dy):  # type: ignore[no-untyped-def]
             + ey * ((rho2 - rho) * sn + 2.0 * rho1 * c)
         )
         move = -slope / bend if bend > 0.0 else -math.copysign(0.25 * step, slope)
-        moved = min(step, max(-step, place + move))
-        if abs(moved - place) < SAME_ANGLE:
+        moved = min(step, max(-step, shift + move))
+        if abs(moved - shift) < SAME_ANGLE:
             break
-        place = moved
+        shift = moved
     distance = math.sqrt(ex * ex + ey * ey)
     return p[PIN_RADIUS] - distance, ex / distance, ey / distance
 
@@ -156,7 +156,7 @@ def foundation_force(p, table, dx, dy):  # type: ignore[no-untyped-def]
     Follower frame, without friction. Every node of the surface bears foundation modulus times its
     own penetration. The first moment is that of the force; the second, times the ratio of
     tangential to normal force, that of friction. Only nodes that a circle of the surface's least
-    radius would bring into reach are looked at; 0 penetration when none is.
+    radius would bring into reach are used; 0 penetration when none is.
     """
     fx = fy = moment = turned = 0.0
     radius, least = p[PIN_RADIUS], p[LEAST_RADIUS]
@@ -198,7 +198,7 @@ def foundation_force(p, table, dx, dy):  # type: ignore[no-untyped-def]
     **INLINED,
 )
 def contact_force(p, table, shape, relative, excess, turn, rates, impact_speed):  # type: ignore[no-untyped-def]
-    """Return the force of the contact on the bushing, and what it comes from; all global.
+    """Return the force of the contact on the bushing, and its components; all global.
 
     In order: force (x, y), its moment about the bushing centre, penetration, its rate, the normal
     (x, y), the normal force, the sliding speed of the pin's surface on the bushing's.

@@ -1,6 +1,6 @@
 """Equations of motion of the slider-crank with a clearance joint, compiled.
 
-Two coordinates, slider position and follower angle, each as what it is off a reference: the motion
+Two coordinates, slider position and follower angle, each as deviation from a reference: the motion
 of a follower that always touches the bushing on its axis (technique 2). So the large motion of the
 mechanism costs no accuracy and no steps, and a penetration of a millionth of the mechanism's size
 keeps its digits. The crank turns at a prescribed speed.
@@ -40,7 +40,7 @@ from rigapp_model.contact.impact_laws import (
 
 AT_CRANK, AT_WRIST = range(2)
 X, THETA, X_RATE, THETA_RATE, SLID, WORK, WORK_X, WORK_Y = range(8)
-"""Places in the state: motion, then integrals over the contact so far.
+"""Indices of the state: motion, then integrals over the contact so far.
 
 Those are the sliding distance (m), normal force times sliding distance (J), and the same times the
 direction in which the pin presses, in the wear frame of ``rigapp_model.wear.loads``.
@@ -82,7 +82,7 @@ def reference(p, time):  # type: ignore[no-untyped-def]
 
 @njit(PLACED(VECTOR, int64, REFERENCE, COORDINATE_VALUES), **INLINED)
 def placed_joint(p, location, ref, y):  # type: ignore[no-untyped-def]
-    """Return where the pin is in its bushing for a state off the reference.
+    """Return the pin's position in its bushing for a deviation from the reference.
 
     Pin centre from bushing centre (x, y), its velocity, |pin centre|^2 - clearance^2, and cosine
     and sine of the follower's angle.
@@ -113,7 +113,7 @@ def placed_joint(p, location, ref, y):  # type: ignore[no-untyped-def]
 
 @njit(HOLD(VECTOR, TABLE, int64[::1], PLACED, float64, float64, boolean), **INLINED)
 def contact_there(p, table, options, placed, follower_rate, impact_speed, touching):  # type: ignore[no-untyped-def]
-    """Return what ``contact_force`` returns at a placed joint; without force in flight."""
+    """Return the result of ``contact_force`` at a placed joint; without force in flight."""
     location, shape = options[0], options[1]
     dx, dy, ux, uy, excess, c, s = placed
     if not touching:
@@ -129,7 +129,7 @@ def contact_there(p, table, options, placed, follower_rate, impact_speed, touchi
 
 @njit(HOLD(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean), **KERNEL)
 def joint_contact(p, table, options, time, y, impact_speed, touching):  # type: ignore[no-untyped-def]
-    """Return what ``contact_force`` returns for a state; without force in flight."""
+    """Return the result of ``contact_force`` for a state; without force in flight."""
     ref = reference(p, time)
     placed = placed_joint(p, options[0], ref, (y[X], y[THETA], y[X_RATE], y[THETA_RATE]))
     rate = ref[4] + y[THETA_RATE]
@@ -188,7 +188,7 @@ def rates(p, table, options, ref, y, impact_speed, touching):  # type: ignore[no
 
 @njit(void(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean, ROW), **KERNEL)
 def derivative(p, table, options, time, y, impact_speed, touching, out):  # type: ignore[no-untyped-def]
-    """Write what ``rates`` returns of a state at a time into ``out``."""
+    """Write the result of ``rates`` for a state at a time into ``out``."""
     now = (y[X], y[THETA], y[X_RATE], y[THETA_RATE])
-    found = rates(p, table, options, reference(p, time), now, impact_speed, touching)
-    out[0], out[1], out[2], out[3], out[4], out[5], out[6], out[7], out[8] = found
+    rate = rates(p, table, options, reference(p, time), now, impact_speed, touching)
+    out[0], out[1], out[2], out[3], out[4], out[5], out[6], out[7], out[8] = rate

@@ -1,4 +1,4 @@
-"""The mechanism with a clearance joint as the compiled integration wants it, and its states."""
+"""The mechanism with a clearance joint as input of the compiled integration, and its states."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class ClearanceSystem:
 
     location "crank": between crank pin and follower (the joint of interest); "wrist": between
     follower and slider. The follower carries the bushing in both. ``vector``, ``table`` and
-    ``options`` are what the compiled functions take; ``scales`` are lengths and speeds of the
+    ``options`` are the compiled functions' arguments; ``scales`` are lengths and speeds of the
     contact that tolerances refer to. ``elastic`` is the force over the penetration of one point:
     a curve, or K (N/m^1.5) of K d^1.5.
     """
@@ -92,11 +92,11 @@ def clearance_system(
     profile: WornSurface | None = None,
     start_angle: float = 0.0,
 ) -> ClearanceSystem:
-    """Put a system together; raise ModelError for what cannot move or touch.
+    """Assemble a system; raise ModelError for one that cannot move or touch.
 
     contact: None takes law and restitution from the joint. profile: wear of the bushing's surface;
-    None is a circle. A worn surface bears as an elastic foundation
-    unless ``contact`` wants one point and the surface is everywhere flatter than the pin.
+    None is a circle. A worn surface bears as an elastic foundation unless ``contact`` requires one
+    point and the surface is everywhere flatter than the pin.
     """
     settings = contact or ContactModel(joint.contact_law, joint.restitution)
     require_finite("speed", speed, "rad/s")
@@ -256,7 +256,7 @@ def _surface(joint: Joint, profile: WornSurface | None) -> Array:
 
 
 def _check_one_contact(joint: Joint, table: Array) -> None:
-    """Refuse a surface that the pin can touch at two places: one somewhere as round as the pin."""
+    """Refuse a surface that the pin can touch at two points: one as curved as the pin."""
     rho, rho1, rho2 = (
         table[:, laws.CONSTANT],
         table[:, laws.LINEAR],

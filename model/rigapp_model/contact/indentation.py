@@ -1,8 +1,8 @@
-"""How deep a pin sinks into its bushing under a force: the elastic laws of a contact.
+"""The elastic laws of a contact: the indentation of a pin in its bushing under a force.
 
 The default is that of the elements: the indentation that the clamped elastic ring of the wear model
 has, so that the contact of technique 3 is as stiff as the bushing that wears. Pereira's and Liu's
-are published for cylinders in cylinders; a sphere's, Hertz', knows no width.
+are published for cylinders in cylinders; a sphere's, Hertz', has no width.
 """
 
 from __future__ import annotations
@@ -144,9 +144,9 @@ def contact_modulus(bushing: Material, pin: Material) -> float:
 
 def curve(depth: Array, force: Array, end: float) -> Indentation:
     """Return the smooth curve through depths (m, increasing) and forces (N)."""
-    given = CubicSpline(np.log(depth), np.log(force))
+    uneven = CubicSpline(np.log(depth), np.log(force))
     grid = np.linspace(np.log(depth[0]), np.log(depth[-1]), SEGMENTS + 1)
-    even = CubicSpline(grid, given(grid))
+    even = CubicSpline(grid, uneven(grid))
     table = np.ascontiguousarray(even.c.T)
     return Indentation(table, float(grid[0]), float(grid[1] - grid[0]), end)
 
@@ -172,10 +172,10 @@ def _ring_curve(
     load = _narrow_load(ring)
     while True:
         try:
-            found = pressure_distribution(ring, (load, 0.0))
+            contact = pressure_distribution(ring, (load, 0.0))
         except ContactError:
             break
-        known.append((float(found.pin[0]) - ring.clearance, load))
+        known.append((float(contact.pin[0]) - ring.clearance, load))
         load *= STEP
     if len(known) < FEWEST:
         raise ModelError(

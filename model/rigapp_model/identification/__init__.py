@@ -1,7 +1,7 @@
-"""Know the wear coefficient while it wears: posterior, remaining life, and whether it still holds.
+"""Identify the wear coefficient of a running test: posterior, remaining life, consistency.
 
 Bins of the measured depth and one computed life in, probabilities and sentences out; no input or
-output. ``docs/model-wear.md`` says what is assumed.
+output. ``docs/model-wear.md`` states the assumptions.
 """
 
 from rigapp_model.identification.bins import Bin, Bins, bins_of

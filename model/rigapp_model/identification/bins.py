@@ -2,8 +2,8 @@
 
 A bin's mean is robust: readings are averaged in groups of up to eight whose two largest and two
 smallest are left out, and a bin has one group at least. The scatter is that of the groups about a
-straight line over progress, so that wear within a bin is not taken for it. Each reading costs the
-same, whatever came before.
+straight line over progress, so that wear within a bin does not count as scatter. Each reading costs
+the same.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from rigapp_model.errors import require_positive
 PER_DECADE = 12
 """Bins a decade: in one of them the depth grows by a fifth, its curve by 4e-4 of the depth."""
 LEAST_APART = 1e-9
-"""What a temperature has beside a straight line counts from this share of its squares on."""
+"""The part of a temperature beside a straight line counts from this share of its squares on."""
 GROUP = 8
 """Readings of a group: two in eight may be wrong without harm; its mean is 0.9 as efficient."""
 
@@ -32,8 +32,8 @@ class Bin:
     revolution: last one in it; first, progress, last: measured progress at its beginning, its mean
     and at its end, nominal cycles; depth: robust mean, m; count: readings; squares: of the groups
     about their straight line, times readings, m^2, with so many degrees of freedom; steps: squares
-    of what neighbouring groups differ by, less their mean, times readings, NaN where not known;
-    warm: mean temperature, degC, None where not known: else squares are about what it explains,
+    of differences of neighbouring groups, less their mean, times readings, NaN where not known;
+    warm: mean temperature, degC, None where not known: else its effect is removed from squares,
     too.
     """
 
@@ -84,9 +84,9 @@ class Gathering:
     def _group(self) -> None:
         if not self.waiting:
             return
-        p = sum(one[0] for one in self.waiting) / len(self.waiting) - self.origin[0]
-        d = trimmed([one[1] for one in self.waiting]) - self.origin[1]
-        t = sum(one[2] for one in self.waiting) / len(self.waiting) - self.origin[2]
+        p = sum(reading[0] for reading in self.waiting) / len(self.waiting) - self.origin[0]
+        d = trimmed([reading[1] for reading in self.waiting]) - self.origin[1]
+        t = sum(reading[2] for reading in self.waiting) / len(self.waiting) - self.origin[2]
         n = float(len(self.waiting))
         if self.groups:
             self.moved += GROUP * (d - self.latest) ** 2
@@ -99,8 +99,8 @@ class Gathering:
         self.waiting = []
 
     def numbers(self) -> dict[str, Any]:
-        """Return all that is kept as plain numbers, for a checkpoint."""
-        kept = {one.name: getattr(self, one.name) for one in fields(self)}
+        """Return the state as plain numbers, for a checkpoint."""
+        kept = {field.name: getattr(self, field.name) for field in fields(self)}
         return {**kept, "sums": list(self.sums), "waiting": list(self.waiting)}
 
     def closed(self) -> Bin | None:
@@ -184,26 +184,26 @@ class Bins:
         return max(end, revolution + GROUP - 1.0)
 
     def numbers(self) -> dict[str, Any]:
-        """Return all that is kept as plain numbers, for a checkpoint."""
+        """Return the state as plain numbers, for a checkpoint."""
         return {
             "per_decade": self.per_decade,
-            "closed": [list(astuple(one)) for one in self.closed],
+            "closed": [list(astuple(each)) for each in self.closed],
             "open": self._open.numbers(),
             "ends": self._ends,
         }
 
 
 def bins_of(numbers: Mapping[str, Any]) -> Bins:
-    """Return the bins of which ``numbers`` were kept; they go on as those would have."""
+    """Return the bins of a state from ``numbers``."""
     is_open = dict(numbers["open"])
     is_open["origin"] = tuple(is_open["origin"])
-    is_open["waiting"] = [tuple(one) for one in is_open["waiting"]]
+    is_open["waiting"] = [tuple(reading) for reading in is_open["waiting"]]
     is_open["sums"] = list(is_open["sums"])
     missing = len(Gathering().sums) - len(is_open["sums"])
-    if missing:  # of a version that took no temperature
+    if missing:  # of a version without temperature
         is_open["origin"] = (*is_open["origin"], 0.0)
-        is_open["waiting"] = [(*one, 0.0) for one in is_open["waiting"]]
+        is_open["waiting"] = [(*reading, 0.0) for reading in is_open["waiting"]]
         is_open["sums"] += [0.0] * missing
         is_open["warmed"] = False
-    closed = [Bin(*one) for one in numbers["closed"]]
+    closed = [Bin(*row) for row in numbers["closed"]]
     return Bins(numbers["per_decade"], closed, Gathering(**is_open), numbers["ends"])

@@ -1,4 +1,4 @@
-"""How far noise of readings is correlated, as their spread within bins tells it.
+"""The correlation of the readings' noise, from their spread within bins.
 
 A bin holds two sums of squares of its groups of readings: about a straight line, and of steps from
 group to group. White noise has the same variance in both; correlated noise has little in the steps
@@ -87,7 +87,7 @@ class Colours:
 
 @cache
 def _tables() -> tuple[Array, Array]:
-    """Return what correlated noise of unit size does to squares about a line, (L, G) each.
+    """Return the effect of correlated noise of unit size on squares about a line, (L, G) each.
 
     Their mean, and half their variance.
     """
@@ -115,16 +115,16 @@ def _of_groups(length: float) -> tuple[float, float, float]:
 
 
 def colours_of(spread: ScatterWithin, period: Array) -> Colours:
-    """Return the kinds of noise that the spread within bins leaves possible, white noise first.
+    """Return the kinds of noise compatible with the spread within bins, white noise first.
 
-    period (P,): of swings beside which they are asked for, revolutions, 0 for none.
+    period (P,): of swings beside them, revolutions, 0 for none.
     """
     white = np.array([[0.0, LENGTHS[0]]])
     unit = float(np.sqrt(max(spread.step, spread.squares.sum() / max(spread.groups.sum(), 1.0))))
     grid = np.stack(np.meshgrid(unit * SIZES, LENGTHS, indexing="ij"), axis=-1).reshape(-1, 2)
     size, length = np.concatenate([white, grid]).T
     order = np.log2(length).round().astype(int) // 2 - 1
-    groups = np.array([_of_groups(one) for one in LENGTHS])[order]
+    groups = np.array([_of_groups(bins) for bins in LENGTHS])[order]
     step = size**2 * (groups[:, 0] - groups[:, 1])
     mean, half = (
         np.stack([np.interp(spread.groups, GROUPS, row) for row in table])[order]
@@ -142,12 +142,12 @@ def colours_of(spread: ScatterWithin, period: Array) -> Colours:
         + 2.0 * level[:, None] * size[:, None] ** 2 * mean
         + size[:, None] ** 4 * half
     )
-    told = _log_gamma(spread.squares, expected, 2.0 * variance)
+    log_likelihood = _log_gamma(spread.squares, expected, 2.0 * variance)
     # A step or a swing within a bin makes its squares anything: equal chance in each factor of e.
     wild = -np.log(np.maximum(spread.squares, 1e-6 * unit**2)) - np.log(WILD_RANGE)
-    told = np.logaddexp(told + np.log1p(-WILD_SHARE), wild + np.log(WILD_SHARE))
+    log_likelihood = np.logaddexp(log_likelihood + np.log1p(-WILD_SHARE), wild + np.log(WILD_SHARE))
     hidden = spread.wide > HIDDEN * np.where(period > 0.0, period, np.inf)[:, None]
-    log_weight = told @ ~hidden.T + (hidden @ wild)
+    log_weight = log_likelihood @ ~hidden.T + (hidden @ wild)
     total = level + step
     log_weight += _log_gamma(
         np.full(1, spread.step), total[:, None], 2.0 * total[:, None] ** 2 / spread.freedom

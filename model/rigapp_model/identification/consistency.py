@@ -1,11 +1,11 @@
-"""Whether the joint still wears as it did: how new readings lie in what was predicted of them.
+"""Whether the joint still wears as it did: new readings compared with their prediction.
 
 Readings are gathered in fine bins, 0.25 % of the revolutions long. Each is compared with the depth
 predicted before it came; the innovation over its standard deviation is standard normal while the
 statement holds. Two cumulative sums (E. S. Page, Biometrika 41 (1954) 100-115), for faster and for
-slower wear, tell that something happened where they pass a threshold that follows from the false
-alarm rate (D. Siegmund, Sequential Analysis, 1985, Eq. 2.56). A step of the readings does that as
-well as other wear: ``Excursion`` tells which it was. After a step the level is set free.
+slower wear, report an event where they pass a threshold that follows from the false alarm rate
+(D. Siegmund, Sequential Analysis, 1985, Eq. 2.56). A step of the readings does that as well as
+other wear: ``Excursion`` decides between them. After a step the level is set free.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from rigapp_model.identification.inference import Identification, Verdict
 from rigapp_model.identification.life import DepthLife
 from rigapp_model.identification.posterior import Nodes
 from rigapp_model.identification.screening import (
-    TOLD,
+    ODDS,
     UNSEEN_SWING,
     WARMED,
     Excursion,
@@ -39,20 +39,20 @@ alarm, and a bushing that wears 5 um in 1,000 revolutions wears 0.1 um in each a
 FALSE_ALARM = 0.0015
 """Probability of a false alarm in a decade of revolutions: 0.005 in the first 21,377."""
 REFERENCE = 0.75
-"""What a sum loses with each innovation: half of the shift that it finds soonest, 1.5 sigma, which
-is what K times 1.5 makes of a fine bin at 10,000 revolutions with a scatter of 0.4 um."""
+"""Decrement of a sum with each innovation: half of the shift that it finds soonest, 1.5 sigma, the
+effect of 1.5 K on a fine bin at 10,000 revolutions with a scatter of 0.4 um."""
 LARGEST = 4.0
 """An innovation counts as no more than this: one wrong bin raises no alarm."""
 FREE_FOR = 0.25
-"""After a step the level is uncertain for this part of the revolutions: until a bin tells it."""
+"""After a step the level is uncertain for this part of the revolutions: until a bin gives it."""
 PERIOD_DOUBT = 0.1
 """Relative doubt of a swing's period, of which those compared are 1.3 times one another."""
-EARLY, TOLD_EARLY = 0.8, float(np.log(300.0))
-"""From this part of the threshold on other wear is told where its odds are above the second."""
+EARLY, EARLY_ODDS = 0.8, float(np.log(300.0))
+"""From this part of the threshold on other wear is reported where its odds are above the second."""
 SURE = 0.95
-"""Probability of a change that what comes is judged by; a lesser one may be a swing instead."""
+"""Probability from which later readings are judged by a change; a lesser one may be a swing."""
 STEP_LASTS = 2.0
-"""Until so many times the revolution of a step, bins cannot tell it from a change of K."""
+"""Until so many times the revolution of a step, bins cannot distinguish it from a change of K."""
 OVERSHOOT = 1.166
 """How far a sum of normal steps passes a threshold (Siegmund), in sigma."""
 STATES, LEVEL, NOISE = 11, 5, 6
@@ -66,7 +66,7 @@ def threshold(false_alarm: float = FALSE_ALARM) -> float:
     """Return what a sum must pass, for a probability of a false alarm in a decade of revolutions.
 
     A sum runs (exp(x) - x - 1) / (2 k^2) bins between false alarms, x = 2 k (threshold + overshoot)
-    with what it loses, k.
+    with its decrement k.
     """
     wanted = 2.0 * REFERENCE**2 * 2.0 * FINE / false_alarm  # each of two sums
     x = float(np.log(wanted))
@@ -80,9 +80,9 @@ THRESHOLD = threshold()
 
 @dataclass(frozen=True, slots=True)
 class Departure:
-    """Hold that a joint wears otherwise than before.
+    """A change of the joint's wear.
 
-    revolution: at which it was told; since: from which on the sum rose; faster: or slower.
+    revolution: of the report; since: from which on the sum rose; faster: or slower.
     """
 
     revolution: float
@@ -92,22 +92,22 @@ class Departure:
 
 @dataclass(slots=True)
 class Consistency:
-    """Judge readings one by one against what was predicted of them; a fixed number of numbers.
+    """Judge readings one by one against their prediction; the state has a fixed size.
 
     mean (11,), covariance (11, 11): of ln K/K0, ln r, e / u_e, b / u_b, the modulus, the level (the
-    drift and steps, m), the correlated noise, m, creep, a swing's value and what it will be a
-    quarter of its period later, m, and what a kelvin does, as known now; none before ``renew`` was
-    called. scales: u_e, u_b, strength of the drift, scatter, size and length of the correlated
+    drift and steps, m), the correlated noise, m, creep, a swing's value and that a quarter of its
+    period later, m, and the effect of a kelvin, as known now; none before ``renew`` was called.
+    scales: u_e, u_b, strength of the drift, scatter, size and length of the correlated
     noise, and the swing's period; ended: the revolution that they are of, anchor: that the swing is
-    of; warm_zero: the temperature that others are taken beside, degC, None where it is not known.
-    sums: for faster and slower wear; since: the revolution at which each was last 0; rising: what
-    came since then, for each; stepped: the revolution of the last step, 0 for none; departure: the
-    first one told, until ``acknowledged``.
+    of; warm_zero: reference of temperatures, degC, None where it is not known.
+    sums: for faster and slower wear; since: the revolution at which each was last 0; rising: the
+    bins since then, for each; stepped: the revolution of the last step, 0 for none; departure: the
+    first one reported, until ``acknowledged``.
     """
 
     bins: Bins = field(default_factory=lambda: Bins(FINE))
     statement: str = ""
-    place: float = 1.0
+    transition: float = 1.0
     mean: Array | None = None
     covariance: Array | None = None
     walked: float = 0.0
@@ -128,13 +128,13 @@ class Consistency:
         return max(self.sums) / THRESHOLD if self.mean is not None else float("nan")
 
     def renew(self, known: Identification) -> None:
-        """Take over what the closed bins tell by now; the sums go on, but where a swing is new."""
+        """Take the newest posterior of the closed bins; the sums go on, unless a swing is new."""
         best = self._believed(known)
         nodes = best.nodes
         if nodes.log_moments[1] > WIDEST:
             return
-        places = nodes.hypotheses.place
-        likely = places == places[int(np.argmax(nodes.weight))]
+        transitions = nodes.hypotheses.transition
+        likely = transitions == transitions[int(np.argmax(nodes.weight))]
         nodes = nodes.at(np.flatnonzero(likely))
         period = _period(nodes)
         onward = _states(nodes, known.revolution, period)
@@ -159,9 +159,9 @@ class Consistency:
             self.covariance[swing, swing] += (turned * SWING) ** 2 * self._swing()
         swings = float(nodes.weight @ (nodes.kinds.period > 0.0))
         if swings > SURE and period != self.scales[-1]:
-            # A swing that is found anew explains what a sum rose by.
+            # A newly found swing explains the rise of a sum.
             self.sums, self.since = (0.0, 0.0), (known.revolution, known.revolution)
-        self.statement, self.place = best.name, float(nodes.hypotheses.place[0])
+        self.statement, self.transition = best.name, float(nodes.hypotheses.transition[0])
         self.walked = float(known.readings.walked[-1])
         self.scales = (
             known.sensitivity,
@@ -176,12 +176,12 @@ class Consistency:
             self.covariance[LEVEL, LEVEL] += STEP**2
 
     def _believed(self, known: Identification) -> Verdict:
-        """Return the most probable statement, but no change that may as well be none.
+        """Return the most probable statement, but no uncertain change.
 
-        Nor where a step was told not long ago: what follows it looks like a change.
+        Nor one soon after a reported step, which looks like a change.
         """
         if known.best.weight < SURE or known.revolution < STEP_LASTS * self.stepped:
-            return next(one for one in known.verdicts if one.name != CHANGE)
+            return next(verdict for verdict in known.verdicts if verdict.name != CHANGE)
         return known.best
 
     def add(
@@ -192,7 +192,7 @@ class Consistency:
         life: DepthLife,
         warm: float = float("nan"),
     ) -> Departure | None:
-        """Take one reading; return the departure that it told, None when none.
+        """Take one reading; return the departure that it shows, None without one.
 
         revolution, progress (nominal cycles), depth (m), warm (degC): as for ``Bins.add``.
         """
@@ -203,7 +203,7 @@ class Consistency:
         return self.judge(closed, life)
 
     def judge(self, closed: Bin, life: DepthLife) -> Departure | None:
-        """Judge a fine bin; return the departure that it told, None when none."""
+        """Judge a fine bin; return the departure that it shows, None without one."""
         if self.mean is None or self.covariance is None:
             return None
         sensitivity, reference, drift, scatter, size, length, period = self.scales
@@ -216,17 +216,17 @@ class Consistency:
                 self._swing() * _wander(period) * max(closed.revolution - self.ended, 0.0)
             )
         self._passed(closed.revolution - closed.count, size, length)
-        statement = next(one for one in STATEMENTS if one.name == self.statement)
+        statement = next(named for named in STATEMENTS if named.name == self.statement)
         for sum_so_far, rising in zip(self.sums, self.rising, strict=True):
             if not sum_so_far or rising.mean is None:
                 rising.begin(self.mean, self.covariance)
         x = self.mean
-        at = Hypotheses(statement, x[:1], x[1:2], np.array([self.place]))
+        at = Hypotheses(statement, x[:1], x[1:2], np.array([self.transition]))
         half = np.array([0.5 * (closed.last - closed.first)])
-        found, slopes = life.depth(np.array([closed.progress]), at.scaled(half))
-        expected = float(found[0, 0])
+        depth, slopes = life.depth(np.array([closed.progress]), at.scaled(half))
+        expected = float(depth[0, 0])
         # The noise at the bin's beginning is a state; its mean over the bin has a part of its own,
-        # which is one with the noise at the end.
+        # which is correlated with the noise at the end.
         turn = (middle - self.anchor) / period
         flat = float(np.sinc(closed.count / period))
         wide = closed.count / length
@@ -258,7 +258,7 @@ class Consistency:
         without[NOISE] = 0.0
         for rising in self.rising:
             assert rising.mean is not None
-            # As expected then, by the slopes of now: what was learnt since is taken back.
+            # As expected then, by the slopes of now: later information is removed.
             moved = float(without @ (x - rising.mean)) + row[NOISE] * x[NOISE]
             own = scatter**2 / closed.count
             edges = [closed.revolution - closed.count + 1.0, closed.revolution, closed.progress]
@@ -274,20 +274,20 @@ class Consistency:
         return self._summed(closed.revolution)
 
     def _warmer(self, closed: Bin) -> float:
-        """Return by how much a bin was warmer than the first one, K, 0 where that is not known."""
+        """Return the temperature of a bin beside the first one, K, 0 where that is not known."""
         if closed.warm is None or self.warm_zero is None:
             return 0.0
         return closed.warm - self.warm_zero
 
     def _swing(self) -> float:
-        """Return how much of a usual swing there is, by its square: 0 to 1."""
+        """Return the present part of a usual swing, by its square: 0 to 1."""
         assert self.mean is not None
         assert self.covariance is not None
-        size = sum(float(self.mean[one] ** 2 + self.covariance[one, one]) for one in SWINGS)
+        size = sum(float(self.mean[index] ** 2 + self.covariance[index, index]) for index in SWINGS)
         return min(size / SWING**2, 1.0)
 
     def _passed(self, revolution: float, size: float, length: float) -> None:
-        """Let the correlated noise go on to a revolution, where readings are missing in between."""
+        """Propagate the correlated noise to a revolution over missing readings."""
         assert self.mean is not None
         assert self.covariance is not None
         falls = float(np.exp(-max(revolution - self.ended, 0.0) / length))
@@ -298,7 +298,7 @@ class Consistency:
         self.covariance[NOISE, NOISE] += size**2 * (1.0 - falls**2)
 
     def _summed(self, revolution: float) -> Departure | None:
-        """Take the last innovation into both sums; return the departure that it told."""
+        """Add the last innovation to both sums; return the departure that it shows."""
         step = float(np.clip(self.innovation, -LARGEST, LARGEST))
         up = max(self.sums[0] + step - REFERENCE, 0.0)
         down = max(self.sums[1] - step - REFERENCE, 0.0)
@@ -314,25 +314,25 @@ class Consistency:
         wander = self._swing() * _wander(period)
         swings = UNSEEN_SWING * (1.0 if self.warm_zero is None else WARMED)
         wear, step, since = self.rising[not faster].odds(drift, size, length, wander, swings)
-        if wear > (TOLD if max(up, down) >= THRESHOLD else TOLD_EARLY):
+        if wear > (ODDS if max(up, down) >= THRESHOLD else EARLY_ODDS):
             self.departure = Departure(revolution, since, faster)
             return self.departure
-        if step > TOLD and max(up, down) >= THRESHOLD:
+        if step > ODDS and max(up, down) >= THRESHOLD:
             assert self.covariance is not None
             self.covariance[LEVEL, LEVEL] += STEP**2
             self.stepped, self.sums, self.since = since, (0.0, 0.0), (revolution, revolution)
         return None
 
     def acknowledged(self) -> None:
-        """Begin anew: what comes is judged against what the bins will have told by then."""
+        """Restart: later readings are judged by the posterior of that time."""
         self.sums, self.departure = (0.0, 0.0), None
 
     def numbers(self) -> dict[str, Any]:
-        """Return all that is kept as plain numbers, for a checkpoint."""
+        """Return the state as plain numbers, for a checkpoint."""
         return {
             "bins": self.bins.numbers(),
             "statement": self.statement,
-            "place": self.place,
+            "place": self.transition,
             "mean": None if self.mean is None else self.mean.tolist(),
             "covariance": None if self.covariance is None else self.covariance.tolist(),
             "walked": self.walked,
@@ -342,7 +342,7 @@ class Consistency:
             "scales": list(self.scales),
             "sums": list(self.sums),
             "since": list(self.since),
-            "rising": [one.numbers() for one in self.rising],
+            "rising": [excursion.numbers() for excursion in self.rising],
             "stepped": self.stepped,
             "innovation": self.innovation,
             "departure": None if self.departure is None else asdict(self.departure),
@@ -350,7 +350,7 @@ class Consistency:
 
 
 def _wander(period: float) -> float:
-    """Return by how much value and slope of a swing wander, m^2 a revolution.
+    """Return the drift of value and slope of a swing, m^2 a revolution.
 
     Its period is known to PERIOD_DOUBT: a quarter of it later both are off by so much of an angle.
     """
@@ -377,38 +377,38 @@ def _period(nodes: Nodes) -> float:
 
 
 def _states(nodes: Nodes, revolution: float, period: float) -> Array:
-    """Return what the states of noise (S) are in level, noise, creep, swing, heat, (H, 6, S).
+    """Return the states of noise (S) in level, noise, creep, swing, heat, (H, 6, S).
 
-    A swing of another period than the one that is gone on with keeps its value and its rate.
+    A swing of another period than the continued one keeps its value and its rate.
     """
     own = nodes.kinds.period
     swings = own > 0.0
     angle = 2.0 * np.pi * revolution / np.where(swings, own, np.inf)
     faster = period / np.where(swings, own, np.inf) if np.isfinite(period) else np.zeros(own.size)
-    found = np.zeros((own.size, STATES - LEVEL, nodes.left.shape[1]))
-    found[:, 0, 0] = found[:, 1, 1] = found[:, 5, 2 + HEAT] = 1.0
-    found[:, 2, 2] = nodes.kinds.creeps
-    found[:, 0, 3] = np.where(swings, -SWING, STEP * (nodes.kinds.jump[:, 1] > 0.0))
-    found[:, 0, 2 + COLUMNS :: 2] = STEP
-    found[:, 3, 3] = SWING * swings * np.cos(angle)
-    found[:, 3, 4] = SWING * swings * np.sin(angle)
-    found[:, 4, 3] = -SWING * faster * np.sin(angle)
-    found[:, 4, 4] = SWING * faster * np.cos(angle)
-    return found
+    states = np.zeros((own.size, STATES - LEVEL, nodes.left.shape[1]))
+    states[:, 0, 0] = states[:, 1, 1] = states[:, 5, 2 + HEAT] = 1.0
+    states[:, 2, 2] = nodes.kinds.creeps
+    states[:, 0, 3] = np.where(swings, -SWING, STEP * (nodes.kinds.jump[:, 1] > 0.0))
+    states[:, 0, 2 + COLUMNS :: 2] = STEP
+    states[:, 3, 3] = SWING * swings * np.cos(angle)
+    states[:, 3, 4] = SWING * swings * np.sin(angle)
+    states[:, 4, 3] = -SWING * faster * np.sin(angle)
+    states[:, 4, 4] = SWING * faster * np.cos(angle)
+    return states
 
 
 def consistency_of(numbers: Mapping[str, Any]) -> Consistency:
-    """Return the judge of which ``numbers`` were kept; it goes on as that would have."""
+    """Return the ``Consistency`` of a state from ``numbers``."""
     values = dict(numbers)
     if (
         "rising" not in values
         or len(values["scales"]) != len(Consistency().scales)
         or len(values["mean"] or STATES * [0.0]) != STATES
     ):
-        # Of a version that knew less of noise: what is expected is known with the next bin.
+        # Of a version with fewer states of noise: the expectation is known with the next bin.
         values |= {"mean": None, "covariance": None, "scales": Consistency().scales}
-        values |= {"rising": [one.numbers() for one in Consistency().rising]}
-    departure = values["departure"]
+        values |= {"rising": [excursion.numbers() for excursion in Consistency().rising]}
+    departure, values["transition"] = values["departure"], values.pop("place", 1.0)
     return Consistency(
         **{
             **values,
@@ -418,7 +418,7 @@ def consistency_of(numbers: Mapping[str, Any]) -> Consistency:
             "scales": tuple(values["scales"]),
             "sums": tuple(values["sums"]),
             "since": tuple(values["since"]),
-            "rising": tuple(excursion_of(one) for one in values["rising"]),
+            "rising": tuple(excursion_of(kept) for kept in values["rising"]),
             "departure": None if departure is None else Departure(**departure),
         }
     )

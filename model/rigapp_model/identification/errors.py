@@ -1,4 +1,4 @@
-"""What is known beforehand: errors of the probes, the coefficient; and what makes a refusal."""
+"""Prior knowledge: errors of the probes and the coefficient; and the refusal."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rigapp_model.errors import require_not_negative, require_positive
 
 
 class NotIdentifiable(Exception):
-    """Say in one plain sentence why nothing is stated: never a number without its uncertainty."""
+    """The sentence says why nothing is stated: never a number without its uncertainty."""
 
 
 USUAL_DAY = 43_200.0
@@ -20,7 +20,7 @@ USUAL_DAY = 43_200.0
 
 @dataclass(frozen=True, slots=True)
 class ProbeErrors:
-    """Hold what the probes' record states, as standard uncertainties.
+    """The errors of the probes by their record, as standard uncertainties.
 
     sensitivity: relative, common to all readings; reference: of the depth's zero, m; drift: lower
     bound of its strength, m per root of the natural logarithm of revolutions; scatter: of one
@@ -52,7 +52,7 @@ class ProbeErrors:
 
     @property
     def scale(self) -> float:
-        """Return the relative uncertainty of what the coefficient is only scaled by."""
+        """Return the relative uncertainty of the coefficient's scale."""
         return float(np.hypot(self.load, self.geometry))
 
 
@@ -64,7 +64,7 @@ def probe_errors(
     load: float = 0.0,
     geometry: float = 0.0,
 ) -> ProbeErrors:
-    """Return the errors of the probes; raise NotIdentifiable for what no record states (None)."""
+    """Return the errors of the probes; raise NotIdentifiable for unstated ones (None)."""
     missing = [
         name
         for name, value in (
@@ -91,7 +91,7 @@ WIDE = float(np.log(10.0) / 1.959964)
 
 @dataclass(frozen=True, slots=True)
 class Prior:
-    """Hold what is known of the wear coefficient before the test: ln K is normal.
+    """The prior of the wear coefficient: ln K is normal.
 
     coefficient: median, m^2/N; spread: standard deviation of ln K; source: where from, in words.
     """

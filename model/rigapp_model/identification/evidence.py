@@ -1,8 +1,8 @@
-"""The likelihood of bins of depth: what is linear in them is marginalised in closed form.
+"""The likelihood of bins of depth: linear parameters are marginalised in closed form.
 
 Depth of bin i = (1 + e) D_i + b + a c(D_i) + noise_i. The sensitivity e, the reference b and the
-modulus a are normal and common to all bins; what the modulus does is that at the depth which a
-hypothesis predicts, since at the measured one covariance and noise would go together. For the
+modulus a are normal and common to all bins; the effect of the modulus is that at the depth which a
+hypothesis predicts, since at the measured one it would correlate with the noise. For the
 noise see ``rigapp_model.identification.noise``.
 """
 
@@ -40,8 +40,8 @@ class Fitted:
 class Linearised:
     """Hold H hypotheses where they are linearised in k parameters, whose prior is normal.
 
-    misfit (H, n): depth less what they say, m; columns (H, k, n): their slopes; off (H, k): the
-    prior's mean less that place; precision (k, k): the prior's.
+    misfit (H, n): depth less the predicted one, m; columns (H, k, n): slopes; off (H, k): the
+    prior's mean less that point; precision (k, k): the prior's.
     """
 
     misfit: Array

@@ -1,4 +1,4 @@
-"""What disturbs the probes of a test, as the bins tell it: creep, a slow swing, steps, colour."""
+"""The disturbances of a test's probes by the bins: creep, a slow swing, steps, coloured noise."""
 
 from __future__ import annotations
 
@@ -15,84 +15,84 @@ Array = NDArray[np.float64]
 
 CREEP_NAME, SWING_NAME, STEP_NAME = "creep", "swing", "step"
 COLOUR_NAME, HEAT_NAME = "correlated noise", "temperature"
-TOLD = 0.95
-"""Probability from which a disturbance is one that was found."""
+FOUND = 0.95
+"""Probability from which a disturbance counts as found."""
 SIGMAS = 2.0
 """Creep, heat and a step that are further from 0 than so many standard uncertainties are found."""
 
 
 @dataclass(frozen=True, slots=True)
 class Disturbance:
-    """Hold what disturbs the probes.
+    """A disturbance of the probes.
 
     name: one of those above; size: m a decade of creep, m a kelvin, amplitude of a swing, m of a
     step with its sign, standard deviation of correlated noise; doubt: standard uncertainty of it,
-    m; place: the swing's period, the revolution of the step, the length of the correlation,
-    revolutions, 0 of creep and temperature; probability: that it is there.
+    m; revolutions: the swing's period, the revolution of the step, the length of the correlation,
+    revolutions, 0 of creep and temperature; probability: of its presence.
     """
 
     name: str
     size: float
     doubt: float
-    place: float
+    revolutions: float
     probability: float
 
 
 def disturbances(weights: Sequence[float], nodes: Sequence[Nodes]) -> tuple[Disturbance, ...]:
-    """Return what is found by all statements, each with its weight and its nodes."""
-    weight = np.concatenate([w * one.weight for w, one in zip(weights, nodes, strict=True)])
+    """Return the disturbances by all statements, given by weights and nodes."""
+    weight = np.concatenate([w * n.weight for w, n in zip(weights, nodes, strict=True)])
     weight = weight / weight.sum()
-    states = np.concatenate([one.left for one in nodes])
+    states = np.concatenate([n.left for n in nodes])
     spare = np.concatenate(
-        [one.spare + one.pulled @ one.covariance @ one.pulled.swapaxes(1, 2) for one in nodes]
+        [n.spare + n.pulled @ n.covariance @ n.pulled.swapaxes(1, 2) for n in nodes]
     )
     period, size, length = (
-        np.concatenate([getattr(one.kinds, name) for one in nodes])
+        np.concatenate([getattr(n.kinds, name) for n in nodes])
         for name in ("period", "size", "length")
     )
-    jump = np.concatenate([one.kinds.jump for one in nodes])
+    jump = np.concatenate([n.kinds.jump for n in nodes])
     steps = nodes[0].steps
-    found = []
-    creeps = np.concatenate([one.kinds.creeps for one in nodes]) > 0.0
-    if weight[creeps].sum() > TOLD:
+    result = []
+    creeps = np.concatenate([n.kinds.creeps for n in nodes]) > 0.0
+    if weight[creeps].sum() > FOUND:
         share = weight * creeps / weight[creeps].sum()
         mean, doubt = _moments(share, states[:, 2], spare[:, 2, 2])
         decade = CREEP * float(np.log(10.0))
         if abs(mean) > SIGMAS * doubt:
             held = float(weight[creeps].sum())
-            found.append(Disturbance(CREEP_NAME, decade * mean, decade * doubt, 0.0, held))
+            result.append(Disturbance(CREEP_NAME, decade * mean, decade * doubt, 0.0, held))
     mean, doubt = _moments(weight, states[:, 2 + HEAT], spare[:, 2 + HEAT, 2 + HEAT])
     if abs(mean) > SIGMAS * doubt:
-        found.append(Disturbance(HEAT_NAME, WARMTH * mean, WARMTH * doubt, 0.0, 1.0))
+        result.append(Disturbance(HEAT_NAME, WARMTH * mean, WARMTH * doubt, 0.0, 1.0))
     swings = period > 0.0
-    if weight[swings].sum() > TOLD:
+    if weight[swings].sum() > FOUND:
         share = weight * swings / weight[swings].sum()
         by = SWING * np.hypot(states[:, 3], states[:, 4])
         mean, doubt = _moments(share, by, SWING**2 * 0.5 * (spare[:, 3, 3] + spare[:, 4, 4]))
         if mean > SIGMAS * doubt:
             middle = float(np.exp(share @ np.log(np.where(swings, period, 1.0))))
-            found.append(Disturbance(SWING_NAME, mean, doubt, middle, float(weight @ swings)))
-    for place, (first, last) in enumerate(steps):
-        state = COLUMNS + 2 + 2 * place
+            result.append(Disturbance(SWING_NAME, mean, doubt, middle, float(weight @ swings)))
+    for index, (first, last) in enumerate(steps):
+        state = COLUMNS + 2 + 2 * index
         mean, doubt = _moments(weight, states[:, state], spare[:, state, state])
-        found.append(
+        result.append(
             Disturbance(STEP_NAME, STEP * mean, STEP * doubt, 0.5 * float(first + last), 1.0)
         )
     stepped = jump[:, 1] > 0.0
-    if weight[stepped].sum() > TOLD:
+    if weight[stepped].sum() > FOUND:
         share = weight * stepped / weight[stepped].sum()
         mean, doubt = _moments(share, states[:, 3], spare[:, 3, 3])
         at = float(share @ jump.mean(axis=1))
-        found.append(
+        result.append(
             Disturbance(STEP_NAME, STEP * mean, STEP * doubt, at, float(weight[stepped].sum()))
         )
     coloured = size > 0.0
-    if weight[coloured].sum() > TOLD:
+    if weight[coloured].sum() > FOUND:
         share = weight * coloured / weight[coloured].sum()
         middle = float(np.exp(share @ np.log(np.maximum(length, 1.0))))
         mean, doubt = _moments(share, size, np.zeros(size.size))
-        found.append(Disturbance(COLOUR_NAME, mean, doubt, middle, float(weight[coloured].sum())))
-    return tuple(found)
+        result.append(Disturbance(COLOUR_NAME, mean, doubt, middle, float(weight[coloured].sum())))
+    return tuple(result)
 
 
 def _moments(weight: Array, mean: Array, variance: Array) -> tuple[float, float]:

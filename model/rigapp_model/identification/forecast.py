@@ -1,4 +1,4 @@
-"""What is to come: of this specimen and of the next one of its kind.
+"""Forecasts for this specimen and for the next one of its kind.
 
 Revolutions that remain to a depth, the band in which depth will lie, the scatter of specimens.
 """
@@ -35,12 +35,12 @@ AROUND = (-0.2, -0.08, -0.03, -0.012, -0.004, 0.0, 0.004, 0.012, 0.03, 0.08, 0.2
 SWING_COLUMNS = (3, 4)
 """Of cosine and sine, behind the level, the noise and the creep."""
 LEVELS = (0.025, 0.5, 0.975)
-NEAR = np.unique([np.clip(one + np.array(AROUND), 1e-3, 0.999) for one in LEVELS])
+NEAR = np.unique([np.clip(level + np.array(AROUND), 1e-3, 0.999) for level in LEVELS])
 
 
 @dataclass(frozen=True, slots=True)
 class Remaining:
-    """Hold how many revolutions remain until the depth (m) is reached; None with a reason in words.
+    """The remaining revolutions until the depth (m) is reached; None with a reason in words.
 
     high is infinite where the computed life does not hold it.
     """
@@ -72,10 +72,10 @@ def remaining(
 ) -> Remaining:
     """Return the revolutions that remain to a depth, m, with 95 % limits.
 
-    rate: what a revolution will add to progress, nominal cycles, as of late unless told; measured:
-    whether the depth is one that the probes will read, as a stop criterion does, with their errors
-    so far, or the depth itself, whose uncertainty holds that of the sensitivity and the reference.
-    It is by all statements with their weights.
+    rate: progress of a future revolution, nominal cycles, by default that of the last ones;
+    measured: whether the depth is a reading of the probes, as for a stop criterion, with their
+    errors so far, or the depth itself, whose uncertainty contains that of the sensitivity and the
+    reference. It is by all statements with their weights.
     """
     require_positive("depth", depth, "m")
     known, errors = identification, identification.errors
@@ -113,10 +113,10 @@ def remaining(
 
 
 def _believed(known: Identification) -> list[tuple[float, Nodes]]:
-    """Return the statements that a forecast is by: weights, which sum up to 1, and nodes."""
-    verdicts = [one for one in known.verdicts if one.weight > 1e-4]
-    total = sum(one.weight for one in verdicts)
-    return [(one.weight / total, one.nodes.heaviest(SHARE)) for one in verdicts]
+    """Return the statements of a forecast: weights, which sum up to 1, and nodes."""
+    verdicts = [verdict for verdict in known.verdicts if verdict.weight > 1e-4]
+    total = sum(verdict.weight for verdict in verdicts)
+    return [(verdict.weight / total, verdict.nodes.heaviest(SHARE)) for verdict in verdicts]
 
 
 def _reached(
@@ -129,23 +129,23 @@ def _reached(
     measured: bool,
 ) -> Array:
     """Return the probability that the depth is reached some revolutions ahead (n,)."""
-    found = np.zeros(ahead.size)
+    chance = np.zeros(ahead.size)
     for weight, nodes in believed:
         at = known.revolution + ahead
         mean, deviation = _depths(known, life, nodes, at, rate, measured)
         if measured:
             mean = mean + _to_crest(nodes, at, known.revolution)
-        found += weight * (nodes.weight @ ndtr((mean - depth) / deviation))
-    return np.maximum.accumulate(found)
+        chance += weight * (nodes.weight @ ndtr((mean - depth) / deviation))
+    return np.maximum.accumulate(chance)
 
 
 def _to_crest(nodes: Nodes, at: Array, now: float) -> Array:
-    """Return what a swing's crest is above the swing at revolutions (H, n), m, 0 without one.
+    """Return the height of a swing's crest above the swing at revolutions (H, n), m, 0 without one.
 
     A reading that swings reaches a depth first at a crest; one of them is passed in each period.
     """
     period = np.where(nodes.kinds.period > 0.0, nodes.kinds.period, np.inf)[:, None]
-    cosine, sine = (nodes.left[:, one, None] for one in SWING_COLUMNS)
+    cosine, sine = (nodes.left[:, column, None] for column in SWING_COLUMNS)
     turn = 2.0 * np.pi * at / period
     rise = np.hypot(cosine, sine) - cosine * np.cos(turn) - sine * np.sin(turn)
     return np.where(at - now >= period, SWING * rise, 0.0)
@@ -156,20 +156,19 @@ def _depths(
 ) -> tuple[Array, Array]:
     """Return mean and standard deviation of the depth (H, n), m, by each node at revolutions (n,).
 
-    What the bins leave of the drift goes on from the last bin as a random walk, and the correlated
-    noise falls from what it was to none. The temperature is what it was in the mean, with its
-    spread.
+    The drift continues from the last bin as a random walk, and the correlated noise decays to none.
+    The temperature is the mean so far, with its spread.
     """
     progress = known.progress + rate * (at - known.revolution)
-    found, slopes = life.depth(progress, nodes.hypotheses.scaled(np.zeros(0)))
+    worn, slopes = life.depth(progress, nodes.hypotheses.scaled(np.zeros(0)))
     by_ratio = slopes[1]
     if not measured:
-        mean = found + nodes.mean[:, :1] * by_ratio
+        mean = worn + nodes.mean[:, :1] * by_ratio
         variance = by_ratio**2 * nodes.covariance[:, :1, 0]
         return mean, np.sqrt(variance + 1e-24)
-    columns = np.empty((*found.shape, 4))
-    columns[:, :, 0], columns[:, :, 1] = by_ratio, known.sensitivity * found
-    columns[:, :, 2], columns[:, :, 3] = known.errors.reference, life.elastic_doubt(found)
+    columns = np.empty((*worn.shape, 4))
+    columns[:, :, 0], columns[:, :, 1] = by_ratio, known.sensitivity * worn
+    columns[:, :, 2], columns[:, :, 3] = known.errors.reference, life.elastic_doubt(worn)
     kinds, heat = nodes.kinds, 2 + HEAT
     usual, spread = _warmth(known)
     warm = np.full(at.size, usual)
@@ -179,11 +178,11 @@ def _depths(
     _, first, which = np.unique(rows, axis=0, return_index=True, return_inverse=True)
     some = kinds.at(first)
     each = shapes(some.period, some.jump, some.creeps, nodes.steps, Moments(at, at, warm))
-    onward = np.empty((*found.shape, 2 + each.shape[1]))
+    onward = np.empty((*worn.shape, 2 + each.shape[1]))
     onward[:, :, 0], onward[:, :, 1] = 1.0, falls
     onward[:, :, 2:] = each.swapaxes(1, 2)[which.ravel()]
     mean = (
-        found
+        worn
         + (columns @ nodes.mean[:, :, None])[:, :, 0]
         + (onward @ nodes.left[:, :, None])[:, :, 0]
     )
@@ -227,12 +226,12 @@ def predictive_band(
     ]
     weight, mean, deviation = (np.concatenate([part[k] for part in parts]) for k in range(3))
     low, high = (mean - 5.0 * deviation).min(axis=0), (mean + 5.0 * deviation).max(axis=0)
-    found = [_level(level, weight, mean, deviation, low, high) for level in LEVELS]
+    limits = [_level(level, weight, mean, deviation, low, high) for level in LEVELS]
     beyond = (
-        found[2]
+        limits[2]
         > life.computed_depth * (1.0 - MARGIN * known.sensitivity) - MARGIN * known.errors.reference
     )
-    lower, middle, upper = (np.where(beyond, np.nan, one) for one in found)
+    lower, middle, upper = (np.where(beyond, np.nan, limit) for limit in limits)
     return Band(at, middle, lower, upper)
 
 
@@ -240,14 +239,14 @@ def _level(
     level: float, weight: Array, mean: Array, deviation: Array, low: Array, high: Array
 ) -> Array:
     """Return the depth (n,), m, that a mixture of normals is below with a probability."""
-    for _ in range(20):  # a millionth of what lies between low and high
+    for _ in range(20):  # a millionth of the range from low to high
         middle = 0.5 * (low + high)
         below = weight @ ndtr((middle - mean) / deviation) < level * weight.sum()
         low, high = np.where(below, middle, low), np.where(below, high, middle)
     return 0.5 * (low + high)
 
 
-# Many specimens of one pairing: how much they scatter, and what to expect of the next one.
+# Many specimens of one pairing: their scatter, and the prediction for the next one.
 #
 # Estimates y_i = ln K_i with y_i = mu + d_i + c_i e + r_i: d_i between specimens, normal with
 # deviation tau; r_i of one test alone; e of the probes' sensitivity, the same for all tests with
@@ -260,17 +259,17 @@ USUAL_SCATTER = 0.5
 REACH = 5.0
 """The grid of tau reaches so many times the scale; a half-normal has 6e-7 beyond."""
 GRID = 250
-"""Points over tau: one each hundredth of K is finer than any test tells."""
+"""Points over tau: one each hundredth of K is finer than any test resolves."""
 LEAST_LEARNT = 0.1
-"""A test whose readings hold less than this share of the posterior's precision tells too little."""
+"""Least share of the posterior's precision by a test's own readings."""
 
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """Hold what one test tells of ln K, without what was known beforehand.
+    """The estimate of ln K by one test, without its prior.
 
-    log_coefficient: ln(K / (m^2/N)); spread: its standard uncertainty; common: how much of that is
-    by the sensitivity of the probes, with its sign; record: name of the record that it is from;
+    log_coefficient: ln(K / (m^2/N)); spread: its standard uncertainty; common: part of that by the
+    sensitivity of the probes, with its sign; record: name of the record that it is from;
     load: relative standard uncertainty of the load, which all tests of a rig have in common, and
     which spread does not hold.
     """
@@ -284,11 +283,11 @@ class Estimate:
 
 @dataclass(frozen=True, slots=True)
 class Pairing:
-    """Hold what several specimens tell of their pairing.
+    """The result of several specimens for their pairing.
 
     coefficient: of the median specimen, next: of the next specimen, m^2/N; scatter: factor by which
     one standard deviation of the specimens differs from the median, exp(tau); prior: for the
-    next test; each: estimates of the specimens, each with what the others tell (m^2/N).
+    next test; each: estimates of the specimens, each with those of the others (m^2/N).
     """
 
     coefficient: Credible
@@ -299,7 +298,7 @@ class Pairing:
 
 
 def estimate_of(known: Identification, record: str) -> Estimate:
-    """Return what a test tells of its coefficient; raise NotIdentifiable for too little."""
+    """Return the estimate of a test; raise NotIdentifiable where it has too little data."""
     values, weights, seen = _seen(known)
     mean, spread = known.mean, known.spread
     before = known.prior.spread**-2
@@ -320,13 +319,13 @@ def estimate_of(known: Identification, record: str) -> Estimate:
 
 
 def pairing_of(estimates: Sequence[Estimate], source: str) -> Pairing:
-    """Return what specimens of one pairing tell; source: where from, in words, for the prior.
+    """Return the pairing of some specimens; source: in words, for the prior.
 
     One specimen is enough: its scatter is then the usual one. Raises NotIdentifiable for none.
     """
     if not estimates:
         raise NotIdentifiable(say("there is no test whose wear coefficient is known"))
-    y = np.array([one.log_coefficient for one in estimates])
+    y = np.array([estimate.log_coefficient for estimate in estimates])
     taus = np.linspace(0.0, REACH * USUAL_SCATTER, GRID)
     by = _by_scatter(y, _errors(estimates), taus)
     log_weight = by.log_likelihood - 0.5 * (taus / USUAL_SCATTER) ** 2
@@ -339,30 +338,30 @@ def pairing_of(estimates: Sequence[Estimate], source: str) -> Pairing:
     return Pairing(
         _mixture(weight, by.centre, by.variance),
         _mixture(weight, by.centre, coming),
-        Credible(*(float(np.exp(one)) for one in (tau.median, tau.low, tau.high))),
+        Credible(*(float(np.exp(limit)) for limit in (tau.median, tau.low, tau.high))),
         Prior(float(np.exp(mean)), spread, source),
-        tuple(_mixture(weight, *one) for one in zip(by.own.T, by.spare.T, strict=True)),
+        tuple(_mixture(weight, *node) for node in zip(by.own.T, by.spare.T, strict=True)),
     )
 
 
 def _seen(known: Identification) -> tuple[Array, Array, Array]:
     """Return ln(K/K0) now, weight and mean of e / u_e of the nodes of all statements."""
-    nodes = [one.nodes for one in known.verdicts]
-    weight = np.concatenate([one.weight * one.nodes.weight for one in known.verdicts])
+    nodes = [verdict.nodes for verdict in known.verdicts]
+    weight = np.concatenate([verdict.weight * verdict.nodes.weight for verdict in known.verdicts])
     return (
-        np.concatenate([one.now(known.progress)[0] for one in nodes]),
+        np.concatenate([n.now(known.progress)[0] for n in nodes]),
         weight / weight.sum(),
-        np.concatenate([one.mean[:, 1] for one in nodes]),
+        np.concatenate([n.mean[:, 1] for n in nodes]),
     )
 
 
 def _errors(estimates: Sequence[Estimate]) -> Array:
     """Return the covariance (n, n) of the estimates about their own specimens."""
-    common = np.array([one.common for one in estimates])
-    names = np.array([one.record for one in estimates])
+    common = np.array([estimate.common for estimate in estimates])
+    names = np.array([estimate.record for estimate in estimates])
     together = (names[:, None] == names[None, :]) * np.outer(common, common)
-    load = np.array([one.load for one in estimates])
-    own = np.diag([one.spread**2 - one.common**2 for one in estimates])
+    load = np.array([estimate.load for estimate in estimates])
+    own = np.diag([estimate.spread**2 - estimate.common**2 for estimate in estimates])
     return np.asarray(together + np.outer(load, load) + own)
 
 
@@ -378,7 +377,7 @@ class _ByScatter:
 
 
 def _by_scatter(y: Array, errors: Array, taus: Array) -> _ByScatter:
-    """Return what estimates (n,) with a covariance (n, n) tell for each tau (t,)."""
+    """Return the posterior for each tau (t,) by estimates (n,) with a covariance (n, n)."""
     values, vectors = np.linalg.eigh(errors)
     total = values + taus[:, None] ** 2
     inverse = np.einsum("ik,tk,jk->tij", vectors, 1.0 / total, vectors)
@@ -389,7 +388,7 @@ def _by_scatter(y: Array, errors: Array, taus: Array) -> _ByScatter:
     rest = np.einsum("tij,tj->ti", inverse, left)
     misfit = (left * rest).sum(axis=1)
     log_likelihood = -0.5 * (np.log(total).sum(axis=1) - np.log(variance) + misfit)
-    # A specimen is mu + d, and d is the share tau^2 / V of what is left; mu's doubt goes along.
+    # A specimen is mu + d, and d the share tau^2 / V of the residual; mu's uncertainty propagates.
     square = taus[:, None] ** 2
     along = 1.0 - square * row
     spare = square * (1.0 - square * np.einsum("tii->ti", inverse))

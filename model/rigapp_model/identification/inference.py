@@ -15,9 +15,9 @@ from rigapp_model.identification.findings import Disturbance, disturbances
 from rigapp_model.identification.life import DepthLife
 from rigapp_model.identification.noise import DepthBins, readings_of
 from rigapp_model.identification.posterior import (
-    Given,
     IdentificationInputs,
     Nodes,
+    PosteriorInputs,
     alternative_posterior,
     constant_posterior,
 )
@@ -38,11 +38,11 @@ class Credible:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Verdict:
-    """Hold what one statement comes to.
+    """Hold the result of one statement.
 
-    weight: its probability among all; log_evidence; coefficient: now, m^2/N; before: the first
-    one, after: the last one, and place: progress at which it changed or within which it ran in,
-    nominal cycles, None for a constant one.
+    weight: its probability among all; log_evidence; coefficient: now, m^2/N; before: the first,
+    after: the last, and transition: progress at which it changed or within which it ran in, nominal
+    cycles, None for a constant one.
     """
 
     name: str
@@ -51,13 +51,13 @@ class Verdict:
     coefficient: Credible
     before: Credible | None
     after: Credible | None
-    place: Credible | None
+    transition: Credible | None
     nodes: Nodes
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Identification:
-    """Hold what is known of the wear coefficient after some bins.
+    """The wear coefficient after some bins.
 
     coefficient: now, by all statements with their weights, m^2/N; mean: of ln K; spread: its
     standard deviation, without that of the load; verdicts: by statement, the most probable first;
@@ -85,7 +85,7 @@ class Identification:
 
     @property
     def rate(self) -> float:
-        """Return what a revolution adds to progress, nominal cycles, by the last two bins."""
+        """Return the progress of a revolution, nominal cycles, by the last two bins."""
         by = self.readings
         turned = float(by.revolution[-1] - by.revolution[-3])
         return float(self.progress - by.progress[-3] - by.half[-3]) / turned
@@ -124,14 +124,14 @@ def distribution(values: Array, weights: Array, breadth: Array | float) -> tuple
 
 
 def quantiles(values: Array, weights: Array, breadth: Array | float = 0.0) -> Credible:
-    """Return median and 95 % limits of what ``distribution`` says."""
+    """Return median and 95 % limits of ``distribution``."""
     edges, reached = distribution(values, weights, breadth)
     low, median, high = np.interp([0.025, 0.5, 0.975], reached, edges)
     return Credible(float(median), float(low), float(high))
 
 
 LOADS = ndtri((np.arange(9) + 0.5) / 9.0)
-"""What the load may be off by, in standard uncertainties, all alike in probability."""
+"""Errors of the load, in standard uncertainties, of equal probability."""
 
 
 def _with_load(values: Array, weights: Array, breadth: Array, load: float) -> tuple[Array, ...]:
@@ -148,42 +148,42 @@ def _with_load(values: Array, weights: Array, breadth: Array, load: float) -> tu
 
 def _coefficients(verdicts: Sequence[Verdict], progress: float) -> tuple[Array, Array, Array]:
     """Return ln(K/K0) now, weight and breadth of all nodes of some statements."""
-    found = [v.nodes.now(progress) for v in verdicts]
+    now = [v.nodes.now(progress) for v in verdicts]
     return (
-        np.concatenate([value for value, _ in found]),
+        np.concatenate([value for value, _ in now]),
         np.concatenate([v.weight * v.nodes.weight for v in verdicts])
         / sum(v.weight for v in verdicts),
-        np.concatenate([breadth for _, breadth in found]),
+        np.concatenate([breadth for _, breadth in now]),
     )
 
 
 def identify(
     bins: Bins | Sequence[Bin], life: DepthLife, errors: ProbeErrors, prior: Prior
 ) -> Identification:
-    """Return what bins of the measured depth tell of the wear coefficient.
+    """Identify the wear coefficient from bins of the measured depth.
 
     life: must be computed beyond the depth measured so far. Pure: the same bins give the same
     numbers. Raises NotIdentifiable in words where nothing can be stated.
     """
     closed = bins.closed if isinstance(bins, Bins) else bins
     readings = readings_of(closed, errors)
-    asked = IdentificationInputs(readings, life, errors, prior)
-    noise = likely_noise(asked, STATEMENTS[0], STATEMENTS[2])
-    given = Given(readings, life, errors, prior, noise)
-    first = (STATEMENTS[0], *constant_posterior(given, STATEMENTS[0]))
+    inputs = IdentificationInputs(readings, life, errors, prior)
+    noise = likely_noise(inputs, STATEMENTS[0], STATEMENTS[2])
+    noisy = PosteriorInputs(readings, life, errors, prior, noise)
+    first = (STATEMENTS[0], *constant_posterior(noisy, STATEMENTS[0]))
     start = float(first[2].weight @ first[2].hypotheses.log_coefficient)
-    found = [
+    posteriors = [
         first,
-        *((one, *alternative_posterior(given, one, start)) for one in STATEMENTS[1:]),
+        *((other, *alternative_posterior(noisy, other, start)) for other in STATEMENTS[1:]),
     ]
-    chances = np.log([one.chance for one, _, _ in found]) + [log for _, log, _ in found]
+    chances = np.log([s.chance for s, _, _ in posteriors]) + [log for _, log, _ in posteriors]
     weight = np.exp(chances - np.logaddexp.reduce(chances))
     progress = float(readings.progress[-1] + readings.half[-1])
     verdicts = tuple(
         sorted(
             (
-                _verdict(one, log, float(share), nodes, progress, life.coefficient, errors.scale)
-                for (one, log, nodes), share in zip(found, weight, strict=True)
+                _verdict(s, log, float(share), nodes, progress, life.coefficient, errors.scale)
+                for (s, log, nodes), share in zip(posteriors, weight, strict=True)
             ),
             key=lambda each: -each.weight,
         )
@@ -202,7 +202,7 @@ def identify(
         prior,
         errors,
         life.coefficient,
-        given.sensitivity,
+        noisy.sensitivity,
         disturbances([v.weight for v in verdicts], [v.nodes for v in verdicts]),
     )
 
@@ -216,11 +216,11 @@ def _verdict(
     coefficient: float,
     load: float,
 ) -> Verdict:
-    """Return what a statement comes to, with its probability among all of them."""
+    """Return the result of a statement, with its probability among all of them."""
     at = nodes.hypotheses
     value, breadth = nodes.now(progress)
     now = quantiles(*_with_load(value, nodes.weight, breadth, load))
-    before, after, place = None, None, None
+    before, after, transition = None, None, None
     if statement.spread:
         # The ratio is normal given ln K: as broad as an even spread of the same variance.
         breadth = np.sqrt(nodes.breadth**2 + 12.0 * nodes.covariance[:, 0, 0])
@@ -230,7 +230,7 @@ def _verdict(
         before = _scaled(first, coefficient)
         last = quantiles(*_with_load(at.log_coefficient, nodes.weight, nodes.breadth, load))
         after = _scaled(last, coefficient)
-        place = _scaled(quantiles(np.log(at.place), nodes.weight), 1.0)
+        transition = _scaled(quantiles(np.log(at.transition), nodes.weight), 1.0)
     return Verdict(
         statement.name,
         share,
@@ -238,7 +238,7 @@ def _verdict(
         _scaled(now, coefficient),
         before,
         after,
-        place,
+        transition,
         nodes,
     )
 
@@ -246,5 +246,5 @@ def _verdict(
 def _scaled(logarithm: Credible, unit: float) -> Credible:
     """Return limits of a quantity from those of its logarithm, in a unit."""
     return Credible(
-        *(unit * float(np.exp(one)) for one in (logarithm.median, logarithm.low, logarithm.high))
+        *(unit * float(np.exp(x)) for x in (logarithm.median, logarithm.low, logarithm.high))
     )

@@ -1,4 +1,4 @@
-"""Depth in the measured place against progress: one computed life serves every wear coefficient.
+"""Depth at the measured point against progress: one computed life serves every wear coefficient.
 
 By Archard's law the profile after n cycles at coefficient K is that after (K/K0) n cycles at K0.
 Progress is counted in nominal cycles: a revolution adds its work of friction per unit of the
@@ -20,7 +20,7 @@ from rigapp_model.wear.state import WearState
 
 Array = NDArray[np.float64]
 Scaled = Callable[[Array], tuple[Array, Array]]
-"""What progress (n,) counts at K0: itself (H, n), and its slopes (S, H, n) by S parameters."""
+"""Progress (n,) at K0: itself (H, n), and its slopes (S, H, n) by S parameters."""
 
 FINENESS = 4096
 """Parts of the table in the root of progress: straight lines between them are off by 1e-7."""
@@ -57,28 +57,28 @@ class Course:
 
     def at(self, progress: Array) -> tuple[Array, Array]:
         """Return depth (m) and its slope (m a nominal cycle); beyond the end the last depth, 0."""
-        place = np.sqrt(np.maximum(progress - self.progress[0], 0.0)) / self._step
-        beyond = place >= FINENESS
-        part = np.where(beyond, FINENESS - 1.0, place).astype(np.int64)
-        share = np.where(beyond, 1.0, place - part)
+        position = np.sqrt(np.maximum(progress - self.progress[0], 0.0)) / self._step
+        beyond = position >= FINENESS
+        part = np.where(beyond, FINENESS - 1.0, position).astype(np.int64)
+        share = np.where(beyond, 1.0, position - part)
         depth, slope = self._rows
         low, up = depth[part], slope[part]
-        found = low + share * (depth[part + 1] - low)
+        depth_at = low + share * (depth[part + 1] - low)
         rising = np.where(beyond, 0.0, up + share * (slope[part + 1] - up))
         # The cubic's own last value is a bit below the last depth on some processors.
-        return np.where(beyond, self.depth[-1], found), rising
+        return np.where(beyond, self.depth[-1], depth_at), rising
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DepthLife:
-    """Hold the depth in the measured place against progress, as far as it is computed.
+    """The depth at the measured point against progress, as far as it is computed.
 
     coefficient: K0 that it was computed with, m^2/N; course: of one revolution as the reference
     revolution is, again and again; relative_error: bound of the computation's own error, as a part
     of the depth; elastic (m,): standard uncertainty, m, by the bushing's modulus of a reading at
     each row of the course, all of one sign, None without any. It is never extrapolated: beyond
-    ``computed_depth`` nothing is known but that the depth is larger. A load whose *size* changes is
-    in the progress; one whose shape changes needs another life.
+    ``computed_depth`` only a lower bound of the depth is known. A load whose *size* changes is in
+    the progress; one whose shape changes needs another life.
     """
 
     coefficient: float
@@ -104,11 +104,11 @@ class DepthLife:
     def depth(self, progress: Array, scaled: Scaled) -> tuple[Array, Array]:
         """Return depths (H, n), m, at measured progress (n,), and their slopes (S, H, n).
 
-        scaled: what measured progress counts at K0 by each of H hypotheses.
+        scaled: measured progress at K0 by each of H hypotheses.
         """
         q, by = scaled(progress)
-        found, rate = self.course.at(q)
-        return found, rate * by
+        depth, rate = self.course.at(q)
+        return depth, rate * by
 
 
 def depth_life(
@@ -128,11 +128,11 @@ def depth_life(
 
 
 def worn_ahead(state: WearState, loads: CycleLoads, depth: float) -> tuple[Array, Array]:
-    """Return progress (m,), nominal cycles from now, and depth (m,), m, worn on to a depth.
+    """Return progress (m,), nominal cycles from now, and depth (m,), m, up to a depth.
 
-    state: the bushing now, new or worn; loads: the revolution that goes on. The depth is that at
+    state: the bushing now, new or worn; loads: the repeated revolution. The depth is that at
     the contact point, as the probes measure it. Raises ContactError, ModelError, and WornThrough
-    for a depth that the wall does not have.
+    for a depth beyond the wall.
     """
     require_positive("depth", depth, "m")
     progress, reached = [0.0], [state.depth_at_contact]
@@ -149,7 +149,7 @@ def worn_ahead(state: WearState, loads: CycleLoads, depth: float) -> tuple[Array
 
 
 def weight(loads: CycleLoads, reference: CycleLoads) -> float:
-    """Return what one revolution adds to progress, in nominal cycles: its work to that of one."""
+    """Return the progress of one revolution, nominal cycles: its work by that of the reference."""
     work = float(loads.slip @ loads.magnitude)
     usual = float(reference.slip @ reference.magnitude)
     if usual <= 0.0:

@@ -1,9 +1,9 @@
-"""What disturbs the bins of depth: scatter, correlated noise, and a slow drift.
+"""The noise of the bins of depth: scatter, correlated noise, and a slow drift.
 
 Noise of bin i = w_i + c_i + r_i: w is a random walk in the logarithm of revolutions; c an
 autoregressive process (G. E. Uhlenbeck, L. S. Ornstein, Phys. Rev. 36 (1930) 823-841) of some size,
-whose correlation falls by e in some number of revolutions; r is white. None of their strengths is
-taken for known: a table of them is compared by the marginal likelihood of bins and of the spread
+whose correlation falls by e in some number of revolutions; r is white. Their strengths are
+unknown: a table of them is compared by the marginal likelihood of bins and of the spread
 of readings within bins.
 """
 
@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 EXPECTED_FREEDOM = 4.0
 """The scatter that the record states counts as much as so many groups of readings."""
 LEAST_BINS = 4
-"""Fewer cannot tell the reference, the sensitivity and the coefficient apart from their scatter."""
+"""With fewer, reference, sensitivity and coefficient cannot be separated from the scatter."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,7 +76,7 @@ def readings_of(bins: Sequence[Bin], errors: ProbeErrors) -> DepthBins:
     depth, progress, first, last, revolution, count, squares = rows.T
     freedom = EXPECTED_FREEDOM + sum(b.freedom for b in bins)
     scatter = float(np.sqrt((EXPECTED_FREEDOM * errors.scatter**2 + squares.sum()) / freedom))
-    # Bins hold progress, which is as even within one as revolutions are.
+    # Progress within a bin is as even as its revolutions.
     turn = revolution / np.maximum(last, 1e-300)
     low = np.minimum(np.maximum(first * turn, 1.0), revolution)
     walked, alone = _mean_logarithms(low, revolution)
@@ -102,7 +102,7 @@ def readings_of(bins: Sequence[Bin], errors: ProbeErrors) -> DepthBins:
 STRENGTHS = (1.0, 2.5, 6.3)
 """Strengths of the drift compared, in units of the record's lower bound."""
 STRENGTH_DECAY = 4.0
-"""Each next strength is less probable beforehand by exp of this: the record is believed."""
+"""Each next strength is less probable beforehand by exp of this: the record is trusted."""
 CREEP_SHARE = 0.2
 """Probability beforehand that bushing or probes creep beside the drift that the record states."""
 LEAST_KIND = 8.5
@@ -114,7 +114,7 @@ LEAST_DRIFT = 1e-9
 def _mean_logarithms(low: Array, high: Array) -> tuple[Array, Array]:
     """Return the means of ln u and of the smaller of two ln u, u evenly between low and high.
 
-    What a random walk in ln n does to the mean of a bin: its covariance with what comes later, and
+    The effect of a random walk in ln n on the mean of a bin: its covariance with later ones, and
     its variance, which is less than that of any moment in the bin.
     """
     wide = np.maximum(high - low, 1e-6 * high)
@@ -132,8 +132,8 @@ class Kinds:
 
     strength: of the drift, m per root of ln n; creeps: 1 with creep, else 0; scatter, size, length:
     see ``Colours``; period: of a slow swing, revolutions, 0 for none; jump (J, 2): first and last
-    revolution of the bin in which there is a step instead, 0 for none; log_prior: with what the
-    spread within bins says.
+    revolution of the bin in which there is a step instead, 0 for none; log_prior: with the evidence
+    of the spread within bins.
     """
 
     strength: Array
@@ -147,17 +147,17 @@ class Kinds:
 
     def at(self, index: NDArray[np.int64]) -> Kinds:
         """Return some kinds only."""
-        return Kinds(*(getattr(self, one.name)[index] for one in fields(self)))
+        return Kinds(*(getattr(self, field.name)[index] for field in fields(self)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Noise:
-    """Hold what J kinds of noise make of n bins.
+    """The covariance of n bins by J kinds of noise.
 
     steps (s, 2): first and last revolution of bins in which all have a step; root (J, n, n): of the
     inverse covariance; log_determinant (J,): of the covariance; onward (J, S, n): weights of
     whitened bins in S states: the drift of the last bin, the correlated noise at its end, and the
-    amplitudes of ``shapes``; spare (J, S, S): their covariance that the bins leave.
+    amplitudes of ``shapes``; spare (J, S, S): their covariance given the bins.
     """
 
     kinds: Kinds
@@ -185,7 +185,7 @@ def possible_kinds(readings: DepthBins, drift: float, period: Array) -> tuple[Ki
     drift: lower bound of its strength; period (P,): of swings, revolutions, the first one 0.
     """
     colours = colours_of(readings.spread, period)
-    # Creep beside a drift that is larger than the record states would be two for one.
+    # Creep beside a drift larger than the record's would be two explanations of one effect.
     strengths = max(drift, LEAST_DRIFT) * np.array([*STRENGTHS, STRENGTHS[0]])
     creeps = np.arange(strengths.size) == len(STRENGTHS)
     of_drift = np.where(creeps, 0.0, -STRENGTH_DECAY * np.arange(strengths.size))
@@ -212,18 +212,18 @@ def covariance_of(readings: DepthBins, kinds: Kinds) -> Array:
     """Return the covariance (J, n, n) of the bins, m^2, without any shape."""
     walk = np.minimum(readings.walked[:, None], readings.walked)
     np.fill_diagonal(walk, readings.alone)
-    whole = covariance(kinds.size, kinds.length, readings.begin, readings.revolution)
-    whole += kinds.strength[:, None, None] ** 2 * walk
+    total = covariance(kinds.size, kinds.length, readings.begin, readings.revolution)
+    total += kinds.strength[:, None, None] ** 2 * walk
     own = np.arange(walk.shape[0])
-    whole[:, own, own] += kinds.scatter[:, None] ** 2 * (readings.noise / readings.scatter) ** 2
-    return whole
+    total[:, own, own] += kinds.scatter[:, None] ** 2 * (readings.noise / readings.scatter) ** 2
+    return total
 
 
 def noise_of(readings: DepthBins, kinds: Kinds, steps: Array) -> Noise:
-    """Return what kinds of noise make of the bins, with steps in some of these (s, 2)."""
+    """Return the ``Noise`` of the bins by these kinds, with steps in some of them (s, 2)."""
     columns = shapes(kinds.period, kinds.jump, kinds.creeps, steps, readings.moments)
-    whole = covariance_of(readings, kinds) + columns.swapaxes(1, 2) @ columns
-    lower = np.linalg.cholesky(whole)
+    total = covariance_of(readings, kinds) + columns.swapaxes(1, 2) @ columns
+    lower = np.linalg.cholesky(total)
     root = np.linalg.inv(lower).swapaxes(1, 2)
     strength, size = kinds.strength, kinds.size
     to_end = _to_end(kinds.length, readings)

@@ -1,4 +1,4 @@
-"""The posterior of a statement: a grid over ln K, with what is linear integrated out."""
+"""The posterior of a statement: a grid over ln K, with linear parameters integrated out."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from rigapp_model.identification.statements import RUNNING_IN_PLACES, Hypotheses
 Array = NDArray[np.float64]
 
 GRID = 61
-"""Points over ln K in a range that holds all that counts: two to a standard deviation."""
+"""Points over ln K in the relevant range: two to a standard deviation."""
 RANGE = 5.0
 """The first grid reaches so many of the prior's standard deviations to either side."""
 NEGLIGIBLE = 18.0
@@ -35,12 +35,12 @@ FINE_ENOUGH = 24
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Nodes:
-    """Hold hypotheses with their weights, and what is normal given each of them.
+    """Hypotheses with their weights, and the normal parameters given each of them.
 
     breadth (H,): of ln K that each stands for, along which ln r changes by slope (H,) times it;
     weight (H,); mean (H, 4) and covariance (H, 4, 4) of ln r less that of the hypothesis, e / u_e,
     b / u_b and the modulus a; left (H, S), pulled (H, S, 4), and spare (H, S, S): the states of
-    ``Noise`` given them, their dependence on them, and what covariance is left; kinds: of noise,
+    ``Noise`` given them, their dependence on them, and the remaining covariance; kinds: of noise,
     (H,); steps: see ``Noise``.
     """
 
@@ -64,10 +64,10 @@ class Nodes:
     def now(self, progress: float) -> tuple[Array, Array]:
         """Return ln of the coefficient at a progress to K0, (H,), and its breadth.
 
-        What is spread within it is normal: it is as broad as an even spread of the same variance.
+        The normal spread within it is replaced by an even one of the same variance.
         """
         at = self.hypotheses
-        ratio, slope = at.statement.ratio_now(self.log_ratio, progress, at.place)
+        ratio, slope = at.statement.ratio_now(self.log_ratio, progress, at.transition)
         along = self.breadth * (1.0 + slope * self.slope)
         breadth = np.sqrt(along**2 + 12.0 * slope**2 * self.covariance[:, 0, 0])
         return at.log_coefficient + ratio, breadth
@@ -106,7 +106,7 @@ class Nodes:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class IdentificationInputs:
-    """Hold what a posterior is made of, but for the noise."""
+    """The inputs of a posterior without the noise."""
 
     readings: DepthBins
     life: DepthLife
@@ -124,7 +124,7 @@ class IdentificationInputs:
         return float(np.hypot(self.errors.sensitivity, self.life.relative_error / np.sqrt(3.0)))
 
     def depth(self, hypotheses: Hypotheses) -> tuple[Array, Array]:
-        """Return what hypotheses say of the bins, (H, n), m, and the slopes by ln K and ln r."""
+        """Return the depth of the bins by hypotheses, (H, n), m, and slopes by ln K and ln r."""
         return self.life.depth(self.readings.progress, hypotheses.scaled(self.readings.half))
 
     def linear(self, depth: Array) -> Array:
@@ -148,36 +148,36 @@ class IdentificationInputs:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Given(IdentificationInputs):
-    """Hold what a posterior is made of."""
+class PosteriorInputs(IdentificationInputs):
+    """The inputs of a posterior."""
 
     noise: Noise
 
 
-def constant_posterior(given: Given, statement: Statement) -> tuple[float, Nodes]:
+def constant_posterior(inputs: PosteriorInputs, statement: Statement) -> tuple[float, Nodes]:
     """Return the logarithm of the evidence of a constant K, and its nodes."""
-    centre, spread = given.log_median, given.prior.spread
+    centre, spread = inputs.log_median, inputs.prior.spread
     low, high = centre - RANGE * spread, centre + RANGE * spread
     while True:
         grid = np.linspace(low, high, GRID)
         hypotheses = Hypotheses(statement, grid, np.zeros(GRID), np.ones(GRID))
-        depth, _ = given.depth(hypotheses)
-        misfit = given.readings.depth - depth
+        depth, _ = inputs.depth(hypotheses)
+        misfit = inputs.readings.depth - depth
         fit = fitted(
-            given.noise,
-            Linearised(misfit, given.linear(depth), np.zeros((GRID, 3)), np.eye(3)),
+            inputs.noise,
+            Linearised(misfit, inputs.linear(depth), np.zeros((GRID, 3)), np.eye(3)),
         )
         log_density = -0.5 * (((grid - centre) / spread) ** 2 + LN_TWO_PI) - np.log(spread)
-        log_post = fit.log_evidence + log_density + given.noise.kinds.log_prior[:, None]
+        log_post = fit.log_evidence + log_density + inputs.noise.kinds.log_prior[:, None]
         counts = log_post > log_post.max() - NEGLIGIBLE
         inside = np.flatnonzero(counts.any(axis=0))
         if inside.size >= FINE_ENOUGH:
             break
         low, high = grid[max(inside[0] - 1, 0)], grid[min(inside[-1] + 1, GRID - 1)]
-    _refuse_beyond(given, depth[:, -1], log_post)
+    _refuse_beyond(inputs, depth[:, -1], log_post)
     step = float(grid[1] - grid[0])
     log_weight = log_post + np.log(step)
-    return kept(given.noise, hypotheses, fit, log_weight, np.full(GRID, step), np.zeros(GRID))
+    return kept(inputs.noise, hypotheses, fit, log_weight, np.full(GRID, step), np.zeros(GRID))
 
 
 def kept(
@@ -185,22 +185,22 @@ def kept(
 ) -> tuple[float, Nodes]:
     """Return the logarithm of the sum of weights (J, H), and nodes of those that count."""
     total = float(np.logaddexp.reduce(log_weight, axis=None))
-    which, place = np.nonzero(log_weight > log_weight.max() - NEGLIGIBLE)
-    weight = np.exp(log_weight[which, place] - log_weight.max())
+    which, node = np.nonzero(log_weight > log_weight.max() - NEGLIGIBLE)
+    weight = np.exp(log_weight[which, node] - log_weight.max())
     missing = 4 - fit.step.shape[2]  # a constant coefficient has no ratio
 
     def padded(values: Array, axes: int) -> Array:
-        found = values[which, place]
-        return np.pad(found, [(0, 0)] * (found.ndim - axes) + [(missing, 0)] * axes)
+        selected = values[which, node]
+        return np.pad(selected, [(0, 0)] * (selected.ndim - axes) + [(missing, 0)] * axes)
 
     return total, Nodes(
-        at.at(place),
-        breadth[place],
-        slope[place],
+        at.at(node),
+        breadth[node],
+        slope[node],
         weight / weight.sum(),
         padded(fit.step, 1),
         padded(fit.covariance, 2),
-        fit.left[which, place],
+        fit.left[which, node],
         padded(fit.pulled, 1),
         noise.spare[which],
         noise.kinds.at(which),
@@ -208,12 +208,12 @@ def kept(
     )
 
 
-def _refuse_beyond(given: Given, depth: Array, log_post: Array) -> None:
-    """Raise NotIdentifiable where what counts of the posterior is not computed any more.
+def _refuse_beyond(inputs: PosteriorInputs, depth: Array, log_post: Array) -> None:
+    """Raise NotIdentifiable where a relevant part of the posterior is not computed.
 
     depth (H,): of the last bin by the hypotheses, m; log_post (J, H).
     """
-    deepest = given.life.computed_depth
+    deepest = inputs.life.computed_depth
     share = np.exp(log_post - log_post.max()).sum(axis=0)
     if share[depth >= deepest].sum() > 1e-3 * share.sum():
         raise NotIdentifiable(
@@ -221,14 +221,14 @@ def _refuse_beyond(given: Given, depth: Array, log_post: Array) -> None:
                 "the model computes the life to a depth of {:.4g} um only, and {:.4g} um"
                 " are measured: compute it further",
                 1e6 * deepest,
-                1e6 * given.readings.depth[-1],
+                1e6 * inputs.readings.depth[-1],
             )
         )
 
 
-# The posterior of running-in and of a change: a grid over where it was, and over ln K.
+# The posterior of running-in and of a change: a grid over the transition, and over ln K.
 #
-# Where it was is a grid of cells in ln P, each of which is divided again while it counts. In a cell
+# The transition is a grid of cells in ln P, each of which is divided again while it counts. In each
 # the best (ln K, ln r) is found by Gauss-Newton; about it ln K is a grid, ln r is integrated out
 # with sensitivity and reference.
 
@@ -255,7 +255,7 @@ LEAST_POINTS, MOST_POINTS, NODES = 7, 21, 100
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Cells:
-    """Hold where something may have happened: lower and upper ln P of cells, and the best there.
+    """Cells of the transition: lower and upper ln P, and the best coefficients there.
 
     All (C,): low, high; log_coefficient, log_ratio: the best ln(K/K0) and ln r; log_weight of the
     cell; covariance (C, 5, 5) of both with sensitivity, reference and modulus.
@@ -269,13 +269,13 @@ class Cells:
     covariance: Array
 
     @property
-    def place(self) -> Array:
+    def transition(self) -> Array:
         """Return the middle of each, nominal cycles."""
         return np.exp(0.5 * (self.low + self.high))
 
     def at(self, index: NDArray[np.int64]) -> Cells:
         """Return some of the cells."""
-        return Cells(*(getattr(self, one.name)[index] for one in fields(self)))
+        return Cells(*(getattr(self, field.name)[index] for field in fields(self)))
 
     @property
     def counting(self) -> Cells:
@@ -283,42 +283,44 @@ class Cells:
         return self.at(np.flatnonzero(self.log_weight > self.log_weight.max() - COUNTS))
 
     def divided(self) -> Cells:
-        """Return the parts of each cell, with what was found of the whole."""
+        """Return the parts of each cell, with the results of the whole."""
         edges = np.linspace(self.low, self.high, PARTS + 1, axis=1)
         again = self.at(np.repeat(np.arange(self.low.size), PARTS))
         return replace(again, low=edges[:, :-1].ravel(), high=edges[:, 1:].ravel())
 
     def joined(self, other: Cells) -> Cells:
         """Return both."""
-        pairs = ((getattr(self, one.name), getattr(other, one.name)) for one in fields(self))
+        pairs = ((getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
         return Cells(*(np.concatenate(pair) for pair in pairs))
 
 
-def alternative_posterior(given: Given, statement: Statement, start: float) -> tuple[float, Nodes]:
+def alternative_posterior(
+    inputs: PosteriorInputs, statement: Statement, start: float
+) -> tuple[float, Nodes]:
     """Return the logarithm of the evidence of a statement with two coefficients, and its nodes.
 
     start: ln(K/K0) to begin with.
     """
-    cells = _first_cells(given, statement, start)
-    whole = float(cells.high[-1] - cells.low[0])
-    first = given.noise.at(np.array([0]))
-    cells, noise = _settled(given, statement, first, cells.counting, FIRST_STEPS)
+    cells = _first_cells(inputs, statement, start)
+    extent = float(cells.high[-1] - cells.low[0])
+    first = inputs.noise.at(np.array([0]))
+    cells, noise = _settled(inputs, statement, first, cells.counting, FIRST_STEPS)
     for _ in range(DIVIDED):
         share = np.exp(cells.log_weight - np.logaddexp.reduce(cells.log_weight))
         wide = share > DIVIDED_FROM
         if not wide.any():
             break
         parts = cells.at(np.flatnonzero(wide)).divided()
-        parts, noise = _settled(given, statement, noise.at(np.array([0])), parts, MORE_STEPS)
+        parts, noise = _settled(inputs, statement, noise.at(np.array([0])), parts, MORE_STEPS)
         cells = cells.at(np.flatnonzero(~wide)).joined(parts).counting
-    return _nodes(replace(given, noise=noise), statement, cells, whole)
+    return _nodes(replace(inputs, noise=noise), statement, cells, extent)
 
 
-def _first_cells(given: Given, statement: Statement, start: float) -> Cells:
-    """Return cells wherever something may have happened, at a constant coefficient."""
-    progress = given.readings.progress
+def _first_cells(inputs: PosteriorInputs, statement: Statement, start: float) -> Cells:
+    """Return cells for every possible transition, at a constant coefficient."""
+    progress = inputs.readings.progress
     if statement.anywhere:
-        end = progress[-1] + given.readings.half[-1]
+        end = progress[-1] + inputs.readings.half[-1]
         edges = np.log(np.append(progress[:-1:BINS_A_CELL], end))
     else:
         low, high = np.log(RUNNING_IN_PLACES)
@@ -332,25 +334,25 @@ def _first_cells(given: Given, statement: Statement, start: float) -> Cells:
 
 
 def _settled(
-    given: Given, statement: Statement, noise: Noise, cells: Cells, steps: int
+    inputs: PosteriorInputs, statement: Statement, noise: Noise, cells: Cells, steps: int
 ) -> tuple[Cells, Noise]:
     """Return the cells with the best coefficients after so many steps, for one kind of noise.
 
     And the kinds of noise that count, the most probable first: the cells are by that one.
     """
-    at = Hypotheses(statement, cells.log_coefficient, cells.log_ratio, cells.place)
+    at = Hypotheses(statement, cells.log_coefficient, cells.log_ratio, cells.transition)
     for _ in range(steps):
         step = np.clip(
-            best_step(noise, _all_four(given, at))[0, :, :2], -LARGEST_STEP, LARGEST_STEP
+            best_step(noise, _all_four(inputs, at))[0, :, :2], -LARGEST_STEP, LARGEST_STEP
         )
         at = replace(
             at,
             log_coefficient=at.log_coefficient + step[:, 0],
             log_ratio=at.log_ratio + step[:, 1],
         )
-    fit = fitted(given.noise, _all_four(given, at))
+    fit = fitted(inputs.noise, _all_four(inputs, at))
     log_weight = (
-        fit.log_evidence + np.log(cells.high - cells.low) + given.noise.kinds.log_prior[:, None]
+        fit.log_evidence + np.log(cells.high - cells.low) + inputs.noise.kinds.log_prior[:, None]
     )
     if statement.falls:
         log_weight = log_weight + log_ndtr(at.log_ratio / np.sqrt(fit.covariance[..., 1, 1]))
@@ -365,26 +367,28 @@ def _settled(
         at.log_ratio,
         log_weight[best],
         fit.covariance[best],
-    ), given.noise.at(order)
+    ), inputs.noise.at(order)
 
 
-def _all_four(given: Given, at: Hypotheses) -> Linearised:
+def _all_four(inputs: PosteriorInputs, at: Hypotheses) -> Linearised:
     """Linearise some hypotheses in ln K, ln r, e, b and a."""
-    depth, slopes = given.depth(at)
-    columns = np.concatenate([slopes.swapaxes(0, 1), given.linear(depth)], axis=1)
+    depth, slopes = inputs.depth(at)
+    columns = np.concatenate([slopes.swapaxes(0, 1), inputs.linear(depth)], axis=1)
     off = np.zeros((depth.shape[0], 5))
-    off[:, 0], off[:, 1] = given.log_median - at.log_coefficient, -at.log_ratio
+    off[:, 0], off[:, 1] = inputs.log_median - at.log_coefficient, -at.log_ratio
     precision = np.eye(5)
-    precision[:2, :2] = at.statement.precision(given.prior)
-    return Linearised(given.readings.depth - depth, columns, off, precision)
+    precision[:2, :2] = at.statement.precision(inputs.prior)
+    return Linearised(inputs.readings.depth - depth, columns, off, precision)
 
 
-def _nodes(given: Given, statement: Statement, cells: Cells, whole: float) -> tuple[float, Nodes]:
+def _nodes(
+    inputs: PosteriorInputs, statement: Statement, cells: Cells, extent: float
+) -> tuple[float, Nodes]:
     """Return the evidence, and nodes in ln K about the best of each cell.
 
-    whole: ln P that all cells hold together.
+    extent: ln P that all cells hold together.
     """
-    precision = statement.precision(given.prior)
+    precision = statement.precision(inputs.prior)
     by_ratio = precision[1, 1]
     alone = precision[0, 0] - precision[0, 1] ** 2 / by_ratio
     size = np.sqrt(cells.covariance[:, 0, 0])
@@ -396,32 +400,32 @@ def _nodes(given: Given, statement: Statement, cells: Cells, whole: float) -> tu
         statement,
         (cells.log_coefficient[:, None] + moved).ravel(),
         (cells.log_ratio[:, None] + moved * along[:, None]).ravel(),
-        np.repeat(cells.place, count),
+        np.repeat(cells.transition, count),
     )
-    depth, slopes = given.depth(at)
-    columns = np.concatenate([slopes[1][:, None], given.linear(depth)], axis=1)
-    away = at.log_coefficient - given.log_median
+    depth, slopes = inputs.depth(at)
+    columns = np.concatenate([slopes[1][:, None], inputs.linear(depth)], axis=1)
+    away = at.log_coefficient - inputs.log_median
     off = np.zeros((depth.shape[0], 4))
     off[:, 0] = -precision[0, 1] / by_ratio * away - at.log_ratio
     linear = Linearised(
-        given.readings.depth - depth, columns, off, np.diag([by_ratio, 1.0, 1.0, 1.0])
+        inputs.readings.depth - depth, columns, off, np.diag([by_ratio, 1.0, 1.0, 1.0])
     )
-    fit = fitted(given.noise, linear)
-    log_cell = np.log(size * (points[1] - points[0]) * (cells.high - cells.low) / whole)
+    fit = fitted(inputs.noise, linear)
+    log_cell = np.log(size * (points[1] - points[0]) * (cells.high - cells.low) / extent)
     log_weight = (
         fit.log_evidence
         - 0.5 * (alone * away**2 + LN_TWO_PI - np.log(alone))
         + np.repeat(log_cell, count)
-        + given.noise.kinds.log_prior[:, None]
+        + inputs.noise.kinds.log_prior[:, None]
     )
     if statement.falls:
         log_weight, fit = _falling(log_weight, at, fit)
     breadth = np.repeat(size * (points[1] - points[0]), count)
-    return kept(given.noise, at, fit, log_weight, breadth, np.repeat(along, count))
+    return kept(inputs.noise, at, fit, log_weight, breadth, np.repeat(along, count))
 
 
 def _falling(log_weight: Array, at: Hypotheses, fit: Fitted) -> tuple[Array, Fitted]:
-    """Cut ln r off below 0: the weight that is left above, and moments of what is."""
+    """Truncate ln r below 0: return the weight above, and its moments."""
     size = np.sqrt(fit.covariance[..., 0, 0])
     above = (at.log_ratio + fit.step[..., 0]) / size
     log_share = log_ndtr(above)

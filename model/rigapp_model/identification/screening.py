@@ -1,7 +1,7 @@
-"""Which disturbances may count: kinds of noise, periods of a swing, steps, by their evidence.
+"""Screening of disturbances: kinds of noise, periods of a swing, steps, by their evidence.
 
 All of them are compared at once on the bins as they are linearised about the constant coefficient
-that fits best, with and without a change somewhere; what counts is gone through exactly afterwards.
+that fits best, with and without a change somewhere; relevant ones are computed exactly afterwards.
 """
 
 from __future__ import annotations
@@ -44,14 +44,14 @@ many times the test, each next one longer by a factor."""
 DAILY = 0.75
 """Share of a day among the slow swings beforehand: rooms have one."""
 WARMED = 0.1
-"""Where the temperature is known, so much of the swings have another cause."""
+"""Share of the swings with another cause where the temperature is known."""
 STEP_SHARE = 0.1
 """Probability beforehand of a step somewhere, equal chance in each revolution."""
-STEP_TOLD = float(np.log(100.0))
-"""A step is one that there is where its odds are above this, and else one that may be."""
+STEP_ODDS = float(np.log(100.0))
+"""A step counts as present where its odds are above this, else as possible."""
 MOST_STEPS = 3
 PARTS = 2
-"""Places of a change in each bin."""
+"""Positions of a change in each bin."""
 NEVER = 1e12
 """Precision of ln r where there is no change."""
 MOST_KINDS, COUNTS = 10, 6.0
@@ -67,10 +67,10 @@ def periods(last: float, day: float) -> Array:
     return np.concatenate([[NO_PERIOD, day], np.geomspace(SHORTEST, longest, count)])
 
 
-def likely_noise(asked: IdentificationInputs, constant: Statement, change: Statement) -> Noise:
+def likely_noise(inputs: IdentificationInputs, constant: Statement, change: Statement) -> Noise:
     """Return the kinds of noise that may count, the most probable first, with steps found."""
-    readings = asked.readings
-    errors = asked.errors
+    readings = inputs.readings
+    errors = inputs.errors
     swing = periods(float(readings.revolution[-1]), errors.day)
     base, by_spread = possible_kinds(readings, errors.drift, swing)
     share = (readings.revolution - readings.begin) / readings.revolution[-1]
@@ -88,24 +88,24 @@ def likely_noise(asked: IdentificationInputs, constant: Statement, change: State
     period = np.append(swing, np.zeros(share.size))
     each = np.column_stack([readings.begin, readings.revolution])
     jump = np.concatenate([np.zeros((swing.size, 2)), each])
-    linear = _linearised(asked, constant, change)
+    linear = _linearised(inputs, constant, change)
     steps = NO_STEPS
     while True:
         compared = _compared(readings, base, log_weight, swing, linear, steps)
-        found = _step_told(compared, readings) if len(steps) < MOST_STEPS else NO_STEPS
-        if not found.size:
+        step = _step_bin(compared, readings) if len(steps) < MOST_STEPS else NO_STEPS
+        if not step.size:
             kinds = _chosen(compared, base, log_weight, period, jump)
             return noise_of(readings, kinds, steps)
-        steps = np.concatenate([steps, found])
+        steps = np.concatenate([steps, step])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Linear:
-    """Hold what bins are linearised in.
+    """The linearised bins.
 
-    columns (4 + PARTS (n - 1), n): of ln K, e, b, a, and of ln r of a change at some places; misfit
-    (n,); precision (2, 6, 6), off (2, 6): of ln K, e, b, a and ln r at two neighbouring places,
-    which together are a change between them, without a change and with one.
+    columns (4 + PARTS (n - 1), n): of ln K, e, b, a, and of ln r of a change at some positions;
+    misfit (n,); precision (2, 6, 6), off (2, 6): of ln K, e, b, a and ln r at two neighbours, which
+    together are a change between them, without a change and with one.
     """
 
     columns: Array
@@ -114,36 +114,36 @@ class _Linear:
     off: Array
 
 
-def _linearised(asked: IdentificationInputs, constant: Statement, change: Statement) -> _Linear:
+def _linearised(inputs: IdentificationInputs, constant: Statement, change: Statement) -> _Linear:
     """Linearise about the constant coefficient that fits best."""
-    start = asked.best_constant(constant)
-    by, half = asked.readings.progress[1:, None], asked.readings.half[1:, None]
-    place = (by - half + 2.0 * half * np.arange(PARTS) / PARTS).ravel()
-    same = np.full(place.size, start)
-    depth, slopes = asked.depth(Hypotheses(change, same, np.zeros(place.size), place))
-    columns = np.concatenate([slopes[0, :1], asked.linear(depth[:1])[0], slopes[1]])
+    start = inputs.best_constant(constant)
+    by, half = inputs.readings.progress[1:, None], inputs.readings.half[1:, None]
+    change_at = (by - half + 2.0 * half * np.arange(PARTS) / PARTS).ravel()
+    same = np.full(change_at.size, start)
+    depth, slopes = inputs.depth(Hypotheses(change, same, np.zeros(change_at.size), change_at))
+    columns = np.concatenate([slopes[0, :1], inputs.linear(depth[:1])[0], slopes[1]])
     off = np.zeros((2, 6))
-    off[:, 0] = asked.log_median - start
+    off[:, 0] = inputs.log_median - start
     precision = np.tile(np.eye(6), (2, 1, 1))
-    precision[0, 0, 0], precision[0, 4, 4] = asked.prior.spread**-2, NEVER
+    precision[0, 0, 0], precision[0, 4, 4] = inputs.prior.spread**-2, NEVER
     precision[0, 5, 5] = NEVER
-    precision[1][np.ix_([0, 4], [0, 4])] = change.precision(asked.prior)
+    precision[1][np.ix_([0, 4], [0, 4])] = change.precision(inputs.prior)
     precision[1, 5, 5] = change.spread**-2
-    return _Linear(columns, asked.readings.depth - depth[0], precision, off)
+    return _Linear(columns, inputs.readings.depth - depth[0], precision, off)
 
 
 def _compared(
-    readings: DepthBins, base: Kinds, log_weight: Array, swing: Array, linear: _Linear, found: Array
+    readings: DepthBins, base: Kinds, log_weight: Array, swing: Array, linear: _Linear, steps: Array
 ) -> Array:
-    """Compare kinds of noise with a swing or a step, beside steps that are found.
+    """Compare kinds of noise with a swing or a step, beside given steps.
 
     Returns the logarithm of their evidence with their weight beforehand (2, J, T + n): without a
     change and with the most probable one, J kinds of noise, T periods, a step in one of n bins.
-    Each swing and step is two columns beside the others: what they gain is in closed form.
+    Each swing and step is two columns beside the others, whose evidence is in closed form.
     """
     end, at, none = readings.revolution, readings.moments, np.zeros(1)
     nothing = np.zeros((base.size.size, 2))
-    always = shapes(nothing[:, 0], nothing, base.creeps, found, at)
+    always = shapes(nothing[:, 0], nothing, base.creeps, steps, at)
     lower = np.linalg.cholesky(covariance_of(readings, base) + always.swapaxes(1, 2) @ always)
     log_determinant = 2.0 * np.log(np.diagonal(lower, axis1=1, axis2=2)).sum(axis=1)
     nowhere = np.zeros((swing.size - 1, 2))
@@ -175,7 +175,7 @@ def _compared(
     by = inverse @ over
     toward = cross[:, None, 6] - (step[:, :, None] @ over)[:, :, 0]
     u, v = toward[:, :, 0::2], toward[:, :, 1::2]
-    one, two = over[:, :, :, 0::2], over[:, :, :, 1::2]
+    by_first, by_second = over[:, :, :, 0::2], over[:, :, :, 1::2]
 
     def product(a: Array, b: Array) -> Array:
         return np.asarray((a * b).sum(axis=1)[:, None])
@@ -183,18 +183,18 @@ def _compared(
     def explained(a: Array, b: Array) -> Array:
         return np.asarray((a * b).sum(axis=2))
 
-    aa = 1.0 + product(first, first) - explained(one, by[:, :, :, 0::2])
-    ab = product(first, second) - explained(one, by[:, :, :, 1::2])
-    bb = 1.0 + product(second, second) - explained(two, by[:, :, :, 1::2])
+    aa = 1.0 + product(first, first) - explained(by_first, by[:, :, :, 0::2])
+    ab = product(first, second) - explained(by_first, by[:, :, :, 1::2])
+    bb = 1.0 + product(second, second) - explained(by_second, by[:, :, :, 1::2])
     area = aa * bb - ab**2
     gain = 0.5 * ((bb * u**2 - 2.0 * ab * u * v + aa * v**2) / area - np.log(area))
-    whole = plain.T[:, :, None] + log_weight
-    whole[:, :, 1:] += gain.swapaxes(0, 1)
-    return np.asarray(whole)
+    evidence = plain.T[:, :, None] + log_weight
+    evidence[:, :, 1:] += gain.swapaxes(0, 1)
+    return np.asarray(evidence)
 
 
 def _likely_change(linear: _Linear, along: Array, weight: Array) -> int:
-    """Return the place among the columns of the most probable change without swing and step.
+    """Return the index of the column of the most probable change without swing and step.
 
     along (J, n, M + 1): columns and misfit where noise is white; weight (J, 1): its logarithm.
     """
@@ -213,12 +213,12 @@ def _likely_change(linear: _Linear, along: Array, weight: Array) -> int:
     return 4 + int(np.argmax((plain[:, None] + weight + gain).max(axis=0)))
 
 
-def _step_told(compared: Array, readings: DepthBins) -> Array:
-    """Return the bin (1, 2) in which a step is told, or none (0, 2)."""
+def _step_bin(compared: Array, readings: DepthBins) -> Array:
+    """Return the bin (1, 2) with a step, or none (0, 2)."""
     n = readings.revolution.size
     without = np.logaddexp.reduce(compared[:, :, :-n], axis=(1, 2)).max()
     each = np.logaddexp.reduce(compared[:, :, -n:], axis=1)
-    if np.logaddexp.reduce(each, axis=1).max() - without < STEP_TOLD:
+    if np.logaddexp.reduce(each, axis=1).max() - without < STEP_ODDS:
         return NO_STEPS
     at = int(np.argmax(each.max(axis=0)))
     return np.array([[readings.begin[at], readings.revolution[at]]])
@@ -227,18 +227,18 @@ def _step_told(compared: Array, readings: DepthBins) -> Array:
 def _chosen(compared: Array, base: Kinds, log_weight: Array, period: Array, jump: Array) -> Kinds:
     """Return the kinds that count, the most probable first; each swing and step keeps its weight.
 
-    period (T + n,), jump (T + n, 2): of what is compared.
+    period (T + n,), jump (T + n, 2): of the compared ones.
     """
     total = np.logaddexp.reduce(compared, axis=(1, 2))
     relative = compared - total[:, None, None]
     score = relative.max(axis=0)
     order = np.argsort(-score, axis=None)[:MOST_KINDS]
     kept = {(int(j), int(t)) for j, t in zip(*np.unravel_index(order, score.shape), strict=True)}
-    kept = {one for one in kept if score[one] > score.max() - COUNTS}
+    kept = {pair for pair in kept if score[pair] > score.max() - COUNTS}
     of_shape = np.logaddexp.reduce(relative, axis=1)
     for t in np.flatnonzero((of_shape > np.log(LEAST_SHARE)).any(axis=0)):
         kept.add((int(np.argmax(score[:, t])), int(t)))
-    kind, shape = np.array(sorted(kept, key=lambda one: -score[one])).T
+    kind, shape = np.array(sorted(kept, key=lambda pair: -score[pair])).T
     best = relative[int(np.argmax(total))]
     left_out = [
         np.logaddexp.reduce(best[:, t]) - np.logaddexp.reduce(best[kind[shape == t], t])
@@ -252,33 +252,33 @@ def _chosen(compared: Array, base: Kinds, log_weight: Array, period: Array, jump
     )
 
 
-# What fine bins beside what was expected of them are: other wear, a step, or a swing not yet seen.
+# The cause of unexpected fine bins: other wear, a step, or a swing not yet seen.
 #
-# A sum of innovations rises by either. So the bins since it rose are compared with what was
-# expected before it did: their differences are a ramp from some bin on where the joint wears
-# otherwise, and a constant from some bin on where a probe was touched. They may also be a part of a
-# slow swing, of which too few periods have passed for anybody to know it. All amplitudes are normal
-# beforehand, so that the evidence of each is in closed form, with all that was uncertain before.
+# A sum of innovations rises by either. So the bins since it rose are compared with the prediction
+# before it did: their differences are a ramp from some bin on where the joint wears otherwise, and
+# a constant from some bin on where a probe was touched. They may also be a part of a slow swing, of
+# which too few periods have passed. All amplitudes are normal beforehand, so that the evidence of
+# each is in closed form, with all earlier uncertainty.
 
 MOST = 64
-"""So many bins are held; of more each second one is left out."""
+"""Number of bins that are held; of more each second one is left out."""
 CHANGE = 1.0
 """K changes by this factor and one, standard: a third of changes is by more than a factor of 2."""
-TOLD = float(np.log(20.0))
-"""Odds above which one of both is told."""
+ODDS = float(np.log(20.0))
+"""Odds above which one of both is reported."""
 
 KNOWN_AFTER = 2.5
 """Periods after which a swing would have been seen in the bins."""
 UNSEEN_SWING = 0.35
-"""Chance beforehand of a swing of each period; more of it delays what is told of a change early."""
+"""Chance beforehand of a swing of each period; more of it delays the report of an early change."""
 
 
 @dataclass(slots=True)
 class Excursion:
-    """Hold the bins since a sum was 0 last, and what was known then; a fixed number of numbers.
+    """The bins since a sum was 0 last, and the posterior then; of fixed size.
 
     mean, covariance: of all states then; begin: bins that came before it; bins: for each its first
-    and last revolution, progress, difference to what was expected then (m), slope by ln K (m),
+    and last revolution, progress, difference to the prediction then (m), slope by ln K (m),
     variance of its own (m^2), and slopes by all states; stride: each such bin is kept.
     """
 
@@ -289,25 +289,25 @@ class Excursion:
     seen: int = 0
 
     def begin(self, mean: Array, covariance: Array) -> None:
-        """Begin anew with what is known now."""
+        """Restart with the present posterior."""
         self.mean, self.covariance = mean.copy(), covariance.copy()
         self.bins, self.stride, self.seen = [], 1, 0
 
-    def add(self, one: list[float]) -> None:
+    def add(self, closed: list[float]) -> None:
         """Take a bin."""
         self.seen += 1
         if self.seen % self.stride:
             return
-        self.bins.append(one)
+        self.bins.append(closed)
         if len(self.bins) > MOST:
             self.bins, self.stride = self.bins[1::2], 2 * self.stride
 
     def odds(
         self, drift: float, size: float, length: float, wander: float, swings: float = UNSEEN_SWING
     ) -> tuple[float, float, float]:
-        """Return the logarithms of odds of other wear and of a step, each against all else.
+        """Return the logarithms of odds of other wear and of a step, each against all others.
 
-        And the revolution from which on it is the more probable one of both. drift, size, length:
+        And the revolution from which on the more probable one of both began. drift, size, length:
         of the noise, see ``Kinds``; wander: of a swing, m^2 a revolution; swings: chance beforehand
         of a swing of each period.
         """
@@ -330,11 +330,11 @@ class Excursion:
         columns = np.concatenate([ramps, after, inside, off[None]])
         white = np.linalg.solve(lower, columns.T).T
         misfit = white[-1]
-        ramp, one, two = white[:n], white[n : 2 * n], white[2 * n : -1]
+        ramp, after, inside = white[:n], white[n : 2 * n], white[2 * n : -1]
         size_of = 1.0 + (ramp**2).sum(axis=1)
         wear = 0.5 * ((ramp @ misfit) ** 2 / size_of - np.log(size_of))
-        aa, bb = 1.0 + (one**2).sum(axis=1), 1.0 + (two**2).sum(axis=1)
-        ab, u, v = (one * two).sum(axis=1), one @ misfit, two @ misfit
+        aa, bb = 1.0 + (after**2).sum(axis=1), 1.0 + (inside**2).sum(axis=1)
+        ab, u, v = (after * inside).sum(axis=1), after @ misfit, inside @ misfit
         area = aa * bb - ab**2
         step = 0.5 * ((bb * u**2 - 2.0 * ab * u * v + aa * v**2) / area - np.log(area))
         by_wear, by_step = (float(np.logaddexp.reduce(x) - np.log(n)) for x in (wear, step))
@@ -347,11 +347,11 @@ class Excursion:
         )
 
     def numbers(self) -> dict[str, Any]:
-        """Return all that is kept as plain numbers, for a checkpoint."""
+        """Return the state as plain numbers, for a checkpoint."""
         return {
             "mean": None if self.mean is None else self.mean.tolist(),
             "covariance": None if self.covariance is None else self.covariance.tolist(),
-            "bins": [list(one) for one in self.bins],
+            "bins": [list(row) for row in self.bins],
             "stride": self.stride,
             "seen": self.seen,
         }
@@ -372,21 +372,21 @@ def _by_swing(lower: Array, misfit: Array, first: Array, last: Array) -> float:
     flat = np.sinc((last - first) / unseen[:, None])
     sine = SWING * flat * np.sin(turn * (middle - began))
     cosine = SWING * (flat * np.cos(turn * (middle - began)) - 1.0)
-    one, two = (np.linalg.solve(lower, part.T).T for part in (sine, cosine))
-    aa, bb = 1.0 + (one**2).sum(axis=1), 1.0 + (two**2).sum(axis=1)
-    ab, u, v = (one * two).sum(axis=1), one @ misfit, two @ misfit
+    sine, cosine = (np.linalg.solve(lower, part.T).T for part in (sine, cosine))
+    aa, bb = 1.0 + (sine**2).sum(axis=1), 1.0 + (cosine**2).sum(axis=1)
+    ab, u, v = (sine * cosine).sum(axis=1), sine @ misfit, cosine @ misfit
     area = aa * bb - ab**2
     each = 0.5 * ((bb * u**2 - 2.0 * ab * u * v + aa * v**2) / area - np.log(area))
     return float(np.logaddexp.reduce(each))
 
 
 def excursion_of(numbers: Mapping[str, Any]) -> Excursion:
-    """Return the excursion of which ``numbers`` were kept."""
+    """Return the excursion of a state from ``numbers``."""
     mean, covariance_then = numbers["mean"], numbers["covariance"]
     return Excursion(
         None if mean is None else np.array(mean),
         None if covariance_then is None else np.array(covariance_then),
-        [list(one) for one in numbers["bins"]],
+        [list(row) for row in numbers["bins"]],
         numbers["stride"],
         numbers["seen"],
     )

@@ -2,11 +2,11 @@
 
 Each is a column over the bins times an amplitude that is standard normal beforehand:
 
-- temperature moves the probes in proportion to what a sensor reads beside the first bin;
+- temperature moves the probes in proportion to a sensor's reading beside the first bin;
 - creep grows with the logarithm of revolutions, as that of polymers and of glued probes does
   (W. N. Findley et al., Creep and Relaxation of Nonlinear Viscoelastic Materials, 1976, ch. 2);
-- a slow swing, as the temperature of a room has, is a sine and a cosine of some period, less what
-  they are at the first revolution, where the zero is taken;
+- a slow swing, as the temperature of a room has, is a sine and a cosine of some period, less their
+  values at the first revolution, where the zero is taken;
 - a step, as that of a probe that was touched, is one from some bin on, with a part of it in the bin
   in which it happened.
 """
@@ -59,18 +59,18 @@ def shapes(period: Array, jump: Array, creeps: Array, steps: Array, at: Moments)
     there is creep, else 0; steps (s, 2): as jump, of steps that all have.
     """
     begin, end = at.begin, at.end
-    found = np.zeros((period.size, COLUMNS + 2 * len(steps), end.size))
-    found[:, 0] = CREEP * creeps[:, None] * mean_logarithm(begin + 1.0, end)
+    means = np.zeros((period.size, COLUMNS + 2 * len(steps), end.size))
+    means[:, 0] = CREEP * creeps[:, None] * mean_logarithm(begin + 1.0, end)
     turned = 1.0 / np.where(period > 0.0, period, np.inf)[:, None]
     angle = np.pi * turned * (begin + end)
     flat = np.sinc(turned * (end - begin))
-    found[:, 1] = SWING * (flat * np.cos(angle) - 1.0)
-    found[:, 2] = SWING * flat * np.sin(angle)
+    means[:, 1] = SWING * (flat * np.cos(angle) - 1.0)
+    means[:, 2] = SWING * flat * np.sin(angle)
     still = period <= 0.0
-    found[still, 1:HEAT] = _step(jump[still], begin, end)
-    found[:, HEAT] = WARMTH * at.warm
-    found[:, COLUMNS:] = _step(steps, begin, end).reshape(-1, end.size)
-    return found
+    means[still, 1:HEAT] = _step(jump[still], begin, end)
+    means[:, HEAT] = WARMTH * at.warm
+    means[:, COLUMNS:] = _step(steps, begin, end).reshape(-1, end.size)
+    return means
 
 
 def _step(jump: Array, begin: Array, end: Array) -> Array:

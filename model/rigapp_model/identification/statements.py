@@ -1,8 +1,8 @@
-"""What may be true of a joint: its wear coefficient is constant, runs in, or changed at one time.
+"""Statements about a joint: its wear coefficient is constant, runs in, or changed at one time.
 
-Each statement says what progress counts at the life's coefficient K0:
+Each statement gives the progress at the life's coefficient K0:
 q(P) = K/K0 (P + (r - 1) g(P)), where K is the last coefficient, r the first one's ratio to it, and
-g the progress that was made at the first one. So one code serves all of them.
+g the progress made at the first one.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ RUNNING_IN_PLACES = (30.0, 3e4)
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """Hold what one statement says.
+    """One statement.
 
-    name; first (P, half, place): progress made at the first coefficient, the mean over a bin of
-    that half width, place in nominal cycles; spread: of ln r beforehand, 0 for none; falls: whether
-    r is above 1 by definition; anywhere: whether the place may be anywhere in what was tested, else
-    within RUNNING_IN_PLACES; of_first: whether the prior of K is that of the first coefficient,
-    else of the last; chance: probability beforehand.
+    name; first (P, half, transition): progress made at the first coefficient, the mean over a bin
+    of that half width, transition in nominal cycles; spread: of ln r beforehand, 0 for none; falls:
+    whether r is above 1 by definition; anywhere: whether the transition may be anywhere in what was
+    tested, else within RUNNING_IN_PLACES; of_first: whether the prior of K is that of the first
+    coefficient, else of the last; chance: probability beforehand.
     """
 
     name: str
@@ -44,14 +44,16 @@ class Statement:
     of_first: bool = False
     chance: float = 1.0
 
-    def ratio_now(self, log_ratio: Array, progress: float, place: Array) -> tuple[Array, Array]:
+    def ratio_now(
+        self, log_ratio: Array, progress: float, transition: Array
+    ) -> tuple[Array, Array]:
         """Return ln of the coefficient now to K, (H,), and its slope by ln r.
 
-        log_ratio, place (H,); progress: nominal cycles.
+        log_ratio, transition (H,); progress: nominal cycles.
         """
         if not self.falls:
-            return np.zeros(place.shape), np.zeros(place.shape)
-        left = np.exp(-progress / place)
+            return np.zeros(transition.shape), np.zeros(transition.shape)
+        left = np.exp(-progress / transition)
         first = np.exp(log_ratio)
         now = 1.0 + (first - 1.0) * left
         return np.log(now), first * left / now
@@ -64,17 +66,17 @@ class Statement:
         return np.array([[k, 0.0], [0.0, r]])
 
 
-def _none(progress: Array, half: Array, place: Array) -> Array:
-    return np.zeros(np.broadcast_shapes(progress.shape, place.shape))
+def _none(progress: Array, half: Array, transition: Array) -> Array:
+    return np.zeros(np.broadcast_shapes(progress.shape, transition.shape))
 
 
-def _running_in(progress: Array, half: Array, place: Array) -> Array:
-    return place * -np.expm1(-progress / place)
+def _running_in(progress: Array, half: Array, transition: Array) -> Array:
+    return transition * -np.expm1(-progress / transition)
 
 
-def _until(progress: Array, half: Array, place: Array) -> Array:
-    inside = np.maximum(half - np.abs(progress - place), 0.0)
-    return np.minimum(progress, place) - inside**2 / np.maximum(4.0 * half, 1e-300)
+def _until(progress: Array, half: Array, transition: Array) -> Array:
+    inside = np.maximum(half - np.abs(progress - transition), 0.0)
+    return np.minimum(progress, transition) - inside**2 / np.maximum(4.0 * half, 1e-300)
 
 
 CONSTANT, RUNNING_IN, CHANGE = "constant", "running-in", "change"
@@ -84,29 +86,30 @@ STATEMENTS = (
     Statement(RUNNING_IN, _running_in, RUNNING_IN_SPREAD, falls=True, chance=0.1),
     Statement(CHANGE, _until, CHANGE_SPREAD, anywhere=True, of_first=True, chance=0.1),
 )
-"""Were all alike, limits of a constant coefficient would hold it far more often than they say:
-readings that are as likely by each cannot take away what the others leave possible."""
+"""With equal chances, limits of a constant coefficient would be too wide: readings that are as
+likely by each statement cannot exclude the others."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Hypotheses:
-    """Hold H hypotheses of one statement, (H,) each: ln(K/K0), ln r, the place (nominal cycles)."""
+    """Hold H hypotheses of one statement, (H,): ln(K/K0), ln r, the transition (nominal cycles)."""
 
     statement: Statement
     log_coefficient: Array
     log_ratio: Array
-    place: Array
+    transition: Array
 
     def at(self, index: NDArray[np.int64]) -> Hypotheses:
         """Return some of them."""
         return Hypotheses(
-            self.statement, self.log_coefficient[index], self.log_ratio[index], self.place[index]
+            self.statement,
+            *(v[index] for v in (self.log_coefficient, self.log_ratio, self.transition)),
         )
 
     def scaled(self, half: Array) -> Callable[[Array], tuple[Array, Array]]:
-        """Return what progress counts at K0, with its slopes by ln K and ln r (see ``Scaled``).
+        """Return the function of progress at K0, with slopes by ln K and ln r (see ``Scaled``).
 
-        half (n,): half widths of the first n bins asked for; others are single moments.
+        half (n,): half widths of the first n bins; later arguments are single moments.
         """
         coefficient = np.exp(self.log_coefficient)[:, None]
         ratio = np.exp(self.log_ratio)[:, None]
@@ -115,8 +118,8 @@ class Hypotheses:
             wide = half
             if half.size < progress.size:
                 wide = np.pad(half, (0, progress.size - half.size))
-            first = self.statement.first(progress, wide, self.place[:, None])
-            found = coefficient * (progress + (ratio - 1.0) * first)
-            return found, np.stack([found, coefficient * ratio * first])
+            first = self.statement.first(progress, wide, self.transition[:, None])
+            depth = coefficient * (progress + (ratio - 1.0) * first)
+            return depth, np.stack([depth, coefficient * ratio * first])
 
         return counted

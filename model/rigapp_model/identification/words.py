@@ -1,4 +1,4 @@
-"""What the identification says, in a sentence for the operator."""
+"""The identification as a sentence for the operator."""
 
 from __future__ import annotations
 
@@ -16,33 +16,33 @@ from rigapp_model.identification.findings import (
 from rigapp_model.identification.inference import Credible, Identification
 from rigapp_model.identification.statements import CHANGE, CONSTANT, RUNNING_IN
 
-TOLD = 20.0
-"""Odds above which a statement counts as told: one error in twenty, as for limits of 95 %."""
+ODDS = 20.0
+"""Odds above which a statement is made: one error in twenty, as for limits of 95 %."""
 MAY_SWING = 0.2
-"""Probability of a swing that nobody can have seen yet, above which it is said."""
+"""Probability of an unseen swing above which it is mentioned."""
 TOO_WIDE = 2.0
-"""Limits further apart than this factor tell no coefficient."""
+"""Limits further apart than this factor give no coefficient."""
 MM3_PER_M2 = 1e9
 """mm^3/(N m) in a m^2/N."""
 
 
 def sentence(known: Identification, departure: Departure | None = None) -> str:
-    """Return in plain words how the joint wears, or why that cannot be told, and what disturbs."""
-    found = joined("; ", [_disturbance(one) for one in known.disturbances])
-    said = _wear(known, departure)
+    """Return how the joint wears, or why that is unknown, and the disturbances, in plain words."""
+    disturbed = joined("; ", [_disturbance(cause) for cause in known.disturbances])
+    text = _wear(known, departure)
     if known.disturbances:
-        said = say("{} The probes are disturbed, which the limits allow for: {}.", said, found)
+        text = say("{} The probes are disturbed, which the limits allow for: {}.", text, disturbed)
     if _may_swing(known):
-        said = say(
+        text = say(
             "{} A slow swing of the probes, as by the room's temperature, cannot be excluded yet."
             " The limits hold it; a channel room_temperature would tell it.",
-            said,
+            text,
         )
-    return said
+    return text
 
 
 def _may_swing(known: Identification) -> bool:
-    """Tell whether a swing of which less than a period has passed makes the limits wide."""
+    """Return whether a swing of which less than a period has passed makes the limits wide."""
     if known.readings.warm_zero is not None:
         return False
     unseen = sum(
@@ -52,27 +52,23 @@ def _may_swing(known: Identification) -> bool:
     return unseen > MAY_SWING
 
 
-def _disturbance(one: Disturbance) -> str:
-    size, doubt = (f"{1e6 * value:.2g}" for value in (abs(one.size), 2.0 * one.doubt))
-    if one.name == HEAT_NAME:
-        return say("{} ± {} um for a degree of temperature", f"{1e6 * one.size:.2g}", doubt)
-    if one.name == CREEP_NAME:
-        return say("creep of {} ± {} um a decade of revolutions", f"{1e6 * one.size:.2g}", doubt)
-    if one.name == SWING_NAME:
-        return say(
-            "a slow swing of {} ± {} um, period about {} revolutions",
-            size,
-            doubt,
-            grouped_by(one.place),
-        )
-    if one.name == STEP_NAME:
+def _disturbance(cause: Disturbance) -> str:
+    size, doubt = (f"{1e6 * value:.2g}" for value in (abs(cause.size), 2.0 * cause.doubt))
+    span = grouped_by(cause.revolutions)
+    if cause.name == HEAT_NAME:
+        return say("{} ± {} um for a degree of temperature", f"{1e6 * cause.size:.2g}", doubt)
+    if cause.name == CREEP_NAME:
+        return say("creep of {} ± {} um a decade of revolutions", f"{1e6 * cause.size:.2g}", doubt)
+    if cause.name == SWING_NAME:
+        return say("a slow swing of {} ± {} um, period about {} revolutions", size, doubt, span)
+    if cause.name == STEP_NAME:
         return say(
             "a step of {} ± {} um about revolution {}",
-            f"{1e6 * one.size:.2g}",
+            f"{1e6 * cause.size:.2g}",
             doubt,
-            f"{one.place:.0f}",
+            f"{cause.revolutions:.0f}",
         )
-    return say("noise of {} um that is correlated over {} revolutions", size, grouped_by(one.place))
+    return say("noise of {} um that is correlated over {} revolutions", size, span)
 
 
 def grouped_by(revolutions: float) -> str:
@@ -81,7 +77,7 @@ def grouped_by(revolutions: float) -> str:
 
 
 def _wear(known: Identification, departure: Departure | None) -> str:
-    """Return in plain words how the joint wears, or why that cannot be told."""
+    """Return how the joint wears, or why that is unknown, in plain words."""
     if departure is not None and not _explained(known, departure):
         return say(
             "The joint wears {} than before: it was told at revolution {:.0f}, and"
@@ -90,11 +86,11 @@ def _wear(known: Identification, departure: Departure | None) -> str:
             departure.revolution,
             departure.since,
         )
-    constant = next(one for one in known.verdicts if one.name == CONSTANT)
-    others = [one for one in known.verdicts if one.name != CONSTANT]
-    best = max(others, key=lambda one: one.weight)
-    second = min(others, key=lambda one: one.weight)
-    if best.weight <= TOLD * constant.weight:
+    constant = next(verdict for verdict in known.verdicts if verdict.name == CONSTANT)
+    others = [verdict for verdict in known.verdicts if verdict.name != CONSTANT]
+    best = max(others, key=lambda verdict: verdict.weight)
+    second = min(others, key=lambda verdict: verdict.weight)
+    if best.weight <= ODDS * constant.weight:
         if known.coefficient.high > TOO_WIDE * known.coefficient.low:
             return say(
                 "The wear coefficient cannot be told yet, because its limits are a"
@@ -108,7 +104,7 @@ def _wear(known: Identification, departure: Departure | None) -> str:
             " nor a change is told from it at odds of 20 to 1.",
             in_words(known.coefficient),
         )
-    if best.weight <= TOLD * second.weight:
+    if best.weight <= ODDS * second.weight:
         return say(
             "The wear coefficient is not constant. Whether the joint runs in or changed"
             " at one time cannot be told, because the odds are {:.2g} to 1 only; {} now.",
@@ -119,36 +115,35 @@ def _wear(known: Identification, departure: Departure | None) -> str:
 
 
 def _explained(known: Identification, departure: Departure) -> bool:
-    """Tell whether a change is told since, and no earlier than the departure by half a bin."""
-    best, place = known.best, known.best.place
-    if best.name != CHANGE or place is None or best.weight <= TOLD * (1.0 - best.weight):
+    """Return whether a reported change explains the departure, by half a bin at most."""
+    best, transition = known.best, known.best.transition
+    if best.name != CHANGE or transition is None or best.weight <= ODDS * (1.0 - best.weight):
         return False
-    return revolution_of(known, place.high) > 0.9 * departure.since
+    return revolution_of(known, transition.high) > 0.9 * departure.since
 
 
 def _running_in(known: Identification) -> str:
     best = known.best
     assert best.before is not None
     assert best.after is not None
-    assert best.place is not None
-    done = known.progress > 3.0 * best.place.median  # to a twentieth of the way
+    assert best.transition is not None
+    done = known.progress > 3.0 * best.transition.median  # to a twentieth of the way
     return say(
         "Running-in: the wear coefficient {} from {} to {}, by two thirds within {:.0f}"
         " revolutions.",
         say("fell") if done else say("is falling"),
         in_words(best.before),
         in_words(best.after),
-        revolution_of(known, best.place.median),
+        revolution_of(known, best.transition.median),
     )
 
 
 def _changed(known: Identification) -> str:
     best = known.best
     assert best.before is not None
-    assert best.place is not None
-    low, median, high = (
-        revolution_of(known, one) for one in (best.place.low, best.place.median, best.place.high)
-    )
+    assert best.transition is not None
+    at = best.transition
+    low, median, high = (revolution_of(known, p) for p in (at.low, at.median, at.high))
     return say(
         "Changed at revolution {:.0f} ({:.0f} to {:.0f}): the wear coefficient was {}"
         " before and is {} since.",
@@ -172,7 +167,7 @@ def revolution_of(known: Identification, progress: float) -> float:
 def in_words(coefficient: Credible) -> str:
     """Return a coefficient (m^2/N) with its limits, in 10⁻⁶ mm³/(N m)."""
     median, low, high = (
-        np.format_float_positional(1e6 * MM3_PER_M2 * one, 3, fractional=False, trim="-")
-        for one in (coefficient.median, coefficient.low, coefficient.high)
+        np.format_float_positional(1e6 * MM3_PER_M2 * limit, 3, fractional=False, trim="-")
+        for limit in (coefficient.median, coefficient.low, coefficient.high)
     )
     return say("{} ({} to {}) · 10⁻⁶ mm³/(N m)", median, low, high)

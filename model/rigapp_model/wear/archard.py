@@ -20,7 +20,7 @@ def largest_explicit_step(
     """Return the most cycles that explicit extrapolation may take at once.
 
     4 dx / (pi K s E'): beyond it the shortest wave on the mesh (two node spacings dx, m) grows
-    from step to step, because the wear of one step takes away more than its indentation.
+    from step to step, because the wear of one step exceeds its indentation.
     modulus: E' = E / (1 - nu^2), Pa; slip: of a cycle, m. Halves when the mesh is refined.
     """
     require_positive("node_spacing", node_spacing, "m")

@@ -1,9 +1,8 @@
-"""How the wear coefficient changes with revolutions, regime and pressure. Pure functions.
+"""The wear coefficient by revolutions, regime and pressure. Pure functions.
 
-What depends on the revolutions alone is a clock: the profile after n revolutions is that of
-constant K after ``steady_cycles(n)``. What depends on nominal pressure and speed at a crank angle
-is a rate of that angle's slip. Only what depends on the local pressure changes a step; ``front``
-iterates it.
+A dependence on the revolutions alone is a change of time: the profile after n revolutions is of
+constant K after ``steady_cycles(n)``. One on nominal pressure and speed at a crank angle is a rate
+of that angle's slip. Only one on the local pressure changes a step; ``front`` iterates it.
 """
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ the wear of the contact's edge is little, and its coefficient must not be 0 or i
 
 
 def steady_cycles(law: WearLaw, cycles: Array | float) -> Array:
-    """Return how many cycles at the steady coefficient wear as much as the first ``cycles``."""
+    """Return the cycles at the steady coefficient that wear as much as the first ``cycles``."""
     done = np.asarray(cycles, dtype=np.float64)
     return done - law.excess * law.running_in * np.expm1(-done / law.running_in)
 
@@ -41,7 +40,7 @@ def cycles_at(law: WearLaw, reached: Array | float) -> Array:
 
 
 def switched(loads: CycleLoads, speed: Array | float, joint: Joint, law: WearLaw) -> CycleLoads:
-    """Return loads with their rates of wear by the regime they are in.
+    """Return loads with their rates of wear by their regime.
 
     speed: sliding speed of each position, m/s; its sign does not count.
     """
@@ -52,7 +51,7 @@ def switched(loads: CycleLoads, speed: Array | float, joint: Joint, law: WearLaw
 
 
 def shares(law: WearLaw, pressure: Array, slip: Array) -> Array:
-    """Return by what K is multiplied at each node, (N,), for pressures (M, N), Pa, over slips (M,).
+    """Return the factor of K at each node, (N,), for pressures (M, N), Pa, over slips (M,).
 
     With it the wear of all positions together, K share sum s p, is K sum s p (p / p0)^(m - 1).
     """

@@ -28,10 +28,10 @@ from rigapp_model.compiled import njit
 _LIMIT = 40  # sweeps; 5 to 10 settle as a rule, some of the single changes after _PATIENCE
 # After so many sweeps each position changes its set one node at a time.
 _PATIENCE = 25
-# A weak force at the edge of what strong ones wore may roll on for long; when the wear has stayed
-# the same for so many sweeps, its place does not matter.
+# A weak force at the edge of the wear of strong ones may move for long; when the wear stayed the
+# same for so many sweeps, its position does not matter.
 _QUIET = 4
-# When so many times the nodes of the start touch, the sets have run away.
+# When so many times the nodes of the start touch, the sets diverge.
 _GROWTH = 4
 
 
@@ -83,7 +83,7 @@ def _softness(frame, nodes, count, rows, turned):  # type: ignore[no-untyped-def
     cache=True,
     error_model="numpy",
 )
-def _gather(frame, nodes, count, place, slip, rows, inverse, q, force, system, pull):  # type: ignore[no-untyped-def]
+def _gather(frame, nodes, count, row_of, slip, rows, inverse, q, force, system, pull):  # type: ignore[no-untyped-def]
     """Add one position's slip x T to the system and slip x b to its right-hand side."""
     t0, t1 = force[0], force[1]
     for p in range(count):
@@ -93,12 +93,12 @@ def _gather(frame, nodes, count, place, slip, rows, inverse, q, force, system, p
     u1 = q[1, 0] * t0 + q[1, 1] * t1
     for i in range(count):
         bx, by = rows[0, i], rows[1, i]
-        row = place[nodes[i]]
+        row = row_of[nodes[i]]
         c0 = q[0, 0] * bx + q[0, 1] * by
         c1 = q[1, 0] * bx + q[1, 1] * by
         pull[row] += slip * (bx * u0 + by * u1 - rows[2, i])
         for j in range(i, count):
-            system[row, place[nodes[j]]] += slip * (
+            system[row, row_of[nodes[j]]] += slip * (
                 inverse[i, j] - c0 * rows[0, j] - c1 * rows[1, j]
             )
 
@@ -189,7 +189,7 @@ def wear_step(  # type: ignore[no-untyped-def]
 ):
     """Advance all positions by one step; pins, touching, pressed and offset are changed in place.
 
-    surface (N, 2); resistance (N,): w / (K dN), what a unit of wear takes; forces (M, 2) per
+    surface (N, 2); resistance (N,): w / (K dN), the force of a unit of wear; forces (M, 2) per
     metre of width; slips (M,); tolerance: part of the largest force and of the elastic
     displacement by which the conditions may fail; pins (M, 2), touching and pressed (M, N): a
     start, then the result; offset (N, 2): the wear as a displacement of the nodes. Returns status
@@ -200,7 +200,7 @@ def wear_step(  # type: ignore[no-untyped-def]
     gaps = np.empty((positions, n))
     lists = np.empty((positions, n), dtype=np.int64)
     counts = np.zeros(positions, dtype=np.int64)
-    place = np.empty(n, dtype=np.int64)
+    row_of = np.empty(n, dtype=np.int64)
     wear = np.zeros(n)
     quiet = 0
     first_union = n
@@ -214,17 +214,17 @@ def wear_step(  # type: ignore[no-untyped-def]
             largest = max(largest, counts[k])
         union = 0
         for i in range(n):
-            place[i] = -1
+            row_of[i] = -1
             for k in range(positions):
                 if touching[k, i]:
-                    place[i] = union
+                    row_of[i] = union
                     union += 1
                     break
         system = np.zeros((union, union))
         pull = np.zeros((1, union))
         for i in range(n):
-            if place[i] >= 0:
-                system[place[i], place[i]] = resistance[i]
+            if row_of[i] >= 0:
+                system[row_of[i], row_of[i]] = resistance[i]
         first_union = min(first_union, union)
         if union > _GROWTH * first_union + 100:
             return NOT_SETTLED, sweep
@@ -245,7 +245,7 @@ def wear_step(  # type: ignore[no-untyped-def]
                 frame,
                 nodes,
                 count,
-                place,
+                row_of,
                 slips[k],
                 rows[k],
                 inverses[k],
@@ -259,7 +259,7 @@ def wear_step(  # type: ignore[no-untyped-def]
         substitute(system, union, pull, 1)
         change = largest_wear = 0.0
         for i in range(n):
-            value = pull[0, place[i]] if place[i] >= 0 else 0.0
+            value = pull[0, row_of[i]] if row_of[i] >= 0 else 0.0
             change = max(change, abs(value - wear[i]))
             largest_wear = max(largest_wear, value)
             wear[i] = value

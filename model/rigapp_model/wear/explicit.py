@@ -30,11 +30,11 @@ from rigapp_model.wear.richardson import (
 )
 
 STABLE_SHARE = 0.5
-"""Part of the stability limit that a step takes where nobody chose one."""
+"""Part of the stability limit that a step takes by default."""
 
 
 class UnstableStep(ModelError):
-    """Say that an explicit step is beyond the stability limit."""
+    """An explicit step is beyond the stability limit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,9 +48,9 @@ class Extrapolation:
 def stable_step(ring: Ring, sectors: int, wear_coefficient: float, loads: CycleLoads) -> float:
     """Return the most cycles that one explicit step may take on a mesh of so many sectors.
 
-    Wear takes less in a step than twice what its pressure indents: of the shortest wave on the
-    mesh (``largest_explicit_step``), and of the wall as a bed of springs of k Pa/m, which decides
-    in a thin one: 2 / (K s k). All slip of a revolution counts, wherever it presses.
+    The wear of a step must be below twice the indentation by its pressure: of the shortest wave of
+    the mesh (``largest_explicit_step``), and of the wall as a bed of springs of k Pa/m, the
+    limit in a thin one: 2 / (K s k). All slip of a revolution counts, wherever it presses.
     """
     slip = float(loads.wearing.sum()) + loads.idle
     rate = wear_coefficient * slip * ring.foundation_modulus
@@ -70,7 +70,7 @@ def extrapolation(
 ) -> Extrapolation:
     """Return the steps to take: of so many cycles, by default half the stability limit.
 
-    Raises UnstableStep for more than the limit, because the pressure then rattles and the depth
+    Raises UnstableStep for more than the limit, because the pressure then oscillates and the depth
     overshoots while the worn area stays right.
     """
     limit = stable_step(ring, sectors, wear_coefficient, loads)
@@ -96,7 +96,7 @@ def explicit_step(problem: WearProblem, front: Front, loads: CycleLoads, cycles:
     """Advance by paper Eqs 2 and 3: h += K p ds for every position, times the cycles.
 
     One contact solution a position on the surface as it was; the result carries them as a start
-    for the next. Does not look at the stability limit.
+    for the next. Does not check the stability limit.
     """
     require_positive("cycles", cycles)
     solved = touched(problem, front, loads)
@@ -159,11 +159,11 @@ def _advance(
     end: float,
 ) -> tuple[Front, Front]:
     """Advance one run by a step and the other by two halves of it."""
-    whole, halves = runs
-    whole = explicit_step(problem, whole, loads_at(whole, begin), end - begin)
+    full, halves = runs
+    full = explicit_step(problem, full, loads_at(full, begin), end - begin)
     for at in (begin, 0.5 * (begin + end)):
         halves = explicit_step(problem, halves, loads_at(halves, at), 0.5 * (end - begin))
-    return whole, halves
+    return full, halves
 
 
 def _moment(
@@ -174,13 +174,13 @@ def _moment(
     steps: int,
 ) -> Moment:
     """Return the moment of the whole steps, its contacts solved on the surface as it is."""
-    whole, halves = runs
-    loads = loads_at(whole, cycles)
-    area = worn_area(problem, whole.surface)
-    found = RichardsonEstimate(
-        whole.surface,
-        2.0 * (whole.surface - halves.surface),
+    full, halves = runs
+    loads = loads_at(full, cycles)
+    area = worn_area(problem, full.surface)
+    estimate = RichardsonEstimate(
+        full.surface,
+        2.0 * (full.surface - halves.surface),
         area,
         2.0 * abs(area - worn_area(problem, halves.surface)),
     )
-    return moment_of(problem, cycles, touched(problem, whole, loads), loads, found, steps)
+    return moment_of(problem, cycles, touched(problem, full, loads), loads, estimate, steps)

@@ -1,4 +1,4 @@
-"""Where a life's forces come from: a joint by constraints, or one constant force.
+"""The sources of a life's forces: a joint by constraints, or one constant force.
 
 Pin and bushing as separate bodies are in ``impact_forces``.
 """
@@ -44,13 +44,13 @@ class ForceSource(Protocol):
         """Return the loads on a worn surface after so many cycles."""
 
     def clearance(self, front: Front) -> float:
-        """Return R2 - R1 as the mechanism sees it, m."""
+        """Return R2 - R1 in the mechanism, m."""
 
     def coupling_error(self, cycles: float) -> float:
         """Return a bound of the depth's error by forces kept while the surface wore, m."""
 
     def notes(self, front: Front) -> Iterable[str]:
-        """Return sentences on what the technique assumes and whether it holds."""
+        """Return sentences on the assumptions of the technique and whether they hold."""
 
 
 def constant_source(
@@ -142,15 +142,15 @@ class Constrained:
         return 0.0
 
     def notes(self, front: Front) -> Iterable[str]:
-        """Say where continuous contact does not hold."""
+        """Return a sentence where continuous contact does not hold."""
         if self._new == 0.0 and not self._follows:
             return ()
         angle = 2.0 * np.pi * np.arange(360) / 360
         joint = self._parameters.joint
-        found = continuous_contact(
+        contact = continuous_contact(
             self._parameters.mechanism, joint, angle, self._speed, 0.0, self.clearance(front)
         )
-        return () if found.assumption_holds else (found.sentence(),)
+        return () if contact.assumption_holds else (contact.sentence(),)
 
     def _loads(self, positions: int, gap: float) -> CycleLoads:
         mechanism, joint = self._parameters.mechanism, self._parameters.joint

@@ -38,7 +38,7 @@ _ROUND_TOLERANCE = 3e-4  # of the coefficient where much wears; its part in the 
 
 @dataclass(frozen=True, slots=True)
 class WearProblem:
-    """Hold what does not change in a life: ring, condensed mesh, width (m), K (m^2/N), wear law.
+    """The constants of a life: ring, condensed mesh, width (m), K (m^2/N), wear law.
 
     ``compliance`` is that between the surface nodes that may ever touch.
     """
@@ -57,7 +57,7 @@ class WearProblem:
 
 @dataclass(frozen=True, slots=True)
 class Front:
-    """Hold a worn surface, (2 x sectors, 2), m, and the contacts that it was left with.
+    """A worn surface, (2 x sectors, 2), m, and its last contacts.
 
     ``pins`` (M, 2), ``touching`` and ``force`` (M, N; N/m) of the crank positions: from them the
     next step starts; empty before the first one.
@@ -139,9 +139,9 @@ def implicit_step(
 ) -> Front:
     """Advance by a backward Euler step over so many cycles, all positions together.
 
-    Unconditionally stable. A step whose sets of touching nodes do not settle, as can happen when
-    weak forces look for their place in what strong ones wear, is taken in two halves, up to
-    ``splits`` times. Where the law asks for the local pressure, the step is repeated with the
+    Unconditionally stable. A step whose sets of touching nodes do not settle, as weak forces in the
+    wear of strong ones may cause, is taken in two halves, up to ``splits`` times. Where the law
+    depends on the local pressure, the step is repeated with the
     coefficient that its own pressures give. Raises ContactError when a contact cannot carry its
     force.
     """
@@ -171,7 +171,7 @@ def _raised(
             worn = _step(problem, start, loads, cycles, 0, share)
         except _Unsettled:
             break
-        # Only the pressures of the step say what it wore: its surface has moved by then.
+        # Only the pressures of the step give its wear: its surface has moved by then.
         assert worn.force is not None
         weights = simpson_weights(front.surface)[problem.compliance.nodes]
         wanted = shares(law, worn.force / weights, loads.wearing)
@@ -188,7 +188,7 @@ def _raised(
 
 
 class _Unsettled(Exception):
-    """Say that the sets of touching nodes did not settle."""
+    """The sets of touching nodes did not settle."""
 
 
 def _step(
@@ -199,7 +199,7 @@ def _step(
     splits: int,
     share: Array | float = 1.0,
 ) -> Front:
-    """Advance by one implicit step; share (N,): what K is multiplied by at each node.
+    """Advance by one implicit step; share (N,): factor of K at each node.
 
     With a share that cannot settle it raises _Unsettled, else it is taken in halves.
     """
@@ -259,7 +259,7 @@ def _step(
 
 
 def _check(problem: WearProblem, status: int, touching: Flags, force: float) -> None:
-    """Raise ContactError when a step found no answer or left the arc of nodes."""
+    """Raise ContactError when a step has no solution or left the arc of nodes."""
     if status != active_set.CARRIED:
         raise ContactError(
             "force",
@@ -274,7 +274,7 @@ def _check(problem: WearProblem, status: int, touching: Flags, force: float) -> 
 
 
 class WornThrough(ModelError):
-    """Say that the wear has reached the bushing's rim."""
+    """The wear has reached the bushing's rim."""
 
 
 def refuse_worn_through(problem: WearProblem, surface: Array) -> None:
@@ -309,7 +309,7 @@ def worn_area(problem: WearProblem, surface: Array) -> float:
 
 @lru_cache(maxsize=32)
 def _unworn_area(ring: Ring, sectors: int) -> float:
-    """Return the area inside the unworn surface on a mesh, m^2; it is wanted for every step."""
+    """Return the area inside the unworn surface on a mesh, m^2, which every step needs."""
     return _inside(ring.circle(sectors))
 
 
@@ -321,5 +321,5 @@ def _inside(nodes: Array) -> float:
     return float(np.sum(4.0 * bulged - _cross(first, last))) / 6.0
 
 
-def _cross(one: Array, other: Array) -> Array:
-    return one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
+def _cross(first: Array, second: Array) -> Array:
+    return first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]

@@ -27,13 +27,13 @@ SAMPLES = 720  # without impacts forces are as smooth as the angle: half a degre
 # short.
 SAMPLES_WITH_IMPACTS = 3600
 FEWEST_REVOLUTIONS, MOST_REVOLUTIONS = 32, 128
-# What is kept of revolutions with impacts: so many directions.
+# Directions in which revolutions with impacts are stored.
 DIRECTIONS = 1440
 # The forces' sampling error may take this part of the tolerance.
 SAMPLING_SHARE = 0.3
-# So many parts of the revolutions are compared to tell the sampling error.
+# Parts of the revolutions that are compared for the sampling error.
 PARTS = 8
-# The forces are computed anew whenever the wear has grown by this part of the clearance.
+# The forces are computed again whenever the wear has grown by this part of the clearance.
 REFRESH = 0.1
 
 
@@ -41,9 +41,9 @@ class SeparateBodies:
     """Give the forces of a pin that is held by contact alone, on the worn profile.
 
     The integration of a revolution takes longer than the wear, so its forces are kept until the
-    wear at the contact point has grown by a tenth of the clearance; ``coupling_error`` says what
-    that can cost. Where contact is lost, many revolutions are taken, and ``samples`` are parts of
-    them that tell how well their means are known.
+    wear at the contact point has grown by a tenth of the clearance; ``coupling_error`` bounds the
+    effect. Where contact is lost, many revolutions are taken, and ``samples`` are parts of them for
+    the uncertainty of their means.
     """
 
     single = False
@@ -85,7 +85,7 @@ class SeparateBodies:
         return self._parameters.joint.clearance + self._depth(front)
 
     def coupling_error(self, cycles: float) -> float:
-        """Return what keeping the forces between refreshes can change in the depth, m."""
+        """Return a bound of the depth's error by forces kept between refreshes, m."""
         stages = [self._stages[n] for n in sorted(self._stages)]
         means = [stage.loads.mean_force for stage in stages if stage.since <= cycles]
         if len(means) < 2:
@@ -95,7 +95,7 @@ class SeparateBodies:
         return float(sum(changes)) * self._step
 
     def notes(self, front: Front) -> Iterable[str]:
-        """Say how much of the time pin and bushing touch, and what friction's ripple is worth."""
+        """Return sentences on the time in contact, and on the ripple of friction."""
         stage = min(self._stages.values(), key=lambda stage: stage.contact_fraction)
         if stage.contact_fraction < 1.0 - 1e-12:
             yield (
@@ -135,9 +135,9 @@ class SeparateBodies:
             self._speed,
             profile=None if front is None else _profile(front, p.joint.bushing_radius),
         )
-        found = contact_cycle(system, SAMPLES, progress=lambda part: self._alive())
-        if found.contact_is_continuous:
-            return _Stage(_loads(found, p), (), 1.0, 1, cycles)
+        steady = contact_cycle(system, SAMPLES, progress=lambda part: self._alive())
+        if steady.contact_is_continuous:
+            return _Stage(_loads(steady, p), (), 1.0, 1, cycles)
         revolutions, work, touch = [], BatchMeans(), BatchMeans()
         for cycle in revolutions_of(system, SAMPLES_WITH_IMPACTS, alive=self._alive):
             revolutions.append(_loads(cycle, p))
@@ -155,7 +155,7 @@ class SeparateBodies:
         )
 
     def _enough(self, revolutions: int, work: Mean) -> bool:
-        """Return whether the work where most is done is known well, or that would take too long."""
+        """Return whether the largest work is known well enough, or that would take too long."""
         if revolutions < FEWEST_REVOLUTIONS or revolutions % PARTS:
             return False
         most = int(np.argmax(work.value))
@@ -201,7 +201,7 @@ def _loads(cycle: ContactCycle, parameters: Parameters) -> CycleLoads:
 
 
 def _idle(slip: Array, joint: Joint) -> float:
-    """Return by what less than its circumference the pin slides in contact, m.
+    """Return the circumference less the distance that the pin slides in contact, m.
 
     So ``mean_force`` is the constant force that wears as much over the circumference.
     """

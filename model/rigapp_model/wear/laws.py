@@ -13,9 +13,9 @@ from rigapp.texts import say
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """One wear law. sentence: for help, form and docs; needs: the keys of ``[wear]`` that it reads.
+    """One wear law. sentence: for help, form and docs; needs: its keys of ``[wear]``.
 
-    bound: what is known of the error of a life by it.
+    bound: of the error of a life by it, in words.
     """
 
     name: str
@@ -27,8 +27,8 @@ class Law:
 _AS_ARCHARD = say("the stated error is a bound, as for Archard's law")
 
 LAWS = {
-    one.name: one
-    for one in (
+    law.name: law
+    for law in (
         Law(
             "archard",
             say("the depth grows with pressure and slip, dh/ds = K p"),
@@ -62,6 +62,6 @@ LAWS = {
 
 
 def sentence_of(name: str) -> str:
-    """Return what a law says and what is known of its error, as one sentence."""
-    one = LAWS[name]
-    return say("Wear law {}: {}; {}.", name, one.sentence, one.bound)
+    """Return a law and the bound of its error, as one sentence."""
+    law = LAWS[name]
+    return say("Wear law {}: {}; {}.", name, law.sentence, law.bound)

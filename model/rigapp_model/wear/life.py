@@ -49,13 +49,13 @@ class Life:
 
     Columns: ``cycles``; ``max_depth`` (m); ``worn_area`` (m^2); ``worn_mass`` (kg);
     ``peak_pressure`` (Pa); ``mean_force`` (N, over the slip); ``peak_force`` (N);
-    ``clearance`` (m): R2 - R1 as the mechanism sees it; ``estimated_error`` (m) of the depth and
+    ``clearance`` (m): R2 - R1 in the mechanism; ``estimated_error`` (m) of the depth and
     ``area_error`` (m^2), ``mass_error`` (kg): steps, crank positions, mesh, coupling and sampled
     forces together, not less than the true ones.
     Profile: ``angle`` (rad) from -pi in the follower frame, 0 at the initial contact point;
-    ``depth`` (m). ``positions``, ``sectors``, ``steps``: what it took. ``notes``: sentences that
+    ``depth`` (m). ``positions``, ``sectors``, ``steps``: as used. ``notes``: sentences that
     the user must read. ``tolerance_met``: whether the error at the end is within the tolerance.
-    ``complete``: whether the last row is the end asked for, not where time ran out.
+    ``complete``: whether the last row is the requested end, not where time ran out.
     ``extrapolation``: of explicit steps; None of implicit ones.
     """
 
@@ -133,26 +133,27 @@ def life(
         else constant_source(force, parameters.joint, speed, law)
     )
     width, coefficient = parameters.joint.bushing_width, parameters.bushing.wear_coefficient
-    one = (ring, width, coefficient, law)
-    whole = float(steady_cycles(law, cycles))
-    plan = plan_life(*one, source.unworn, whole, tolerance, source.single, lambda: tell(0.0))
+    joint = (ring, width, coefficient, law)
+    steady = float(steady_cycles(law, cycles))
+    plan = plan_life(*joint, source.unworn, steady, tolerance, source.single, lambda: tell(0.0))
     unworn = source.unworn(plan.positions)
-    _refuse_faint_wear(parameters, unworn, whole)
+    _refuse_faint_wear(parameters, unworn, steady)
     explicit = None
     if method == "explicit":
         explicit = extrapolation(ring, plan.sectors, coefficient, unworn, step)
     simplified = simplification(ring, float(unworn.magnitude.max()) / width)
-    sampling = sampling_errors(*one, plan, unworn.pressing(), source.samples(plan.positions), whole)
+    parts = source.samples(plan.positions)
+    sampling = sampling_errors(*joint, plan, unworn.pressing(), parts, steady)
     wanted = row_cycles(cycles) if rows is None else _asked_rows(rows, cycles)
     task = _Task(parameters, ring, source, plan, technique, tolerance, cycles, explicit, wanted)
-    found = _life(task, sampling, _moments(task, tell))
+    computed = _life(task, sampling, _moments(task, tell))
     by_law = () if law == ARCHARD else (sentence_of(law.name),)
-    return replace(found, notes=simplified + by_law + found.notes)
+    return replace(computed, notes=simplified + by_law + computed.notes)
 
 
 @dataclass(frozen=True, slots=True)
 class _Task:
-    """Hold what is to be computed, and with what."""
+    """The task: inputs, plan and options."""
 
     parameters: Parameters
     ring: Ring
@@ -168,13 +169,13 @@ class _Task:
 def _moments(task: _Task, tell: Callable[[float], None]) -> list[Moment]:
     """Run the life on its plan, again on a larger arc when the contact outgrows it.
 
-    Where ``tell`` raises OutOfTime after the first step, what was reached is returned. Rows, steps
-    and moments count by the law's progress, in cycles at the steady coefficient.
+    Where ``tell`` raises OutOfTime after the first step, the moments so far are returned. Rows,
+    steps and moments count by the law's progress, in cycles at the steady coefficient.
     """
     plan, source, explicit = task.plan, task.source, task.explicit
     window, law = plan.half_angle, task.parameters.bushing.law
     rows = steady_cycles(law, task.rows)
-    whole = float(rows[-1])
+    end = float(rows[-1])
 
     def loads_at(front: Front, at: float) -> CycleLoads:
         return source.at(front, float(cycles_at(law, at)), plan.positions)
@@ -195,14 +196,14 @@ def _moments(task: _Task, tell: Callable[[float], None]) -> list[Moment]:
                 integrate(problem, loads_at, rows, TIME_SHARE * task.tolerance)
                 if explicit is None
                 else explicit_moments(
-                    problem, loads_at, rows, explicit.step, lambda done: tell(done / whole)
+                    problem, loads_at, rows, explicit.step, lambda done: tell(done / end)
                 )
             )
             for moment in course:
                 if not moments:
                     _refuse_overload(problem, moment)
                 moments.append(moment)
-                tell(moment.cycles / whole)
+                tell(moment.cycles / end)
         except OutOfTime:
             if len(moments) < 2:
                 raise
@@ -216,9 +217,9 @@ def _moments(task: _Task, tell: Callable[[float], None]) -> list[Moment]:
 
 
 def simplification(ring: Ring, force: float) -> tuple[str, ...]:
-    """Return what a bed of springs makes of the unworn pressure under a force (N/m), in words.
+    """Return the effect of a bed of springs on the unworn pressure under a force (N/m), in words.
 
-    Nothing of an elastic bushing. Raises ContactError when that cannot carry the force.
+    Empty for an elastic bushing. Raises ContactError when the bed cannot carry the force.
     """
     if ring.contact == "finite-element":
         return ()
@@ -280,12 +281,12 @@ def row_cycles(cycles: float) -> Array:
 
 
 def _asked_rows(rows: ArrayLike, cycles: float) -> Array:
-    """Return the cycles asked for with the end of the life; raise ModelError for unusable ones."""
-    asked = np.atleast_1d(np.asarray(rows, dtype=np.float64))
-    asked = asked[asked < cycles]
-    if asked.size and not (asked[0] > 0.0 and np.all(np.diff(asked) > 0.0)):
+    """Return the requested cycles with the end of the life; raise ModelError for unusable ones."""
+    selected = np.atleast_1d(np.asarray(rows, dtype=np.float64))
+    selected = selected[selected < cycles]
+    if selected.size and not (selected[0] > 0.0 and np.all(np.diff(selected) > 0.0)):
         raise ModelError("rows", say("not increasing"), say("give increasing cycles above 0"))
-    return np.append(asked, cycles)
+    return np.append(selected, cycles)
 
 
 def _life(
@@ -368,13 +369,13 @@ def _errors(
 ) -> tuple[dict[str, Array], dict[str, Array]]:
     """Return the parts of the error of the depth (m) and of the worn area (m^2), by their causes.
 
-    The mesh's bound is that of the depth for both: the area converges faster. What a force is off
-    by, the area is off by, and the depth by no more.
+    The mesh's bound is that of the depth for both: the area converges faster. The relative error of
+    a force is that of the area, and an upper bound for the depth.
     """
     done = np.array([m.cycles for m in moments])
     mesh = mesh_error(np.array([0.5 * m.nodes_in_contact for m in moments])) + _SOLUTION_ERROR
     law = task.parameters.bushing.law
-    kept = np.array([task.source.coupling_error(float(cycles_at(law, one))) for one in done])
+    kept = np.array([task.source.coupling_error(float(cycles_at(law, c))) for c in done])
     of_depth = {
         "time steps": np.array([m.time_error for m in moments]),
         "crank positions": task.plan.depth_error.after(done) * depth,

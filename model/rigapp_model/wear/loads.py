@@ -1,4 +1,4 @@
-"""What presses and slides in one revolution: forces on the bushing at some crank positions."""
+"""Normal force and sliding distance of one revolution, at some crank positions."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ class CycleLoads:
     centre to the initial contact point, which is towards the crank, y is 90 degrees further
     counter-clockwise: minus the components in the follower frame. ``slip`` (M,), m: its sum and
     ``idle``, the slip without force, are the pin's circumference; where the pin travels in its
-    clearance it can slide further than that, and ``idle`` is negative. ``rate`` (M,): by
-    what the wear coefficient is multiplied at each position, None where it is the same at all.
+    clearance it can slide further than that, and ``idle`` is negative. ``rate`` (M,): factor of the
+    wear coefficient at each position, None where it is the same at all.
     """
 
     force: Array

@@ -1,4 +1,4 @@
-"""How fine is fine enough: crank positions, mesh and arc for a tolerance."""
+"""The discretisation for a tolerance: crank positions, mesh and arc."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from rigapp_model.wear.richardson import EARLY_TOLERANCE
 Array = NDArray[np.float64]
 LoadsOf = Callable[[int], CycleLoads]
 
-# More are not taken: without a spring 96 leave 0.3 % of the depth, and the program says so.
+# More are not used: without a spring 96 leave an error of 0.3 % of the depth, which is reported.
 POSITIONS = (4, 6, 8, 12, 16, 24, 32, 48, 64, 96)
 _MESH_ERROR = 0.3  # twice the largest error that comparing meshes showed
 # Shares of the tolerance: positions, mesh and steps, with life's _SAFETY, stay below 0.9 of it.
@@ -67,10 +67,10 @@ class RelativeError:
 
 @dataclass(frozen=True, slots=True)
 class LifePlan:
-    """Hold what a life is computed with.
+    """The discretisation of a life.
 
-    ``positions``: of the crank, and what their number costs in depth and in worn area, from
-    comparing with twice as many; ``sectors`` of the mesh, and of the ``coarse`` one that positions
+    ``positions``: of the crank, and their errors in depth and in worn area, from comparing with
+    twice as many; ``sectors`` of the mesh, and of the ``coarse`` one that positions
     were compared on; ``half_angle`` (rad) of the arc of nodes.
     """
 
@@ -113,10 +113,10 @@ def plan_life(
         )
     half = expected_half_angle(ring, width, wear_coefficient, loads, cycles)
     window = min(1.4 * half + 0.15, np.pi)
-    given = (ring, width, wear_coefficient, law, loads_of, cycles, tolerance, single)
+    arguments = (ring, width, wear_coefficient, law, loads_of, cycles, tolerance, single)
     while True:
         try:
-            return _planned(*given, window, alive)
+            return _planned(*arguments, window, alive)
         except ArcTooSmall:
             if window >= np.pi:
                 raise
@@ -133,7 +133,7 @@ def mesh_error(nodes_in_half: Array) -> Array:
 
 
 def nodes_for(error: float) -> float:
-    """Return how many nodes half the contact needs for a bound of the relative error."""
+    """Return the nodes in half the contact for a bound of the relative error."""
     inverse = (np.sqrt(1.0 + 48.0 * error / _MESH_ERROR) - 1.0) / 24.0
     return float(1.0 / np.sqrt(inverse))
 
@@ -143,7 +143,7 @@ def expected_half_angle(
 ) -> float:
     """Return an upper estimate of the contact's half-angle at the end, rad.
 
-    The larger of Persson's for the unworn bushing and that of a rigid pin wearing into one place.
+    The larger of Persson's for the unworn bushing and that of a rigid pin wearing at one angle.
     """
     elastic = ring.half_angle(float(loads.magnitude.max()) / width)
     if ring.clearance <= 0.0:
@@ -241,27 +241,27 @@ def sampling_errors(
     wear_coefficient: float,
     law: WearLaw,
     plan: LifePlan,
-    whole: CycleLoads,
+    all_loads: CycleLoads,
     samples: Sequence[CycleLoads],
     cycles: float,
 ) -> tuple[RelativeError, RelativeError]:
     """Return bounds of the errors of depth and of area by forces that were sampled.
 
-    whole: the loads; samples: the same by parts of the sample. Each part gives a life of its own,
-    coarsely; of the spread of these the mean has 1/sqrt(parts). Three times that, and what the mean
-    of the parts is off the whole by, since a part with its larger scatter wears deeper in places.
+    all_loads: the loads; samples: the same by parts of the sample. Each part gives its own life,
+    coarsely; the error of the mean is their spread over sqrt(parts). Three times that, and the
+    bias of their mean, since a part with its larger scatter wears deeper in places.
     """
     nothing = RelativeError(0.0, 0.0, cycles)
     if len(samples) < 2:
         return nothing, nothing
-    found = []
-    for loads in (whole, *samples):
+    lives = []
+    for loads in (all_loads, *samples):
         problem = wear_problem(
             ring, plan.coarse, width, wear_coefficient, loads, plan.half_angle, law
         )
         ends = _coarse_life(problem, loads, cycles)
-        found.append([(float(front.depth(ring.inner).max()), area) for front, area in ends])
-    together, parts = np.array(found[0]), np.array(found[1:])
+        lives.append([(float(front.depth(ring.inner).max()), area) for front, area in ends])
+    together, parts = np.array(lives[0]), np.array(lives[1:])
     spread = parts.std(axis=0, ddof=1) / np.sqrt(len(samples))
     bias = np.abs(parts.mean(axis=0) - together) / (len(samples) - 1)
     part = (SAMPLING_COVERAGE * spread + bias) / np.maximum(np.abs(together), 1e-300)
@@ -269,25 +269,25 @@ def sampling_errors(
     return of_depth, of_area
 
 
-def _part(one: float, other: float) -> float:
+def _part(first: float, second: float) -> float:
     """Return the difference of two areas as a part of the second."""
-    return abs(one - other) / max(abs(other), 1e-300)
+    return abs(first - second) / max(abs(second), 1e-300)
 
 
-def _largest_difference(one: Front, other: Front, inner: float) -> float:
+def _largest_difference(first: Front, second: Front, inner: float) -> float:
     """Return the largest difference of two fronts where they are deep, as a part of the depth."""
-    a, b = one.depth(inner), other.depth(inner)
+    a, b = first.depth(inner), second.depth(inner)
     deepest = float(b.max())
     return float(np.abs(a - b)[b >= 0.5 * deepest].max()) / max(deepest, 1e-300)
 
 
-def _difference(one: Front, other: Front, inner: float) -> float:
+def _difference(first: Front, second: Front, inner: float) -> float:
     """Return the difference of two fronts as a part of the depth.
 
     The larger of that of their largest depths and of the root mean square where they are deep:
     few positions press small pits, which make no depth.
     """
-    a, b = one.depth(inner), other.depth(inner)
+    a, b = first.depth(inner), second.depth(inner)
     deepest = float(b.max())
     deep = b >= 0.5 * deepest
     spread = float(np.sqrt(np.mean(np.square(a - b)[deep])))
@@ -295,7 +295,7 @@ def _difference(one: Front, other: Front, inner: float) -> float:
 
 
 def _most_sectors(loads: CycleLoads, window: float) -> int:
-    """Return how many sectors keep the arc of nodes within MOST_NODES."""
+    """Return the most sectors that keep the arc of nodes within MOST_NODES."""
     share = len(arc_nodes(1440, loads.direction, window)) / 2880.0
     most = 0.5 * MOST_NODES / share
     return max([n for n in SECTORS if n <= most], default=SECTORS[0])

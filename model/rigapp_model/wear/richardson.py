@@ -39,7 +39,7 @@ FIRST_PART = 1.2e-3
 
 The first of the usual rows, at most a part in 900 of the life, is reached by one."""
 LARGEST_GROWTH = 5.0
-"""No step is longer than so many times the one before: what it costs to refuse it is a step."""
+"""No step is longer than so many times the one before: a refused step costs its time."""
 _RUNS = (1, 2, 4)  # two extrapolations need three runs
 
 
@@ -99,14 +99,14 @@ def integrate(
     done, step, refused = 0.0, float(min(rows[0], FIRST_PART * rows[-1])), np.inf
     for row in rows:
         while done < row:
-            # A step that would leave a crumb goes on to the row.
+            # A step that would leave a small rest goes on to the row.
             target = row if row - done < 1.3 * step else done + step
             after = _advance(problem, loads_at, runs, done, target)
             moment = _moment(problem, target, after, loads_at(after[-1], target))
             depth = moment.front.depth(problem.ring.inner).max()
             early = float(np.clip(np.sqrt(rows[-1] / target), 1.0, EARLY_TOLERANCE))
             allowed = tolerance * float(depth) * early
-            # Of the step: what would just be allowed, the error being of second order.
+            # Of the step: the allowed part, the error being of second order.
             suited = 0.8 * np.sqrt(allowed / max(moment.time_error, 1e-300))
             # Smaller steps are of no use where the error is older, or the mesh's: nodes that come
             # into contact one after another.
@@ -116,7 +116,7 @@ def integrate(
                 refused = moment.time_error
                 continue
             refused = np.inf
-            # A step that a row cut short says nothing against the longer one that was wanted.
+            # A step cut short by a row is no reason against the longer one before.
             step = max(step, (target - done) * float(np.clip(suited, 1.5, LARGEST_GROWTH)))
             runs, done = after, target
             yield moment
@@ -150,13 +150,13 @@ def _moment(
     areas = [worn_area(problem, run.surface) for run in runs]
     area = 2.0 * areas[2] - areas[1]
     area_error = abs(area - (2.0 * areas[1] - areas[0]))
-    found = RichardsonEstimate(better, better - worse, area, area_error)
-    return moment_of(problem, cycles, fine, loads, found, sum(_RUNS))
+    estimate = RichardsonEstimate(better, better - worse, area, area_error)
+    return moment_of(problem, cycles, fine, loads, estimate, sum(_RUNS))
 
 
 @dataclass(frozen=True, slots=True)
 class RichardsonEstimate:
-    """Hold a worn surface (m) and what it may be off by, its area (m^2) and the area's error."""
+    """A worn surface (m) and its error, its area (m^2) and the area's error."""
 
     surface: Array
     off: Array
@@ -169,7 +169,7 @@ def moment_of(
     cycles: float,
     front: Front,
     loads: CycleLoads,
-    found: RichardsonEstimate,
+    estimate: RichardsonEstimate,
     steps: int,
 ) -> Moment:
     """Return the moment of a front whose contacts are solved."""
@@ -179,10 +179,10 @@ def moment_of(
     assert front.touching is not None
     return Moment(
         cycles=cycles,
-        surface=found.surface,
-        area=found.area,
-        time_error=float(np.hypot(found.off[deep, 0], found.off[deep, 1]).max()),
-        area_error=found.area_error,
+        surface=estimate.surface,
+        area=estimate.area,
+        time_error=float(np.hypot(estimate.off[deep, 0], estimate.off[deep, 1]).max()),
+        area_error=estimate.area_error,
         peak_pressure=float(contact_pressure(problem, front).max()),
         mean_force=loads.mean_force,
         peak_force=float(loads.magnitude.max()),

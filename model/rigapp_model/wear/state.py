@@ -36,8 +36,8 @@ LARGEST_SECTORS = 360  # twice as many do not change the depth of the reference 
 class WearState:
     """Hold the wear of a bushing after some cycles, in SI; ``advance`` returns a new one.
 
-    ``cycles``; ``max_depth`` (m); ``depth_at_contact`` (m) at the contact point: what the clearance
-    has grown by; ``worn_area`` (m^2); ``worn_mass`` (kg); ``peak_pressure`` (Pa) and
+    ``cycles``; ``max_depth`` (m); ``depth_at_contact`` (m) at the contact point: the growth of the
+    clearance; ``worn_area`` (m^2); ``worn_mass`` (kg); ``peak_pressure`` (Pa) and
     ``mean_force`` (N) of the last advance; ``estimated_error`` (m) of the depth.
     """
 
@@ -182,7 +182,7 @@ def restored_state(
 
 
 def _problem(parameters: Parameters, sectors: int) -> WearProblem:
-    """Return the problem with all surface nodes: nobody knows where forces will point."""
+    """Return the problem with all surface nodes, for forces of any direction."""
     joint = parameters.joint
     ring = ring_of(joint, parameters.bushing.material)
     anywhere = CycleLoads(np.array([[1.0, 0.0]]), np.array([1.0]))

@@ -1,4 +1,4 @@
-"""The joint techniques in one table: how pin and bushing are seen, and what that gives.
+"""The joint techniques in one table: models of pin and bushing, and their forces.
 
 A new technique is one row here, and the module that computes it. Nothing is imported before it is
 needed: a command line's help reads the names.
@@ -25,7 +25,7 @@ class Solve(Protocol):
     def __call__(
         self, parameters: Parameters, angle: Any, speed: Any, acceleration: Any, depth: float
     ) -> tuple[MechanismMotion, str]:
-        """Return the motion, and what must be said of it; nothing when all assumptions hold.
+        """Return the motion, and a sentence on it, empty when all assumptions hold.
 
         angle (n,): rad; speed: rad/s; acceleration: rad/s^2; depth: of wear at the contact point,
         m.
@@ -34,7 +34,7 @@ class Solve(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class LifeOptions:
-    """Say for what life loads are wanted.
+    """The options of a life's loads.
 
     speed: of the crank, rad/s. tolerance: of the depth, as a part of it, for forces that must be
     sampled. alive: called in between where that takes long, and may raise. evolving: whether a
@@ -52,11 +52,11 @@ Source = Callable[["Parameters", LifeOptions], "ForceSource"]
 
 @dataclass(frozen=True, slots=True)
 class Technique:
-    """One way to see pin and bushing.
+    """One model of pin and bushing.
 
-    sentence: what it assumes, for help, form and report. needs: what it reads beside the mechanism.
-    solve: None where the motion has to be integrated from impact to impact, so that nothing can be
-    said of a single measured revolution. source: of the loads of a life.
+    sentence: its assumption, for help, form and report. needs: its inputs beside the mechanism.
+    solve: None where the motion has to be integrated from impact to impact, so that a single
+    measured revolution has no prediction. source: of the loads of a life.
     """
 
     name: str
@@ -82,8 +82,8 @@ def _continuous(
 
     mechanism, joint = parameters.mechanism, parameters.joint
     gap = joint.clearance + depth
-    found = continuous_contact(mechanism, joint, angle, speed, acceleration, gap)
-    return found.motion, found.sentence()
+    contact = continuous_contact(mechanism, joint, angle, speed, acceleration, gap)
+    return contact.motion, contact.sentence()
 
 
 def _perfect_source(parameters: Parameters, wanted: LifeOptions) -> ForceSource:
@@ -106,8 +106,8 @@ def _contact_source(parameters: Parameters, wanted: LifeOptions) -> ForceSource:
 
 
 TECHNIQUES = {
-    one.name: one
-    for one in (
+    technique.name: technique
+    for technique in (
         Technique(
             "perfect",
             say("pin and bushing centres coincide"),
@@ -133,20 +133,20 @@ TECHNIQUES = {
 }
 """Name -> technique: the paper's sections 3.1 and 3.2, and separate bodies."""
 
-SOLVABLE = tuple(name for name, one in TECHNIQUES.items() if one.solve is not None)
-"""Names of those that tell the forces of a measured revolution."""
+SOLVABLE = tuple(name for name, technique in TECHNIQUES.items() if technique.solve is not None)
+"""Names of those that give the forces of a measured revolution."""
 
 
 def technique_of(name: str) -> Technique:
     """Return a technique by name; raise ModelError for an unknown one."""
-    found = TECHNIQUES.get(name)
-    if found is None:
+    technique = TECHNIQUES.get(name)
+    if technique is None:
         raise ModelError("technique", name, say("choose {}", listed()))
-    return found
+    return technique
 
 
 def solve_of(name: str) -> Solve:
-    """Return what computes the forces of a measured revolution; raise ModelError."""
+    """Return the function for the forces of a measured revolution; raise ModelError."""
     solve = TECHNIQUES[name].solve if name in TECHNIQUES else None
     if solve is None:
         raise ModelError("technique", name, say("choose {}", listed(SOLVABLE)))
@@ -154,6 +154,6 @@ def solve_of(name: str) -> Solve:
 
 
 def listed(names: tuple[str, ...] = tuple(TECHNIQUES)) -> str:
-    """Return names as a sentence lists them."""
+    """Return names as a list in a sentence."""
     *first, last = names
     return say("{} or {}", joined(", ", first), last) if first else last

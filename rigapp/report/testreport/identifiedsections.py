@@ -191,8 +191,8 @@ def known_blocks(test: IdentifiedTest) -> tuple[Block, ...]:
             f"{100.0 * verdict.weight:.1f} %",
             credible_text(verdict.coefficient, unit=False),
             credible_text(verdict.before, unit=False) if verdict.before is not None else "–",
-            _place(revolution_of(known, verdict.place.median))
-            if verdict.place is not None
+            _place(revolution_of(known, verdict.transition.median))
+            if verdict.transition is not None
             else "–",
         )
         for verdict in known.verdicts

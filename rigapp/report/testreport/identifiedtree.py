@@ -103,13 +103,14 @@ def tree_of_test(test: IdentifiedTest) -> dict[str, Any]:
 
 
 def _statement(known: Identification, verdict: Verdict) -> dict[str, Any]:
+    at = verdict.transition
     return {
         "name": verdict.name,
         "weight": verdict.weight,
         "wear_coefficient": _credible(verdict.coefficient, PER_UNIT, UNIT),
         "before": None if verdict.before is None else _credible(verdict.before, PER_UNIT, UNIT),
         "after": None if verdict.after is None else _credible(verdict.after, PER_UNIT, UNIT),
-        "revolution": None if verdict.place is None else revolution_of(known, verdict.place.median),
+        "revolution": None if at is None else revolution_of(known, at.median),
     }
 
 
@@ -118,7 +119,7 @@ def _disturbance(disturbance: Disturbance) -> dict[str, Any]:
         "name": disturbance.name,
         "size_um": UM * disturbance.size,
         "standard_uncertainty_um": UM * disturbance.doubt,
-        "revolutions": _finite(disturbance.place),
+        "revolutions": _finite(disturbance.revolutions),
         "probability": disturbance.probability,
     }
 

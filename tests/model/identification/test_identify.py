@@ -219,10 +219,10 @@ def test_running_in_is_told_with_both_coefficients() -> None:
     assert best.name == "running-in"
     assert best.weight > 20.0 / 21.0
     assert best.before is not None
-    assert best.place is not None
+    assert best.transition is not None
     assert best.coefficient.low < TRUE < best.coefficient.high
     assert best.before.low < 3.0 * TRUE < best.before.high
-    assert best.place.low < 1500.0 < best.place.high
+    assert best.transition.low < 1500.0 < best.transition.high
 
 
 def test_a_change_is_told_with_its_revolution() -> None:
@@ -231,10 +231,10 @@ def test_a_change_is_told_with_its_revolution() -> None:
     assert best.name == "change"
     assert best.weight > 20.0 / 21.0
     assert best.before is not None
-    assert best.place is not None
+    assert best.transition is not None
     assert best.coefficient.low < 2.0 * TRUE < best.coefficient.high
     assert best.before.low < TRUE < best.before.high
-    assert best.place.median == pytest.approx(10000.0, rel=0.05)
+    assert best.transition.median == pytest.approx(10000.0, rel=0.05)
 
 
 def test_the_weights_of_the_statements_sum_up_to_one() -> None:

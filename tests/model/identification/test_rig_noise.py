@@ -44,12 +44,12 @@ def test_what_disturbs_the_probes_is_named_with_its_size() -> None:
     found = known(rig.recorded("step", 2), int(0.6 * rig.LAST))
     step = next(one for one in found.disturbances if one.name == "step")
     assert abs(step.size) == pytest.approx(2e-6, abs=3.0 * step.doubt)
-    assert step.place == pytest.approx(5194, rel=0.1)
+    assert step.revolutions == pytest.approx(5194, rel=0.1)
     assert "The probes are disturbed, which the limits allow for: " in sentence(found)
     swing = known(rig.recorded("hourly", 1), int(0.6 * rig.LAST)).disturbances
     hour = next(one for one in swing if one.name == "swing")
     assert hour.size == pytest.approx(1e-6, abs=0.4e-6)
-    assert hour.place == pytest.approx(rig.HOUR, rel=0.2)
+    assert hour.revolutions == pytest.approx(rig.HOUR, rel=0.2)
 
 
 def test_a_touched_probe_is_not_told_as_other_wear() -> None:
