@@ -1,9 +1,9 @@
-"""Test files: made whole before the test, written in place, readable at every instant.
+"""Test files: complete before the test, written in place, readable at every instant.
 
-``structure`` says what a file holds, ``filesystem`` how it stands on the disk; ``writing`` fills it
-while the test runs, ``reading`` answers questions at any time, ``upkeep`` goes on with files that
-are there already. Others enter by this door, which names what they may use; storage knows the
-schema and the errors of the configuration, and nothing that measures or draws.
+``structure`` defines the contents, ``filesystem`` the file on the disk; ``writing`` fills it
+while the test runs, ``reading`` reads it at any time, ``upkeep`` resumes, compresses and repairs
+existing files. Others enter by this door, which names what they may use; storage depends on the
+schema and the errors of the configuration alone.
 """
 
 from __future__ import annotations

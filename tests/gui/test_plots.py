@@ -254,7 +254,7 @@ def test_after_a_trip_its_revolution_stands_over_the_last_good_one(
         measured_cycle(msgspec.structs.replace(make_snapshot(1, 1).cycle, revolution=number))
         for number in (963, 964)
     )
-    peak = LargestForce(1039.44, 964, 20.0, lower_bound=True, whole=False)
+    peak = LargestForce(1039.44, 964, 20.0, lower_bound=True, complete=False)
     trip = TripCycles(964, part, good, peak)
     overlay.show_news(News(data=data, status=make_status(), trip=trip))
     assert overlay.title.whole == "N, cycle 964, tripped, model 182"

@@ -116,7 +116,7 @@ def test_after_an_overload_tile_and_margin_show_the_peak_of_the_unfinished_revol
         alarm("overload:beyond_range", Severity.CRITICAL, "latched"), value=overload.value
     )
     status = make_status(state=RunState.STOPPED, alarms=(raised,) if by == "alarm" else ())
-    peak = LargestForce(391.04, 10, lower_bound=True, whole=False)
+    peak = LargestForce(391.04, 10, lower_bound=True, complete=False)
     trip = TripCycles(10, None, None, peak) if by == "file" else None
     news = News(status, data, RECIPE, trip=trip)
     head = headline(news.status, ConnectionState.ATTACHED, "", measured(news))

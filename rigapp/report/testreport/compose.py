@@ -294,7 +294,7 @@ def _force_line(
         uncertainty_N = uncertainty.at(np.array(largest.value_N), of_magnitude=True)
         doubt = f" ± {quantity(float(uncertainty_N), 'N', 2)}"
     where = tr(" in revolution {}", grouped(largest.revolution))
-    where += "" if largest.whole else tr(", which the end of the test cut off")
+    where += "" if largest.complete else tr(", which the end of the test cut off")
     return [
         (tr("Largest joint force"), largest.sign + quantity(largest.value_N, "N") + doubt + where)
     ]

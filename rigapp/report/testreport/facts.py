@@ -181,7 +181,7 @@ def _with_trip(force: ChannelFacts, reader: TestReader) -> ChannelFacts:
     if largest is None:
         return force
     in_a_row = largest.revolution == force.largest.revolution
-    quality = force.largest.quality if in_a_row else 0 if largest.whole else int(Flag.PARTIAL)
+    quality = force.largest.quality if in_a_row else 0 if largest.complete else int(Flag.PARTIAL)
     peak = Peak(largest.value_N, largest.revolution, quality, largest.lower_bound)
     return replace(force, largest=peak)
 

@@ -1,1 +1,1 @@
-"""One file as the operating system has it: name, folder, room, lock, writing that may fail."""
+"""One file of the operating system: name, folder, space, lock, writing that may fail."""

@@ -1,4 +1,4 @@
-"""The one place where a live test file is written: bytes at offsets, and making them safe."""
+"""The only writer of a running test's file: bytes at offsets, and making them safe."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rigapp.storage.filesystem.system import FILES
 from rigapp.texts import say
 
 PAGE = 1 << 16
-"""Writing is noted in such steps while the file is being copied."""
+"""Granularity in which writes are noted while the file is being copied."""
 
 
 class Disk:
@@ -81,11 +81,11 @@ class Disk:
                 FILES.give_back(self.fd, offset, length)
 
     def forget(self, offset: int, length: int) -> None:
-        """Let go of synced pages in memory, so that a long test keeps no more than it needs."""
+        """Release synced pages in memory, so that a long test keeps no more than it needs."""
         FILES.forget(self.fd, offset, length)
 
     def begin_copy(self) -> None:
-        """Note from now on what is written: the file is being copied."""
+        """Note the written ranges from now on: the file is being copied."""
         with self._writing:
             self._touched = set()
 
@@ -96,7 +96,7 @@ class Disk:
         copy_ranges(self.fd, fd, ((page * PAGE, PAGE) for page in sorted(touched)))
 
     def go_on_in(self, fd: int) -> None:
-        """Write to the copy from now on; the old file is let go. Raises OSError before that."""
+        """Write to the copy from now on and close the old file. Raises OSError before that."""
         with self._writing:
             touched = self._touched or set()
             copy_ranges(self.fd, fd, ((page * PAGE, PAGE) for page in sorted(touched)))
@@ -104,7 +104,7 @@ class Disk:
             os.dup2(fd, self.fd, inheritable=False)
 
     def end_copy(self) -> None:
-        """Note no longer what is written."""
+        """Stop noting the written ranges."""
         with self._writing:
             self._touched = None
 

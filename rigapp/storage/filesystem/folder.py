@@ -1,4 +1,4 @@
-"""What a test file needs of its folder: room, a hidden name until it is whole, then its own."""
+"""The folder of a test file: free space, a hidden name until the file is complete, then its own."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def refuse_little_space(folder: Path, path: Path, needed: int, who: str = say("t
 
 
 def hidden_name(path: Path, what: str = "new") -> Path:
-    """Return the name of a file that is being made; what a killed process leaves is known by it.
+    """Return the hidden name of an incomplete file, by which ``remove_stale`` finds it.
 
     what: at most 6 letters, see ``LONGEST_NAME_BYTES``.
     """

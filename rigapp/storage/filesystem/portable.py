@@ -1,4 +1,4 @@
-"""A test file with what every system has: no holes, no locks of the kernel.
+"""A test file by the functions of every system: no holes, no locks of the kernel.
 
 Where a range is reserved the file only becomes longer, which takes the space on NTFS. Who writes a
 file is known by the process that it names, if that lives and began before the file's last change.
@@ -18,26 +18,26 @@ from rigapp.storage.filesystem.calls import BINARY, Bytes
 from rigapp.texts import say
 
 _NAMED = re.compile(r"process (\d+) on (.+)")
-_CLOCK_S = 2.0  # so coarse are times of files on some file systems
+_CLOCK_S = 2.0  # resolution of file times on some file systems
 
 
 class PortableFiles:
     """See ``FileSystem``."""
 
     def __init__(self) -> None:
-        # A descriptor has one place at which all threads read and write.
+        # A descriptor has one position, which all threads share.
         self._placing = threading.Lock()
         self._held: set[tuple[int, int]] = set()
 
     def write_at(self, fd: int, parts: Sequence[Bytes], offset: int) -> int:
-        """Go there and write; no other thread moves the place meanwhile."""
+        """Seek and write; no other thread moves the position meanwhile."""
         data = parts[0] if len(parts) == 1 else b"".join(parts)
         with self._placing:
             os.lseek(fd, offset, os.SEEK_SET)
             return os.write(fd, data)
 
     def read_at(self, fd: int, length: int, offset: int) -> bytes:
-        """Go there, read and go back, as HDF5 relies on it; no other thread moves it meanwhile."""
+        """Seek, read and seek back, since HDF5 relies on the position."""
         parts = []
         with self._placing:
             before = os.lseek(fd, 0, os.SEEK_CUR)
@@ -49,7 +49,7 @@ class PortableFiles:
         return b"".join(parts)
 
     def sync(self, fd: int) -> None:
-        """Sync data and everything that is known of the file."""
+        """Sync data and attributes of the file."""
         os.fsync(fd)
 
     def reserve(self, fd: int, offset: int, length: int) -> None:
@@ -102,7 +102,7 @@ class PortableFiles:
         """Leave it to the system, which orders names by itself."""
 
     def hold(self, fd: int) -> bool:
-        """Note that this process writes it; of others ``is_taken`` tells."""
+        """Note that this process writes it; ``is_taken`` finds others."""
         key = _key(os.fstat(fd))
         if key in self._held:
             return False
@@ -110,22 +110,22 @@ class PortableFiles:
         return True
 
     def release(self, fd: int) -> None:
-        """Note that it writes it no more."""
+        """Remove the note."""
         self._held.discard(_key(os.fstat(fd)))
 
     def is_held(self, path: Path, named: str) -> bool:
-        """Tell whether this process writes it, or the named one, which lives and is old enough."""
+        """Return whether this process writes it, or the named one that runs and is old enough."""
         return _key(path.stat()) in self._held or self.is_taken(path, named)
 
     def is_taken(self, path: Path, named: str) -> bool:
-        """Tell whether the named process is another one that lives and is old enough."""
-        found = _NAMED.fullmatch(named)
-        if found is None or found[2] != socket.gethostname() or int(found[1]) == os.getpid():
+        """Return whether the named process is another one that runs and is old enough."""
+        match = _NAMED.fullmatch(named)
+        if match is None or match[2] != socket.gethostname() or int(match[1]) == os.getpid():
             return False
         import psutil
 
         try:
-            process = psutil.Process(int(found[1]))
+            process = psutil.Process(int(match[1]))
             ended = process.status() == psutil.STATUS_ZOMBIE
             return not ended and process.create_time() <= path.stat().st_mtime + _CLOCK_S
         except psutil.NoSuchProcess:
@@ -140,5 +140,5 @@ def _close_for_now(fd: int) -> None:
         os.dup2(aside.fileno(), fd, inheritable=False)
 
 
-def _key(found: os.stat_result) -> tuple[int, int]:
-    return found.st_dev, found.st_ino
+def _key(status: os.stat_result) -> tuple[int, int]:
+    return status.st_dev, status.st_ino

@@ -1,10 +1,10 @@
-"""A test file as Linux and macOS can: positioned writes, reserved room, holes, locks of the kernel.
+"""A test file on Linux and macOS: positioned writes, reserved space, holes, locks of the kernel.
 
 Two locks are held by a writer. A byte-range lock of the open file description, far beyond the data,
-marks the writer as alive and keeps a second one out. A shared ``flock`` makes HDF5 refuse to open
-the file for writing (it asks for an exclusive one), while readers (shared) pass. The kernel drops
-both when the writer dies. Where the file system has no locks, or somebody who may only read the
-file holds one on it, the process that the file names tells instead, as in ``portable``.
+marks the file as being written and keeps a second writer out. A shared ``flock`` makes HDF5 refuse
+to open the file for writing (it needs an exclusive one), while readers (shared) pass. The kernel
+drops both when the writer dies. Where the file system has no locks, or a process with read access
+holds one, the process that the file names decides instead, as in ``portable``.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def _fallocate() -> Any:
 assert sys.platform != "win32"
 
 LOCK_OFFSET = 1 << 62  # beyond any data
-BLOCK = 512  # bytes of the unit in which a file's space is told
+BLOCK = 512  # bytes of the unit in which the system counts a file's space
 _FLOCK = "hhqqi0q"
 _MOST_PARTS = 1024
 """Buffers that Linux and macOS take in one call (IOV_MAX)."""
@@ -67,13 +67,13 @@ class PosixFiles:
         self._by_name = PortableFiles()
 
     def write_at(self, fd: int, parts: Sequence[Bytes], offset: int) -> int:
-        """Write without moving the file's place."""
+        """Write without moving the file's position."""
         if len(parts) == 1:
             return os.pwrite(fd, parts[0], offset)
         return os.pwritev(fd, parts[:_MOST_PARTS], offset)
 
     def read_at(self, fd: int, length: int, offset: int) -> bytes:
-        """Read without moving the file's place."""
+        """Read without moving the file's position."""
         return os.pread(fd, length, offset)
 
     def sync(self, fd: int) -> None:
@@ -126,14 +126,14 @@ class PosixFiles:
         """Link by the name that the kernel keeps of an open file (Linux)."""
         folder = os.open(path.parent, os.O_RDONLY | os.O_DIRECTORY)
         try:
-            # Only with a folder's descriptor Python asks the kernel to follow the link in /proc.
+            # Only with a folder's descriptor Python lets the kernel follow the link in /proc.
             os.link(f"/proc/self/fd/{fd}", path.name, src_dir_fd=folder, dst_dir_fd=folder)
             os.fsync(folder)
         finally:
             os.close(folder)
 
     def protect(self, fd: int) -> None:
-        """Take everybody's right to write."""
+        """Remove all write permissions."""
         with contextlib.suppress(OSError):
             os.fchmod(fd, 0o444)
 
@@ -142,7 +142,7 @@ class PosixFiles:
         move_into_place(hidden, path)
 
     def exchange(self, fd: int, ready: Path, path: Path) -> None:
-        """Give it the name; who has the old one open goes on with that."""
+        """Replace the old file by name; processes that have it open keep it."""
         os.replace(ready, path)
 
     def sync_folder(self, folder: Path) -> None:
@@ -180,7 +180,7 @@ class PosixFiles:
         self._by_name.release(fd)
 
     def is_held(self, path: Path, named: str) -> bool:
-        """Ask the kernel for the first lock; where it cannot tell, look for the named process."""
+        """Test the first lock; where there are no locks, check the named process."""
         fd = os.open(path, os.O_RDONLY)
         try:
             kind = _lock_of(fd)

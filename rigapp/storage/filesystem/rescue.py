@@ -1,7 +1,7 @@
-"""What becomes of a file that is deleted, moved or replaced while it is written, and the way back.
+"""Recovery of a file that is deleted, moved or replaced while it is written.
 
 The kernel keeps an open file as long as it is open, whatever happens to its name. A file that still
-has a name somewhere gets its own one back, as a second link. One that has none any more can get no
+has a name somewhere gets its own name back, as a second link. A file without any name cannot get a
 link on Linux; it is copied while writing goes on.
 """
 
@@ -27,14 +27,14 @@ from rigapp.storage.filesystem.folder import (
 from rigapp.storage.filesystem.system import FILES
 from rigapp.texts import joined, say, sentence_of_error
 
-PIECE = 1 << 22  # a copy gives way to the test every 4 MB, some 20 ms of a disk
+PIECE = 1 << 22  # a copy pauses for the test every 4 MB, some 20 ms of a disk
 
 
 @dataclass(frozen=True, slots=True)
 class PathState:
-    """Say what happened to a name: another file has it, or none.
+    """The state of a file's name: another file has it, or none.
 
-    named: the open file has a name still. where: that name, empty when the kernel does not tell.
+    named: the open file still has a name. where: that name, empty when the kernel does not know it.
     """
 
     replaced: bool
@@ -53,19 +53,19 @@ class PathState:
 
 
 def path_state(fd: int, path: Path) -> PathState | None:
-    """Return what happened to the name of an open file; None when it has it, or nobody can tell."""
-    mine = os.fstat(fd)
+    """Return the state of the name of an open file; None when it is intact or unknown."""
+    opened = os.fstat(fd)
     try:
-        there = path.stat()
+        named_file = path.stat()
     except (FileNotFoundError, NotADirectoryError):
         replaced = False
     except OSError:
         return None
     else:
-        if (mine.st_ino, mine.st_dev) == (there.st_ino, there.st_dev):
+        if (opened.st_ino, opened.st_dev) == (named_file.st_ino, named_file.st_dev):
             return None
         replaced = True
-    named = mine.st_nlink > 0
+    named = opened.st_nlink > 0
     return PathState(replaced, named, _name_of(fd) if named else "")
 
 
@@ -102,9 +102,9 @@ def copy_content(source: int, target: int) -> None:
 
 
 class PathWatcher:
-    """Look after the name of one open file, by any thread.
+    """Monitor the name of one open file; any thread may call it.
 
-    reserve: reserves the room of the test in a file. committing: held while a commit is made. Lock
+    reserve: reserves the space of the test in a file. committing: held during a commit. Lock
     order: ``looking`` before ``committing``.
     """
 
@@ -118,10 +118,10 @@ class PathWatcher:
         self._length = os.fstat(disk.fd).st_size
 
     def look(self, notice: Callable[[str], object]) -> PathReport | None:
-        """Bring the file back when it was deleted, moved or replaced; writing goes on meanwhile.
+        """Restore the file when it was deleted, moved or replaced; writing goes on meanwhile.
 
-        notice: told what happened before the file is saved, which may take long. To be called while
-        ``looking`` is held. Return what became of it, None when nothing has happened. Raises
+        notice: called before the file is saved, which may take long. To be called while
+        ``looking`` is held. Return the result, None when nothing has happened. Raises
         StorageFailed when another program has cut the file short.
         """
         disk = self._disk
@@ -134,9 +134,9 @@ class PathWatcher:
         fate = path_state(disk.fd, disk.path)
         if fate is None:
             return None
-        what = fate.sentence(disk.path)
-        notice(say("{}; everything in it is being saved.", what))
-        return self._bring_back(fate, what)
+        words = fate.sentence(disk.path)
+        notice(say("{}; everything in it is being saved.", words))
+        return self._bring_back(fate, words)
 
     def _bring_back(self, fate: PathState, what: str) -> PathReport:
         reasons = []
@@ -155,7 +155,7 @@ class PathWatcher:
         )
 
     def _save_as(self, target: Path, named: bool) -> bool:
-        """Let the file be called ``target``; True by a link, False by a copy. Raises OSError."""
+        """Name the file ``target``; True by a link, False by a copy. Raises OSError."""
         target.parent.mkdir(parents=True, exist_ok=True)
         linked = named and self._link(target)
         if not linked:

@@ -1,6 +1,6 @@
-"""Who does here what a test file asks of the system.
+"""The implementation of ``FileSystem`` on this system.
 
-``posix`` does it as Linux and macOS can, ``portable`` with what every system has; the latter is
+``posix`` is for Linux and macOS, ``portable`` uses the functions of every system; the latter is
 taken on Windows, where modules of POSIX systems are missing, and when RIGAPP_FILES is "portable".
 """
 
@@ -25,7 +25,7 @@ def _chosen() -> FileSystem:
 
 
 FILES = _chosen()
-"""The one that answers here."""
+"""The implementation in use."""
 
 
 def hold_writer_lock(fd: int) -> bool:

@@ -1,1 +1,1 @@
-"""Read a test file at every instant, old ones too, and hand its data to other programs."""
+"""Read test files at every instant, old ones too, and export their data."""

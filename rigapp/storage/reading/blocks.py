@@ -1,4 +1,4 @@
-"""Read columns of long streams some rows at a time: no length of a test fills the memory."""
+"""Read columns of long streams in blocks, so that a long test does not fill the memory."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rigapp.schema.rownumbers import RowNumbers
 from rigapp.storage.reading.streams import Columns, StreamReader
 
 BLOCK_ROWS = 1 << 18
-"""2 MB of a column: what a read costs beside its bytes is less than the bytes cost then."""
+"""2 MB of a column: the overhead of a read is then less than the cost of its bytes."""
 
 
 def blocks(
@@ -47,7 +47,7 @@ def blocks(
 
 
 class StoredColumns(Mapping[str, NDArray[Any]]):
-    """The columns of a stream by name, each read when it is asked for and not kept."""
+    """The columns of a stream by name, each read on access and not kept."""
 
     def __init__(self, reader: StreamReader, stream: str) -> None:
         self._reader = reader
@@ -72,7 +72,7 @@ class StoredColumns(Mapping[str, NDArray[Any]]):
 def row_numbers(reader: StreamReader, stream: str = "revolutions") -> RowNumbers:
     """Return the revolution of every committed row of a stream.
 
-    Numbers rise, so that a run without a gap is known by its ends: what lies between is not read.
+    Numbers rise, so that a run without a gap is known by its ends; those between are not read.
     """
     result = RowNumbers()
     waiting = [(0, reader.committed(stream))]
@@ -121,6 +121,4 @@ def newest_known(
         have += rows.size
         if have >= count:
             break
-    return {
-        name: np.concatenate([np.empty(0), *(one[name] for one in result[::-1])]) for name in names
-    }
+    return {name: np.concatenate([np.empty(0), *(p[name] for p in result[::-1])]) for name in names}

@@ -1,4 +1,4 @@
-"""Hand a test's data to other programs: CSV or Parquet, a piece at a time."""
+"""Export a test's data as CSV, Parquet or .xlsx, a piece at a time."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from rigapp.texts import joined, say
 ROWS_AT_A_TIME = 65536  # 18 MB of the columns of every rig
 SAMPLES_AT_A_TIME = 1 << 18  # 16 MB of the columns of every rig
 FORMATS = (".csv", ".parquet", ".xlsx")
-FEWEST_POINTS = 8  # fewer say nothing of a revolution
+FEWEST_POINTS = 8  # fewer do not describe a revolution
 
 Table = dict[str, NDArray[Any]]
 Progress = Callable[[int, int], None]
@@ -49,7 +49,7 @@ STEP_FIELD = _Field("step", "<i8", "1", "number of the step of the test")
 class Dialect:
     """How a CSV file writes its numbers and separates them.
 
-    Raises UnusableInput where a number could not be told from two.
+    Raises UnusableInput where one number could be read as two.
     """
 
     separator: str = ","
@@ -207,7 +207,7 @@ def _cycle_pieces(reader: TestReader, points: int | None) -> tuple[Iterator[Tabl
 
 def _on_grid(stored: StoredCycle, points: int, types: Mapping[str, str]) -> StoredCycle:
     even = stored.resampled(points).columns
-    return replace(stored, columns={name: one.astype(types[name]) for name, one in even.items()})
+    return replace(stored, columns={name: v.astype(types[name]) for name, v in even.items()})
 
 
 def _joined(tables: list[Table]) -> Table:
@@ -250,7 +250,7 @@ def _sink(
 
 
 class _ParquetSink:
-    """Write tables whose fields carry units and descriptions; the file says of which test."""
+    """Write tables whose fields carry units and descriptions; the file names its test."""
 
     def __init__(self, path: Path, fields: Sequence[_Field], about: Mapping[str, str]) -> None:
         import pyarrow.parquet
@@ -260,8 +260,8 @@ class _ParquetSink:
         about_fields = [{"units": field.unit, "long_name": field.description} for field in fields]
         self._schema = pyarrow.schema(
             [
-                pyarrow.field(one.name, kind, metadata=words)
-                for one, kind, words in zip(fields, types, about_fields, strict=True)
+                pyarrow.field(field.name, kind, metadata=words)
+                for field, kind, words in zip(fields, types, about_fields, strict=True)
             ],
             metadata=about,
         )
@@ -286,10 +286,10 @@ class _CsvSink:
 
     def write(self, table: Table) -> None:
         between, decimal = (
-            one.encode() for one in (self._dialect.separator, self._dialect.decimal)
+            mark.encode() for mark in (self._dialect.separator, self._dialect.decimal)
         )
         rows = list(zip(*map(_cells, table.values()), strict=True))
-        # An encoder of JSON writes numbers three times as fast as a loop, the same ones.
+        # A JSON encoder writes the same numbers three times as fast as a loop.
         lines = msgspec.json.encode(rows)[2:-2].replace(b"],[", b"\n") + b"\n"
         if between != b",":
             lines = lines.replace(b",", between)
@@ -311,7 +311,7 @@ def _cells(values: NDArray[Any]) -> list[Any]:
         size = np.abs(values)
         if np.all((size == 0.0) | ((size >= _PLAIN[0]) & (size < _PLAIN[1]))):
             return values.tolist()
-    return [msgspec.Raw(one) for one in np.char.encode(values.astype(str), "ascii").tolist()]
+    return [msgspec.Raw(text) for text in np.char.encode(values.astype(str), "ascii").tolist()]
 
 
 class _ExcelSink:
@@ -320,7 +320,7 @@ class _ExcelSink:
     def __init__(self, path: Path, fields: Sequence[_Field], about: Mapping[str, str]) -> None:
         import xlsxwriter
 
-        # A cell is data, whatever it begins with: nothing in it may act.
+        # A cell is data, whatever it begins with: no formula or link may run.
         options = {
             "constant_memory": True, "strings_to_formulas": False, "strings_to_urls": False,
             "nan_inf_to_errors": False,
@@ -331,8 +331,8 @@ class _ExcelSink:
         self._clock = self._book.add_format({"num_format": "yyyy-mm-dd hh:mm:ss.000"})
         self._data = self._book.add_worksheet("Data")
         self._data.freeze_panes(1, 1)
-        for place, one in enumerate(fields):
-            self._data.write_string(0, place, one.name, bold)
+        for column, field in enumerate(fields):
+            self._data.write_string(0, column, field.name, bold)
         self._row = 1
         self._sheet("Units", ("column", "unit", "what it is"), bold, [
             (field.name, field.unit, field.description) for field in fields
@@ -344,21 +344,21 @@ class _ExcelSink:
     ) -> None:
         sheet = self._book.add_worksheet(name)
         sheet.set_column(0, len(head) - 1, 40)
-        for place, word in enumerate(head):
-            sheet.write_string(0, place, word, bold)
+        for column, word in enumerate(head):
+            sheet.write_string(0, column, word, bold)
         for number, row in enumerate(rows, 1):
-            for place, word in enumerate(row):
-                sheet.write_string(number, place, word[:LONGEST_CELL])
+            for column, word in enumerate(row):
+                sheet.write_string(number, column, word[:LONGEST_CELL])
 
     def write(self, table: Table) -> None:
         for row in zip(*(values.tolist() for values in table.values()), strict=True):
-            for place, value in enumerate(row):
+            for column, value in enumerate(row):
                 if isinstance(value, datetime):
-                    self._data.write_datetime(self._row, place, value, self._clock)
+                    self._data.write_datetime(self._row, column, value, self._clock)
                 elif isinstance(value, str):
-                    self._data.write_string(self._row, place, value)
+                    self._data.write_string(self._row, column, value)
                 elif math.isfinite(value):
-                    self._data.write_number(self._row, place, value)
+                    self._data.write_number(self._row, column, value)
             self._row += 1
 
     def close(self) -> None:
@@ -379,19 +379,19 @@ def _with_clock(pieces: Iterator[Table]) -> Iterator[Table]:
     """Add date and time of each revolution, to a thousandth of a second, UTC and local."""
     for piece in pieces:
         moments = [
-            datetime.fromtimestamp(one, UTC) if math.isfinite(one) else None
-            for one in piece["host_time"].tolist()
+            datetime.fromtimestamp(time, UTC) if math.isfinite(time) else None
+            for time in piece["host_time"].tolist()
         ]
         local = [moment and moment.astimezone() for moment in moments]
-        # Excel knows no time zones; the heading says which clock it is.
+        # Excel has no time zones; the heading names the clock.
         yield piece | {
-            field.name: np.array([one and one.replace(tzinfo=None) for one in found], dtype=object)
-            for field, found in zip(CLOCK_FIELDS, (moments, local), strict=True)
+            field.name: np.array([t and t.replace(tzinfo=None) for t in times], dtype=object)
+            for field, times in zip(CLOCK_FIELDS, (moments, local), strict=True)
         }
 
 
 def _settings(reader: TestReader) -> dict[str, str]:
-    """Return what the rig and test files said, a line of the sheet each."""
+    """Return the settings of the rig and test files, a line of the sheet each."""
     result: dict[str, str] = {}
     for name, text in reader.configuration().items():
         for number, line in enumerate(str(text).splitlines(), 1):

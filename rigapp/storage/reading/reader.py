@@ -44,10 +44,10 @@ from rigapp.texts import say, sentence_of_error
 
 @dataclass(frozen=True, slots=True)
 class StoredCycle:
-    """Carry one cycle: its revolution and one array of samples a column.
+    """One cycle: its revolution and one array of samples a column.
 
     why: scheduled, last, before, trigger or after; empty for an unfinished revolution. quality:
-    flags as in the revolution's row, 0 where the file does not tell. table: the channels of the
+    flags as in the revolution's row, 0 where the file has none. table: the channels of the
     file.
     """
 
@@ -77,10 +77,10 @@ def open_test(path: str | os.PathLike[str]) -> TestReader:
 
 
 class TestReader(StreamReader):
-    """Answer questions about one test file; only committed rows count as data."""
+    """Read one test file; only committed rows count as data."""
 
     def summary(self) -> dict[str, Any]:
-        """Return what ``rigapp info`` shows; its keys are a promise to users."""
+        """Return the summary that ``rigapp info`` shows; its keys are a promise to users."""
         revolutions = self.committed()
         first, last = self._first_and_last(revolutions)
         status, reason = self._status(revolutions)
@@ -111,7 +111,7 @@ class TestReader(StreamReader):
         return int(self._read(f"{STATE}/{name}"))
 
     def has_all_revolutions(self) -> bool:
-        """Tell whether the last revolution of the plan is committed."""
+        """Return whether the last revolution of the plan is committed."""
         rows = self.committed()
         planned = self.state("planned_revolutions")
         return rows > 0 and int(self.column("revolution", rows - 1)[0]) >= planned
@@ -164,12 +164,12 @@ class TestReader(StreamReader):
     def cycle(self, index: int) -> StoredCycle:
         """Return the saved cycle ``index``, negative from the end; raises IndexError."""
         number = self.committed("cycles")
-        place = index + number if index < 0 else index
-        if not 0 <= place < number:
+        position = index + number if index < 0 else index
+        if not 0 <= position < number:
             raise IndexError(
                 say("{}: there is no saved cycle {}, there are {}", self.path, index, number)
             )
-        return next(self._ragged("cycles", place, place + 1))
+        return next(self._ragged("cycles", position, position + 1))
 
     def cycles(self) -> Iterator[StoredCycle]:
         """Yield the saved cycles in order."""
@@ -233,10 +233,10 @@ class TestReader(StreamReader):
         table = {field.name: np.empty((0, *field.shape)) for field in fields.values()}
         if "profiles" in self._streams:
             table = self._table("profiles", 0)
-        return {"angle": angle, **{name: table[one.name] for name, one in fields.items()}}
+        return {"angle": angle, **{name: table[field.name] for name, field in fields.items()}}
 
     def _profile_fields(self) -> dict[str, FileColumn]:
-        """Return what a worn profile has, of files without them too, by name."""
+        """Return the columns of a worn profile by name, also of files without profiles."""
         stream = streams_of(replace(self.plan, profiles=1))["profiles"]
         return {field.name.removeprefix("profile_"): field for field in stream.fields}
 
@@ -250,7 +250,7 @@ class TestReader(StreamReader):
         best, result = -1, b""
         for slot in range(CHECKPOINT_SLOTS):
             number, length = (
-                int(slots[f"checkpoint_{one}"][slot]) for one in ("revolution", "length")
+                int(slots[f"checkpoint_{key}"][slot]) for key in ("revolution", "length")
             )
             if not (0 < length <= CHECKPOINT_BYTES and best < number <= last):
                 continue
@@ -284,7 +284,7 @@ class TestReader(StreamReader):
         return self._below(CALIBRATION)
 
     def settings_confirmed(self) -> bool:
-        """Tell whether all that was fixed before the first row is as it was then."""
+        """Return whether everything that was fixed before the first row is unchanged."""
         return self.settings_digest() == self._state_text(CONFIGURATION_DIGEST)
 
     def settings_digest(self) -> str:
@@ -318,13 +318,13 @@ class TestReader(StreamReader):
             return "stopped", reason
         if FILES.is_held(self.path, self.writer()):
             return "running", ""
-        whole = self.has_all_revolutions()
+        complete = self.has_all_revolutions()
         safe = (
             say("all {} revolutions are", revolutions)
-            if whole
+            if complete
             else say("{} revolutions are", revolutions)
         )
-        following = say("ends the test with them") if whole else say("goes on after them")
+        following = say("ends the test with them") if complete else say("goes on after them")
         return (
             "interrupted",
             say(

@@ -1,18 +1,18 @@
 """Put a cycle on a uniform grid of crank angles, so that cycles can be compared point by point.
 
-The samples stay as they are in the file; this makes a copy of another kind. Angles are those of
+The samples in the file stay unchanged; this makes a copy. Angles are those of
 the file, corrected by each channel's latency, so that nothing needs to be shifted here.
 
 linear: between the two neighbouring samples. It can neither overshoot nor invent a peak, and needs
-no assumption; with fewer points than samples it simply does not see what lies between two of them,
+no assumption; with fewer points than samples it does not show what lies between two of them,
 noise included, which then looks like a slow wave (aliasing). band-limited: harmonics of the
 revolution up to half the points and no others, by linear interpolation to a grid of four times as
-many points as samples or more, and a Fourier transform. It averages what the grid cannot carry, and
+many points as samples or more, and a Fourier transform. It averages what the grid cannot show, and
 is the one for spectra and differences; at a step it rings.
 
 A cycle is taken as periodic: the last sample's neighbour is the first. Samples at the same angle (a
-stand, a crank that turned back) are averaged. Over a gap nothing is interpolated: its points are
-not a number (linear), or the cycle is refused (band-limited).
+standstill, a crank that turned back) are averaged. Over a gap nothing is interpolated: its points
+are not a number (linear), or the cycle is refused (band-limited).
 """
 
 from __future__ import annotations
@@ -80,12 +80,12 @@ def _in_order(angle_deg: ArrayLike, values: ArrayLike) -> tuple[Array, Array]:
     """Return the angles, growing, in 0 .. 360, each once, and the mean values (rows, angles)."""
     turned = np.mod(np.asarray(angle_deg, np.float64), 360.0)
     rows = np.asarray(values, np.float64).reshape(-1, turned.size)
-    angle, place, number = np.unique(turned, return_inverse=True, return_counts=True)
+    angle, group, number = np.unique(turned, return_inverse=True, return_counts=True)
     if angle.size < 2:
         raise ValueError(say("a cycle needs samples at two angles at least"))
     if angle.size == turned.size:
         return angle, rows[:, np.argsort(turned)]
-    sums = np.array([np.bincount(place, weights=row, minlength=angle.size) for row in rows])
+    sums = np.array([np.bincount(group, weights=row, minlength=angle.size) for row in rows])
     return angle, sums / number
 
 

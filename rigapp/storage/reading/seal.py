@@ -1,7 +1,7 @@
-"""Seal the parts of an ended test by a tree of SHA-256, and tell which part is not as sealed.
+"""Seal the parts of an ended test by a tree of SHA-256, and find the parts that changed since.
 
 A leaf is the digest of some rows as they are stored, or of some cycles with their samples; a part
-is that of its leaves, the root that of all parts. The seal stands in the file and beside it. Who
+is that of its leaves, the root that of all parts. The seal is in the file and beside it. Who
 can change the file can make a new seal for it: that shows against the one beside, where that was
 kept elsewhere, and against the signature, where the laboratory signs.
 """
@@ -41,7 +41,7 @@ PART_NAMES = {
     "events": say("the log"),
 }
 PREFIX = b"seal of a test, SHA-256 "
-"""Before the root, so that the signature of a seal is one of nothing else."""
+"""Prefix of the root, so that the signature of a seal fits nothing else."""
 
 
 class Part(msgspec.Struct, frozen=True):
@@ -53,13 +53,13 @@ class Part(msgspec.Struct, frozen=True):
     @property
     def digest(self) -> str:
         """Return the digest of the part."""
-        whole = hashlib.sha256(b"\x01" + self.rows.to_bytes(8, "little"))
-        whole.update(b"".join(map(bytes.fromhex, self.leaves)))
-        return whole.hexdigest()
+        sha = hashlib.sha256(b"\x01" + self.rows.to_bytes(8, "little"))
+        sha.update(b"".join(map(bytes.fromhex, self.leaves)))
+        return sha.hexdigest()
 
 
 class Seal(msgspec.Struct, frozen=True):
-    """The seal of a test: its parts by name; key and signature are empty where nobody signed."""
+    """The seal of a test: its parts by name; key and signature are empty without a signature."""
 
     identifier: str
     parts: dict[str, Part]
@@ -97,7 +97,7 @@ def _leaf(reader: TestReader, stream: str, first: int, stop: int) -> str:
     for column in (*columns, checksums):
         result.update(column.tobytes())
     if stream in RAGGED and stop > first:
-        places = {one.name: at for at, one in enumerate(reader.fields(stream))}
+        places = {field.name: at for at, field in enumerate(reader.fields(stream))}
         begin = int(columns[places["first"]][0])
         end = int(columns[places["first"]][-1] + columns[places["count"]][-1])
         for column in reader.raw_rows(RAGGED[stream], begin, end)[0]:
@@ -113,7 +113,7 @@ def make_seal(reader: TestReader) -> Seal:
 
 
 def key_path() -> Path:
-    """Return where the key lies that signs the seals of this user; it need not be there."""
+    """Return the path of the key that signs the seals of this user; it need not exist."""
     return platformdirs.user_config_path("rigapp") / "seal-key.pem"
 
 
@@ -142,7 +142,7 @@ def _signature(root: str) -> tuple[str, str]:
 
 
 def beside(path: Path) -> Path:
-    """Return where the seal of a file lies beside it."""
+    """Return the path of the seal beside a file."""
     return path.with_name(f"{path.name}.seal.json")
 
 
@@ -162,12 +162,12 @@ def write_beside(path: Path, seal: Seal) -> None:
 
 
 def has_seal_beside(path: Path) -> bool:
-    """Tell whether a seal lies beside a file; a link is none."""
+    """Return whether a seal lies beside a file; a link is none."""
     return beside(path).is_file() and not beside(path).is_symlink()
 
 
 def read_seal(text: bytes | str) -> Seal:
-    """Return a seal of its text; raise UnusableInput."""
+    """Return a seal from its text; raise UnusableInput."""
     try:
         seal = msgspec.json.decode(text, type=Seal)
         leaves = (leaf for part in seal.parts.values() for leaf in part.leaves)

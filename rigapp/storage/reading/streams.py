@@ -39,7 +39,7 @@ Columns = dict[str, NDArray[Any]]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class StoredVariable:
-    """Describe a column in a file: its stream, the shape of its safe rows, what it says of itself.
+    """A column in a file: its stream, the shape of its safe rows, its attributes.
 
     attributes: units, long_name and whatever else CF and NeXus want, without those of HDF5 itself.
     """
@@ -62,7 +62,7 @@ class StreamReader:
         self._known: dict[str, int] = {}
         with telling_damage(path, say("its plan")):
             plan = msgspec.json.decode(self._text(PLAN), type=FilePlan)
-            # That word of the plan may be what is damaged: what is there decides.
+            # This entry of the plan may itself be damaged: the datasets decide.
             self.plan = replace(plan, checksums=plan.checksums or _proves(file))
             self._streams = streams_of(self.plan)
         strange = next(filter(None, map(strange_name, _names(self._streams))), "")
@@ -85,7 +85,7 @@ class StreamReader:
 
     @property
     def compressed(self) -> bool:
-        """Tell whether the file is the trimmed, compressed copy of a finished test."""
+        """Return whether the file is the trimmed, compressed copy of a finished test."""
         with telling_damage(self.path, FORM_ATTRIBUTE):
             return bool(self._file.attrs[FORM_ATTRIBUTE] == COMPRESSED)
 
@@ -110,13 +110,13 @@ class StreamReader:
         with telling_damage(self.path, layout.path(layout.counter)):
             if rows < 0:
                 raise ValueError(say("rows {} to {} are wanted and there are fewer", 0, rows))
-        with contextlib.suppress(UnusableInput):  # that word may be what is damaged
+        with contextlib.suppress(UnusableInput):  # this entry may itself be damaged
             if self.stored_status() != "running":  # no more come
                 self._known[stream] = rows
         return rows
 
     def stored_status(self) -> str:
-        """Return the word in the file: running, complete, stopped or fault."""
+        """Return the status in the file: running, complete, stopped or fault."""
         return self._state_text("status")
 
     def first_free_sample(self, cycles: int, group: str = "/entry/cycles") -> int:
@@ -124,7 +124,7 @@ class StreamReader:
         if cycles == 0:
             return 0
         return sum(
-            int(self._rows(f"{group}/{one}", cycles - 1, cycles)[0]) for one in ("first", "count")
+            int(self._rows(f"{group}/{name}", cycles - 1, cycles)[0]) for name in ("first", "count")
         )
 
     def column(
@@ -152,11 +152,11 @@ class StreamReader:
         return self._streams[stream].fields
 
     def has(self, stream: str) -> bool:
-        """Tell whether the file keeps a stream; those of before keep fewer."""
+        """Return whether the file keeps a stream; older files keep fewer."""
         return stream in self._streams
 
     def has_checksum(self, stream: str) -> bool:
-        """Tell whether each row of a stream has a checksum; files of before have none."""
+        """Return whether each row of a stream has a checksum; older files have none."""
         return self._streams[stream].checksum is not None
 
     def raw_rows(
@@ -174,7 +174,7 @@ class StreamReader:
         return self._rows(path, first, stop)
 
     def row_bytes(self, stream: str) -> int:
-        """Return the bytes of a row, of a cycle with the samples that it has as a rule."""
+        """Return the bytes of a row, of a cycle with its usual number of samples."""
         layout = self._streams[stream]
         if stream in ("cycles", "unfinished"):
             return (
@@ -191,7 +191,7 @@ class StreamReader:
             return len(dataset) if self.compressed else _room_of(dataset) // first.row_bytes
 
     def variables(self, stream: str) -> tuple[StoredVariable, ...]:
-        """Return what a stream holds as it stands in the file, shapes cut to the safe rows.
+        """Return the variables of a stream, shapes cut to the safe rows.
 
         stream: as in ``streams_of``; of ``prediction`` without its curves and profiles.
         """
@@ -209,11 +209,11 @@ class StreamReader:
             )
 
     def attributes(self, stream: str) -> dict[str, dict[str, Any]]:
-        """Return what each column says of itself, also those that the file is too old to have."""
-        whole = streams_of(replace(self.plan, event_details=True, profiles=1))[stream]
+        """Return the attributes of each column, also of those that an older file does not have."""
+        newest = streams_of(replace(self.plan, event_details=True, profiles=1))[stream]
         result = {
             field.name: {"units": field.unit, "long_name": field.description}
-            for field in whole.fields
+            for field in newest.fields
         }
         if stream in self._streams:
             result |= {variable.name: variable.attributes for variable in self.variables(stream)}
@@ -222,15 +222,15 @@ class StreamReader:
     def used_bytes(self, size: int) -> int:
         """Return how many of the bytes of the file, ``size``, hold data.
 
-        A file that is written in place has room for everything that was planned.
+        A file that is written in place has space for everything that was planned.
         """
         if self.compressed:
             return size
         each = {
             name: sum(
-                np.dtype(field.dtype).itemsize * math.prod(field.shape) for field in found.fields
+                np.dtype(field.dtype).itemsize * math.prod(field.shape) for field in columns.fields
             )
-            for name, found in self._streams.items()
+            for name, columns in self._streams.items()
         }
         return min(size, sum(self.committed(name) * octets for name, octets in each.items()))
 
@@ -249,7 +249,7 @@ class StreamReader:
     def _rows(self, path: str, first: int, end: int) -> NDArray[Any]:
         """Return rows ``first`` .. ``end`` of a dataset, which has them all.
 
-        Those beyond the length that it shows to others are read at their place in the file: they
+        Rows beyond the length that other programs see are read at their offset in the file: they
         are not committed, or were after this file was opened.
         """
         with telling_damage(self.path, path):
@@ -296,14 +296,14 @@ class StreamReader:
 
 
 def _proves(file: h5py.File) -> bool:
-    """Tell whether a file has the checksum of anything, whatever it says of itself."""
+    """Return whether a file has any checksum, whatever its plan says."""
     groups = ("revolutions", "cycles", "prediction")
     checksums = (f"{ENTRY}/{group}/{CHECKSUMS[group].name}" for group in groups)
     return any(path in file for path in (f"{STATE}/{CONFIGURATION_DIGEST}", *checksums))
 
 
 def _room_of(dataset: h5py.Dataset) -> int:
-    """Return the bytes that a dataset has in the file, whatever the length that it shows."""
+    """Return the bytes that a dataset has in the file, whatever its visible length."""
     return int(dataset.id.get_storage_size())
 
 
@@ -342,12 +342,12 @@ def _tree(group: h5py.Group) -> dict[str, Any]:
 
 
 COLUMN_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,99}")
-"""Columns head tables, and channels name files: what else they hold would act there."""
+"""Column names head tables and channel names become files, where other characters would act."""
 LONGEST_UNIT = 40
 
 
 def strange_name(column: FileColumn) -> str:
-    """Return why a column cannot be one that this program wrote, or nothing."""
+    """Return why a column cannot be one that this program wrote, else an empty text."""
     if not COLUMN_NAME.fullmatch(column.name):
         return say("{} is no name of a column", repr(column.name[:80]))
     if len(column.unit) > LONGEST_UNIT or not column.unit.isprintable() or '"' in column.unit:
@@ -366,25 +366,25 @@ LOG = "/entry/events"
 def texts_of(file: h5py.File) -> Iterator[tuple[str, str]]:
     """Yield each text that is not empty with its path: of a dataset, or of an attribute.
 
-    An attribute's path is that of its owner, ``@`` and its name. A text that stands several times
-    in one dataset comes once. The log is left out: its lines are events.
+    An attribute's path is that of its owner, ``@`` and its name. A text that occurs several times
+    in one dataset is yielded once. The log is left out: its lines are events.
     """
-    found: list[h5py.HLObject] = [file]
-    file.visititems(lambda _, one: found.append(one))
-    for one in found:
-        path = str(one.name)
+    objects: list[h5py.HLObject] = [file]
+    file.visititems(lambda _, node: objects.append(node))
+    for node in objects:
+        path = str(node.name)
         if path.startswith(f"{LOG}/"):
             continue
-        if isinstance(one, h5py.Dataset) and h5py.check_string_dtype(one.dtype) is not None:
-            yield from ((path, text) for text in _texts(one[()]))
-        for name, value in one.attrs.items():
+        if isinstance(node, h5py.Dataset) and h5py.check_string_dtype(node.dtype) is not None:
+            yield from ((path, text) for text in _texts(node[()]))
+        for name, value in node.attrs.items():
             yield from ((f"{path}@{name}", text) for text in _texts(value))
 
 
 def _texts(value: Any) -> Iterator[str]:
-    """Yield the different texts of a value, nothing of one that is none."""
-    for one in dict.fromkeys(np.asarray(value).ravel().tolist()) if _is_text(value) else ():
-        text = one.decode(errors="replace") if isinstance(one, bytes) else str(one)
+    """Yield the different texts of a value, none of another type."""
+    for item in dict.fromkeys(np.asarray(value).ravel().tolist()) if _is_text(value) else ():
+        text = item.decode(errors="replace") if isinstance(item, bytes) else str(item)
         if text:
             yield text
 
@@ -393,4 +393,4 @@ def _is_text(value: Any) -> bool:
     array = np.asarray(value)
     if array.dtype.kind != "O":
         return array.dtype.kind in "SU"
-    return all(isinstance(one, str | bytes) for one in array.ravel().tolist())
+    return all(isinstance(item, str | bytes) for item in array.ravel().tolist())

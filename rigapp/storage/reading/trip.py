@@ -28,9 +28,9 @@ DEPTH = "measured_wear_depth"
 SPEED_OVER_DEG = 5.0
 """The speed of a crank is read over so much of its turn, 50 counts of the encoder."""
 TRIGGER_N = 0.2
-"""A force is judged as it is read, and stored in steps of the amplifier, some 0.1 N away."""
+"""A force is judged unrounded, and stored in steps of the amplifier, some 0.1 N away."""
 SWUNG_DEG = 1.0
-"""A crank that is this far back swings: an edge of the encoder that dithers moves it less."""
+"""A crank that has turned back so far swings: a dithering edge of the encoder moves it less."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,18 +38,18 @@ class LargestForce:
     """The largest |F| of a test, N.
 
     angle_deg: crank angle, NaN where it is not known. lower_bound: the force went beyond the
-    measuring range. whole: its revolution has a row of statistics.
+    measuring range. complete: its revolution has a row of statistics.
     """
 
     value_N: float
     revolution: int
     angle_deg: float = math.nan
     lower_bound: bool = False
-    whole: bool = True
+    complete: bool = True
 
     @property
     def sign(self) -> str:
-        """Return what stands before the value."""
+        """Return the sign before the value."""
         return "≥ " if self.lower_bound else ""
 
 
@@ -57,10 +57,10 @@ class LargestForce:
 class Trip:
     """The revolution in which a test tripped.
 
-    cycle: what the file has of it, until the crank swung back. before: the last whole cycle saved
+    cycle: its samples in the file, until the crank swung back. before: the last whole cycle saved
     before it, of the revolution just before in nearly every file. peak: its largest force. None
-    where the file has none. after: what the file has of the crank's way to its standstill.
-    trigger_N: the force that was read as too large, NaN where something else tripped.
+    where the file has none. after: the revolutions up to the crank's standstill.
+    trigger_N: the force that was judged as too large, NaN for another cause.
     """
 
     revolution: int
@@ -76,12 +76,12 @@ def largest_force(test: TestReader) -> LargestForce | None:
 
     What a saturated input showed counts only as the lower bound of an overload.
     """
-    # Of equal values the last one: it knows whether it is a lower bound.
+    # Of equal values the last one: it has the flag of a lower bound.
     return max(reversed(_peaks(test)), key=_value, default=None)
 
 
-def _value(one: LargestForce) -> float:
-    return one.value_N
+def _value(force: LargestForce) -> float:
+    return force.value_N
 
 
 def _peaks(test: TestReader) -> list[LargestForce]:
@@ -91,16 +91,16 @@ def _peaks(test: TestReader) -> list[LargestForce]:
     result = [*parts, *_of_rows(test, log)]
     for number, (value, beyond) in log.overloads.items():
         # The part first: a resumed test makes a whole revolution of the same number.
-        known = next((one for one in result if one.revolution == number), None)
-        angle, whole = (known.angle_deg, known.whole) if known is not None else (math.nan, False)
+        known = next((peak for peak in result if peak.revolution == number), None)
+        angle, complete = (known.angle_deg, known.complete) if known else (math.nan, False)
         most = max(value, known.value_N if known is not None else value)
         if most > 0.0:
-            result.append(LargestForce(most, number, angle, beyond, whole))
+            result.append(LargestForce(most, number, angle, beyond, complete))
     return result
 
 
 def trip_of(test: TestReader) -> Trip | None:
-    """Return the revolution in which a test tripped; None when nothing but a person ended it."""
+    """Return the revolution in which a test tripped; None when an operator ended it."""
     summary, code = test.summary(), test.metadata()["reason_code"]
     ends = (FinishReason.OPERATOR, FinishReason.COMPLETE)
     if summary["status"] != "stopped" or not code or code in ends:
@@ -119,7 +119,7 @@ def trip_of(test: TestReader) -> Trip | None:
     places = np.flatnonzero(saved == number)
     before = np.flatnonzero(saved < number)
     cycle = test.cycle(int(places[-1])) if places.size else parts[-1] if parts else None
-    after = [test.cycle(int(place)) for place in np.flatnonzero(saved > number)]
+    after = [test.cycle(int(index)) for index in np.flatnonzero(saved > number)]
     after += [cycle for cycle in test.unfinished() if cycle.revolution > number]
     peaks = (peak for peak in reversed(_peaks(test)) if peak.revolution == number)
     return Trip(
@@ -127,7 +127,7 @@ def trip_of(test: TestReader) -> Trip | None:
         _forwards(cycle) if cycle is not None else None,
         test.cycle(int(before[-1])) if before.size else None,
         max(peaks, key=_value, default=None),
-        tuple(one for one in map(_forwards, after) if one is not None),
+        tuple(later for later in map(_forwards, after) if later is not None),
         trigger,
     )
 
@@ -167,12 +167,12 @@ class TripPiece:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TripCapture:
-    """What happened around a trip: samples, what tripped, and how soon the crank was at rest.
+    """The time around a trip: samples, the cause, and the time until the crank was stationary.
 
     pieces: in their order. currents: time from the trip (n,) and A, by slow channel, one value a
     revolution. sentence: why the test ended. happened: host time of the alarm's line in the log,
-    before which the drive had been commanded; stood_s: from there to the line that the spindle
-    stands; turned_s: from the trip to the last movement, by the device's clock. NaN where unknown.
+    before which the drive had been commanded; stood_s: from there to the line of the spindle's
+    standstill; turned_s: from the trip to the last movement, by the device's clock; NaN: unknown.
     """
 
     trip: Trip
@@ -197,8 +197,8 @@ def trip_capture(test: TestReader) -> TripCapture | None:
     cycle, before = result.cycle, [result.before] if result.before is not None else []
     zero, events = _tripped_at(result, cycle), test.events()
     pieces = tuple(
-        TripPiece(one.columns["time"] - zero, _values(one), one is result.before)
-        for one in (*before, cycle, *result.after)
+        TripPiece(part.columns["time"] - zero, _values(part), part is result.before)
+        for part in (*before, cycle, *result.after)
     )
     first_out = _first_out(events)
     happened = first_out.time if first_out is not None else math.nan
@@ -225,8 +225,8 @@ def _values(cycle: StoredCycle) -> dict[str, NDArray[np.float64]]:
 def _currents(
     test: TestReader, table: ChannelTable, zero: float, since: float
 ) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:
-    """Return what slow channels told in A, in revolutions that ended from ``since`` on."""
-    slow = [one.name for one in table.slow if one.unit == "A"]
+    """Return the values of slow channels in A, of revolutions that ended from ``since`` on."""
+    slow = [channel.name for channel in table.slow if channel.unit == "A"]
     if not slow or not test.committed():
         return {}
     time = test.column("time") - zero
@@ -234,11 +234,11 @@ def _currents(
     return {name: (time[kept], test.column(name)[kept]) for name in slow}
 
 
-def _tripped_at(found: Trip, cycle: StoredCycle) -> float:
+def _tripped_at(trip: Trip, cycle: StoredCycle) -> float:
     """Return the device's time at which a test tripped, s: at the force that was too large."""
     force, time = cycle.columns["force"], cycle.columns["time"]
-    # What is beyond the measuring range is stored as its end.
-    trigger = min(found.trigger_N, float(np.nanmax(force)))
+    # A force beyond the measuring range is stored as its end.
+    trigger = min(trip.trigger_N, float(np.nanmax(force)))
     with np.errstate(invalid="ignore"):
         over = np.flatnonzero(force >= trigger - TRIGGER_N)
     return float(time[over[0] if over.size else -1])
@@ -253,16 +253,16 @@ def _speed_rpm(cycle: StoredCycle) -> NDArray[np.float64]:
         return np.where(took > 0.0, (angle - angle[places]) / took / 6.0, np.nan)
 
 
-def _turned_s(found: Trip, cycle: StoredCycle, zero: float) -> float:
+def _turned_s(trip: Trip, cycle: StoredCycle, zero: float) -> float:
     """Return the time from a trip to the last movement of the crank that is recorded, s."""
-    last = (found.after or (cycle,))[-1]
+    last = (trip.after or (cycle,))[-1]
     moved = np.flatnonzero(np.diff(last.columns["angle"]) != 0.0)
     end = last.columns["time"][int(moved[-1]) + 1 if moved.size else 0]
     return max(0.0, float(end) - zero)
 
 
 class _ForceLog:
-    """What the log says of forces: overloads, and since when no force is known.
+    """The forces in the log: overloads, and since when no force is known.
 
     overloads: revolution -> force, and whether it is a lower bound.
     """
@@ -278,7 +278,7 @@ class _ForceLog:
             elif raised and kind == NO_FORCE and what:
                 changes.append((event.revolution, False))
             elif raised and change is not None and kind == OVERLOAD:
-                # Older files have the value in words only; then the samples say it.
+                # Older files have the value in words only; then the samples give it.
                 self.overloads[event.revolution + 1] = (
                     change.value or 0.0,
                     event.key == BEYOND_RANGE,
@@ -293,14 +293,14 @@ class _ForceLog:
 
     def knows_force(self, part: StoredCycle) -> bool:
         """Return whether the force of a revolution is known, and has samples."""
-        number, quality = (np.array([one], np.int64) for one in (part.revolution, part.quality))
+        number, quality = (np.array([value], np.int64) for value in (part.revolution, part.quality))
         force = part.columns["force"]
         return bool(self.known(number, quality)[0] and np.isfinite(force).any())
 
 
 def _of_rows(test: TestReader, log: _ForceLog) -> Iterator[LargestForce]:
     names = ("revolution", "quality", "force_max", "force_angle_of_max")
-    found: list[LargestForce] = []
+    forces: list[LargestForce] = []
     most: LargestForce | None = None
     overloads = np.array(list(log.overloads), np.int64)
     for _, block in blocks(test, names):
@@ -308,24 +308,24 @@ def _of_rows(test: TestReader, log: _ForceLog) -> Iterator[LargestForce]:
         known = log.known(number, block["quality"].astype(np.int64))
         force = np.where(known, block["force_max"], np.nan)
 
-        def at(place: int, force: Any = force, block: Any = block) -> LargestForce:
-            angle = float(block["force_angle_of_max"][place])
-            return LargestForce(float(force[place]), int(block["revolution"][place]), angle)
+        def at(row: int, force: Any = force, block: Any = block) -> LargestForce:
+            angle = float(block["force_angle_of_max"][row])
+            return LargestForce(float(force[row]), int(block["revolution"][row]), angle)
 
-        found += map(at, np.flatnonzero(np.isin(number, overloads)).tolist())
+        forces += map(at, np.flatnonzero(np.isin(number, overloads)).tolist())
         if np.isfinite(force).any():
-            here = at(int(np.nanargmax(force)))
-            most = here if most is None or here.value_N > most.value_N else most
-    if most is not None and most.revolution not in {one.revolution for one in found}:
-        found.append(most)
-    yield from sorted(found, key=lambda one: one.revolution)
+            largest = at(int(np.nanargmax(force)))
+            most = largest if most is None or largest.value_N > most.value_N else most
+    if most is not None and most.revolution not in {largest.revolution for largest in forces}:
+        forces.append(most)
+    yield from sorted(forces, key=lambda largest: largest.revolution)
 
 
 def _of_part(part: StoredCycle) -> LargestForce:
     force = part.columns["force"]
-    place = int(np.nanargmax(force))
-    angle = float(part.columns["angle"][place])
-    return LargestForce(float(force[place]), part.revolution, angle, whole=False)
+    index = int(np.nanargmax(force))
+    angle = float(part.columns["angle"][index])
+    return LargestForce(float(force[index]), part.revolution, angle, complete=False)
 
 
 def believed_until(reader: TestReader) -> int | None:

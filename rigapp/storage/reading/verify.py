@@ -1,4 +1,4 @@
-"""Find what of a test file no longer is as it was written, by its checksums and digests."""
+"""Find the parts of a test file that changed since they were written, by checksums and digests."""
 
 from __future__ import annotations
 
@@ -33,18 +33,18 @@ def damage_of(path: str | os.PathLike[str]) -> list[str]:
 
 
 NEWEST_BYTES = 128 << 20
-"""Of each stream, what is looked at where a whole file would take minutes: 400,000 rows, 700
+"""Of each stream, checked where a whole file would take minutes: 400,000 rows, 700
 cycles."""
 
 
 def found_damage(reader: TestReader, newest_bytes: int | None = None) -> Iterator[str]:
     """Yield a sentence for each part of an open file that a checksum does not confirm.
 
-    newest_bytes: look only at so much of the end of each stream, None at all of it. Nothing is
-    yielded for what a file of before has no checksum of.
+    newest_bytes: check only so much of the end of each stream, None: all of it. Nothing is
+    yielded for parts of an older file that have no checksum.
     """
     if reader.plan.checksums:
-        # Whatever HDF5 raises is damage here: the tree itself may be what was hit.
+        # Whatever HDF5 raises is damage here: the tree itself may be damaged.
         try:
             same = reader.settings_confirmed()
         except UnusableInput as error:
@@ -113,12 +113,12 @@ def _confirmed_cycles(
     fields = reader.fields(stream)
     columns, stored = reader.raw_rows(stream, first, stop)
     for i, values in enumerate(zip(*columns, strict=True)):
-        row = {one.name: value for one, value in zip(fields, values, strict=True)}
-        place, count = int(row["first"]), int(row["count"])
-        if place < 0 or count < 0:
+        row = {field.name: value for field, value in zip(fields, values, strict=True)}
+        start, count = int(row["first"]), int(row["count"])
+        if start < 0 or count < 0:
             continue
         try:
-            samples, _ = reader.raw_rows(RAGGED[stream], place, place + count)
+            samples, _ = reader.raw_rows(RAGGED[stream], start, start + count)
         except UnusableInput:
             continue
         result[i] = cycle_checksum(samples, fields, row) == stored[i]

@@ -1,1 +1,1 @@
-"""What a test file holds and how it is laid out: streams, columns, settings, rows of the log."""
+"""Contents and layout of a test file: streams, columns, settings, rows of the log."""

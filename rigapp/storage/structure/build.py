@@ -92,7 +92,7 @@ def conventions(
 
 
 def _uncertainty(name: str) -> dict[str, str]:
-    """Return where the uncertainty of a measured force stands, and of what it is."""
+    """Return the attributes that point to the uncertainty of a measured force."""
     match = _FORCE.fullmatch(name)
     if match is None:
         return {}
@@ -131,7 +131,7 @@ _COUNTERS = {
 def build_file(path: Path, plan: FilePlan, metadata: TestMetadata, name: str) -> None:
     """Create the HDF5 file of a test at ``path``, every dataset at its full size, and close it.
 
-    name: what the file is called when it is done.
+    name: of the finished file.
     """
     streams = streams_of(plan)
     with _new_file(path) as file:
@@ -156,7 +156,7 @@ def build_file(path: Path, plan: FilePlan, metadata: TestMetadata, name: str) ->
                 file[STATE], CONFIGURATION_DIGEST, "S64", (), "", "SHA-256 of all that is fixed"
             )
             digest[()] = settings_digest(file, plan)
-        # Only now: a copy that is cut short has settings and structure, and lacks what lies last.
+        # Only now: a copy that is cut short then still has settings and structure.
         for stream in streams.values():
             for field in stream.stored:
                 file[stream.path(field.name)][0] = np.zeros(field.shape, hdf_type(field.dtype))
@@ -173,7 +173,7 @@ def _new_file(path: Path) -> h5py.File:
     access.set_alignment(PAGE, PAGE)
     access.set_meta_block_size(METADATA_BLOCK)
     access.set_sieve_buf_size(0)
-    access.set_file_locking(False, True)  # nobody knows its name yet, and some disks have no locks
+    access.set_file_locking(False, True)  # its name is still hidden, and some disks have no locks
     identifier = h5py.h5f.create(os.fsencode(path), h5py.h5f.ACC_EXCL, fapl=access)
     return h5py.File(identifier)
 
@@ -188,9 +188,9 @@ def placed_dataset(
     *,
     later: bool = False,
 ) -> h5py.Dataset:
-    """Create a contiguous dataset, its place in the file fixed now, its content not written.
+    """Create a contiguous dataset at a fixed offset, its content not written.
 
-    later: it gets its place with the first value that is written to it.
+    later: it gets its offset with the first value that is written to it.
     """
     properties = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
     properties.set_layout(h5py.h5d.CONTIGUOUS)
@@ -234,8 +234,8 @@ def write_tree(group: h5py.Group, values: Mapping[str, Any]) -> None:
 
 
 def _write_value(group: h5py.Group, key: str, value: Any) -> None:
-    if isinstance(value, (list, tuple)) and any(isinstance(one, Mapping) for one in value):
-        write_tree(_group(group, key, "NXcollection"), {str(i): one for i, one in enumerate(value)})
+    if isinstance(value, (list, tuple)) and any(isinstance(v, Mapping) for v in value):
+        write_tree(_group(group, key, "NXcollection"), {str(i): v for i, v in enumerate(value)})
         return
     if isinstance(value, (list, tuple)):
         array = np.asarray(value)
@@ -258,7 +258,7 @@ def _name_axes(dataset: h5py.Dataset) -> None:
 
 
 def _build_root(file: h5py.File, metadata: TestMetadata, name: str) -> None:
-    found = versions()
+    version = versions()
     started = iso_time(metadata.started or time.time())
     file.attrs.update(
         {
@@ -266,7 +266,7 @@ def _build_root(file: h5py.File, metadata: TestMetadata, name: str) -> None:
             "default": "entry",
             FILE_NAME_ATTRIBUTE: name,
             "file_time": started,
-            "creator": f"rigapp {found['rigapp']}",
+            "creator": f"rigapp {version['rigapp']}",
             "HDF5_Version": h5py.version.hdf5_version,
             "h5py_version": h5py.version.version,
             SCHEMA_ATTRIBUTE: SCHEMA,
@@ -278,15 +278,15 @@ def _build_root(file: h5py.File, metadata: TestMetadata, name: str) -> None:
     entry["title"] = metadata.title
     entry["entry_identifier_uuid"] = metadata.identifier
     entry["program_name"] = "rigapp"
-    entry["program_name"].attrs["version"] = found["rigapp"]
+    entry["program_name"].attrs["version"] = version["rigapp"]
     entry["simulated"] = np.int64(metadata.simulated)
     describe(entry["simulated"], "1", "1: the rig was simulated")
     if metadata.notes:
         entry["experiment_description"] = metadata.notes
     _build_people(entry, metadata)
     for path, text in ((START_TIME, started), (END_TIME, "")):
-        place = placed_dataset(entry, path.rpartition("/")[2], TIME_DTYPE, (), "", "")
-        place[()] = text
+        dataset = placed_dataset(entry, path.rpartition("/")[2], TIME_DTYPE, (), "", "")
+        dataset[()] = text
 
 
 def _build_people(entry: h5py.Group, metadata: TestMetadata) -> None:
@@ -356,9 +356,9 @@ def scale_label(is_variable: bool, name: str, length: int) -> str:
     return name if is_variable else f"{NOT_A_VARIABLE}{length:10d}"
 
 
-def _build_field(group: h5py.Group, one: FileColumn, rows: int) -> h5py.Dataset:
-    shape = (rows, *one.shape)
-    return placed_dataset(group, one.name, one.dtype, shape, one.unit, one.description, later=True)
+def _build_field(group: h5py.Group, f: FileColumn, rows: int) -> h5py.Dataset:
+    shape = (rows, *f.shape)
+    return placed_dataset(group, f.name, f.dtype, shape, f.unit, f.description, later=True)
 
 
 def _build_curve_angle(file: h5py.File, plan: FilePlan) -> None:

@@ -18,7 +18,7 @@ from rigapp.storage.structure.layout import FileColumn
 Crcs = NDArray[np.uint32]
 
 WORDS: dict[int, np.dtype[Any]] = {4: np.dtype("<u4"), 8: np.dtype("<u8")}
-"""Bytes of the values of which many rows are checked at once, and as what."""
+"""Size of a value in bytes -> the word by which many rows are checked at once."""
 MANY_ROWS = 64
 """Fewer are done before the compiled code is loaded."""
 
@@ -33,8 +33,8 @@ def row_checksums(fields: Sequence[FileColumn], columns: Sequence[NDArray[Any]],
             word[:] = column.view(WORDS[column.itemsize])
         return word_checksums(words, np.array([column.itemsize for column in columns]))
     packed = np.empty(rows, [(field.name, field.dtype, field.shape) for field in fields])
-    for one, column in zip(fields, columns, strict=True):
-        packed[one.name] = column
+    for field, column in zip(fields, columns, strict=True):
+        packed[field.name] = column
     size, data, value = packed.itemsize, packed.tobytes(), google_crc32c.value
     result = [value(data[start : start + size]) for start in range(0, rows * size, size)]
     return np.array(result, np.uint32)
@@ -50,7 +50,7 @@ def word_checksums(words: NDArray[np.uint64], sizes: NDArray[np.int64]) -> Crcs:
 
 
 def load_kernel() -> Callable[[NDArray[np.uint64], NDArray[np.int64]], Crcs]:
-    """Return what computes the checksums of many rows; whoever looks at few needs no numba."""
+    """Return the compiled function for many rows; few rows need no numba."""
     from rigapp.storage.structure.crc import checksums_of_words
 
     return checksums_of_words

@@ -34,7 +34,7 @@ def _tables() -> Crcs:
 
 @njit("void(uint64[:, ::1], int64[::1], uint32[:, ::1], uint32[::1])", cache=True, nogil=True)
 def _extend(words: Words, sizes: NDArray[np.int64], t: Crcs, crcs: Crcs) -> None:
-    """Let the CRC of each row go on over its words; words: [column, row], sizes: 4 or 8 bytes."""
+    """Extend the CRC of each row by its words; words: [column, row], sizes: 4 or 8 bytes."""
     byte = np.uint32(0xFF)
     for j in range(words.shape[0]):
         if sizes[j] == 8:

@@ -1,8 +1,8 @@
 """Compute the digest of all that a test file fixes before its first row.
 
 Covered are the path, type and attributes of every group and dataset, and the values of those that
-no writer changes later: settings, records, versions, axes. Not covered is what the compressed copy
-says otherwise: the file's name and form, and how HDF5 joins dimensions.
+no writer changes later: settings, records, versions, axes. Not covered is what differs in the
+compressed copy: the file's name and form, and how HDF5 joins dimensions.
 """
 
 from __future__ import annotations
@@ -75,6 +75,6 @@ def _bytes_of(value: Any) -> bytes:
         return value.encode()
     array = np.asarray(value)
     if array.dtype.kind == "O":
-        texts = (one if isinstance(one, bytes) else str(one).encode() for one in array.flat)
+        texts = (text if isinstance(text, bytes) else str(text).encode() for text in array.flat)
         return b"".join(len(text).to_bytes(8, "little") + text for text in texts)
     return f"{array.dtype.str} {array.shape}".encode() + array.tobytes()

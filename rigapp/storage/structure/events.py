@@ -42,11 +42,11 @@ SAID = "said"
 """Key of ``data``: templates and values of the sentences of a line, for other languages."""
 ASKED_KINDS = frozenset({"note", "command", "limit_changed", "zero", "viewer"})
 OWN_ALARMS = "engine"
-"""The source of an alarm that nobody asked for."""
+"""The source of an alarm without a request."""
 
 
 def is_requested(event: Event) -> bool:
-    """Tell whether an event is there because somebody asked the engine for something."""
+    """Return whether an event follows from a request to the engine."""
     return event.kind in ASKED_KINDS or (event.kind == "alarm" and event.source != OWN_ALARMS)
 
 
@@ -87,7 +87,7 @@ def digest_of(row: Mapping[str, Any], before: bytes) -> bytes:
 
 
 def seed_of(identifier: str) -> bytes:
-    """Return what the first row of a file is bound to."""
+    """Return the digest that the first row of a file is bound to."""
     return hashlib.sha256(identifier.encode()).hexdigest().encode()
 
 
@@ -103,9 +103,9 @@ def events_of(columns: Mapping[str, NDArray[Any]]) -> list[Event]:
         codes = {name: row[name] for name in CODES if name in row}
         texts = {k: v.decode(errors="replace") for k, v in (codes | open_texts).items()}
         data = _decoded(texts.pop("data"))
-        said = _sentences(data.pop(SAID, ()))
-        texts["text"] = said.get(texts["text"], texts["text"])
-        data = {key: said.get(v, v) if isinstance(v, str) else v for key, v in data.items()}
+        sentences = _sentences(data.pop(SAID, ()))
+        texts["text"] = sentences.get(texts["text"], texts["text"])
+        data = {key: sentences.get(v, v) if isinstance(v, str) else v for key, v in data.items()}
         result.append(Event(row["time"], row["revolution"], data=data, **texts))
         open_texts = {}
     return result
@@ -113,7 +113,7 @@ def events_of(columns: Mapping[str, NDArray[Any]]) -> list[Event]:
 
 def as_said(text: str, events: Iterable[Event]) -> str:
     """Return a text of a file as the sentence that its log has of it; as it is without one."""
-    return next((one.text for one in reversed([*events]) if one.text == text), text)
+    return next((event.text for event in reversed([*events]) if event.text == text), text)
 
 
 def first_broken_link(columns: Mapping[str, NDArray[Any]], identifier: str) -> int | None:
@@ -142,17 +142,17 @@ def columns_of(
 
 
 def _encoded(event: Event) -> str:
-    said = [
-        parts_of_sentence(one)
-        for one in (event.text, *event.data.values())
-        if isinstance(one, Sentence) and _has_words(one)
+    parts = [
+        parts_of_sentence(text)
+        for text in (event.text, *event.data.values())
+        if isinstance(text, Sentence) and _has_words(text)
     ]
-    data = {**event.data, SAID: said} if said else event.data
+    data = {**event.data, SAID: parts} if parts else event.data
     return json_bytes(data).decode() if data else ""
 
 
 def _has_words(text: object) -> bool:
-    """Tell whether a text is a sentence that a catalogue may have."""
+    """Return whether a text is a sentence that a catalogue may have."""
     if not isinstance(text, Sentence):
         return False
     literals = "".join(literal for literal, _, _ in braces(text.template))
@@ -160,11 +160,11 @@ def _has_words(text: object) -> bool:
 
 
 def _sentences(structures: Any) -> dict[str, Sentence]:
-    """Return sentences by their English texts; what is none, is left out."""
+    """Return sentences by their English texts; anything else is left out."""
     result: dict[str, Sentence] = {}
-    for one in structures if isinstance(structures, list) else ():
+    for structure in structures if isinstance(structures, list) else ():
         with contextlib.suppress(ValueError, TypeError, KeyError, AttributeError, RecursionError):
-            sentence = sentence_of_parts(one)
+            sentence = sentence_of_parts(structure)
             result[str(sentence)] = sentence
     return result
 
@@ -207,12 +207,12 @@ _WHAT: Mapping[str, What] = {
     "reset": "reset",
     "no longer shelved": "unshelved",
 }
-_CRITERIA = {one.title: name for name, one in CRITERIA.items()}
+_CRITERIA = {criterion.title: name for name, criterion in CRITERIA.items()}
 _TITLES = [
     (re.compile(re.sub(r"\\\{\w*\\\}", "(.+)", re.escape(kind.title))), key, kind)
-    for key, kind in sorted(KINDS.items(), key=lambda one: "{" in one[1].title)
+    for key, kind in sorted(KINDS.items(), key=lambda item: "{" in item[1].title)
 ]
-"""How a title looks, and of what kind it is; the whole ones first."""
+"""The pattern of each title and its kind; complete titles first."""
 
 
 def translated(events: Iterable[Event]) -> list[Event]:
@@ -228,7 +228,7 @@ def translated(events: Iterable[Event]) -> list[Event]:
 
 
 def _alarm(event: Event, known: dict[str, tuple[str, Severity, AlarmChange]]) -> Event:
-    """Translate a line about an alarm; ``known`` holds how each one was, by its title."""
+    """Translate a line about an alarm; ``known``: the last state of each alarm, by its title."""
     match = _ALARM.fullmatch(event.text)
     if match is None:
         return event

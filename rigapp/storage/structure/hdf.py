@@ -1,8 +1,8 @@
-"""Open an HDF5 file for reading, whoever made it or has it open; tell what is no data.
+"""Open an HDF5 file from any source for reading; refuse what is no data.
 
-A file that came by mail may be made to harm: HDF5 reads other files of the computer where a dataset
-or a link says so, and loads a program for a filter that it does not know. Nothing of a file is read
-before ``refuse_traps`` has looked at each object of it.
+A file that came by mail may be malicious: HDF5 reads other files of the computer where a dataset
+or a link points to them, and loads a plug-in for an unknown filter. Nothing of a file is read
+before ``refuse_traps`` has checked each object of it.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ MOST_SWELLING = 200
 """Bytes that a byte of the file may become. Tests of the simulated rig become 1, one of 20,000
 revolutions whose rows are all the same 25; the filter itself could make 1,032 of one."""
 SMALL = 1 << 20
-"""Bytes of a dataset that harm nobody, however few of them are stored."""
+"""Bytes of a dataset that are harmless, however few of them are stored."""
 
 
 def open_for_reading(path: Path) -> h5py.File:
@@ -64,24 +64,24 @@ def _opened(path: Path) -> h5py.File:
 
 @dataclass(frozen=True, slots=True)
 class _Link:
-    """Carry the kind of a link and the address that it leads to."""
+    """The kind of a link and the address that it leads to."""
 
     kind: int
     address: int
 
 
 def refuse_traps(path: Path, file: h5py.File) -> None:
-    """Raise UnusableInput where an object of a file leads out of it, or swells when it is read."""
+    """Raise UnusableInput where an object of a file leads out of it, or expands when it is read."""
     with telling_damage(path, say("its tree")):
-        found = _first_trap(file, path.stat().st_size)
-    if found:
+        trap = _first_trap(file, path.stat().st_size)
+    if trap:
         raise UnusableInput(
-            "{}: {}; rigapp writes no such file: do not use it, and ask who sent it", path, found
+            "{}: {}; rigapp writes no such file: do not use it, and ask who sent it", path, trap
         )
 
 
 def _first_trap(file: h5py.File, size: int) -> str:
-    """Return what is wrong with the first object that is no part of a test, or nothing."""
+    """Return what is wrong with the first object that is no part of a test, else an empty text."""
     seen = {h5o.get_info(file.id).addr}
     waiting: list[tuple[bytes, h5g.GroupID]] = [(b"", file.id)]
     claimed = 0
@@ -96,7 +96,7 @@ def _first_trap(file: h5py.File, size: int) -> str:
             seen.add(link.address)
             if len(seen) > MOST_OBJECTS:
                 return say("it has more than {} groups and datasets", MOST_OBJECTS)
-            # What is damaged harms nobody: who asks for it is told so.
+            # A damaged object is harmless here: reading it raises an error.
             with contextlib.suppress(OSError, RuntimeError, LookupError, ValueError, TypeError):
                 item = h5o.open(group, name)
                 if odd := _odd_attribute(item):
@@ -115,7 +115,7 @@ def _first_trap(file: h5py.File, size: int) -> str:
 
 
 def _links(group: h5g.GroupID) -> list[tuple[bytes, _Link]]:
-    """Return the links of a group with what HDF5 says of each, those before a damaged one."""
+    """Return the links of a group with their kinds, up to a damaged one."""
     result: list[tuple[bytes, _Link]] = []
     with contextlib.suppress(OSError, RuntimeError):
         group.links.iterate(
@@ -129,7 +129,7 @@ def _shown(path: bytes) -> str:
 
 
 def _odd_attribute(item: h5o.ObjectID) -> bytes:
-    """Return the name of an attribute at whose content HDF5 may fall over, or nothing.
+    """Return the name of an attribute whose content may crash HDF5, else nothing.
 
     Where one flipped bit makes a text a list of lists, the library takes its letters for addresses.
     """
@@ -142,7 +142,7 @@ def _odd_attribute(item: h5o.ObjectID) -> bytes:
 
 
 def _trap(dataset: h5d.DatasetID, length: int) -> str:
-    """Return how a dataset would harm who reads its ``length`` bytes, or nothing."""
+    """Return why reading ``length`` bytes of a dataset is harmful, else an empty text."""
     made = dataset.get_create_plist()
     layout = made.get_layout()
     if layout == h5d.VIRTUAL:
@@ -162,9 +162,9 @@ def _trap(dataset: h5d.DatasetID, length: int) -> str:
 
 @contextlib.contextmanager
 def telling_damage(path: Path, what: str) -> Iterator[None]:
-    """Raise UnusableInput where a block cannot make sense of what it reads in a file.
+    """Raise UnusableInput for the errors of a block that reads a damaged file.
 
-    what: the place in the file. HDF5 and NumPy raise one of many errors, as the damage wants.
+    what: the part of the file. HDF5 and NumPy raise one of many errors, depending on the damage.
     """
     try:
         yield
@@ -179,6 +179,6 @@ def telling_damage(path: Path, what: str) -> Iterator[None]:
 
 
 def is_bare(dataset: h5py.Dataset) -> bool:
-    """Tell whether a dataset is a dimension without coordinates."""
+    """Return whether a dataset is a dimension without coordinates."""
     name = dataset.attrs.get("NAME", b"")
     return bool(name.startswith(NOT_A_VARIABLE.encode()))

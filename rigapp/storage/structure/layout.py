@@ -1,4 +1,4 @@
-"""What a test file holds: its streams, their columns and their sizes, as plain records.
+"""The contents of a test file: its streams, their columns and sizes, as plain records.
 
 A *stream* is a set of 1-D datasets that grow together, row by row, up to a committed counter. All
 of them exist at their full size before the first sample; ``planned`` rows have reserved disk space,
@@ -48,7 +48,7 @@ END_TIME = "/entry/end_time"
 
 ROW_MULTIPLE = 512  # rows of 8 bytes fill whole pages
 SPARE_REVOLUTIONS = 1000  # a short test can be extended as well
-SAMPLE_RESERVE = 1.1  # revolutions differ; what is over is given back at the end
+SAMPLE_RESERVE = 1.1  # revolutions differ; unused space is given back at the end
 
 CONFIGURATION_DIGEST = "configuration_sha256"
 """Name in ``/entry/state`` of the digest of what is fixed before the first row."""
@@ -72,7 +72,7 @@ TIME_DTYPE = "S32"
 
 @dataclass(frozen=True, slots=True)
 class FileColumn(Column):
-    """Describe one dataset of a stream; ``shape`` is that of one row."""
+    """One dataset of a stream; ``shape`` is that of one row."""
 
     shape: tuple[int, ...] = ()
 
@@ -84,10 +84,10 @@ class FileColumn(Column):
 
 @dataclass(frozen=True, slots=True)
 class FileStream:
-    """Describe datasets that grow together; ``counter`` is empty where another stream counts.
+    """Datasets that grow together; ``counter`` is empty where another stream counts.
 
     checksum: the CRC-32C of each row, None for what another stream or a digest protects, and in
-    files of before.
+    older files.
     """
 
     name: str
@@ -111,22 +111,22 @@ class FileStream:
     @property
     def row_bytes(self) -> int:
         """Return the bytes of one row over all fields."""
-        return sum(one.row_bytes for one in self.stored)
+        return sum(field.row_bytes for field in self.stored)
 
 
 @dataclass(frozen=True, slots=True)
 class FilePlan:
-    """Say how much a test will store.
+    """The size of a test.
 
     revolutions: rows of statistics. cycles: whole cycles kept. samples_per_cycle: samples expected
     in one of them at the test's speed. events: rows of the log. prediction: whether a twin runs.
-    channels: what is measured; files of before have those of every rig.
+    channels: what is measured; older files have those of every rig.
     cycle_reason: whether each cycle says why it is kept, and its quality. event_details: whether
-    events carry key, level and data. unfinished_samples:
-    samples reserved for revolutions cut off by the end of a test; 0 keeps none. profiles: worn
-    profiles kept, and with them the twin's checkpoints; 0 keeps neither. checksums: whether rows
-    and cycles have a CRC-32C each, and the settings a digest. waiting_cycles: the newest whole
-    cycles that the file holds until it is sure whether they are kept.
+    events carry key, level and data. unfinished_samples: samples reserved for revolutions cut off
+    by the end of a test; 0 keeps none. profiles: worn profiles kept, and with them the twin's
+    checkpoints; 0 keeps neither. checksums: whether rows and cycles have a CRC-32C each, and the
+    settings a digest. waiting_cycles: the newest whole cycles, held until it is decided whether
+    they are kept.
     """
 
     revolutions: int
@@ -258,11 +258,9 @@ def streams_of(plan: FilePlan) -> dict[str, FileStream]:
     if plan.waiting_cycles:
         result = (*result, _waiting_stream(plan))
     if plan.checksums:
-        result = tuple(replace(one, checksum=CHECKSUMS.get(one.name)) for one in result)
-        # A copy that is cut short loses what lies last: many samples and curves, before any row.
-        result = tuple(
-            sorted(result, key=lambda one: _LAST.index(one.name) if one.name in _LAST else -1)
-        )
+        result = tuple(replace(stream, checksum=CHECKSUMS.get(stream.name)) for stream in result)
+        # A copy that is cut short loses the end of the file: samples and curves, before any row.
+        result = tuple(sorted(result, key=lambda s: _LAST.index(s.name) if s.name in _LAST else -1))
     return {stream.name: stream for stream in result}
 
 
@@ -271,7 +269,7 @@ _LAST = ("curves", "waiting", "unfinished_samples", "samples")
 
 
 AHEAD = {"revolutions": 4096, "prediction": 4096, "curves": 16, "profiles": 16}
-"""Stream -> rows by which the length that other programs see runs ahead; of others it does not."""
+"""Stream -> rows by which the visible length runs ahead of the data; 0 for the others."""
 
 
 def _checksum(name: str, of: str) -> FileColumn:
@@ -312,7 +310,7 @@ def _waiting_stream(plan: FilePlan) -> FileStream:
     samples = math.ceil(plan.samples_per_cycle * SAMPLE_RESERVE)
     fields = (
         *WAITING_FIELDS,
-        *(replace(one, shape=(samples,)) for one in _fields(plan.cycle_columns)),
+        *(replace(field, shape=(samples,)) for field in _fields(plan.cycle_columns)),
     )
     slots = plan.waiting_cycles
     return FileStream("waiting", WAITING, "slot", "", fields, slots, slots)

@@ -1,4 +1,4 @@
-"""What a reader of a test file must know besides the data, gathered before the first sample."""
+"""The metadata of a test file, gathered before the first sample."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from typing import Any
 from rigapp.schema.units import unit_of_key
 
 _RATE = re.compile(r"(?:^|_)([A-Za-z]+)_per$")
-"""What is left of a key when its last unit divides another: ``speed_limit_count_per`` (``_s``)."""
+"""The rest of a key whose last unit divides another: ``speed_limit_count_per`` (``_s``)."""
 
 
 @dataclass(frozen=True, slots=True)
 class TestMetadata:
-    """Carry the texts, records and names that go with a test.
+    """The texts, records and names that go with a test.
 
     rig_text, test_text: the TOML files as given. parameters: the model's, units in the keys.
     calibration: record name -> nested mapping of numbers, lists and texts, frozen for the test.
-    detectors: the same of what measures: ``load_cell``, ``probes``, ``encoder``.
+    detectors: the same for ``load_cell``, ``probes``, ``encoder``.
     started: UTC seconds since 1970-01-01, 0 for now.
     """
 
@@ -47,7 +47,7 @@ class TestMetadata:
 
 
 def versions() -> dict[str, str]:
-    """Return the versions of what writes the file."""
+    """Return the versions of the software that writes the file."""
     result = {"python": platform.python_version(), "platform": platform.platform()}
     for name in ("rigapp", "numpy", "h5py", "numba", "msgspec"):
         try:
@@ -67,7 +67,7 @@ def file_unit(key: str) -> str:
 
 
 def name_and_unit(key: str) -> tuple[str, str]:
-    """Cut the unit off a key; a unit that the program does not know stays in the name."""
+    """Cut the unit off a key; an unknown unit stays in the name."""
     unit = file_unit(key)
     places = [i for i, letter in enumerate(key) if letter == "_" and file_unit(key[i:]) == unit]
     if unit == "1" or not places or key[: places[-1]].endswith("_per"):

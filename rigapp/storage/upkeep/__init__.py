@@ -1,1 +1,1 @@
-"""What is done to a file that is there already: go on with its test, compress it."""
+"""Work on existing files: resume a test, compress, seal, salvage."""

@@ -1,7 +1,7 @@
 """Turn the file of an ended test into a trimmed, compressed one, without ever risking the data.
 
 The copy is written under a hidden name, closed, synced, read back and compared; only then it takes
-the file's name. Whatever kills this on the way leaves the original in place. As a program
+the file's name. A kill on the way leaves the original in place. As a program
 (``python -m rigapp.storage FILE``) it runs beside everything else at the lowest priority.
 """
 
@@ -38,7 +38,7 @@ def compact_test(path: str | os.PathLike[str]) -> bool:
     """Replace an ended test's file by its verified compressed form; False when it already is.
 
     Raises UnusableInput when the test has not ended, another process has the file, or the disk has
-    no room for the copy; StorageFailed when a checksum finds damage, or the copy does not read
+    no space for the copy; StorageFailed when a checksum finds damage, or the copy does not read
     back the same. The original stays then.
     """
     target = Path(path).absolute()
@@ -64,7 +64,7 @@ def compact_test(path: str | os.PathLike[str]) -> bool:
 
 
 def seal_test(path: str | os.PathLike[str]) -> bool:
-    """Write the seal of a stopped test beside its file; False where the test goes on.
+    """Write the seal of a stopped test beside its file; False where the test is resumed.
 
     The file is not locked meanwhile: the test can be resumed at once. Raises UnusableInput for a
     test that has not ended, OSError.
@@ -76,7 +76,7 @@ def seal_test(path: str | os.PathLike[str]) -> bool:
     if not _ended(target):
         return False
     write_beside(target, seal)
-    if not _ended(target):  # resumed just now: its seal is of the past
+    if not _ended(target):  # resumed just now: its seal is out of date
         beside(target).unlink(missing_ok=True)
         return False
     return True
@@ -106,10 +106,9 @@ def trimmed_copy(path: str | os.PathLike[str], to: Path) -> None:
 
 
 def settle_in_background(path: str | os.PathLike[str]) -> Child:
-    """Start what an ended test still needs in a process of its own, at the lowest priority.
+    """Compress and seal an ended test in a process of its own, at the lowest priority.
 
-    A complete test is compressed and sealed. One that was stopped is sealed as it stands: it can
-    be resumed.
+    A test that was stopped is only sealed: it can be resumed.
     """
     return Child("rigapp.storage", os.fspath(path))
 
@@ -133,11 +132,11 @@ def _refuse_unended(reader: TestReader) -> None:
 
 
 def _verified_copy(reader: TestReader) -> tuple[Path, Seal]:
-    """Write the compressed, sealed copy under a hidden name; return it where it reads back same."""
+    """Write the compressed, sealed copy under a hidden name; return it once it is verified."""
     target = reader.path
     hidden = hidden_name(target, "packed")
     sizes = sizes_of(reader)
-    # New checksums of the copy would hide a damage for good.
+    # The new checksums of the copy would hide damage for good.
     if damage := next(found_damage(reader), ""):
         raise StorageFailed(
             "{}: the file is damaged and stays as it is ‹{}›; salvage what is sound:"

@@ -19,10 +19,10 @@ from rigapp.storage.structure.digest import SCALE_ATTRIBUTES
 from rigapp.storage.structure.hdf import is_bare, open_for_reading
 from rigapp.storage.structure.layout import COMPRESSED, FILE_NAME_ATTRIBUTE, FORM_ATTRIBUTE
 
-# Do what HDF5's filters do to chunks of a dataset, in as many threads as there are processors.
+# Filter the chunks of a dataset as HDF5 does, in as many threads as there are processors.
 #
-# HDF5 lets one thread in at a time, so that it compresses by one processor. What it would make of a
-# chunk (shuffle, gzip, fletcher32) is made here, and given to it ready.
+# HDF5 runs one thread at a time, so that it compresses on one processor. The content of a
+# chunk (shuffle, gzip, fletcher32) is made here, and handed to it ready.
 
 GZIP_LEVEL = 4
 
@@ -45,7 +45,7 @@ def write_chunks(new: h5py.Dataset, pieces: Iterable[NDArray[Any]], processors: 
 
 
 def filtered(block: NDArray[Any], rows: int) -> bytes:
-    """Return a chunk of so many rows as HDF5 stores it; what a block lacks at its end is zeros."""
+    """Return a chunk of so many rows as HDF5 stores it; a short block is padded with zeros."""
     missing = (rows - len(block)) * block[:1].nbytes
     plain = np.frombuffer(block.tobytes() + bytes(missing), np.uint8)
     shuffled = plain.reshape(-1, block.dtype.itemsize).T.tobytes()
@@ -73,7 +73,7 @@ Ranges = Sequence[tuple[int, int]]
 """First and stop of each range of rows that is kept, in order."""
 
 _DAMAGE = (OSError, RuntimeError, LookupError, ValueError, TypeError)
-"""What HDF5 and NumPy raise for what they cannot make sense of."""
+"""Errors that HDF5 and NumPy raise for damaged data."""
 
 
 def write_duplicate(
@@ -86,8 +86,8 @@ def write_duplicate(
     """Copy everything of ``source`` to a new file; datasets in ``sizes`` keep these rows.
 
     sizes: how many of the first rows, or ranges. lost: called with the path of what cannot be read
-    and is left out; None raises. processors: how many may compress. The copy says of itself that it
-    is called as ``source`` is: it shall take its place.
+    and is left out; None raises. processors: how many may compress. The copy holds the name of
+    ``source``, whose place it takes.
     """
     with (
         open_for_reading(source) as old,
@@ -125,7 +125,7 @@ def open_copy(copy: Path) -> h5py.File:
 
 
 def first_difference(source: Path, copy: Path, sizes: Mapping[str, int]) -> str:
-    """Return the path of the first dataset or attribute that the copy has not the same, or ""."""
+    """Return the path of the first dataset or attribute that differs in the copy, or ""."""
     with (
         open_for_reading(source) as old,
         open_for_reading(copy) as new,
@@ -172,12 +172,12 @@ def _copy_dataset(
         if rows and kept == [(0, rows)]:
             write_chunks(new, (old[part] for part in _pieces(old, 0, rows)), processors)
             kept = ()
-        place = 0
+        row = 0
         for first, stop in kept:
             for part in _pieces(old, first, stop):
                 length = part.stop - part.start
-                new[place : place + length] = old[part]
-                place += length
+                new[row : row + length] = old[part]
+                row += length
     _copy_attributes(old, new)
 
 
@@ -225,10 +225,10 @@ def _same(old: h5py.Dataset, new: h5py.Dataset, rows: int | None) -> bool:
     if old.dtype != new.dtype:
         return False
     if rows is None:
-        one, two = np.asarray(old[()]), np.asarray(new[()])
-        if one.dtype.kind == "O":
-            return np.array_equal(one, two)
-        return one.shape == two.shape and one.tobytes() == two.tobytes()
+        before, after = np.asarray(old[()]), np.asarray(new[()])
+        if before.dtype.kind == "O":
+            return np.array_equal(before, after)
+        return before.shape == after.shape and before.tobytes() == after.tobytes()
     if new.shape != (rows, *old.shape[1:]):
         return False
     if is_bare(old):

@@ -1,4 +1,4 @@
-"""Go on with an interrupted test in the same file."""
+"""Resume an interrupted test in the same file."""
 
 from __future__ import annotations
 
@@ -32,19 +32,19 @@ from rigapp.storage.writing.writer import TestWriter
 from rigapp.texts import say
 
 LAST, BEFORE = "last", "before"
-"""Why a cycle is kept that nothing wanted yet: it is the last whole one, or came before the end."""
+"""Reasons for a cycle without a trigger: it is the last whole one, or came before the end."""
 
 
 def left_cycles(reader: TestReader, cycles: int, last: int) -> list[StoredCycle]:
     """Return the confirmed cycles after the first ``cycles`` ones, in order.
 
-    last: the last committed revolution; later ones are measured anew. Files of before have none.
+    last: the last committed revolution; later ones are measured again. Older files have none.
     """
     if not reader.plan.checksums:
         return []
     newest = int(reader.cycle_revolutions()[cycles - 1]) if cycles else 0
-    result = {one.revolution: one for one in _waiting(reader)}
-    result |= {one.revolution: one for one in _uncounted(reader, cycles)}
+    result = {cycle.revolution: cycle for cycle in _waiting(reader)}
+    result |= {cycle.revolution: cycle for cycle in _uncounted(reader, cycles)}
     return [result[number] for number in sorted(result) if newest < number <= last]
 
 
@@ -54,9 +54,9 @@ def _waiting(reader: TestReader) -> Iterator[StoredCycle]:
         return
     fields = reader.fields("waiting")
     columns, checksums = reader.raw_rows("waiting", 0, reader.plan.waiting_cycles)
-    newest = max((int(one) for one in columns[0]), default=0)
+    newest = max((int(revolution) for revolution in columns[0]), default=0)
     for slot, checksum in enumerate(checksums):
-        values = {one.name: column[slot] for one, column in zip(fields, columns, strict=True)}
+        values = {field.name: column[slot] for field, column in zip(fields, columns, strict=True)}
         count = int(values["count"])
         samples = {field.name: values[field.name][:count] for field in fields if field.shape}
         if count <= 0 or cycle_checksum(samples.values(), WAITING_FIELDS, values) != checksum:
@@ -99,7 +99,7 @@ def reopen_test(path: str | os.PathLike[str]) -> TestWriter:
         _refuse_finished(reader)
     writer, last = _writer_at_end(target, _reserve)
     _log_resumption(writer, last)
-    with contextlib.suppress(OSError):  # of the end that is none any more
+    with contextlib.suppress(OSError):  # of the end, which is void now
         beside(target).unlink(missing_ok=True)
     return writer
 
@@ -132,12 +132,12 @@ def close_test(path: str | os.PathLike[str]) -> int:
     with open_test(target) as reader:
         if reader.stored_status() != "running":
             return 0
-        whole = reader.has_all_revolutions()
+        complete = reader.has_all_revolutions()
     writer, last = _writer_at_end(target, _as_planned)
     with writer:
         text = say("the file was closed after an interruption; the last revolution is {}", last)
         writer.append_event(Event(time.time(), last, "resumed", "storage", text))
-        if whole:
+        if complete:
             writer.finish("complete", "complete", say("The test is complete: {}.", text))
         else:
             writer.finish("stopped", "operator", text)
@@ -172,18 +172,18 @@ def _writer_at_end(
         reserved = reserve(disk, plan, places, counts.planned_revolutions)
         writer = TestWriter(disk, places, plan, counts, reserved, digest)
         writer.forget_stale()
-        for one in left:
-            writer.append_cycle(one.revolution, one.columns, one.why, one.quality)
+        for cycle in left:
+            writer.append_cycle(cycle.revolution, cycle.columns, cycle.why, cycle.quality)
         undo.pop_all()
     return writer, last
 
 
 def _sound_places(path: Path, plan: FilePlan) -> Places:
-    """Return where the datasets lie; raise UnusableInput where writing would harm another one."""
+    """Return the offsets of the datasets; raise UnusableInput where one overlaps another."""
     with telling_damage(path, say("its structure")):
         places, end = places_of(path), 0
         fitted_streams(plan, places)
-        for name, (offset, size) in sorted(places.items(), key=lambda one: one[1]):
+        for name, (offset, size) in sorted(places.items(), key=lambda item: item[1]):
             if offset < end:
                 raise ValueError(say("{} lies over another dataset", name))
             end = offset + size
@@ -193,7 +193,7 @@ def _sound_places(path: Path, plan: FilePlan) -> Places:
 
 
 def _as_planned(disk: Disk, plan: FilePlan, places: Places, revolutions: int) -> dict[str, int]:
-    """Reserve nothing: nothing more comes."""
+    """Reserve nothing: no rows will follow."""
     return {name: stream.planned for name, stream in fitted_streams(plan, places).items()}
 
 
@@ -276,8 +276,8 @@ def _open_for_writing(path: Path) -> int:
 
 
 def _refuse_replaced(path: Path, fd: int) -> None:
-    mine, there = os.fstat(fd), path.stat()
-    if (mine.st_ino, mine.st_dev) != (there.st_ino, there.st_dev):
+    opened, named = os.fstat(fd), path.stat()
+    if (opened.st_ino, opened.st_dev) != (named.st_ino, named.st_dev):
         raise UnusableInput("{}: the file was replaced while it was opened; try again", path)
 
 
@@ -317,7 +317,7 @@ def _rows_up_to(revolutions: NDArray[np.int64], last: int) -> int:
     """Return the rows without those at the end that belong to revolutions after ``last``.
 
     A commit may have caught a cycle or a prediction whose own revolution it did not: that number
-    is measured anew.
+    is measured again.
     """
     kept = np.flatnonzero(revolutions <= last)
     return int(kept[-1]) + 1 if kept.size else 0

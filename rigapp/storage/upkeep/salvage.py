@@ -1,7 +1,7 @@
 """Copy what checksums confirm out of a damaged or truncated test file into a new one.
 
 The rows of a file that is written in place lie before its samples, and its settings before all
-rows, so that a copy that was cut short has most of it. It is made as long again as its head says
+rows, so that a copy that was cut short has most of it. It is extended to the length in its head
 (what is missing reads as zeros, which no checksum confirms), and read as any other.
 """
 
@@ -29,7 +29,7 @@ from rigapp.texts import say
 
 SIGNATURE = b"\x89HDF\r\n\x1a\n"
 END_OF_FILE = {0: 40, 1: 44, 2: 28, 3: 28}
-"""Version of an HDF5 superblock -> where in it the file's length stands, in 8 bytes."""
+"""Version of an HDF5 superblock -> offset of the file's length in it, 8 bytes."""
 FEWEST = 16
 """Rows that are given up together where one of them cannot be read."""
 
@@ -38,10 +38,10 @@ Rows = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True)
 class Salvaged:
-    """Say what came out of a file: rows by stream, and what of the new file is not as it was.
+    """The result of salvaging a file: rows by stream, and differences in the new file.
 
     lost: committed rows without a valid checksum. missing: paths of datasets that cannot be read.
-    damage: sentences of what differs in the new file, its settings above all.
+    damage: sentences about differences in the new file, its settings above all.
     """
 
     kept: dict[str, int]
@@ -66,13 +66,13 @@ def salvage_test(path: str | os.PathLike[str], to: str | os.PathLike[str]) -> Sa
     if not source.is_file():
         raise UnusableInput("{}: there is no such file", source)
     refuse_little_space(target.parent, target, 2 * source.stat().st_size, say("the salvaged copy"))
-    whole, new = hidden_name(target, "packed"), hidden_name(target)
+    full, new = hidden_name(target, "packed"), hidden_name(target)
     with contextlib.ExitStack() as undo:
-        undo.callback(lambda: whole.unlink(missing_ok=True))
+        undo.callback(lambda: full.unlink(missing_ok=True))
         undo.callback(lambda: new.unlink(missing_ok=True))
-        _copy_at_full_length(source, whole)
+        _copy_at_full_length(source, full)
         try:
-            reader = undo.enter_context(open_test(whole))
+            reader = undo.enter_context(open_test(full))
         except UnusableInput as error:
             raise UnusableInput(
                 "{}: its structure is damaged and nothing in it can be found ‹{}›; take another"
@@ -87,7 +87,7 @@ def salvage_test(path: str | os.PathLike[str], to: str | os.PathLike[str]) -> Sa
                 source,
             )
         streams = streams_of(reader.plan)
-        chosen = {name: _sound_rows(reader, one) for name, one in streams.items() if one.counter}
+        chosen = {name: _sound_rows(reader, s) for name, s in streams.items() if s.counter}
         if not chosen["revolutions"].size:
             raise UnusableInput(
                 "{}: no revolution in it is as it was written; take another copy", source
@@ -95,7 +95,7 @@ def salvage_test(path: str | os.PathLike[str], to: str | os.PathLike[str]) -> Sa
         committed = {name: _committed(reader, name) for name in chosen}
         sizes, first = _sizes(reader, streams, chosen)
         missing: list[str] = []
-        write_duplicate(whole, new, sizes, missing.append)
+        write_duplicate(full, new, sizes, missing.append)
         _describe(new, target, source, streams, chosen, first)
         damage = damage_of(new)
         new.chmod(0o444)
@@ -108,25 +108,25 @@ def salvage_test(path: str | os.PathLike[str], to: str | os.PathLike[str]) -> Sa
     )
 
 
-def _copy_at_full_length(source: Path, whole: Path) -> None:
-    """Copy a file, with its holes, and make it as long as its head says; raises UnusableInput."""
+def _copy_at_full_length(source: Path, full: Path) -> None:
+    """Copy a file, with its holes, and extend it to the length in its head; raise UnusableInput."""
     try:
-        with source.open("rb") as old, whole.open("xb+") as new:
+        with source.open("rb") as old, full.open("xb+") as new:
             head = old.read(64)
             copy_content(old.fileno(), new.fileno())
-            place = END_OF_FILE.get(head[8]) if head.startswith(SIGNATURE) else None
-            if place is None:
+            offset = END_OF_FILE.get(head[8]) if head.startswith(SIGNATURE) else None
+            if offset is None:
                 raise UnusableInput(
                     "{}: its head is damaged or it is not an HDF5 file; take another copy", source
                 )
-            length = int.from_bytes(head[place : place + 8], "little")
+            length = int.from_bytes(head[offset : offset + 8], "little")
             if length > os.fstat(new.fileno()).st_size:
                 os.ftruncate(new.fileno(), length)
     except OSError as error:
         raise UnusableInput(
             "{}: the file cannot be copied beside {} ({}); choose another folder",
             source,
-            whole.parent,
+            full.parent,
             error.strerror,
         ) from error
 
@@ -139,10 +139,10 @@ def _committed(reader: TestReader, stream: str) -> int:
 
 
 def _sound_rows(reader: TestReader, stream: FileStream) -> Rows:
-    """Return the rows of a stream that can be believed, in order.
+    """Return the confirmed rows of a stream, in order.
 
     Rows of revolutions and cycles that follow the committed ones, confirmed and in order, were
-    written before the end and count: the counter itself may be what is damaged.
+    written before the end and count: the counter itself may be damaged.
     """
     rows = _committed(reader, stream.name)
     if stream.name == "events":
@@ -167,7 +167,7 @@ def _sound_rows(reader: TestReader, stream: FileStream) -> Rows:
 
 
 def _rising(reader: TestReader, stream: FileStream, rows: Rows) -> NDArray[np.bool_]:
-    """Tell which rows have a higher revolution than all before: what follows them is older."""
+    """Return which rows have a higher revolution than all before; others are older."""
     if not rows.size:
         return np.zeros(0, bool)
     numbers = reader.stored_rows(stream.path("revolution"), 0, int(rows[-1]) + 1)[rows]
@@ -198,8 +198,8 @@ def _sound_log(reader: TestReader, rows: int) -> int:
     while rows:
         try:
             columns = {
-                one.name: values
-                for one, values in zip(
+                field.name: values
+                for field, values in zip(
                     reader.fields("events"), reader.raw_rows("events", 0, rows)[0], strict=True
                 )
             }
@@ -229,10 +229,10 @@ def _sizes(
         if name in RAGGED:
             samples = streams[RAGGED[name]]
             begin, count = (
-                reader.stored_rows(stream.path(one), 0, int(rows[-1]) + 1)[rows]
+                reader.stored_rows(stream.path(column), 0, int(rows[-1]) + 1)[rows]
                 if (rows := chosen[name]).size
                 else np.empty(0, np.int64)
-                for one in ("first", "count")
+                for column in ("first", "count")
             )
             first[name] = np.cumsum(count) - count
             parts = [(int(a), int(a + n)) for a, n in zip(begin, count, strict=True)]
@@ -257,7 +257,7 @@ def _describe(
     chosen: Mapping[str, Rows],
     first: Mapping[str, NDArray[np.int64]],
 ) -> None:
-    """Let the new file count what it has, and say where it comes from."""
+    """Write the counts of the new file, and the name of its source."""
     with open_copy(new) as file:
         file.attrs[FILE_NAME_ATTRIBUTE] = target.name
         if SEAL in file:

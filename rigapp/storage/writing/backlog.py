@@ -1,4 +1,4 @@
-"""Keep what is to be written in memory until a thread that may wait for the disk places it."""
+"""Keep writes in memory until a thread that may wait for the disk places them."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from rigapp.storage.filesystem.disk import Disk
 
 SOFT_LIMIT = 4 << 20  # 10 s of whole cycles at 120 rpm: so long may a disk sync
 HARD_LIMIT = 64 << 20  # three minutes of it: a disk that is so late is too slow
-WAIT_S = 1e-3  # for whoever places, so that it gets the interpreter; 128 kB take 0.1 ms
+WAIT_S = 1e-3  # gives the placing thread the interpreter; 128 kB take 0.1 ms
 MADE_AT_ONCE = 8  # whole cycles or blocks of rows: their columns are joined to runs
-RUN_BYTES = 1 << 17  # longer ones cost no less a byte, and whoever assists waits for one
+RUN_BYTES = 1 << 17  # longer ones cost no less a byte, and an assisting thread waits for one
 
 
 @dataclass(slots=True)
@@ -28,10 +28,10 @@ class _Run:
 class Backlog:
     """Hold writes (bytes, offset) in order, bounded, between appending and committing.
 
-    Policy: up to SOFT_LIMIT bytes an append only copies into memory, so that a disk that stalls
-    delays nobody. Above it each append places ``share`` runs itself. Above HARD_LIMIT it places
-    until the backlog is below: then the disk is slower than the data, and the caller must feel it.
-    Nothing is ever dropped.
+    Policy: up to SOFT_LIMIT bytes an append only copies into memory, so that a stalled disk delays
+    no caller. Above it each append places ``share`` runs itself. Above HARD_LIMIT it places until
+    the backlog is below: then the disk is slower than the data, and the caller must wait. Nothing
+    is ever dropped.
 
     A column of a whole cycle lies in the file where that of the cycle before ends. Writes that wait
     are joined so: a call for each column of several cycles, not for each of every cycle.
@@ -48,7 +48,7 @@ class Backlog:
         self.bytes = 0
 
     def put(self, writes: Sequence[tuple[memoryview, int]]) -> None:
-        """Add writes of places that nothing waiting is written to; raises StorageFailed.
+        """Add writes that overlap no waiting one; raises StorageFailed.
 
         Their data must not change afterwards.
         """
@@ -66,7 +66,7 @@ class Backlog:
                 self.bytes += size
 
     def put_over(self, writes: Sequence[tuple[memoryview, int]]) -> None:
-        """Add writes of places that others are written to: none is moved before or after them."""
+        """Add writes that may overlap waiting ones, whose order they keep."""
         self._disk.refuse_broken()
         if not writes:
             return
@@ -77,14 +77,14 @@ class Backlog:
                 self.bytes += len(data)
 
     def put_later(self, size: int, make: Callable[[], object]) -> None:
-        """Let who places call what puts writes of so many bytes, in order; raises StorageFailed."""
+        """Add a function that puts ``size`` bytes when its turn comes; raises StorageFailed."""
         self._disk.refuse_broken()
         with self._lock:
             self._later.append((size, make))
             self.bytes += size
 
     def assist(self, share: int) -> None:
-        """Place runs as the policy asks; called by each append. Raises StorageFailed."""
+        """Place runs by the policy; called by each append. Raises StorageFailed."""
         if self.bytes <= SOFT_LIMIT:
             return
         while (share > 0 or self.bytes > HARD_LIMIT) and self._place_one(
@@ -116,7 +116,7 @@ class Backlog:
             self._placing.release()
 
     def _make(self, most: int) -> None:
-        """Put what was to be made later; one thread at a time, so that none passes what is made."""
+        """Call the functions of ``put_later``; one thread at a time, so that the order stays."""
         with self._making:
             for _ in range(most):
                 with self._lock:

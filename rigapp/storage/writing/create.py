@@ -1,4 +1,4 @@
-"""Make the file of a test whole before its first sample: structure, space, places, name."""
+"""Make the complete file of a test before its first sample: structure, space, offsets, name."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def _largest_file() -> int | None:
 def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Disk, Places]:
     """Create the file under a hidden name, reserve and check it, and move it into place.
 
-    Returns the open, locked file and the places of its datasets. Raises UnusableInput; then
+    Returns the open, locked file and the offsets of its datasets. Raises UnusableInput; then
     nothing is left behind.
     """
     refuse_bad_target(path, plan)
@@ -126,7 +126,7 @@ def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Dis
 
 
 def places_of(path: Path) -> Places:
-    """Return where the in-place datasets of a file lie, as h5py reports it."""
+    """Return the offsets of the in-place datasets of a file, by h5py."""
     places: Places = {}
 
     def note(name: str, item: object) -> None:
@@ -141,27 +141,27 @@ def places_of(path: Path) -> Places:
 
 
 _EXTENT, _CONTINUED = 0x01, 0x10
-"""Messages in the header of an HDF5 object: the length of a dataset; where the header goes on."""
+"""Messages in the header of an HDF5 object: the length of a dataset; the header's continuation."""
 
 
 def lengths_of(path: Path, streams: Mapping[str, FileStream]) -> dict[str, tuple[int, ...]]:
-    """Return where in the file the lengths of the datasets of each stream of data stand.
+    """Return the offsets of the lengths of the datasets, for each stream of data.
 
-    A stream is left out where they are not where the format of HDF5 says: other programs see all
-    its rows then.
+    A stream whose lengths are not found by the format of HDF5 is left out: other programs then see
+    all its rows.
     """
     result: dict[str, tuple[int, ...]] = {}
     with open_for_reading(path) as file, path.open("rb") as stream:
-        for name, one in streams.items():
-            names = dict.fromkeys((*(column.name for column in one.stored), one.dimension))
-            offsets = [_length_of(file[one.path(column)], stream) for column in names]
+        for name, data in streams.items():
+            names = dict.fromkeys((*(column.name for column in data.stored), data.dimension))
+            offsets = [_length_of(file[data.path(column)], stream) for column in names]
             if name not in ("waiting", "checkpoints") and all(offsets):
                 result[name] = tuple(offsets)
     return result
 
 
 def _length_of(dataset: h5py.Dataset, stream: BinaryIO) -> int:
-    """Return where the length of a dataset stands in its file, 0 where it is not found.
+    """Return the offset of the length of a dataset in its file, 0 where it is not found.
 
     A header of version 1: 16 bytes, then messages; of each kind and size in 2 bytes, 4 more, data.
     """
@@ -170,22 +170,22 @@ def _length_of(dataset: h5py.Dataset, stream: BinaryIO) -> int:
         stream.seek(start)
         return stream.read(size)
 
-    def number(data: bytes, place: int, size: int = 8) -> int:
-        return int.from_bytes(data[place : place + size], "little")
+    def number(data: bytes, offset: int, size: int = 8) -> int:
+        return int.from_bytes(data[offset : offset + size], "little")
 
     address = h5py.h5o.get_info(dataset.id).addr
     head = read(address, 16)
     blocks = [(address + 16, number(head, 8, 4))] if head[:1] == b"\1" else []
     for start, size in blocks:
-        block, place = read(start, size), 0
-        while place + 16 <= len(block):
-            kind = number(block, place, 2)
+        block, offset = read(start, size), 0
+        while offset + 16 <= len(block):
+            kind = number(block, offset, 2)
             if kind == _CONTINUED and len(blocks) < number(head, 2, 2):
-                blocks.append((number(block, place + 8), number(block, place + 16)))
+                blocks.append((number(block, offset + 8), number(block, offset + 16)))
             if kind == _EXTENT:
-                same = block[place + 8] == 1 and number(block, place + 16) == len(dataset)
-                return start + place + 16 if same else 0
-            place += 8 + number(block, place + 2, 2)
+                same = block[offset + 8] == 1 and number(block, offset + 16) == len(dataset)
+                return start + offset + 16 if same else 0
+            offset += 8 + number(block, offset + 2, 2)
     return 0
 
 
@@ -208,7 +208,7 @@ def reserve_stream(disk: Disk, stream: FileStream, places: Places, first: int, r
 
 
 def check_places(disk: Disk, file: Path, streams: Mapping[str, FileStream], places: Places) -> None:
-    """Write a mark through each place, read it back through h5py, and clear it again.
+    """Write a mark at each offset, read it back through h5py, and clear it again.
 
     Raises StorageFailed when the library's offsets do not hold: then no test may start.
     """
@@ -224,9 +224,9 @@ def check_places(disk: Disk, file: Path, streams: Mapping[str, FileStream], plac
     for _, _, offset, mark in marks:
         disk.write(mark, offset)
     with open_for_reading(file) as opened:
-        for path, here in groupby(marks, key=itemgetter(0)):
+        for path, group in groupby(marks, key=itemgetter(0)):
             dataset = opened[path]  # once: to open it costs more than to read it
-            for _, row, offset, mark in here:
+            for _, row, offset, mark in group:
                 if np.asarray(dataset[row]).tobytes() != mark:
                     raise StorageFailed(
                         "{}: {} row {} is not where HDF5 says ({}); no test can be stored"

@@ -1,4 +1,4 @@
-"""Append what belongs to single revolutions: whole cycles, and the predictions of the twin."""
+"""Append records of single revolutions: whole cycles, and the predictions of the twin."""
 
 from __future__ import annotations
 
@@ -63,11 +63,11 @@ class CycleWriter:
         why: str = "scheduled",
         quality: int = 0,
     ) -> bool:
-        """Append the samples of one whole cycle; False when there is no reserved room for it.
+        """Append the samples of one whole cycle; False when there is no reserved space for it.
 
         columns: name -> (samples,) array, or an array (columns, samples) in the plan's order; they
-        must not change afterwards: whoever places them copies them. why, quality: kept
-        where the plan has ``cycle_reason``.
+        must not change afterwards: they are copied when they are placed. why, quality: kept where
+        the plan has ``cycle_reason``.
         """
         kept = self._append_ragged("cycles", "samples", revolution, columns, why, quality)
         if not kept:
@@ -81,8 +81,8 @@ class CycleWriter:
         """Put a whole cycle that may still be kept into the file, over the oldest of its kind.
 
         It counts only after a crash: see ``rigapp.storage.upkeep.resume``. One that is longer
-        than its place is left out. columns: see ``append_cycle``. why: as it is now, empty while
-        nothing wants it.
+        than its slot is left out. columns: see ``append``. why: the reason so far, empty without
+        one.
         """
         stream = self._streams.get("waiting")
         if stream is None:
@@ -144,7 +144,7 @@ class CycleWriter:
             samples, index = self._records[samples_name], self._records[index_name]
             if not (samples.holds(first + number) and index.holds(row + 1)):
                 return False
-            place: dict[str, list[Any]] = {
+            entry: dict[str, list[Any]] = {
                 "revolution": [revolution],
                 "first": [first],
                 "count": [number],
@@ -153,7 +153,7 @@ class CycleWriter:
             }
             self._backlog.put_later(
                 _size(values),
-                partial(self._place_ragged, index_name, samples_name, row, values, place),
+                partial(self._place_ragged, index_name, samples_name, row, values, entry),
             )
             with self._count_lock:
                 setattr(counts, samples_name, first + number)
@@ -167,18 +167,18 @@ class CycleWriter:
         samples_name: str,
         row: int,
         values: Mapping[str, NDArray[Any]],
-        place: dict[str, list[Any]],
+        entry: dict[str, list[Any]],
     ) -> None:
         stored = {
             field.name: np.ascontiguousarray(values[field.name], field.dtype)
             for field in self._streams[samples_name].fields
         }
-        self._records[samples_name].place(place["first"][0], place["count"][0], stored)
+        self._records[samples_name].place(entry["first"][0], entry["count"][0], stored)
         stream = self._streams[index_name]
         if stream.checksum is not None:
-            crc = cycle_checksum(stored.values(), stream.fields, place)
-            place[stream.checksum.name] = [crc]
-        self._records[index_name].place(row, 1, place)
+            crc = cycle_checksum(stored.values(), stream.fields, entry)
+            entry[stream.checksum.name] = [crc]
+        self._records[index_name].place(row, 1, entry)
 
     def _cycle_values(
         self, columns: Mapping[str, ArrayLike] | NDArray[Any]
@@ -239,7 +239,7 @@ class PredictionWriter:
         values: NDArray[np.float64] | Sequence[float],
         curves: Mapping[str, ArrayLike] | NDArray[Any] | None = None,
     ) -> bool:
-        """Append what the twin predicted for one revolution; False when there is no room.
+        """Append the twin's prediction of one revolution; False when there is no space.
 
         values: float64, in the order of the plan's prediction columns, the revolution first; in a
         file of an older version those of ``prediction_columns`` that it has are stored.
@@ -257,9 +257,9 @@ class PredictionWriter:
         names = self._plan.predicted_curves
         if not isinstance(curves, Mapping):
             curves = dict(zip(names, np.asarray(curves), strict=True))
-        place: dict[str, ArrayLike] = {f"curve_{name}": curves[name] for name in names}
-        place["curve_revolution"] = [revolution]
-        return self._append_record("curves", place)
+        values: dict[str, ArrayLike] = {f"curve_{name}": curves[name] for name in names}
+        values["curve_revolution"] = [revolution]
+        return self._append_record("curves", values)
 
     def append_profile(
         self, values: NDArray[np.float64] | Sequence[float], curves: Mapping[str, ArrayLike]
@@ -271,11 +271,11 @@ class PredictionWriter:
         if "profiles" not in self._streams:
             return False
         names = [column.name for column in profile_columns()]
-        place: dict[str, ArrayLike] = {
+        columns: dict[str, ArrayLike] = {
             f"profile_{name}": [value] for name, value in zip(names, values, strict=True)
         }
-        place |= {f"profile_{name}": curves[name] for name in PROFILE_CURVES}
-        return self._append_record("profiles", place)
+        columns |= {f"profile_{name}": curves[name] for name in PROFILE_CURVES}
+        return self._append_record("profiles", columns)
 
     def _append_record(self, stream: str, values: Mapping[str, ArrayLike]) -> bool:
         """Append a row to a stream of the twin; False when there is no room for it."""

@@ -21,17 +21,17 @@ from rigapp.texts import say
 Float = NDArray[np.float64]
 Offsets = dict[str, int]
 FEWEST_SHOWN = 1
-"""HDF5 takes a dataset that has a place and no length for damaged."""
-GROWTH_ROWS = 4096  # reserved at once, so that asking the disk is rare
+"""HDF5 takes a dataset that has an offset and no length for damaged."""
+GROWTH_ROWS = 4096  # reserved at once, so that calls of the disk are rare
 
 
 class Capacity:
-    """Know how many rows of a stream have reserved disk space, and reserve more while they last.
+    """The rows of a stream that have reserved disk space; reserve more when they run out.
 
     It also holds how many rows other programs see. HDF5 has the length of a dataset in its header;
-    it is moved in steps ahead of the rows, so that who reads a running test finds columns of one
-    length, and what is measured is NaN in the rows between.
-    lengths: where it stands in the file, for each dataset, none where others see all. rows: there.
+    it is moved in steps ahead of the rows, so that readers of a running test find columns of one
+    length, whose rows between are NaN. lengths: offset of the length in the file, for each dataset,
+    none where others see all. rows: in the file.
     """
 
     __slots__ = (
@@ -61,7 +61,7 @@ class Capacity:
         self.show()
 
     def reach(self, rows: int) -> list[tuple[memoryview, int]]:
-        """Return what is to be written behind the first ``rows`` rows, before any further one."""
+        """Return the writes behind the first ``rows`` rows, which come before any further row."""
         most = max(rows, self.reserved)
         if not self._lengths or min(rows + self._ahead // 2, most) <= self._reached:
             return []
@@ -70,14 +70,14 @@ class Capacity:
         count = self._reached - first
         return [
             (
-                _bytes_of(np.full((count, *one.shape), np.nan, one.dtype)),
-                self._offsets[one.name] + first * one.row_bytes,
+                _bytes_of(np.full((count, *column.shape), np.nan, column.dtype)),
+                self._offsets[column.name] + first * column.row_bytes,
             )
-            for one in (self._floats if count else ())
+            for column in (self._floats if count else ())
         ]
 
     def show(self) -> None:
-        """Let other programs see the rows that are reached; raises StorageFailed."""
+        """Show other programs the rows that are reached; raises StorageFailed."""
         rows = self._reached
         if rows != self._shown:
             for offset in self._lengths:
@@ -85,12 +85,12 @@ class Capacity:
             self._shown = rows
 
     def end(self, rows: int) -> None:
-        """Let other programs see so many rows and no more; raises StorageFailed."""
+        """Show other programs so many rows and no more; raises StorageFailed."""
         self._reached = max(FEWEST_SHOWN, rows)
         self.show()
 
     def holds(self, rows: int) -> bool:
-        """Tell whether ``rows`` rows fit, reserving more where the file declares them."""
+        """Return whether ``rows`` rows fit, reserving more where the file declares them."""
         if rows <= self.reserved:
             return True
         if rows > self._stream.capacity:
@@ -133,7 +133,7 @@ class RowBuffer:
         self._fields = stream.fields
         dtypes = [np.dtype(field.dtype) for field in stream.fields]
         self._sizes = np.array([dtype.itemsize for dtype in dtypes])
-        self._narrow = [(i, one) for i, one in enumerate(dtypes) if one != np.float64]
+        self._narrow = [(i, dtype) for i, dtype in enumerate(dtypes) if dtype != np.float64]
         self._offsets = [offsets[field.name] for field in stream.fields]
         self._checksum = None if stream.checksum is None else offsets[stream.checksum.name]
         self._room = room
@@ -144,7 +144,7 @@ class RowBuffer:
         self._begin_block()
 
     def append(self, values: Float | Sequence[float]) -> bool:
-        """Take one row, in the order of the stream's fields; False when there is no room for it."""
+        """Take one row, in the order of the stream's fields; False when there is no space."""
         with self._lock:
             if self.count >= self._room.reserved and not self._room.holds(self.count + 1):
                 return False
@@ -160,7 +160,7 @@ class RowBuffer:
         return True
 
     def hand_over_pending(self) -> int:
-        """Hand what is left to the backlog; return the rows that are in it or in the file."""
+        """Hand the remaining rows to the backlog; return the rows that are in it or in the file."""
         with self._lock:
             first, count = self._placed, self.count
             rows = self._block[first - self._base : self._fill]
@@ -175,7 +175,7 @@ class RowBuffer:
         self._block: Float = np.empty((self._size, len(self._offsets)))
 
     def _hand_over(self, first: int, rows: Float) -> None:
-        """Hand rows over, a column at a time; nothing writes to them any more."""
+        """Hand rows over, a column at a time; they must not change any more."""
         if not len(rows):
             return
         block = np.array(rows.T, order="C")
@@ -213,7 +213,7 @@ class RecordPlacer:
         self._room = room
 
     def holds(self, rows: int) -> bool:
-        """Tell whether the first ``rows`` rows of the stream fit."""
+        """Return whether the first ``rows`` rows of the stream fit."""
         return rows <= self._room.reserved or self._room.holds(rows)
 
     def place(
@@ -221,26 +221,26 @@ class RecordPlacer:
     ) -> None:
         """Place ``rows`` rows from row ``first`` on; values: each field's array by name.
 
-        over: the same rows were placed before, and what is shorter than its place leaves the rest.
+        over: the same rows were placed before; a shorter record leaves the rest of them.
         An array that has the field's type already is not copied: it must not change afterwards.
         """
         writes: list[tuple[memoryview, int]] = []
         columns: list[NDArray[Any]] = []
         checksum = self._stream.checksum
-        for one, dtype, row_bytes, offset in self._fields:
-            if one is checksum and one.name not in values:
+        for column, dtype, row_bytes, offset in self._fields:
+            if column is checksum and column.name not in values:
                 shapes = ((rows, *field.shape) for field in self._stream.fields)
                 columns = list(map(np.ndarray.reshape, columns, shapes))
                 crcs = row_checksums(self._stream.fields, columns, rows)
-                values = {**values, one.name: crcs}
-            data = np.ascontiguousarray(values[one.name], dtype=dtype)
+                values = {**values, column.name: crcs}
+            data = np.ascontiguousarray(values[column.name], dtype=dtype)
             if data.nbytes > rows * row_bytes or (data.nbytes < rows * row_bytes and not over):
                 raise ValueError(
                     say(
                         "{}: got {}, wanted {} values",
-                        self._stream.path(one.name),
+                        self._stream.path(column.name),
                         data.shape,
-                        (rows, *one.shape),
+                        (rows, *column.shape),
                     )
                 )
             writes.append((_bytes_of(data), offset + first * row_bytes))
@@ -263,7 +263,7 @@ FINAL_STATUSES = ("complete", "stopped", "fault")
 
 @dataclass(slots=True)
 class Counts:
-    """Count the rows of each stream, and what was refused."""
+    """The number of rows of each stream, and of refused ones."""
 
     revolutions: int = 0
     cycles: int = 0
@@ -310,7 +310,7 @@ class Scalars:
         self.put(f"{STATE}/{name}", value)
 
     def put(self, path: str, value: int | str) -> None:
-        """Overwrite one scalar; a text too long for its place is cut between characters."""
+        """Overwrite one scalar; a text that is too long is cut between characters."""
         offset, length = self._places[path]
         if isinstance(value, int):
             data = value.to_bytes(8, "little", signed=True)

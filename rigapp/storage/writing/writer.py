@@ -50,16 +50,16 @@ from rigapp.storage.writing.streams import (
 )
 from rigapp.texts import joined, say
 
-ROWS_BUFFERED = 256  # 72 kB in one piece; a commit takes what is there before
+ROWS_BUFFERED = 256  # 72 kB in one piece; a commit takes fewer
 LONG_TEST = 4096  # revolutions; few rigs make a block of rows a second
 STALE_ROWS = 4096  # more than a crash leaves uncounted
-EVENTS_KEPT_BACK = 64  # rows for alarms and the end of the test, whoever filled the log
+EVENTS_KEPT_BACK = 64  # rows for alarms and the end of the test, however full the log
 
 
 def create_test(path: str | os.PathLike[str], plan: FilePlan, metadata: TestMetadata) -> TestWriter:
     """Create the file of a test and return its writer.
 
-    The file is whole, its space reserved, before it appears under its name. Raises UnusableInput
+    The file is complete, its space reserved, before it appears under its name. Raises UnusableInput
     for an existing file, a folder that is missing or read-only, too little space.
     """
     target = Path(path).absolute()
@@ -156,7 +156,7 @@ class TestWriter:
 
     @property
     def path(self) -> Path:
-        """Return where the file is; another place when it had to be saved there."""
+        """Return where the file is; another path when it had to be saved there."""
         return self._disk.path
 
     @property
@@ -166,7 +166,7 @@ class TestWriter:
 
     @property
     def revolutions(self) -> int:
-        """Return the rows appended, committed or not."""
+        """Return the number of rows appended, committed or not."""
         return self._rows.count
 
     @property
@@ -176,7 +176,7 @@ class TestWriter:
 
     @property
     def cycles_refused(self) -> int:
-        """Return the whole cycles not kept for want of reserved room."""
+        """Return the number of whole cycles not kept for lack of reserved space."""
         return self._counts.cycles_refused
 
     def append_row(self, values: NDArray[np.float64] | Sequence[float]) -> None:
@@ -193,9 +193,9 @@ class TestWriter:
             )
 
     def forget_stale(self) -> None:
-        """Take the checksums of rows after the last ones away, that a crash left uncounted.
+        """Remove the checksums of rows after the last ones, which a crash left uncounted.
 
-        New rows take their places one by one; an old one among them would be confirmed again.
+        New rows overwrite them one by one; an old one among them would be confirmed again.
         """
         for name in ("revolutions", "cycles"):
             stream = self._streams[name]
@@ -209,8 +209,8 @@ class TestWriter:
     def append_event(self, event: Event) -> bool:
         """Append an event to the log; False, and counted, when the log is full.
 
-        What people cause by asking gets half of the log, so that nobody can fill it: alarms and
-        the end of the test always find room.
+        Events of requests get half of the log, so that they cannot fill it: alarms and the end of
+        the test always find space.
         """
         half = self._streams["events"].planned // 2
         return self._append_event(event, half if is_requested(event) else EVENTS_KEPT_BACK)
@@ -224,7 +224,7 @@ class TestWriter:
     def extend(self, revolutions: int) -> None:
         """Plan for ``revolutions`` in all, and reserve the disk space for them.
 
-        Raises UnusableInput, and changes nothing, when the file or the disk has not the room.
+        Raises UnusableInput, and changes nothing, when the file or the disk has no space.
         """
         capacity = self._streams["revolutions"].capacity
         if revolutions > capacity:
@@ -287,7 +287,7 @@ class TestWriter:
             return self.revolutions_committed if self._closed else self._commit()
 
     def place(self) -> None:
-        """Put into the file what waits in memory, without making it safe; for between commits.
+        """Put the backlog into the file between commits, without making it safe.
 
         It keeps appending free of writing. Raises StorageFailed; after ``close`` it does nothing.
         """
@@ -305,7 +305,7 @@ class TestWriter:
             reserve_stream(disk, stream, self._places, 0, self._rooms[name].reserved)
 
     def finish(self, status: str, reason_code: str, sentence: str) -> None:
-        """Commit, and say how the test ended: status complete, stopped or fault."""
+        """Commit, and record how the test ended: status complete, stopped or fault."""
         if status not in FINAL_STATUSES:
             raise ValueError(
                 say("status {} is not one of {}", repr(status), joined(", ", FINAL_STATUSES))
@@ -319,19 +319,19 @@ class TestWriter:
             self._scalars.put_state("reason_code", reason_code)
             self._scalars.put_state("reason", sentence)
             self._scalars.put(END_TIME, iso_time(time.time()))
-            # The computer's name tells who writes; a file that is given away need not hold it.
+            # The computer's name marks a running writer; a finished file must not disclose it.
             self._scalars.put_state("writer", say("process {}", os.getpid()))
             self._disk.sync()
             self._scalars.put_state("status", status)
             self._disk.sync()
             self._finished = True
-        found = self.watch_path()
-        if found is not None and not found.saved:
-            raise StorageFailed(found.sentence)
+        report = self.watch_path()
+        if report is not None and not report.saved:
+            raise StorageFailed(report.sentence)
         self._give_back()
 
     def _give_back(self) -> None:
-        """Give the room back that the test did not need; going on with it reserves it again."""
+        """Give unused space back; resuming the test reserves it again."""
         with self._commit_lock:
             for name, room in self._rooms.items():
                 rows = self._rows_of(name)
@@ -350,7 +350,7 @@ class TestWriter:
             return getattr(self._counts, stream, None)
 
     def close(self) -> None:
-        """Let go of the file; what was not committed is committed if the disk allows it."""
+        """Close the file; uncommitted data are committed if the disk allows it."""
         with self._path_watcher.looking, self._commit_lock:
             if self._closed:
                 return
@@ -362,7 +362,7 @@ class TestWriter:
                 self._disk.close()
 
     def discard(self) -> None:
-        """Let go of a file in which nothing is recorded, and delete it under its name."""
+        """Close a file in which nothing is recorded, and delete it under its name."""
         with self._path_watcher.looking, self._commit_lock:
             if self._closed:
                 return
